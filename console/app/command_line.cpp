@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/app/command_line.hpp"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+#include "console/models/lessons_model.hpp"
+
+namespace swage::console {
+namespace {
+
+QCommandLineOption option(const char* name, const char* text, const char* value = "") {
+  return {QString::fromLatin1(name), QCoreApplication::translate("command_line", text),
+          QString::fromLatin1(value)};
+}
+
+}  // namespace
+
+Launch read_command_line(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QCoreApplication::translate(
+      "command_line", "Swage, the microsurgery trainer: runs lessons and shows progress."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("lesson"),
+                               QCoreApplication::translate("command_line", "Lesson file to open."),
+                               QStringLiteral("[lesson.json]"));
+  parser.addOptions({
+      option("start", "Start the lesson at once."),
+      option("device", "The hand: mouse, expert, a plugin id, or a name from the lesson.", "device"),
+      option("person", "Who practises.", "name"),
+      option("mode", "practice, test or demo.", "mode"),
+      option("plugin-dir", "Folder to look for plugins in first; may be repeated.", "folder"),
+      option("store", "Attempts database: a file, postgresql://user@host/database, or :none:.", "store"),
+      option("safe-mode", "Stock plugins only."),
+      option("theme", "light or dark.", "theme"),
+      option("cues", "thesis or safe: colours of the cues.", "cues"),
+      option("view", "orbit, side or top.", "view"),
+      option("page", "run or progress.", "page"),
+      option("size", "Size of the window, as in 1440x900.", "size"),
+      option("screenshot", "Write a picture of the window and quit.", "file.png"),
+      option("at", "When: seconds into the attempt, or after the window is there.", "seconds"),
+  });
+  parser.process(arguments);
+
+  const auto text = [&](const char* name) { return parser.value(QString::fromLatin1(name)); };
+  const auto given = [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
+  Launch launch;
+  if (!parser.positionalArguments().isEmpty())
+    launch.options.lesson_path = parser.positionalArguments().first().toStdString();
+  for (const QString& dir : parser.values(QStringLiteral("plugin-dir")))
+    launch.options.plugin_dirs.push_back(dir.toStdString());
+  launch.options.device = text("device").toStdString();
+  launch.device_given = given("device");
+  if (given("person")) launch.options.person = text("person").toStdString();
+  launch.person_given = given("person");
+  if (given("mode")) launch.options.mode = text("mode").toStdString();
+  launch.mode_given = given("mode");
+  launch.options.store_path = text("store").toStdString();
+  launch.options.safe_mode = given("safe-mode");
+  launch.start = given("start");
+  launch.theme = text("theme");
+  launch.cues = text("cues");
+  launch.view = text("view");
+  launch.page = text("page");
+  launch.screenshot = text("screenshot");
+  launch.screenshot_at_s = text("at").toDouble();
+  const QStringList size = text("size").split(QLatin1Char('x'));
+  if (size.size() == 2) launch.size = QSize(size[0].toInt(), size[1].toInt());
+  launch.lesson_folders = lesson_folders();
+  return launch;
+}
+
+}  // namespace swage::console

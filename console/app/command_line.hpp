@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include "session/session.hpp"
+
+namespace swage::console {
+
+/// What the program was asked for.
+struct Launch {
+  session::Options options;  // plugin folders, store, lesson, device, person, mode as given
+  bool device_given = false, person_given = false, mode_given = false;
+  bool start = false;
+  QString theme, cues, view;   // "" as remembered
+  QString page;                // "run" or "progress"
+  QString screenshot;          // file to write the picture of the window to, then quit
+  double screenshot_at_s = 0;  // simulated time; without a run, seconds after the window is there
+  QSize size;                  // of the window
+  QStringList lesson_folders;
+  QString settings_file;  // "" for the user's own
+};
+
+/// Reads the arguments. Prints help or what is wrong and ends the program where Qt's parser does so.
+Launch read_command_line(const QStringList& arguments);
+
+}  // namespace swage::console

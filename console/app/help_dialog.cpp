@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/app/help_dialog.hpp"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+struct Line {
+  QString key, what;
+};
+
+Card make_table(const QString& heading, const QVector<Line>& lines, QWidget* parent) {
+  Card card = make_card(heading, parent);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(18);
+  grid->setVerticalSpacing(5);
+  grid->setColumnStretch(1, 1);
+  for (const Line& line : lines) {
+    auto* key = new QLabel(line.key, card.frame);
+    key->setProperty("key", true);
+    const int row = grid->rowCount();
+    grid->addWidget(key, row, 0);
+    grid->addWidget(new QLabel(line.what, card.frame), row, 1);
+  }
+  card.body->addLayout(grid);
+  card.body->addStretch(1);
+  return card;
+}
+
+Card make_legend(const CueTheme& cues, QWidget* parent) {
+  Card card = make_card(QObject::tr("What the cues mean"), parent);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  for (const QString& meaning : cues.meanings()) {
+    const CueStyle style = cues.style(meaning);
+    const int row = grid->rowCount();
+    auto* badges = new QHBoxLayout;
+    badges->setSpacing(0);
+    for (const QChar sign : style.shape) {
+      auto* badge = new CueBadge(card.frame);
+      CueStyle one = style;
+      one.shape = sign;
+      badge->set_style(one);
+      badges->addWidget(badge);
+    }
+    badges->addStretch(1);
+    grid->addLayout(badges, row, 0);
+    grid->addWidget(new QLabel(style.text, card.frame), row, 1);
+    auto* sound = make_muted(style.sound, card.frame);
+    sound->setWordWrap(false);
+    grid->addWidget(sound, row, 2);
+  }
+  card.body->addLayout(grid);
+  card.body->addStretch(1);
+  return card;
+}
+
+}  // namespace
+
+HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Keys and cues"));
+  setObjectName(QStringLiteral("help"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(16, 16, 16, 16);
+  grid->setSpacing(12);
+  grid->addWidget(make_table(tr("Lesson"),
+                             {{tr("F5"), tr("Start, again")},
+                              {tr("F6"), tr("Pause, go on")},
+                              {tr("F7"), tr("Bring the needle back")},
+                              {tr("F8"), tr("Mark the moment two seconds ago")},
+                              {tr("Shift+F5"), tr("Stop")},
+                              {tr("Ctrl+1, Ctrl+2"), tr("Run, Progress")},
+                              {tr("F1"), tr("This page")}},
+                             this)
+                      .frame,
+                  0, 0);
+  grid->addWidget(make_table(tr("Instrument: mouse and keyboard"),
+                             {{tr("Left drag,  A D W S"), tr("Move across")},
+                              {tr("Wheel,  Q E"), tr("Move away, come nearer")},
+                              {tr("Right drag,  arrows"), tr("Turn")},
+                              {tr("Ctrl+right drag,  Z X"), tr("Roll")},
+                              {tr("Middle button,  Space"), tr("Close the jaws")},
+                              {tr("Ctrl+middle,  B"), tr("Open the jaws")},
+                              {tr("Ctrl+wheel"), tr("Close, open in small steps")},
+                              {tr("Shift"), tr("Everything finer")}},
+                             this)
+                      .frame,
+                  0, 1);
+  grid->addWidget(make_table(tr("Picture"),
+                             {{tr("Drag,  arrows"), tr("Turn the camera")},
+                              {tr("Right drag, Shift+drag"), tr("Shift the camera")},
+                              {tr("Wheel,  + −"), tr("Nearer, further")},
+                              {tr("Double click,  Home"), tr("Frame the scene")},
+                              {tr("Ctrl+drag"), tr("Turn while the mouse is the instrument")},
+                              {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")}},
+                             this)
+                      .frame,
+                  1, 0);
+  grid->addWidget(make_legend(cues, this).frame, 1, 1);
+  auto* close = make_button(tr("Close"), QStringLiteral("Esc"), QStringLiteral("close_help"), this);
+  close->setDefault(true);
+  connect(close, &QPushButton::clicked, this, &QDialog::accept);
+  grid->addWidget(close, 2, 1, Qt::AlignRight);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/app/main_window.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "console/app/help_dialog.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+
+MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
+    : QMainWindow(parent),
+      settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)) {
+  setWindowTitle(tr("Swage"));
+  lessons_.set_folders(launch.lesson_folders);
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(make_top_bar());
+  strip_ = new StatusStrip(middle);
+  pages_ = new QStackedWidget(middle);
+  run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
+  progress_ = new ProgressPage(std::move(doors.open_store), pages_);
+  pages_->addWidget(run_);
+  pages_->addWidget(progress_);
+  column->addWidget(pages_, 1);
+  column->addWidget(strip_);
+  setCentralWidget(middle);
+  add_actions();
+  connect(run_, &RunPage::show_progress, this, [this] { show_page(1); });
+  connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
+  connect(progress_, &ProgressPage::recovered, this, [this](int n) {
+    run_->set_notice(
+        n == 1 ? tr("The program closed unexpectedly. 1 attempt was kept up to that moment.")
+               : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
+  });
+  connect(run_, &RunPage::attempt_over, this, [this] {
+    const QString person = run_->setup()->person();
+    progress_->refresh();
+    progress_->select_person(person);
+    run_->setup()->set_people(progress_->people()->names(), person);
+  });
+  strip_->set_graphics(
+      run_->view()->gl().ok
+          ? tr("Picture: %1").arg(run_->view()->gl().renderer.section(QLatin1Char('('), 0, 0).trimmed())
+          : tr("▲ No OpenGL"));
+  restore(launch);
+}
+
+MainWindow::~MainWindow() = default;
+
+QWidget* MainWindow::make_top_bar() {
+  auto* bar = new QFrame(this);
+  bar->setObjectName(QStringLiteral("top_bar"));
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(14, 0, 14, 0);
+  row->setSpacing(4);
+  auto* name = new QLabel(QStringLiteral("Swage"), bar);
+  name->setProperty("brand", true);
+  row->addWidget(name);
+  row->addSpacing(14);
+  const QStringList pages = {tr("Run"), tr("Progress")};
+  for (int i = 0; i < pages.size(); ++i) {
+    auto* button = make_button(pages[i], {}, QStringLiteral("page_%1").arg(i), bar);
+    button->setProperty("page", true);
+    button->setCheckable(true);
+    button->setAutoExclusive(true);
+    button->setToolTip(QStringLiteral("%1 (Ctrl+%2)").arg(pages[i]).arg(i + 1));
+    connect(button, &QPushButton::clicked, this, [this, i] { show_page(i); });
+    row->addWidget(button);
+    page_buttons_ += button;
+  }
+  page_buttons_.first()->setChecked(true);
+  row->addStretch(1);
+  auto* cue_label = new QLabel(tr("Cue colours"), bar);
+  cue_label->setProperty("muted", true);
+  row->addWidget(cue_label);
+  cues_ = new QComboBox(bar);
+  cues_->setObjectName(QStringLiteral("cue_theme"));
+  cues_->setAccessibleName(tr("Cue colours"));
+  for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
+  connect(cues_, &QComboBox::activated, this, [this] { set_theme(ui_id_, cues_->currentData().toString()); });
+  row->addWidget(cues_);
+  row->addSpacing(8);
+  theme_ = make_button(tr("Dark"), {}, QStringLiteral("theme"), bar);
+  theme_->setToolTip(tr("Light or dark window"));
+  connect(theme_, &QPushButton::clicked, this, [this] {
+    set_theme(ui_id_ == QLatin1String("dark") ? QStringLiteral("light") : QStringLiteral("dark"), cues_id_);
+  });
+  row->addWidget(theme_);
+  auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
+  connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
+  row->addWidget(help);
+  return bar;
+}
+
+void MainWindow::add_actions() {
+  const auto add = [this](const QString& text, const QKeySequence& key, auto&& call) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::ApplicationShortcut);
+    connect(action, &QAction::triggered, this, call);
+    addAction(action);
+  };
+  RunControl* control = run_->control();
+  add(tr("Start"), Qt::Key_F5, [this] { show_page(0), run_->start(); });
+  add(tr("Pause"), Qt::Key_F6, [control] { control->toggle_pause(); });
+  add(tr("Reset needle"), Qt::Key_F7, [control] { control->reset_work(); });
+  add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
+  add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
+  add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
+  for (int i = 0; i < page_buttons_.size(); ++i) {
+    add(page_buttons_[i]->accessibleName(), Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i),
+        [this, i] { show_page(i); });
+  }
+}
+
+void MainWindow::show_page(int page) {
+  pages_->setCurrentIndex(page);
+  page_buttons_[page]->setChecked(true);
+  if (page == 1) progress_->refresh();
+}
+
+void MainWindow::show_help() {
+  // a held key must not go on while the help is read, so the attempt waits
+  if (run_->control()->state() == RunControl::State::kRunning) run_->control()->toggle_pause();
+  HelpDialog(CueTheme::stock(cues_id_), this).exec();
+}
+
+void MainWindow::set_theme(const QString& ui, const QString& cues) {
+  const UiTheme theme = UiTheme::stock(ui);
+  const CueTheme cue_theme = CueTheme::stock(cues);
+  ui_id_ = theme.id();
+  cues_id_ = cue_theme.id();
+  qApp->setPalette(theme.palette());
+  qApp->setStyleSheet(theme.style_sheet());
+  run_->set_themes(theme, cue_theme);
+  progress_->set_theme(theme);
+  theme_->setText(ui_id_ == QLatin1String("dark") ? tr("Light") : tr("Dark"));
+  cues_->setCurrentIndex(cues_->findData(cues_id_));
+}
+
+void MainWindow::restore(const Launch& launch) {
+  const auto or_remembered = [&](const QString& given, const char* key, const char* otherwise) {
+    return given.isEmpty() ? settings_.text(key, QString::fromLatin1(otherwise)) : given;
+  };
+  set_theme(or_remembered(launch.theme, "theme", "light"), or_remembered(launch.cues, "cues", "thesis"));
+  resize(launch.size.isValid() ? launch.size : QSize(1440, 900));
+  if (!launch.size.isValid()) restoreGeometry(settings_.bytes("geometry"));
+  run_->set_base_options(launch.options);
+  SetupPanel* setup = run_->setup();
+  progress_->refresh();
+  const QString person =
+      launch.person_given ? QString::fromStdString(launch.options.person) : settings_.text("person");
+  setup->set_people(progress_->people()->names(), person);
+  progress_->select_person(setup->person());
+  if (launch.device_given) setup->set_device(QString::fromStdString(launch.options.device));
+  if (launch.mode_given) setup->set_mode(QString::fromStdString(launch.options.mode));
+  select_first(launch);
+  if (launch.view == QLatin1String("side")) run_->look(CameraPreset::kSide);
+  if (launch.view == QLatin1String("top")) run_->look(CameraPreset::kTop);
+  if (launch.page == QLatin1String("progress")) show_page(1);
+  // once the event loop runs and the window is there
+  if (launch.start) QTimer::singleShot(0, run_, &RunPage::start);
+}
+
+// the lesson named, else the last one, else the first
+void MainWindow::select_first(const Launch& launch) {
+  int row = lessons_.row_of(settings_.text("lesson"));
+  if (!launch.options.lesson_path.empty())
+    row = lessons_.add_file(QString::fromStdString(launch.options.lesson_path));
+  if (lessons_.rowCount() > 0) run_->setup()->select_lesson(std::max(row, 0));
+}
+
+void MainWindow::remember() {
+  settings_.set("theme", ui_id_);
+  settings_.set("cues", cues_id_);
+  settings_.set("geometry", saveGeometry());
+  settings_.set("person", run_->setup()->person());
+  settings_.set("lesson", run_->setup()->lesson());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  run_->control()->stop();
+  remember();
+  event->accept();
+}
+
+}  // namespace swage::console

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QComboBox>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <functional>
+#include <memory>
+
+#include "console/app/command_line.hpp"
+#include "console/app/settings.hpp"
+#include "console/models/lessons_model.hpp"
+#include "console/pages/progress_page.hpp"
+#include "console/pages/run_page.hpp"
+
+namespace swage::console {
+
+/// The window's ways into the framework; tests put doubles behind them.
+struct Doors {
+  SessionOpener open_session;
+  StoreOpener open_store;  // none: nothing is kept
+};
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  MainWindow(Doors doors, const Launch& launch, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  RunPage* run_page() { return run_; }
+  ProgressPage* progress_page() { return progress_; }
+  void set_theme(const QString& ui, const QString& cues);
+  const QString& ui_theme() const { return ui_id_; }
+
+ public Q_SLOTS:
+  void show_page(int page);
+  void show_help();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QWidget* make_top_bar();
+  void add_actions();
+  void restore(const Launch& launch);
+  void select_first(const Launch& launch);
+  void remember();
+
+  Settings settings_;
+  LessonsModel lessons_;
+  QString ui_id_, cues_id_;
+  StatusStrip* strip_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  RunPage* run_ = nullptr;
+  ProgressPage* progress_ = nullptr;
+  QPushButton* theme_ = nullptr;
+  QComboBox* cues_ = nullptr;
+  QList<QPushButton*> page_buttons_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace swage::console {
+
+class MainWindow;
+
+/// Waits for the moment, writes a picture of the window as a person sees it, and ends the program: for documentation.
+class Screenshot : public QObject {
+  Q_OBJECT
+ public:
+  /// `at_s`: simulated time of the running attempt; without one, seconds after the window is there.
+  Screenshot(MainWindow* window, const QString& file, double at_s, bool of_run);
+
+ private:
+  void look();
+  MainWindow* window_;
+  QString file_;
+  double at_s_;
+  bool of_run_;
+  QTimer timer_;
+  QElapsedTimer since_;
+  int settled_ = 0;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/cues/cue_theme.hpp"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace swage::console {
+namespace {
+
+QPainterPath sign_path(QChar sign, const QRectF& r) {
+  QPainterPath path;
+  switch (sign.toLatin1()) {
+    case 'O':
+    case 'o':
+      path.addEllipse(r);
+      break;
+    case 'V':
+    case 'v':
+      path.addPolygon(QPolygonF({r.topLeft(), r.topRight(), {r.center().x(), r.bottom()}, r.topLeft()}));
+      break;
+    case '+':
+      path.moveTo(r.center().x(), r.top());
+      path.lineTo(r.center().x(), r.bottom());
+      path.moveTo(r.left(), r.center().y());
+      path.lineTo(r.right(), r.center().y());
+      break;
+    case '*':
+      path.moveTo(r.left(), r.center().y());
+      path.lineTo(r.left() + 0.38 * r.width(), r.bottom());
+      path.lineTo(r.topRight());
+      break;
+    case '!':
+      path.moveTo(r.center().x(), r.top());
+      path.lineTo(r.center().x(), r.top() + 0.62 * r.height());
+      path.moveTo(r.center().x(), r.bottom() - 0.5);
+      path.lineTo(r.center().x(), r.bottom());
+      break;
+    default:
+      path.addPolygon(QPolygonF({{r.center().x(), r.top()},
+                                 {r.right(), r.center().y()},
+                                 {r.center().x(), r.bottom()},
+                                 {r.left(), r.center().y()},
+                                 {r.center().x(), r.top()}}));
+  }
+  return path;
+}
+
+}  // namespace
+
+double paint_cue_shape(QPainter& painter, const QPointF& top_left, double size, const CueStyle& style) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  double x = top_left.x();
+  for (const QChar sign : style.shape) {
+    const double inset = 0.16 * size;
+    const QRectF r(x + inset, top_left.y() + inset, size - 2 * inset, size - 2 * inset);
+    const QPainterPath path = sign_path(sign, r);
+    const bool filled = sign == 'O' || sign == 'V' || sign == 'D';
+    // dark and light edge: seen on any background
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 150), 0.26 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(QColor(255, 255, 255, 235), 0.18 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(path);
+    painter.setPen(QPen(style.colour, 0.11 * size, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (filled) painter.setBrush(style.colour);
+    painter.drawPath(path);
+    x += size;
+  }
+  painter.restore();
+  return x - top_left.x();
+}
+
+CueTheme CueTheme::load(const QString& path, QString* error) {
+  const auto fail = [&](const QString& why) {
+    if (error) *error = QStringLiteral("%1: %2").arg(path, why);
+    return CueTheme();
+  };
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return fail(file.errorString());
+  QJsonParseError parse;
+  const QJsonObject root = QJsonDocument::fromJson(file.readAll(), &parse).object();
+  if (parse.error != QJsonParseError::NoError) return fail(parse.errorString());
+  if (root[QStringLiteral("format")] != QStringLiteral("swage-cue-theme/1")) {
+    return fail(QStringLiteral("not a cue theme: \"format\" must be \"swage-cue-theme/1\""));
+  }
+  CueTheme theme;
+  theme.id_ = root[QStringLiteral("id")].toString();
+  theme.title_ = root[QStringLiteral("title")].toString();
+  for (const QJsonValue value : root[QStringLiteral("cues")].toArray()) {
+    const QJsonObject cue = value.toObject();
+    const QString meaning = cue[QStringLiteral("meaning")].toString();
+    const CueStyle style{QColor(cue[QStringLiteral("colour")].toString()),
+                         cue[QStringLiteral("shape")].toString(), cue[QStringLiteral("text")].toString(),
+                         cue[QStringLiteral("sound")].toString()};
+    if (meaning.isEmpty() || !style.colour.isValid() || style.shape.isEmpty() || style.text.isEmpty()) {
+      return fail(QStringLiteral("cue \"%1\" needs meaning, colour, shape and text").arg(meaning));
+    }
+    theme.order_.append(meaning);
+    theme.styles_.insert(meaning, style);
+  }
+  return theme;
+}
+
+QStringList CueTheme::stock() { return {QStringLiteral("thesis"), QStringLiteral("safe")}; }
+
+CueTheme CueTheme::stock(const QString& id) {
+  return load(QStringLiteral(":/themes/cues_%1.json").arg(stock().contains(id) ? id : stock().first()));
+}
+
+CueStyle CueTheme::style(const QString& meaning) const {
+  if (const auto it = styles_.find(meaning); it != styles_.end()) return *it;
+  QString words = meaning;
+  words.replace(QLatin1Char('.'), QLatin1Char(' ')).replace(QLatin1Char('_'), QLatin1Char(' '));
+  return {QColor(0x9a, 0xa4, 0xae), QStringLiteral("d"), words, {}};
+}
+
+}  // namespace swage::console

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// From meanings to what is seen, read and heard. Lessons speak in meanings ("grasp.good"); a theme gives each
+// a colour, a shape, a text and a sound, so that no state is told by colour alone.
+#pragma once
+
+#include <QColor>
+#include <QHash>
+#include <QString>
+#include <QStringList>
+
+class QPainter;
+class QPointF;
+
+namespace swage::console {
+
+/// The look of one meaning. `shape` is a row of signs: O o filled and hollow circle, V v triangle, D d
+/// diamond,
+/// + cross, * tick, ! warning.
+struct CueStyle {
+  QColor colour;
+  QString shape, text, sound;
+};
+
+class CueTheme {
+ public:
+  /// Reads a theme file ("swage-cue-theme/1"). On failure an empty theme, and why in `error`.
+  static CueTheme load(const QString& path, QString* error = nullptr);
+  /// The themes that come with the program: "thesis", "safe".
+  static QStringList stock();
+  static CueTheme stock(const QString& id);
+
+  const QString& id() const { return id_; }
+  const QString& title() const { return title_; }
+  /// Every meaning has a style: unknown ones get a neutral diamond and their own name as the text.
+  CueStyle style(const QString& meaning) const;
+  bool knows(const QString& meaning) const { return styles_.contains(meaning); }
+  const QStringList& meanings() const { return order_; }
+
+ private:
+  QString id_, title_;
+  QStringList order_;
+  QHash<QString, CueStyle> styles_;
+};
+
+/// Draws the row of signs of a cue, one square of `size` px each, light outline included. Returns the width
+/// used.
+double paint_cue_shape(QPainter& painter, const QPointF& top_left, double size, const CueStyle& style);
+
+}  // namespace swage::console

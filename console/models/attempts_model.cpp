@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/attempts_model.hpp"
+
+#include <QDateTime>
+#include <algorithm>
+#include <cmath>
+
+#include "console/models/words.hpp"
+
+namespace swage::console {
+namespace {
+
+const QString kScoreId = QStringLiteral("score");
+const QString kTimeId = QStringLiteral("time");
+
+QString qt(const std::string& s) { return QString::fromStdString(s); }
+
+QString verdict(const record::AttemptRow& a) {
+  if (a.state == "recovered") return QObject::tr("Recovered");
+  if (a.is_void) return verdict_text(QStringLiteral("void"));
+  const QString sign = a.outcome == "passed"   ? QStringLiteral("✓ ")
+                       : a.outcome == "failed" ? QStringLiteral("✗ ")
+                                               : QString();
+  return sign + verdict_text(qt(a.outcome));
+}
+
+// what is known of the metrics that the stock lessons use; of others no direction is claimed
+int better_direction(const QString& id) {
+  static const QStringList lower = {kTimeId,
+                                    QStringLiteral("tries"),
+                                    QStringLiteral("drops"),
+                                    QStringLiteral("error"),
+                                    QStringLiteral("over_force"),
+                                    QStringLiteral("peak_force"),
+                                    QStringLiteral("tilt"),
+                                    QStringLiteral("path"),
+                                    QStringLiteral("regrasps"),
+                                    QStringLiteral("balance"),
+                                    QStringLiteral("slip")};
+  static const QStringList higher = {kScoreId, QStringLiteral("in_zone"), QStringLiteral("success")};
+  const auto names = [&](const QStringList& words) {
+    return std::any_of(words.begin(), words.end(), [&](const QString& w) { return id.contains(w); });
+  };
+  return names(higher) ? 1 : names(lower) ? -1 : 0;
+}
+
+}  // namespace
+
+void AttemptsModel::set_attempts(const std::vector<record::AttemptRow>& attempts) {
+  beginResetModel();
+  rows_ = QVector<record::AttemptRow>(attempts.begin(), attempts.end());
+  endResetModel();
+}
+
+int AttemptsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int AttemptsModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rows_.size()) return {};
+  const record::AttemptRow& a = rows_[index.row()];
+  const bool number = index.column() == kScore || index.column() == kTime;
+  if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == kId) return qt(a.id);
+  if (role == Qt::ToolTipRole && index.column() == kLesson) return qt(a.lesson_id);
+  if (role == kSortRole) {
+    if (index.column() == kWhen) return qt(a.started_utc);
+    if (index.column() == kScore) return a.score;
+    if (index.column() == kTime) return a.simulated_s;
+  } else if (role != Qt::DisplayRole) {
+    return {};
+  }
+  switch (index.column()) {
+    case kWhen:
+      return when_text(qt(a.started_utc));
+    case kLesson:
+      return a.lesson_title.empty() ? qt(a.lesson_id) : qt(a.lesson_title);
+    case kMode:
+      return human_id(qt(a.mode));
+    case kVerdict:
+      return verdict(a);
+    case kScore:
+      return a.outcome == "passed" ? QString::number(a.score, 'f', 0) : QStringLiteral("–");
+    case kTime:
+      return clock_text(a.simulated_s);
+    case kReason:
+      return human_id(qt(a.reason));
+    default:
+      return {};
+  }
+}
+
+QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) {
+    return int((section == kScore || section == kTime ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  }
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kWhen:
+      return tr("When");
+    case kLesson:
+      return tr("Lesson");
+    case kMode:
+      return tr("Mode");
+    case kVerdict:
+      return tr("Verdict");
+    case kScore:
+      return tr("Score");
+    case kTime:
+      return tr("Time");
+    case kReason:
+      return tr("Because");
+    default:
+      return {};
+  }
+}
+
+QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
+  QStringList ids = {kScoreId, kTimeId};
+  for (const record::AttemptRow& a : attempts) {
+    for (const record::MetricValue& m : a.metrics) {
+      if (!ids.contains(qt(m.id))) ids += qt(m.id);
+    }
+  }
+  return ids;
+}
+
+MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id) {
+  MetricSeries series;
+  series.id = id;
+  series.name = human_id(id);
+  series.better = better_direction(id);
+  series.unit = id == kTimeId ? QStringLiteral("s") : QString();
+  QVector<const record::AttemptRow*> order;
+  for (const record::AttemptRow& a : attempts) order += &a;
+  std::stable_sort(order.begin(), order.end(),
+                   [](const auto* a, const auto* b) { return a->started_utc < b->started_utc; });
+  for (const record::AttemptRow* a : order) {
+    // what was stopped half way says nothing about skill
+    if (a->is_void || (a->outcome != "passed" && a->outcome != "failed")) continue;
+    double value = id == kScoreId ? a->score : id == kTimeId ? a->simulated_s : std::nan("");
+    for (const record::MetricValue& m : a->metrics) {
+      if (qt(m.id) != id) continue;
+      value = m.value * display_factor(qt(m.unit));
+      series.unit = display_unit(qt(m.unit));
+    }
+    if (!std::isfinite(value)) continue;
+    const QDateTime when = QDateTime::fromString(qt(a->started_utc), Qt::ISODate).toLocalTime();
+    series.points += {value, a->outcome == "passed", a->mode == "test", when.date().toString(Qt::ISODate),
+                      when_text(qt(a->started_utc)) + QStringLiteral(", ") + verdict(*a)};
+  }
+  return series;
+}
+
+}  // namespace swage::console

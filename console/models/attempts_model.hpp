@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QVector>
+
+#include "record/store.hpp"
+
+namespace swage::console {
+
+/// Attempts of one person, one row each. Sort by kSortRole.
+class AttemptsModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { kWhen, kLesson, kMode, kVerdict, kScore, kTime, kReason, kColumns };
+  enum Role { kSortRole = Qt::UserRole, kId };
+
+  using QAbstractTableModel::QAbstractTableModel;
+  void set_attempts(const std::vector<record::AttemptRow>& attempts);
+  const QVector<record::AttemptRow>& attempts() const { return rows_; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  QVector<record::AttemptRow> rows_;
+};
+
+/// One metric over the attempts, oldest first; what a chart draws.
+struct MetricPoint {
+  double value = 0;  // as shown, in the unit of the series
+  bool met = false, test = false;
+  QString day, tip;
+};
+struct MetricSeries {
+  QString id, name, unit;
+  int better = 0;  // -1 lower, +1 higher, 0 not known
+  QVector<MetricPoint> points;
+};
+
+/// The metrics that these attempts have (score and time first), and the series of one of them.
+QStringList metric_ids(const QVector<record::AttemptRow>& attempts);
+MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id);
+
+}  // namespace swage::console

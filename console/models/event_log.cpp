@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/event_log.hpp"
+
+#include "console/models/words.hpp"
+
+namespace swage::console {
+namespace {
+
+// docs end with what the value of the event stands for, which is not shown here
+QString meaning(const std::string& doc) {
+  const QString text = QString::fromStdString(doc);
+  const qsizetype value = text.indexOf(QStringLiteral("; value:"));
+  return value < 0 ? text : text.left(value) + QLatin1Char('.');
+}
+
+}  // namespace
+
+void EventLog::clear() {
+  beginResetModel();
+  rows_.clear();
+  endResetModel();
+}
+
+void EventLog::append(const Row& row) {
+  const int at = static_cast<int>(rows_.size());
+  beginInsertRows({}, at, at);
+  rows_.append(row);
+  endInsertRows();
+}
+
+void EventLog::add(const judge::Event& event, const judge::Script& script, double dt) {
+  if (event.event >= script.events.size()) return;
+  const judge::Name& name = script.events[event.event];
+  append({static_cast<double>(event.step) * dt, human_id(QString::fromStdString(name.id)), meaning(name.doc),
+          false});
+}
+
+void EventLog::note(double time_s, const QString& what) { append({time_s, what, {}, true}); }
+
+int EventLog::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int EventLog::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant EventLog::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rows_.size()) return {};
+  const Row& row = rows_[index.row()];
+  if (role == Qt::TextAlignmentRole && index.column() == kTime) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (index.column()) {
+    case kTime:
+      return QStringLiteral("%1.%2").arg(clock_text(row.time_s)).arg(int(row.time_s * 10) % 10);
+    case kWhat:
+      return row.what;
+    case kMeans:
+      return row.means;
+    default:
+      return {};
+  }
+}
+
+QVariant EventLog::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole)
+    return int((section == kTime ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (section) {
+    case kTime:
+      return tr("Time");
+    case kWhat:
+      return tr("What happened");
+    case kMeans:
+      return tr("Meaning");
+    default:
+      return {};
+  }
+}
+
+}  // namespace swage::console

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/catalogue.hpp"
+
+namespace swage::console {
+
+/// The grip force that a lesson asks for, N.
+struct ForceBand {
+  double low = 0, high = 0;
+};
+
+/// Reads the lesson's interval "force", checked against its plugin's table, defaults included. Nothing when the file, the
+/// plugin or the parameter is not there.
+std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue);
+
+}  // namespace swage::console

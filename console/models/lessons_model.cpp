@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/lessons_model.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <algorithm>
+
+namespace swage::console {
+
+LessonEntry read_lesson(const QString& path) {
+  LessonEntry entry;
+  entry.path = QFileInfo(path).absoluteFilePath();
+  entry.title = QFileInfo(path).completeBaseName();
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    entry.problem = file.errorString();
+    return entry;
+  }
+  QJsonParseError error;
+  const QJsonObject root = QJsonDocument::fromJson(file.readAll(), &error).object();
+  if (error.error != QJsonParseError::NoError) {
+    entry.problem = QObject::tr("%1 at byte %2").arg(error.errorString()).arg(error.offset);
+    return entry;
+  }
+  entry.id = root[QStringLiteral("id")].toString();
+  entry.title = root[QStringLiteral("title")].toString(entry.title);
+  entry.summary = root[QStringLiteral("summary")].toString();
+  entry.goal = root[QStringLiteral("goal")].toString();
+  for (const QJsonValue device : root[QStringLiteral("devices")].toArray()) {
+    QJsonArray choices = device[QStringLiteral("or")].toArray();
+    choices.prepend(device);
+    for (const QJsonValue choice : choices) {
+      const QString as = choice[QStringLiteral("as")].toString();
+      if (!as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
+    }
+  }
+  return entry;
+}
+
+QStringList lesson_folders() {
+  QStringList folders;
+  const QString variable = qEnvironmentVariable("SWAGE_LESSON_PATH");
+  folders += variable.split(QDir::listSeparator(), Qt::SkipEmptyParts);
+  folders += QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+             QStringLiteral("/swage/lessons");
+  QDir dir(QCoreApplication::applicationDirPath());
+  folders += dir.absoluteFilePath(QStringLiteral("../share/swage/lessons"));
+  // run from a build folder: the sources are a few levels up
+  for (int i = 0; i < 4 && dir.cdUp(); ++i) {
+    if (dir.exists(QStringLiteral("lessons/series")))
+      folders += dir.absoluteFilePath(QStringLiteral("lessons/series"));
+  }
+  return folders;
+}
+
+void LessonsModel::set_folders(const QStringList& folders) {
+  beginResetModel();
+  entries_.clear();
+  for (const QString& folder : folders) {
+    QStringList files;
+    QDirIterator it(folder, {QStringLiteral("*.json")}, QDir::Files, QDirIterator::Subdirectories);
+    while (it.hasNext()) files += it.next();
+    files.sort();
+    for (const QString& file : files) {
+      const LessonEntry entry = read_lesson(file);
+      // other JSON lies beside lessons; the first of an id wins
+      const bool lesson = !entry.problem.isEmpty() || !entry.id.isEmpty();
+      if (lesson && row_of(entry.id.isEmpty() ? entry.path : entry.id) < 0) entries_.append(entry);
+    }
+  }
+  endResetModel();
+}
+
+int LessonsModel::add_file(const QString& path) {
+  const LessonEntry entry = read_lesson(path);
+  if (const int row = row_of(entry.path); row >= 0) return row;
+  beginInsertRows({}, 0, 0);
+  entries_.prepend(entry);
+  endInsertRows();
+  return 0;
+}
+
+int LessonsModel::row_of(const QString& key) const {
+  const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const LessonEntry& e) {
+    return e.path == key || (!e.id.isEmpty() && e.id == key);
+  });
+  return it == entries_.end() ? -1 : static_cast<int>(it - entries_.begin());
+}
+
+int LessonsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(entries_.size());
+}
+
+QVariant LessonsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= entries_.size()) return {};
+  const LessonEntry& e = entries_[index.row()];
+  switch (role) {
+    case Qt::DisplayRole:
+      return e.title;
+    case Qt::ToolTipRole:
+      return QStringList({e.summary, e.path, e.problem})
+          .filter(QRegularExpression(QStringLiteral(".")))
+          .join(QLatin1Char('\n'));
+    case Qt::AccessibleDescriptionRole:
+      return e.problem.isEmpty() ? e.summary : e.problem;
+    case kPath:
+      return e.path;
+    case kId:
+      return e.id;
+    case kSummary:
+      return e.summary;
+    case kGoal:
+      return e.goal;
+    case kHands:
+      return e.hands;
+    case kProblem:
+      return e.problem;
+    default:
+      return {};
+  }
+}
+
+}  // namespace swage::console

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QAbstractListModel>
+#include <QString>
+#include <QStringList>
+#include <QVector>
+
+namespace swage::console {
+
+/// What the list says about one lesson file.
+struct LessonEntry {
+  QString path, id, title, summary, goal;
+  QStringList hands;  // the names ("as") under which its devices can be chosen, first choice first
+  QString problem;    // why it cannot be read
+};
+
+/// Reads title and summary of a lesson file; nothing else of it is looked at here.
+LessonEntry read_lesson(const QString& path);
+
+/// Where lesson files are: SWAGE_LESSON_PATH, the user's data folder, the install's share/swage/lessons, and
+/// the source tree that the program was built in.
+QStringList lesson_folders();
+
+/// The lessons of some folders, in the order of their file names.
+class LessonsModel : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  enum Role { kPath = Qt::UserRole, kId, kSummary, kGoal, kHands, kProblem };
+
+  using QAbstractListModel::QAbstractListModel;
+  void set_folders(const QStringList& folders);
+  /// Adds one file in front unless it is already there. Returns its row.
+  int add_file(const QString& path);
+  int row_of(const QString& path_or_id) const;
+  const LessonEntry& at(int row) const { return entries_[row]; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  QVector<LessonEntry> entries_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/reading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "console/models/words.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kMostCounters = 4;
+
+// metrics of unit "1" are counts or shares; these are counts
+bool is_count(const std::string& id) {
+  static const char* const kWords[] = {"tries", "drops", "regrasps", "touches", "grasps", "different"};
+  return std::any_of(std::begin(kWords), std::end(kWords),
+                     [&](const char* w) { return id.find(w) != std::string::npos; });
+}
+
+bool ends_with(const std::string& text, const char* end) {
+  return QString::fromStdString(text).endsWith(QLatin1String(end));
+}
+
+}  // namespace
+
+Reader::Reader(const snapshot::SceneCard& card) {
+  const judge::Script& script = card.script;
+  for (int i = 0; i < static_cast<int>(script.signals.size()); ++i) {
+    const judge::Name& s = script.signals[static_cast<size_t>(i)];
+    if (s.unit == "N" && force_ < 0 && (ends_with(s.id, "grasp.force") || ends_with(s.id, "grip.force")))
+      force_ = i;
+    if (s.unit == "rad" && s.id.find("tilt") != std::string::npos) tilt_.append(i);
+    if (ends_with(s.id, "grasp.held")) held_ = i;
+  }
+  // what is counted is live; metrics with a unit are told at the end
+  for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
+    const judge::Name& m = script.metrics[static_cast<size_t>(i)];
+    if (m.unit == "1" && is_count(m.id))
+      counters_.append({i, human_id(QString::fromStdString(m.id)), QString::fromStdString(m.unit)});
+  }
+  for (size_t i = 0; i < script.metrics.size(); ++i) {
+    if (ends_with(script.metrics[i].id, "hold.progress")) hold_ = static_cast<int>(i);
+  }
+  for (const judge::Name& cue : script.cues) cues_.append(QString::fromStdString(cue.id));
+  for (const judge::Name& phase : script.phases) {
+    phases_.append(phase.doc.empty() ? human_id(QString::fromStdString(phase.id))
+                                     : QString::fromStdString(phase.doc));
+  }
+}
+
+Reading Reader::read(const snapshot::Snapshot& s) const {
+  Reading r;
+  const auto signal = [&](int i) {
+    return i >= 0 && static_cast<uint32_t>(i) < s.n_signal ? s.signal[i] : std::nan("");
+  };
+  if (force_ >= 0) r.force = signal(force_);
+  const bool held = held_ < 0 || signal(held_) > 0.5;
+  for (const int i : tilt_) {
+    if (held && r.force.value_or(1) > 0) r.tilt = std::max(r.tilt.value_or(0), std::abs(signal(i)));
+  }
+  // the four grasp meanings are two yes/no facts
+  for (uint32_t o = 0; o < s.n_object; ++o) {
+    const uint32_t cue = s.object_cue[o];
+    if (cue >= static_cast<uint32_t>(cues_.size())) continue;
+    const QString& meaning = cues_[static_cast<int>(cue)];
+    if (meaning == QLatin1String("grasp.wrong")) r.spot = false, r.tips = false;
+    if (meaning == QLatin1String("grasp.tips_only")) r.spot = false, r.tips = true;
+    if (meaning == QLatin1String("grasp.point_only")) r.spot = true, r.tips = false;
+    if (meaning == QLatin1String("grasp.good")) r.spot = true, r.tips = true;
+  }
+  if (s.phase < static_cast<uint32_t>(phases_.size())) r.phase = phases_[static_cast<int>(s.phase)];
+  if (hold_ >= 0 && static_cast<uint32_t>(hold_) < s.n_metric) r.hold = s.metric[hold_];
+  for (const Counter& c : counters_) {
+    const bool known = static_cast<uint32_t>(c.metric) < s.n_metric;
+    r.counts.append({c.name, quantity_text(known ? s.metric[c.metric] : std::nan(""), c.unit)});
+  }
+  return r;
+}
+
+}  // namespace swage::console

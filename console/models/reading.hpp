@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Which of a scene's numbers the NOW panel shows, found by what they are called. A scene without them shows
+// fewer.
+#pragma once
+
+#include <QString>
+#include <QVector>
+#include <optional>
+
+#include "snapshot/scene_card.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::console {
+
+/// What the panel shows of one snapshot; absent what the scene does not say.
+struct Reading {
+  std::optional<double> force;     // N
+  std::optional<double> tilt;      // rad, the larger of the two
+  std::optional<double> hold;      // share of the hold that is done, 0..1
+  std::optional<bool> spot, tips;  // of the current grasp
+  QString phase;                   // in words
+  struct Count {
+    QString name, value;
+  };
+  QVector<Count> counts;
+};
+
+/// Finds the places once per scene, reads them once per picture.
+class Reader {
+ public:
+  Reader() = default;
+  explicit Reader(const snapshot::SceneCard& card);
+  Reading read(const snapshot::Snapshot& snapshot) const;
+  bool has_force() const { return force_ >= 0; }
+  bool has_tilt() const { return !tilt_.isEmpty(); }
+
+ private:
+  struct Counter {
+    int metric;
+    QString name, unit;
+  };
+  int force_ = -1, held_ = -1, hold_ = -1;
+  QVector<int> tilt_;
+  QVector<Counter> counters_;
+  QVector<QString> cues_, phases_;
+};
+
+}  // namespace swage::console

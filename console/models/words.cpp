@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/words.hpp"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+#include <QTimeZone>
+#include <cmath>
+#include <numbers>
+
+namespace swage::console {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("words", text); }
+
+}  // namespace
+
+QString human_id(const QString& id) {
+  QString words = id;
+  words.replace(QLatin1Char('.'), QLatin1Char(' ')).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!words.isEmpty()) words[0] = words[0].toUpper();
+  return words;
+}
+
+double display_factor(const QString& unit) {
+  if (unit == QLatin1String("m") || unit == QLatin1String("m/s") || unit == QLatin1String("kg")) return 1000;
+  if (unit == QLatin1String("rad")) return 180 / std::numbers::pi;
+  return 1;
+}
+
+QString display_unit(const QString& unit) {
+  if (unit == QLatin1String("m")) return QStringLiteral("mm");
+  if (unit == QLatin1String("m/s")) return QStringLiteral("mm/s");
+  if (unit == QLatin1String("kg")) return QStringLiteral("g");
+  if (unit == QLatin1String("rad")) return QStringLiteral("°");
+  return unit == QLatin1String("1") ? QString() : unit;
+}
+
+QString quantity_text(double value, const QString& unit) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  const double shown = value * display_factor(unit);
+  const QString suffix = display_unit(unit);
+  // counts without decimals, everything else with three digits that mean something
+  const bool whole = suffix.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
+  const double size = std::abs(shown);
+  const int decimals = whole ? 0 : size >= 100 ? 0 : size >= 10 ? 1 : 2;
+  const QString number = QLocale().toString(shown, 'f', decimals);
+  if (suffix.isEmpty()) return number;
+  return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
+}
+
+QString clock_text(double seconds) {
+  const int s = static_cast<int>(std::max(0.0, std::floor(seconds)));
+  return QStringLiteral("%1:%2").arg(s / 60, 2, 10, QLatin1Char('0')).arg(s % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString verdict_text(const QString& outcome) {
+  if (outcome == QLatin1String("passed")) return tr("Met");
+  if (outcome == QLatin1String("failed")) return tr("Not met yet");
+  if (outcome == QLatin1String("void")) return tr("Does not count");
+  if (outcome == QLatin1String("aborted")) return tr("Stopped");
+  if (outcome == QLatin1String("running")) return tr("Running");
+  return human_id(outcome);
+}
+
+QString when_text(const QString& utc) {
+  const QDateTime time = QDateTime::fromString(utc, Qt::ISODate);
+  if (!time.isValid()) return utc;
+  return QLocale().toString(time.toLocalTime(), QStringLiteral("d MMM yyyy HH:mm"));
+}
+
+}  // namespace swage::console

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// How ids, units and verdicts are said to people.
+#pragma once
+
+#include <QString>
+
+namespace swage::console {
+
+/// "grasp.peak_force" -> "Grasp peak force".
+QString human_id(const QString& id);
+/// 0.0012 m -> "1.20 mm", 0.2 rad -> "11.5°", 3 of unit "1" -> "3"; "–" when it is not a number.
+QString quantity_text(double value, const QString& unit);
+/// The factor and the unit in which a quantity is shown: m -> 1000 mm.
+double display_factor(const QString& unit);
+QString display_unit(const QString& unit);
+/// 62.4 -> "01:02".
+QString clock_text(double seconds);
+/// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".
+QString verdict_text(const QString& outcome);
+/// "2026-11-21T09:30:00Z" -> "21 Nov 2026 10:30" in local time.
+QString when_text(const QString& utc);
+
+}  // namespace swage::console

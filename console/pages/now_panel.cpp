@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/now_panel.hpp"
+
+#include <cmath>
+
+#include "console/models/words.hpp"
+#include "console/widgets/metric_chart.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kTiltAxis_deg = 60;
+
+}  // namespace
+
+NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  Card now = make_card(tr("Now"), this);
+  phase_ = make_muted(tr("Press START, then follow the marks in the picture."), now.frame);
+  now.body->addWidget(phase_);
+  auto* force_name = new QLabel(tr("Jaw force"), now.frame);
+  now.body->addWidget(force_name);
+  meter_ = new ForceMeter(now.frame);
+  now.body->addWidget(meter_);
+
+  auto* facts = new QGridLayout;
+  facts->setHorizontalSpacing(8);
+  facts->setColumnStretch(2, 1);
+  const auto add = [&](int row, const QString& name, CueBadge** badge) {
+    facts->addWidget(new QLabel(name, now.frame), row, 0);
+    if (badge) facts->addWidget(*badge = new CueBadge(now.frame), row, 1);
+    auto* value = new QLabel(QStringLiteral("–"), now.frame);
+    value->setObjectName(name);
+    facts->addWidget(value, row, 2);
+    return value;
+  };
+  spot_ = add(0, tr("Spot"), &spot_badge_);
+  tips_ = add(1, tr("Tips"), &tips_badge_);
+  tilt_ = add(2, tr("Tilt"), nullptr);
+  hold_ = add(3, tr("Hold"), nullptr);
+  now.body->addLayout(facts);
+  counts_ = new QGridLayout;
+  counts_->setColumnStretch(0, 1);
+  now.body->addLayout(counts_);
+  column->addWidget(now.frame);
+
+  Card plots = make_card({}, this);
+  force_plot_ = new TracePlot(tr("Jaw force"), QStringLiteral("N"), plots.frame);
+  tilt_plot_ = new TracePlot(tr("Tilt"), QStringLiteral("°"), plots.frame);
+  tilt_plot_->set_range(0, kTiltAxis_deg);
+  plots.body->addWidget(force_plot_);
+  plots.body->addWidget(tilt_plot_);
+  column->addWidget(plots.frame, 1);
+}
+
+void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  cues_ = cues;
+  meter_->set_theme(ui);
+  force_plot_->set_theme(ui, "plot");
+  tilt_plot_->set_theme(ui, "plot_2");
+}
+
+void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task) {
+  phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);
+  const double axis = MetricChart::nice_step(0, 1.4 * band.high, 1);
+  meter_->set_range(axis, band.low, band.high);
+  force_plot_->set_range(0, axis);
+  force_plot_->clear();
+  tilt_plot_->clear();
+  force_plot_->set_limit(meter_->limit());
+  force_plot_->setVisible(reader.has_force() || !reader.has_tilt());
+  tilt_plot_->setVisible(reader.has_tilt() || !reader.has_force());
+  show_reading({}, 0);
+}
+
+void NowPanel::show_fact(CueBadge* badge, QLabel* text, std::optional<bool> fact, QChar filled,
+                         const QString& yes, const QString& no) {
+  CueStyle style =
+      cues_.style(fact.value_or(false) ? QStringLiteral("grasp.good") : QStringLiteral("grasp.wrong"));
+  style.shape = fact ? QString(*fact ? filled : filled.toLower()) : QString();
+  badge->set_style(style);
+  text->setText(!fact ? QStringLiteral("–") : *fact ? yes : no);
+}
+
+void NowPanel::show_reading(const Reading& r, double time_s) {
+  if (!r.phase.isEmpty()) phase_->setText(r.phase);
+  const bool contact = r.force && *r.force > 0;
+  meter_->set_value(contact ? r.force : std::nullopt);
+  show_fact(spot_badge_, spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
+  show_fact(tips_badge_, tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));
+  tilt_->setText(r.tilt ? quantity_text(*r.tilt, QStringLiteral("rad")) : QStringLiteral("–"));
+  hold_->setText(r.hold ? QStringLiteral("%1 %").arg(100 * *r.hold, 0, 'f', 0) : QStringLiteral("–"));
+  while (count_names_.size() < r.counts.size()) {
+    const int row = static_cast<int>(count_names_.size());
+    count_names_.append(make_muted({}, this));
+    count_values_.append(new QLabel(this));
+    counts_->addWidget(count_names_.last(), row, 0);
+    counts_->addWidget(count_values_.last(), row, 1, Qt::AlignRight);
+  }
+  for (int i = 0; i < count_names_.size(); ++i) {
+    const bool shown = i < r.counts.size();
+    count_names_[i]->setVisible(shown);
+    count_values_[i]->setVisible(shown);
+    if (!shown) continue;
+    count_names_[i]->setText(r.counts[i].name);
+    count_values_[i]->setText(r.counts[i].value);
+  }
+  if (time_s <= 0) return;
+  if (r.force) force_plot_->add(time_s, *r.force);
+  tilt_plot_->add(time_s, r.tilt ? *r.tilt * display_factor(QStringLiteral("rad")) : std::nan(""));
+}
+
+}  // namespace swage::console

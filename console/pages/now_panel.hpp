@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Right of the Run page: what is happening now, as numbers, and over the last ten seconds.
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QWidget>
+
+#include "console/cues/cue_theme.hpp"
+#include "console/models/lesson_facts.hpp"
+#include "console/models/reading.hpp"
+#include "console/widgets/force_meter.hpp"
+#include "console/widgets/trace_plot.hpp"
+
+namespace swage::console {
+
+class CueBadge;
+
+class NowPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit NowPanel(QWidget* parent = nullptr);
+  void set_themes(const UiTheme& ui, const CueTheme& cues);
+  void set_scene(const Reader& reader, const ForceBand& band, const QString& task);
+  void show_reading(const Reading& reading, double time_s);
+  ForceMeter* meter() { return meter_; }
+
+ private:
+  void show_fact(CueBadge* badge, QLabel* text, std::optional<bool> fact, QChar filled, const QString& yes,
+                 const QString& no);
+  CueTheme cues_;
+  QLabel *phase_, *spot_, *tips_, *tilt_, *hold_;
+  CueBadge *spot_badge_, *tips_badge_;
+  ForceMeter* meter_;
+  QGridLayout* counts_;
+  QVector<QLabel*> count_names_, count_values_;
+  TracePlot *force_plot_, *tilt_plot_;
+};
+
+}  // namespace swage::console

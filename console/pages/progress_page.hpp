@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The Progress page: people, a person's attempts with their verdicts, and one metric over the attempts.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListView>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+#include "console/models/attempts_model.hpp"
+#include "console/models/people_model.hpp"
+#include "console/widgets/metric_chart.hpp"
+
+namespace swage::console {
+
+/// How the store is opened: record::Store::open, or a test double. nullptr and `error` on failure.
+using StoreOpener = std::function<std::unique_ptr<record::Store>(std::string& error)>;
+
+class ProgressPage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ProgressPage(StoreOpener opener, QWidget* parent = nullptr);
+  void set_theme(const UiTheme& theme);
+  PeopleModel* people() { return people_; }
+  AttemptsModel* attempts() { return attempts_; }
+  MetricChart* chart() { return chart_; }
+
+ public Q_SLOTS:
+  /// Reads the store again; keeps the person and the lesson when they are still there.
+  void refresh();
+  void select_person(const QString& name);
+
+ Q_SIGNALS:
+  void run_lesson();
+  /// Attempts of a program that ended unexpectedly were brought to an end.
+  void recovered(int attempts);
+
+ private:
+  QWidget* make_people();
+  QWidget* make_person();
+  QWidget* make_empty();
+  bool open();
+  void show_person();
+  void show_attempts();
+  void show_metric();
+
+  StoreOpener opener_;
+  std::unique_ptr<record::Store> store_;
+  PeopleModel* people_;
+  AttemptsModel* attempts_;
+  QSortFilterProxyModel* sorted_;
+  std::vector<record::AttemptRow> all_;
+  QStackedWidget* stack_ = nullptr;
+  QListView* people_view_ = nullptr;
+  QLabel *name_ = nullptr, *summary_ = nullptr, *empty_ = nullptr;
+  QComboBox *lesson_ = nullptr, *metric_ = nullptr;
+  QTableView* table_ = nullptr;
+  MetricChart* chart_ = nullptr;
+  QLabel* curve_ = nullptr;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/run_page.hpp"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "console/models/words.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kPreviewDelay_ms =
+    80;  // running through the list with the arrow keys loads only where one stays
+
+// the thesis: 0.6 N holds a needle well
+constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
+
+}  // namespace
+
+RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip, QWidget* parent)
+    : QWidget(parent),
+      control_(new RunControl(std::move(opener), this)),
+      strip_(strip),
+      setup_(new SetupPanel(lessons, this)),
+      events_(new EventLog(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 10, 12, 6);
+  row->setSpacing(12);
+  setup_->setFixedWidth(286);
+  row->addWidget(setup_);
+  row->addWidget(make_middle(), 1);
+  QWidget* right = make_right();
+  right->setFixedWidth(286);
+  row->addWidget(right);
+
+  preview_timer_.setSingleShot(true);
+  preview_timer_.setInterval(kPreviewDelay_ms);
+  connect(&preview_timer_, &QTimer::timeout, this, &RunPage::preview);
+  connect(setup_, &SetupPanel::lesson_changed, &preview_timer_, qOverload<>(&QTimer::start));
+  connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
+  connect(setup_, &SetupPanel::start, this, &RunPage::start);
+  connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
+  connect(control_, &RunControl::failed, this, &RunPage::show_problems);
+  connect(control_, &RunControl::state_changed, this, &RunPage::update_state);
+  connect(control_, &RunControl::frame, this, &RunPage::update_frame);
+  connect(control_, &RunControl::finished, this, &RunPage::show_finished);
+  connect(control_, &RunControl::happened, this,
+          [this](const judge::Event& e) { events_->add(e, control_->card().script, control_->card().dt); });
+  connect(control_, &RunControl::marked, this,
+          [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
+  connect(view_, &SceneView::pointer, control_, &RunControl::pointer);
+  connect(result_, &ResultPanel::again, this, &RunPage::start);
+  connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
+  update_state();
+}
+
+QWidget* RunPage::make_middle() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(make_view_bar());
+  problem_ = new QLabel(box);
+  problem_->setObjectName(QStringLiteral("problem"));
+  problem_->setWordWrap(true);
+  problem_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  problem_->setProperty("card", true);
+  problem_->setVisible(false);
+  column->addWidget(problem_);
+  view_ = new SceneView(box);
+  column->addWidget(view_, 1);
+  column->addWidget(make_actions());
+
+  event_table_ = new QTableView(box);
+  event_table_->setObjectName(QStringLiteral("events"));
+  event_table_->setAccessibleName(tr("What happened in this attempt"));
+  event_table_->setModel(events_);
+  event_table_->setFixedHeight(126);
+  event_table_->setProperty("card", true);
+  event_table_->setShowGrid(false);
+  event_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  event_table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  event_table_->setTabKeyNavigation(false);
+  event_table_->verticalHeader()->hide();
+  event_table_->verticalHeader()->setDefaultSectionSize(24);
+  event_table_->horizontalHeader()->setSectionResizeMode(EventLog::kMeans, QHeaderView::Stretch);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 190);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 190);
+  event_table_->horizontalHeader()->setHighlightSections(false);
+  connect(events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
+  column->addWidget(event_table_);
+  return box;
+}
+
+QWidget* RunPage::make_view_bar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  title_ = new QLabel(bar);
+  title_->setObjectName(QStringLiteral("lesson_title"));
+  QFont font = title_->font();
+  font.setPointSizeF(font.pointSizeF() * 1.2);
+  font.setBold(true);
+  title_->setFont(font);
+  row->addWidget(title_, 1);
+  const struct {
+    QString text, name;
+    CameraPreset preset;
+  } presets[] = {{tr("Orbit"), QStringLiteral("view_orbit"), CameraPreset::kOrbit},
+                 {tr("Side"), QStringLiteral("view_side"), CameraPreset::kSide},
+                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop}};
+  for (const auto& p : presets) {
+    auto* button = make_button(p.text, {}, p.name, bar);
+    button->setToolTip(tr("%1 view").arg(p.text));
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { look(preset); });
+    row->addWidget(button);
+  }
+  row->addSpacing(10);
+  cues_button_ = make_button(tr("Cues"), {}, QStringLiteral("cues"), bar);
+  cues_button_->setCheckable(true);
+  cues_button_->setChecked(true);
+  cues_button_->setToolTip(tr("Show cues in the picture"));
+  connect(cues_button_, &QPushButton::toggled, this, &RunPage::update_cues);
+  row->addWidget(cues_button_);
+  auto* forces = make_button(tr("Forces"), {}, QStringLiteral("forces"), bar);
+  forces->setCheckable(true);
+  forces->setToolTip(tr("Show contact forces in the picture"));
+  connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
+  row->addWidget(forces);
+  return bar;
+}
+
+QWidget* RunPage::make_actions() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  pause_ = make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), bar);
+  reset_ = make_button(tr("Reset needle"), QStringLiteral("F7"), QStringLiteral("reset"), bar);
+  mark_ = make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), bar);
+  mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
+  stop_ = make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), bar);
+  for (QPushButton* b : {pause_, reset_, mark_, stop_}) row->addWidget(b, 1);
+  connect(pause_, &QPushButton::clicked, control_, &RunControl::toggle_pause);
+  connect(reset_, &QPushButton::clicked, control_, &RunControl::reset_work);
+  connect(mark_, &QPushButton::clicked, control_, &RunControl::mark);
+  connect(stop_, &QPushButton::clicked, control_, &RunControl::stop);
+  return bar;
+}
+
+QWidget* RunPage::make_right() {
+  right_ = new QStackedWidget(this);
+  now_ = new NowPanel(right_);
+  result_ = new ResultPanel(right_);
+  right_->addWidget(now_);
+  right_->addWidget(result_);
+  return right_;
+}
+
+void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  view_->set_themes(ui, cues);
+  now_->set_themes(ui, cues);
+  result_->set_theme(ui);
+}
+
+void RunPage::set_base_options(const session::Options& options) {
+  base_ = options;
+  host::Catalogue::Options where;
+  where.plugin_dirs = options.plugin_dirs;
+  where.safe_mode = options.safe_mode;
+  catalogue_ = host::Catalogue(where);
+}
+
+void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
+
+void RunPage::look(CameraPreset preset) {
+  preset_ = preset;
+  view_->look(preset);
+}
+
+session::Options RunPage::options() const {
+  session::Options o = base_;
+  o.lesson_path = setup_->lesson().toStdString();
+  o.person = setup_->person().toStdString();
+  o.mode = setup_->mode().toStdString();
+  o.device = setup_->device().toStdString();
+  // a demonstration is nobody's attempt
+  if (o.mode == "demo") o.store_path = ":none:";
+  return o;
+}
+
+void RunPage::start() {
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  preview_timer_.stop();
+  events_->clear();
+  problem_->hide();
+  if (control_->start(options())) view_->setFocus();
+}
+
+void RunPage::preview() {
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  base::Problems problems;
+  const auto card = control_->preview(options(), problems);
+  problem_->setVisible(!card);
+  if (!card) return show_problems(problems);
+  show_card(*card);
+  right_->setCurrentWidget(now_);
+}
+
+void RunPage::show_card(const snapshot::SceneCard& card) {
+  title_->setText(QString::fromStdString(card.title));
+  reader_ = Reader(card);
+  const std::optional<ForceBand> band = force_band(setup_->lesson().toStdString(), catalogue_);
+  now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
+  view_->set_card(card, preset_);
+}
+
+void RunPage::show_problems(const base::Problems& problems) {
+  QStringList lines;
+  for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
+  problem_->setText(tr("This lesson cannot run:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+  problem_->show();
+}
+
+void RunPage::update_state() {
+  using State = RunControl::State;
+  const State state = control_->state();
+  const bool running = control_->running();
+  setup_->set_running(running);
+  for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
+  pause_->setText(state == State::kPaused ? tr("Go on   F6") : tr("Pause   F6"));
+  if (running) right_->setCurrentWidget(now_);
+  // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
+  bool mouse = false;
+  for (const snapshot::CardDevice& d : control_->card().devices) mouse |= d.plugin == "swage.device.mouse";
+  view_->set_instrument(state == State::kRunning && mouse);
+  if (state == State::kRunning) {
+    rate_clock_.start();
+    rate_steps_ = control_->newest() ? control_->newest()->step : 0;
+  }
+  if (!running) strip_->set_idle(tr("○ Ready"));
+  update_cues();
+  update_frame();
+}
+
+void RunPage::update_cues() {
+  // a test is taken without help
+  const bool test = setup_->mode() == QLatin1String("test");
+  cues_button_->setEnabled(!test);
+  view_->set_cues_shown(!test && cues_button_->isChecked());
+}
+
+void RunPage::update_frame() {
+  const snapshot::Snapshot* newest = control_->newest();
+  if (!newest) return;
+  if (const snapshot::Snapshot* shown = control_->shown()) view_->show_snapshot(*shown);
+  const bool paused = control_->state() == RunControl::State::kPaused;
+  view_->set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
+  if (control_->state() != RunControl::State::kRunning) return;
+  const Reading reading = reader_.read(*newest);
+  now_->show_reading(reading, newest->time_s);
+  view_->set_hold(reading.hold.value_or(0));
+  // once a second is often enough to read a number
+  if (rate_clock_.elapsed() >= 1000) {
+    steps_per_s_ =
+        static_cast<double>(newest->step - rate_steps_) * 1000.0 / static_cast<double>(rate_clock_.elapsed());
+    rate_steps_ = newest->step;
+    rate_clock_.restart();
+    strip_->show_health(*newest, control_->card(), steps_per_s_, control_->options().store_path != ":none:");
+  }
+}
+
+void RunPage::show_finished() {
+  const session::Result& r = control_->result();
+  result_->show_result(r, control_->card(), !r.attempt_id.empty());
+  right_->setCurrentWidget(result_);
+  view_->set_hold(0);
+  view_->set_texts(clock_text(r.simulated_s), result_->outcome());
+  Q_EMIT attempt_over();
+}
+
+}  // namespace swage::console

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The Run page: choose at the left, watch in the middle, read at the right.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QTimer>
+#include <QWidget>
+
+#include "console/link/run_control.hpp"
+#include "console/models/event_log.hpp"
+#include "console/models/lessons_model.hpp"
+#include "console/models/reading.hpp"
+#include "console/pages/now_panel.hpp"
+#include "console/pages/result_panel.hpp"
+#include "console/pages/setup_panel.hpp"
+#include "console/pages/status_strip.hpp"
+#include "console/view3d/scene_view.hpp"
+#include "host/catalogue.hpp"
+
+namespace swage::console {
+
+class RunPage : public QWidget {
+  Q_OBJECT
+ public:
+  RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip, QWidget* parent = nullptr);
+
+  /// What every session is opened with; person, lesson, mode and device are set from the page.
+  void set_base_options(const session::Options& options);
+  /// A camera preset, now and for every lesson opened from now on.
+  void look(CameraPreset preset);
+  void set_themes(const UiTheme& ui, const CueTheme& cues);
+  /// Shown at the bottom until the next start.
+  void set_notice(const QString& text);
+  RunControl* control() { return control_; }
+  SetupPanel* setup() { return setup_; }
+  SceneView* view() { return view_; }
+  ResultPanel* result() { return result_; }
+  EventLog* events() { return events_; }
+
+ public Q_SLOTS:
+  void start();
+
+ Q_SIGNALS:
+  void attempt_over();
+  void show_progress();
+
+ private:
+  QWidget* make_middle();
+  QWidget* make_view_bar();
+  QWidget* make_actions();
+  QWidget* make_right();
+  session::Options options() const;
+  void preview();
+  void show_card(const snapshot::SceneCard& card);
+  void show_problems(const base::Problems& problems);
+  void update_state();
+  void update_frame();
+  void update_cues();
+  void show_finished();
+
+  session::Options base_;
+  host::Catalogue catalogue_;
+  CameraPreset preset_ = CameraPreset::kOrbit;
+  RunControl* control_;
+  StatusStrip* strip_;
+  SetupPanel* setup_;
+  SceneView* view_ = nullptr;
+  QLabel *title_ = nullptr, *problem_ = nullptr;
+  QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
+              *cues_button_ = nullptr;
+  QStackedWidget* right_ = nullptr;
+  NowPanel* now_ = nullptr;
+  ResultPanel* result_ = nullptr;
+  EventLog* events_;
+  QTableView* event_table_ = nullptr;
+  Reader reader_;
+  QTimer preview_timer_;
+  QElapsedTimer rate_clock_;
+  uint64_t rate_steps_ = 0;
+  double steps_per_s_ = 0;
+};
+
+}  // namespace swage::console

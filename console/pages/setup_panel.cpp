@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/setup_panel.hpp"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+const char* const kModes[] = {"practice", "test", "demo"};
+
+}  // namespace
+
+SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(10);
+  column->addWidget(make_who());
+  column->addWidget(make_lessons(lessons), 1);
+  column->addWidget(make_mode());
+  start_ = make_button(tr("START"), QStringLiteral("F5"), QStringLiteral("start"), this);
+  start_->setProperty("primary", true);
+  start_->setMinimumHeight(48);
+  column->addWidget(start_);
+  connect(start_, &QPushButton::clicked, this, &SetupPanel::start);
+  update_start();
+}
+
+QWidget* SetupPanel::make_who() {
+  Card card = make_card(tr("Who"), this);
+  person_ = new QComboBox(card.frame);
+  person_->setObjectName(QStringLiteral("person"));
+  person_->setAccessibleName(tr("Who practises"));
+  person_->setEditable(true);
+  person_->setInsertPolicy(QComboBox::NoInsert);
+  person_->lineEdit()->setPlaceholderText(tr("Guest"));
+  person_->setToolTip(tr("Choose a name or type a new one. Without a name the attempt is kept for Guest."));
+  card.body->addWidget(person_);
+  return card.frame;
+}
+
+QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
+  Card card = make_card(tr("Lesson"), this);
+  lessons_ = new QListView(card.frame);
+  lessons_->setObjectName(QStringLiteral("lessons"));
+  lessons_->setAccessibleName(tr("Lessons"));
+  lessons_->setModel(lessons);
+  lessons_->setItemDelegate(new TwoLineDelegate(LessonsModel::kSummary, lessons_));
+  lessons_->setUniformItemSizes(false);
+  lessons_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  no_lessons_ =
+      make_muted(tr("No lessons found. Put lesson files into ~/.local/share/swage/lessons, or name one when "
+                    "starting the program: swage-console lesson.json"),
+                 card.frame);
+  card.body->addWidget(lessons_, 1);
+  card.body->addWidget(no_lessons_);
+  no_lessons_->setVisible(lessons->rowCount() == 0);
+  lessons_->setVisible(lessons->rowCount() > 0);
+  connect(lessons_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    fill_devices();
+    update_start();
+    Q_EMIT lesson_changed();
+  });
+  connect(lessons_, &QListView::activated, this, &SetupPanel::start);
+  return card.frame;
+}
+
+QWidget* SetupPanel::make_mode() {
+  Card card = make_card(tr("Mode"), this);
+  modes_ = new QButtonGroup(this);
+  const struct {
+    QString text, tip;
+  } choices[] = {{tr("Practice"), tr("Cues are shown.")},
+                 {tr("Test"), tr("Cues are hidden; the attempt counts towards passing.")},
+                 {tr("Demo"), tr("Watch the expert's hand. Nothing is recorded.")}};
+  auto* row = new QHBoxLayout;
+  row->setSpacing(10);
+  for (int i = 0; i < 3; ++i) {
+    auto* button = new QRadioButton(choices[i].text, card.frame);
+    button->setObjectName(QString::fromLatin1(kModes[i]));
+    button->setToolTip(choices[i].tip);
+    button->setAccessibleDescription(choices[i].tip);
+    modes_->addButton(button, i);
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  modes_->button(0)->setChecked(true);
+  card.body->addLayout(row);
+  QLabel* explain = make_muted(choices[0].tip, card.frame);
+  card.body->addWidget(explain);
+  connect(modes_, &QButtonGroup::idToggled, this, [this, explain](int id, bool on) {
+    if (!on) return;
+    explain->setText(modes_->button(id)->toolTip());
+    device_->setEnabled(id != 2);
+    Q_EMIT mode_changed();
+  });
+
+  card.body->addWidget(make_heading(tr("Instrument"), card.frame));
+  device_ = new QComboBox(card.frame);
+  device_->setObjectName(QStringLiteral("device"));
+  device_->setAccessibleName(tr("Instrument"));
+  fill_devices();
+  connect(device_, &QComboBox::activated, this,
+          [this] { wanted_device_ = device_->currentData().toString(); });
+  card.body->addWidget(device_);
+  return card.frame;
+}
+
+QString SetupPanel::person() const {
+  const QString name = person_->currentText().trimmed();
+  return name.isEmpty() ? QStringLiteral("Guest") : name;
+}
+
+void SetupPanel::set_people(const QStringList& names, const QString& current) {
+  const QSignalBlocker quiet(person_);
+  person_->clear();
+  person_->addItem(QStringLiteral("Guest"));
+  for (const QString& name : names) {
+    if (name != QLatin1String("Guest")) person_->addItem(name);
+  }
+  person_->setCurrentText(current.isEmpty() ? QStringLiteral("Guest") : current);
+}
+
+QString SetupPanel::lesson() const { return lessons_->currentIndex().data(LessonsModel::kPath).toString(); }
+
+void SetupPanel::select_lesson(int row) {
+  const QAbstractItemModel* model = lessons_->model();
+  no_lessons_->setVisible(model->rowCount() == 0);
+  lessons_->setVisible(model->rowCount() > 0);
+  lessons_->setCurrentIndex(model->index(row, 0));
+}
+
+QString SetupPanel::mode() const { return QString::fromLatin1(kModes[modes_->checkedId()]); }
+
+void SetupPanel::set_mode(const QString& mode) {
+  for (int i = 0; i < 3; ++i) {
+    if (mode == QLatin1String(kModes[i])) modes_->button(i)->setChecked(true);
+  }
+}
+
+QString SetupPanel::device() const {
+  return mode() == QLatin1String("demo") ? QStringLiteral("expert") : device_->currentData().toString();
+}
+
+void SetupPanel::set_device(const QString& device) {
+  wanted_device_ = device;
+  fill_devices();
+}
+
+// the hands that the lesson names; the mouse is always one of them
+void SetupPanel::fill_devices() {
+  QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
+  if (!hands.contains(QStringLiteral("mouse"))) hands.prepend(QStringLiteral("mouse"));
+  if (!hands.contains(wanted_device_)) hands += wanted_device_;
+  device_->clear();
+  for (const QString& hand : hands) {
+    const bool plugin = hand.contains(QLatin1Char('.'));
+    const QString name = hand == QLatin1String("mouse") ? tr("Mouse and keyboard")
+                         : hand.isEmpty()               ? tr("As the lesson says")
+                         : plugin                       ? hand
+                                                        : tr("Recorded hand: %1").arg(hand);
+    device_->addItem(name, hand);
+  }
+  device_->setCurrentIndex(device_->findData(wanted_device_));
+}
+
+QString SetupPanel::task() const {
+  const QModelIndex lesson = lessons_->currentIndex();
+  return QStringList(
+             {lesson.data(LessonsModel::kSummary).toString(), lesson.data(LessonsModel::kGoal).toString()})
+      .join(QLatin1Char('\n'))
+      .trimmed();
+}
+
+void SetupPanel::set_running(bool running) {
+  running_ = running;
+  for (QWidget* w : std::initializer_list<QWidget*>{person_, lessons_}) w->setEnabled(!running);
+  for (QAbstractButton* b : modes_->buttons()) b->setEnabled(!running);
+  device_->setEnabled(!running && modes_->checkedId() != 2);
+  update_start();
+}
+
+void SetupPanel::update_start() {
+  if (!start_) return;
+  start_->setEnabled(!running_ && lessons_->currentIndex().isValid());
+  start_->setText(running_ ? tr("Running…") : tr("START   F5"));
+}
+
+}  // namespace swage::console

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Left of the Run page: who, which lesson, which mode, which hand, START. Nothing of it has to be filled in.
+#pragma once
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QListView>
+#include <QPushButton>
+#include <QWidget>
+
+#include "console/models/lessons_model.hpp"
+
+namespace swage::console {
+
+class SetupPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SetupPanel(LessonsModel* lessons, QWidget* parent = nullptr);
+
+  QString person() const;  // "Guest" when nobody is named
+  void set_people(const QStringList& names, const QString& current);
+  QString lesson() const;  // path, "" when there is none
+  void select_lesson(int row);
+  QString mode() const;  // "practice", "test", "demo"
+  void set_mode(const QString& mode);
+  QString device() const;  // for session::Options::device
+  void set_device(const QString& device);
+  QString task() const;  // what the lesson is about, and what it is for
+  void set_running(bool running);
+
+ Q_SIGNALS:
+  void start();
+  void lesson_changed();
+  void mode_changed();
+
+ private:
+  QWidget* make_who();
+  QWidget* make_lessons(LessonsModel* lessons);
+  QWidget* make_mode();
+  void fill_devices();
+  void update_start();
+
+  QComboBox *person_, *device_;
+  QListView* lessons_;
+  QLabel* no_lessons_;
+  QButtonGroup* modes_;
+  QPushButton* start_ = nullptr;
+  QString wanted_device_ = QStringLiteral("mouse");
+  bool running_ = false;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/status_strip.hpp"
+
+#include <QHBoxLayout>
+
+namespace swage::console {
+
+StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 4, 14, 6);
+  row->setSpacing(22);
+  const auto add = [&](const char* name) {
+    auto* label = new QLabel(this);
+    label->setObjectName(QString::fromLatin1(name));
+    label->setProperty("muted", true);
+    row->addWidget(label);
+    return label;
+  };
+  loop_ = add("loop_health");
+  device_ = add("device_health");
+  recording_ = add("recording");
+  row->addStretch(1);
+  graphics_ = add("graphics");
+}
+
+void StatusStrip::set_idle(const QString& text) {
+  loop_->setText(text);
+  device_->clear();
+  recording_->clear();
+}
+
+void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::SceneCard& card,
+                              double steps_per_s, bool recording) {
+  const snapshot::LoopHealth& h = s.health;
+  const bool fine = h.late == 0 && h.dropped == 0 && h.quarantined == 0;
+  loop_->setText(tr("%1  %2 steps/s, worst %3 ms, %4 late")
+                     .arg(fine ? QStringLiteral("●") : QStringLiteral("▲"))
+                     .arg(steps_per_s, 0, 'f', 0)
+                     .arg(h.worst_step_s * 1e3, 0, 'f', 2)
+                     .arg(h.late));
+  loop_->setToolTip(h.quarantined ? tr("%1 of the lesson's parts stopped.").arg(h.quarantined)
+                    : fine        ? tr("The force loop is on time.")
+                                  : tr("%1 steps were late. Forces may feel rough.").arg(h.late));
+  QStringList devices;
+  for (uint32_t i = 0; i < s.n_device && i < card.devices.size(); ++i) {
+    const QString name = QString::fromStdString(card.devices[i].name);
+    devices += s.device[i].stale ? tr("▲ %1: no reply").arg(name) : tr("● %1: OK").arg(name);
+  }
+  device_->setText(devices.join(QStringLiteral("   ")));
+  recording_->setText(recording ? tr("● Recording") : tr("○ Not recorded"));
+}
+
+QString StatusStrip::text() const {
+  return loop_->text() + QLatin1Char(' ') + device_->text() + QLatin1Char(' ') + recording_->text();
+}
+
+}  // namespace swage::console

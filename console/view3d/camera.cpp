@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::console {
+namespace {
+
+constexpr double kGlide_s = 0.09;  // time constant; longer feels sluggish, shorter jumps
+constexpr float kStray = 0.5F;     // of the half height of the picture
+constexpr float kDeg = 0.017453292F;
+
+}  // namespace
+
+void OrbitCamera::frame(const QVector3D& centre, float radius) {
+  home_centre_ = centre;
+  home_radius_ = std::max(radius, 1e-3F);
+  goal_.focus = centre;
+  goal_.distance = home_radius_ / std::sin(0.5F * kFovDeg * kDeg);
+}
+
+void OrbitCamera::look(CameraPreset preset) {
+  frame(home_centre_, home_radius_);
+  follows_ = true;
+  switch (preset) {
+    case CameraPreset::kOrbit:
+      goal_.yaw = -60, goal_.pitch = 28;
+      break;
+    case CameraPreset::kSide:
+      goal_.yaw = -90, goal_.pitch = 4;
+      break;
+    case CameraPreset::kTop:
+      goal_.yaw = -90, goal_.pitch = 89.9F;
+      break;
+  }
+}
+
+void OrbitCamera::turn(float yaw_deg, float pitch_deg) {
+  goal_.yaw += yaw_deg;
+  goal_.pitch = std::clamp(goal_.pitch + pitch_deg, 0.0F, 89.9F);
+}
+
+void OrbitCamera::pan(float dx, float dy) {
+  follows_ = false;
+  const float height = 2 * goal_.distance * std::tan(0.5F * kFovDeg * kDeg);
+  const QQuaternion q = q_WC();
+  goal_.focus -= q.rotatedVector({dx * height, dy * height, 0});
+  now_.focus = goal_.focus;
+}
+
+void OrbitCamera::follow(const QVector3D& point) {
+  if (!follows_) return;
+  const QVector3D forward = (now_.focus - eye()).normalized();
+  QVector3D off = point - goal_.focus;
+  off -= QVector3D::dotProduct(off, forward) * forward;
+  const float allowed = kStray * goal_.distance * std::tan(0.5F * kFovDeg * kDeg);
+  if (off.length() > allowed) goal_.focus += off * (1 - allowed / off.length());
+}
+
+void OrbitCamera::zoom(float notches) {
+  goal_.distance =
+      std::clamp(goal_.distance * std::pow(0.88F, notches), 0.3F * home_radius_, 40 * home_radius_);
+}
+
+bool OrbitCamera::advance(double dt_s) {
+  const auto k = static_cast<float>(1 - std::exp(-std::max(dt_s, 0.0) / kGlide_s));
+  const QVector3D df = goal_.focus - now_.focus;
+  const float dy = goal_.yaw - now_.yaw, dp = goal_.pitch - now_.pitch, dd = goal_.distance - now_.distance;
+  // below a tenth of a pixel the picture rests
+  const float eps = 2e-4F;
+  if (df.length() < eps * now_.distance && std::abs(dy) < 0.02F && std::abs(dp) < 0.02F &&
+      std::abs(dd) < eps * now_.distance) {
+    return false;
+  }
+  now_.focus += df * k;
+  now_.yaw += dy * k;
+  now_.pitch += dp * k;
+  now_.distance += dd * k;
+  return true;
+}
+
+void OrbitCamera::jump() { now_ = goal_; }
+
+QVector3D OrbitCamera::eye() const {
+  const float y = now_.yaw * kDeg, p = now_.pitch * kDeg;
+  return now_.focus +
+         now_.distance * QVector3D(std::cos(p) * std::cos(y), std::cos(p) * std::sin(y), std::sin(p));
+}
+
+QVector3D OrbitCamera::up() const {
+  const float y = now_.yaw * kDeg, p = now_.pitch * kDeg;
+  return {-std::sin(p) * std::cos(y), -std::sin(p) * std::sin(y), std::cos(p)};
+}
+
+QQuaternion OrbitCamera::q_WC() const {
+  const QVector3D z = (eye() - now_.focus).normalized();
+  return QQuaternion::fromAxes(QVector3D::crossProduct(up(), z), up(), z);
+}
+
+QMatrix4x4 OrbitCamera::view() const {
+  QMatrix4x4 m;
+  m.lookAt(eye(), now_.focus, up());
+  return m;
+}
+
+QMatrix4x4 OrbitCamera::projection(float aspect) const {
+  QMatrix4x4 m;
+  // near and far follow the distance, so that depth is spent where the scene is
+  m.perspective(kFovDeg, aspect, 0.05F * now_.distance, 20 * now_.distance);
+  return m;
+}
+
+QPointF OrbitCamera::project(const QVector3D& p, const QSizeF& size) const {
+  const auto aspect = static_cast<float>(size.width() / std::max(size.height(), 1.0));
+  const QVector3D c = (projection(aspect) * view()).map(p);
+  return {(0.5 + 0.5 * static_cast<double>(c.x())) * size.width(),
+          (0.5 - 0.5 * static_cast<double>(c.y())) * size.height()};
+}
+
+double OrbitCamera::mm_per_pixel(double height_px) const {
+  return 2.0 * static_cast<double>(now_.distance * std::tan(0.5F * kFovDeg * kDeg)) /
+         std::max(height_px, 1.0);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Where the picture is taken from. World frame, +Z up; lengths in mm.
+#pragma once
+
+#include <QMatrix4x4>
+#include <QPointF>
+#include <QQuaternion>
+#include <QSizeF>
+#include <QVector3D>
+
+namespace swage::console {
+
+enum class CameraPreset { kOrbit, kSide, kTop };
+
+/// Turns about a focus. What the person asks for is the goal; the picture glides there.
+class OrbitCamera {
+ public:
+  /// A sphere (mm) that should fill the picture; also the home of the presets.
+  void frame(const QVector3D& centre, float radius);
+  void look(CameraPreset preset);
+  void turn(float yaw_deg, float pitch_deg);
+  void pan(float dx, float dy);  // fractions of the picture's height
+  void zoom(float notches);      // + nearer
+  /// Keeps a point (mm) near the middle: the goal moves along when it strays further than half way to the edge. Not after
+  /// a pan, until the next preset: then the person wants to look elsewhere.
+  void follow(const QVector3D& point);
+
+  /// Moves towards the goal; returns whether the picture changed.
+  bool advance(double dt_s);
+  void jump();  // no gliding
+
+  QVector3D eye() const;
+  QVector3D up() const;
+  QVector3D focus() const { return now_.focus; }
+  float distance() const { return now_.distance; }
+  QQuaternion q_WC() const;  // C: +x right, +y up, +z towards the viewer
+  QMatrix4x4 view() const;
+  QMatrix4x4 projection(float aspect) const;
+  QPointF project(const QVector3D& p_W_mm, const QSizeF& size) const;
+  /// mm per pixel in the plane of the focus.
+  double mm_per_pixel(double height_px) const;
+
+  static constexpr float kFovDeg = 28;  // as a long lens: little distortion, as under a microscope
+
+ private:
+  struct Pose {
+    QVector3D focus{0, 0, 0};
+    float yaw = -60, pitch = 28, distance = 40;  // deg, deg, mm
+  };
+  Pose now_, goal_;
+  QVector3D home_centre_{0, 0, 0};
+  float home_radius_ = 5;
+  bool follows_ = true;
+};
+
+}  // namespace swage::console

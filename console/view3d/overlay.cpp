@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/overlay.hpp"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+namespace swage::console {
+
+double nice_scale_mm(double mm_per_pixel, double most_px) {
+  const double most = std::max(mm_per_pixel * most_px, 1e-9);
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= most) return step * power;
+  }
+  return power;
+}
+
+QString length_text(double mm) {
+  return mm < 0.1 ? QStringLiteral("%1 µm").arg(mm * 1000, 0, 'g', 3)
+                  : QStringLiteral("%1 mm").arg(mm, 0, 'g', 3);
+}
+
+// a rounded label; returns its rectangle, text not yet drawn when `extra_left` reserves room
+QRectF Overlay::pill(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
+  const QFontMetricsF metrics(font);
+  const double h = metrics.height() + 8, w = metrics.horizontalAdvance(text) + extra_left + 20;
+  QRectF r(centre.x() - 0.5 * w, centre.y() - 0.5 * h, w, h);
+  // stay inside the picture
+  r.moveLeft(std::clamp(r.left(), area_.left() + 6, std::max(area_.left() + 6, area_.right() - 6 - w)));
+  r.moveTop(std::clamp(r.top(), area_.top() + 6, std::max(area_.top() + 6, area_.bottom() - 6 - h)));
+  QColor back = ui_["card"];
+  back.setAlpha(225);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(ui_["border"], 1));
+  p_.setBrush(back);
+  p_.drawRoundedRect(r, 0.5 * h, 0.5 * h);
+  p_.setFont(font);
+  p_.setPen(ui_["text"]);
+  p_.drawText(r.adjusted(10 + extra_left, 0, -10, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
+  return r;
+}
+
+void Overlay::scale_bar(double mm_per_pixel) {
+  const double mm = nice_scale_mm(mm_per_pixel, 0.22 * area_.width()), px = mm / mm_per_pixel;
+  const double x = area_.left() + 18, y = area_.bottom() - 18;
+  p_.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{ui_["view_bottom"], 4.5}, {ui_["view_text"], 2.0}}) {
+    p_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+    p_.drawLine(QPointF(x, y), QPointF(x + px, y));
+    p_.drawLine(QPointF(x, y - 5), QPointF(x, y + 1));
+    p_.drawLine(QPointF(x + px, y - 5), QPointF(x + px, y + 1));
+  }
+  p_.drawText(QRectF(x, y - 26, std::max(px, 60.0), 18), Qt::AlignCenter, length_text(mm));
+}
+
+void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
+  // a line from the grasp to its label, out of the way of the tips
+  const QFont font = p_.font();
+  const double sign = 22, room = sign * static_cast<double>(style.shape.size()) + 6;
+  const QPointF label = at + QPointF(slot == 0 ? 120 : -120, -84);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(QColor(0, 0, 0, 110), 3));
+  p_.drawLine(at, label);
+  p_.setPen(QPen(QColor(255, 255, 255, 220), 1.4));
+  p_.drawLine(at, label);
+  p_.setBrush(style.colour);
+  p_.drawEllipse(at, 3.5, 3.5);
+  const QRectF r = pill(label, style.text, font, room);
+  paint_cue_shape(p_, {r.left() + 8, r.center().y() - 0.5 * sign}, sign, style);
+}
+
+void Overlay::ring(const QPointF& at, double share) {
+  const QRectF r(at.x() - 17, at.y() - 17, 34, 34);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setBrush(Qt::NoBrush);
+  p_.setPen(QPen(QColor(0, 0, 0, 90), 6));
+  p_.drawEllipse(r);
+  p_.setPen(QPen(QColor(255, 255, 255, 245), 4, Qt::SolidLine, Qt::FlatCap));
+  p_.drawArc(r, 90 * 16, -static_cast<int>(360 * 16 * std::clamp(share, 0.0, 1.0)));
+}
+
+void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style) {
+  const double r = std::max(radius_px, 5.0);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setBrush(Qt::NoBrush);
+  for (const auto& [colour, width] :
+       {std::pair{QColor(0, 0, 0, 120), 5.0}, {QColor(255, 255, 255, 220), 3.6}, {style.colour, 2.2}}) {
+    p_.setPen(QPen(colour, width));
+    p_.drawEllipse(at, r, r);
+  }
+}
+
+void Overlay::force(const QPointF& from, const QPointF& to) {
+  const QPointF d = to - from;
+  const double length = std::hypot(d.x(), d.y());
+  if (length < 3) return;
+  const QPointF u = d / length, n(-u.y(), u.x());
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(ui_["warn"], 2));
+  p_.drawLine(from, to - u * 6);
+  p_.setPen(Qt::NoPen);
+  p_.setBrush(ui_["warn"]);
+  p_.drawPolygon(QPolygonF({to, to - u * 9 + n * 4, to - u * 9 - n * 4}));
+}
+
+void Overlay::clock(const QString& text) {
+  QFont font = p_.font();
+  font.setPointSizeF(font.pointSizeF() * 1.25);
+  font.setBold(true);
+  pill({area_.right(), area_.top()}, text, font);
+}
+
+void Overlay::banner(const QString& text) {
+  QFont font = p_.font();
+  font.setPointSizeF(font.pointSizeF() * 1.5);
+  font.setBold(true);
+  pill({area_.center().x(), area_.top() + 0.14 * area_.height()}, text, font);
+}
+
+void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }
+
+}  // namespace swage::console

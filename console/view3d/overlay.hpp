@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is painted over the 3D picture: scale bar, cue at the grasp, contact forces, clock and banner.
+#pragma once
+
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+
+#include "console/cues/cue_theme.hpp"
+#include "console/cues/ui_theme.hpp"
+
+namespace swage::console {
+
+/// The longest bar of 1, 2 or 5 times a power of ten that is no longer than `most_px`. Length in mm.
+double nice_scale_mm(double mm_per_pixel, double most_px);
+QString length_text(double mm);
+
+class Overlay {
+ public:
+  Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui) {}
+  void scale_bar(double mm_per_pixel);
+  /// `slot` 0 above right of the place, 1 above left: two cues at one grasp do not cover each other.
+  void cue(const QPointF& at, const CueStyle& style, int slot);
+  /// A ring that fills clockwise while something is held.
+  void ring(const QPointF& at, double share);
+  void target(const QPointF& at, double radius_px, const CueStyle& style);
+  void force(const QPointF& from, const QPointF& to);
+  void clock(const QString& text);
+  void banner(const QString& text);
+  void hint(const QString& text);
+
+ private:
+  QRectF pill(const QPointF& centre, const QString& text, const QFont& font, double extra_left = 0);
+  QPainter& p_;
+  QRectF area_;
+  const UiTheme& ui_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/qt3d_material.hpp"
+
+#include <QVector2D>
+#include <Qt3DRender/QBlendEquation>
+#include <Qt3DRender/QBlendEquationArguments>
+#include <Qt3DRender/QCullFace>
+#include <Qt3DRender/QDepthTest>
+#include <Qt3DRender/QEffect>
+#include <Qt3DRender/QGraphicsApiFilter>
+#include <Qt3DRender/QNoDepthMask>
+#include <Qt3DRender/QRenderPass>
+#include <Qt3DRender/QShaderProgram>
+#include <Qt3DRender/QTechnique>
+
+namespace swage::console {
+namespace {
+
+const char* const kSolidVertex = R"(#version 330 core
+in vec3 vertexPosition;
+in vec3 vertexNormal;
+out vec3 position;
+out vec3 normal;
+uniform mat4 modelView;
+uniform mat3 modelViewNormal;
+uniform mat4 mvp;
+void main() {
+  normal = modelViewNormal * vertexNormal;
+  position = vec3(modelView * vec4(vertexPosition, 1.0));
+  gl_Position = mvp * vec4(vertexPosition, 1.0);
+})";
+
+// Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel
+// mirrors a small studio: dark floor, grey wall, two soft boxes.
+const char* const kSolidFragment = R"(#version 330 core
+in vec3 position;
+in vec3 normal;
+out vec4 fragColor;
+uniform vec3 colour;
+uniform float metal;
+uniform float gloss;
+const vec3 key = vec3(-0.408, 0.707, 0.577);
+const vec3 fill = vec3(0.802, 0.100, 0.589);
+float studio(vec3 r) {
+  float wall = mix(0.40, 0.80, smoothstep(-0.8, 0.8, r.y));
+  float box_key = smoothstep(0.66, 0.95, dot(r, key));
+  float box_fill = smoothstep(0.80, 0.97, dot(r, fill));
+  return wall + 0.45 * box_key + 0.25 * box_fill;
+}
+void main() {
+  vec3 n = normalize(normal);
+  vec3 v = normalize(-position);
+  vec3 r = reflect(-v, n);
+  float facing = max(dot(n, v), 0.0);
+  float diffuse = 0.48 + 0.12 * n.y + 0.42 * max(dot(n, key), 0.0) + 0.22 * max(dot(n, fill), 0.0);
+  float highlight = pow(max(dot(r, key), 0.0), gloss);
+  float rim = pow(1.0 - facing, 3.0);
+  vec3 matte = colour * diffuse + vec3(0.22 * highlight + 0.10 * rim);
+  vec3 steel = colour * (0.72 * studio(r) + 0.34 * diffuse) * (0.9 + 0.4 * rim) + vec3(0.25 * highlight);
+  vec3 c = mix(matte, steel, metal);
+  // a shoulder instead of a hard white
+  c = min(c, 0.75 + 0.25 * (1.0 - exp(-max(c - 0.75, 0.0) / 0.25)));
+  fragColor = vec4(c, 1.0);
+})";
+
+const char* const kFloorVertex = R"(#version 330 core
+in vec3 vertexPosition;
+out vec2 place;
+uniform mat4 modelMatrix;
+uniform mat4 mvp;
+void main() {
+  place = vec2(modelMatrix * vec4(vertexPosition, 1.0));
+  gl_Position = mvp * vec4(vertexPosition, 1.0);
+})";
+
+// premultiplied: the floor fades into whatever the picture is laid on
+const char* const kFloorFragment = R"(#version 330 core
+in vec2 place;
+out vec4 fragColor;
+uniform vec3 colour;
+uniform vec3 line;
+uniform vec3 centre;
+uniform vec2 extent;
+uniform float radius;
+uniform float grid;
+uniform float fill;
+float lines(vec2 p, vec2 w, float thick) {
+  vec2 d = abs(fract(p - 0.5) - 0.5) / w;
+  vec2 on = clamp(thick - d, 0.0, 1.0) * clamp(0.5 / w, 0.0, 1.0);
+  return max(on.x, on.y);
+}
+void main() {
+  vec2 p = place / grid;
+  vec2 w = max(fwidth(p), vec2(1e-6));
+  float fine = 0.45 * lines(p, w, 1.0);
+  float coarse = lines(p / 5.0, w / 5.0, 1.3);
+  float fade = 1.0 - smoothstep(0.25, 1.0, length(place - centre.xy) / radius);
+  vec2 inside = step(abs(place - centre.xy), extent);
+  float on = max(fine, coarse);
+  vec3 c = mix(colour, line, on);
+  float a = 0.94 * fade * inside.x * inside.y * max(fill, on);
+  fragColor = vec4(c * a, a);
+})";
+
+// The parts once more, flattened on to the floor along several directions of a wide lamp: the shadow is sharp where
+// something touches and soft where it hovers, which tells height better than any number.
+const char* const kShadowVertex = R"(#version 330 core
+in vec3 vertexPosition;
+out vec3 place;
+uniform mat4 modelMatrix;
+uniform mat4 viewProjectionMatrix;
+uniform float floor_z;
+const float golden = 2.399963;
+void main() {
+  vec3 p = vec3(modelMatrix * vec4(vertexPosition, 1.0));
+  float i = float(gl_InstanceID);
+  vec2 lamp = vec2(0.30, 0.18) + 0.10 * sqrt((i + 0.5) / 8.0) * vec2(cos(i * golden), sin(i * golden));
+  float height = max(p.z - floor_z, 0.0);
+  place = vec3(p.xy + lamp * height, height);
+  gl_Position = viewProjectionMatrix * vec4(place.xy, floor_z, 1.0);
+})";
+
+const char* const kShadowFragment = R"(#version 330 core
+in vec3 place;
+out vec4 fragColor;
+uniform vec3 centre;
+uniform vec2 extent;
+uniform float radius;
+uniform float reach;
+uniform float strength;
+void main() {
+  float fade = 1.0 - smoothstep(0.25, 1.0, length(place.xy - centre.xy) / radius);
+  vec2 inside = step(abs(place.xy - centre.xy), extent);
+  float near = exp(-place.z / reach);
+  fragColor = vec4(0.0, 0.0, 0.0, strength * fade * near * inside.x * inside.y);
+})";
+
+Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex,
+                                       const char* fragment) {
+  using namespace Qt3DRender;
+  auto* effect = new QEffect(material);
+  auto* technique = new QTechnique(effect);
+  technique->graphicsApiFilter()->setApi(QGraphicsApiFilter::OpenGL);
+  technique->graphicsApiFilter()->setProfile(QGraphicsApiFilter::CoreProfile);
+  technique->graphicsApiFilter()->setMajorVersion(3);
+  technique->graphicsApiFilter()->setMinorVersion(3);
+  auto* pass = new QRenderPass(technique);
+  auto* program = new QShaderProgram(pass);
+  program->setVertexShaderCode(vertex);
+  program->setFragmentShaderCode(fragment);
+  pass->setShaderProgram(program);
+  technique->addRenderPass(pass);
+  effect->addTechnique(technique);
+  material->setEffect(effect);
+  return pass;
+}
+
+Qt3DRender::QParameter* add_parameter(Qt3DRender::QMaterial* material, const char* name) {
+  auto* parameter = new Qt3DRender::QParameter(QString::fromLatin1(name), QVariant(), material);
+  material->addParameter(parameter);
+  return parameter;
+}
+
+// premultiplied over what is there, hidden by what stands before it, hiding nothing itself
+void lay_over(Qt3DRender::QRenderPass* pass, Qt3DRender::QCullFace::CullingMode culling) {
+  using namespace Qt3DRender;
+  auto* blend = new QBlendEquationArguments(pass);
+  blend->setSourceRgba(QBlendEquationArguments::One);
+  blend->setDestinationRgba(QBlendEquationArguments::OneMinusSourceAlpha);
+  auto* equation = new QBlendEquation(pass);
+  equation->setBlendFunction(QBlendEquation::Add);
+  auto* depth = new QDepthTest(pass);
+  depth->setDepthFunction(QDepthTest::Less);
+  auto* cull = new QCullFace(pass);
+  cull->setMode(culling);
+  for (QRenderState* state :
+       std::initializer_list<QRenderState*>{blend, equation, depth, cull, new QNoDepthMask(pass)}) {
+    pass->addRenderState(state);
+  }
+}
+
+// the lights work on linear-looking numbers; half way between sRGB and linear keeps theme colours
+// recognisable
+QVector3D shade(const QColor& c) {
+  return {static_cast<float>(c.redF()), static_cast<float>(c.greenF()), static_cast<float>(c.blueF())};
+}
+
+}  // namespace
+
+SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
+    : QMaterial(parent),
+      colour_(add_parameter(this, "colour")),
+      metal_(add_parameter(this, "metal")),
+      gloss_(add_parameter(this, "gloss")) {
+  add_technique(this, kSolidVertex, kSolidFragment);
+  set({});
+}
+
+void SolidMaterial::set(const Surface& s) {
+  colour_->setValue(shade(s.colour));
+  metal_->setValue(s.metal);
+  gloss_->setValue(s.gloss);
+}
+
+FloorMaterial::FloorMaterial(Qt3DCore::QNode* parent)
+    : QMaterial(parent),
+      colour_(add_parameter(this, "colour")),
+      line_(add_parameter(this, "line")),
+      centre_(add_parameter(this, "centre")),
+      half_(add_parameter(this, "extent")),
+      radius_(add_parameter(this, "radius")),
+      grid_(add_parameter(this, "grid")),
+      fill_(add_parameter(this, "fill")) {
+  lay_over(add_technique(this, kFloorVertex, kFloorFragment), Qt3DRender::QCullFace::NoCulling);
+  set({});
+}
+
+void FloorMaterial::set(const Floor& f) {
+  colour_->setValue(shade(f.colour));
+  line_->setValue(shade(f.line));
+  centre_->setValue(f.centre);
+  radius_->setValue(f.radius);
+  half_->setValue(QVector2D(f.half_x, f.half_y));
+  grid_->setValue(f.grid);
+  fill_->setValue(f.fill);
+}
+
+ShadowMaterial::ShadowMaterial(Qt3DCore::QNode* parent)
+    : QMaterial(parent),
+      centre_(add_parameter(this, "centre")),
+      half_(add_parameter(this, "extent")),
+      radius_(add_parameter(this, "radius")),
+      floor_z_(add_parameter(this, "floor_z")),
+      strength_(add_parameter(this, "strength")),
+      reach_(add_parameter(this, "reach")) {
+  // one layer per direction: only what faces the lamp
+  lay_over(add_technique(this, kShadowVertex, kShadowFragment), Qt3DRender::QCullFace::Back);
+  set({});
+}
+
+void ShadowMaterial::set(const Floor& f) {
+  centre_->setValue(f.centre);
+  radius_->setValue(f.radius);
+  floor_z_->setValue(f.z);
+  half_->setValue(QVector2D(f.half_x, f.half_y));
+  strength_->setValue(f.shadow);
+  reach_->setValue(f.reach);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The materials of the view: solid things in studio light, the floor that gives scale, and shadows on it.
+#pragma once
+
+#include <Qt3DCore/QNode>
+#include <Qt3DRender/QMaterial>
+#include <Qt3DRender/QParameter>
+
+#include "console/view3d/renderer.hpp"
+
+namespace swage::console {
+
+class SolidMaterial : public Qt3DRender::QMaterial {
+ public:
+  explicit SolidMaterial(Qt3DCore::QNode* parent);
+  void set(const Surface& surface);
+
+ private:
+  Qt3DRender::QParameter *colour_, *metal_, *gloss_;
+};
+
+class FloorMaterial : public Qt3DRender::QMaterial {
+ public:
+  explicit FloorMaterial(Qt3DCore::QNode* parent);
+  void set(const Floor& floor);
+
+ private:
+  Qt3DRender::QParameter *colour_, *line_, *centre_, *half_, *radius_, *grid_, *fill_;
+};
+
+/// Shared by all parts; draw with kShadowLayers instances.
+class ShadowMaterial : public Qt3DRender::QMaterial {
+ public:
+  explicit ShadowMaterial(Qt3DCore::QNode* parent);
+  void set(const Floor& floor);
+
+ private:
+  Qt3DRender::QParameter *centre_, *half_, *radius_, *floor_z_, *strength_, *reach_;
+};
+inline constexpr int kShadowLayers = 8;
+
+}  // namespace swage::console

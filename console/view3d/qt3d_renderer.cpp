@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPointer>
+#include <Qt3DCore/QAspectEngine>
+#include <Qt3DCore/QCoreAspect>
+#include <Qt3DCore/QEntity>
+#include <Qt3DCore/QTransform>
+#include <Qt3DRender/QCameraLens>
+#include <Qt3DRender/QRenderAspect>
+#include <Qt3DRender/QRenderSettings>
+
+#include "console/view3d/qt3d_geometry.hpp"
+#include "console/view3d/qt3d_material.hpp"
+#include "console/view3d/qt3d_target.hpp"
+#include "console/view3d/renderer.hpp"
+
+namespace swage::console {
+namespace {
+
+// the surface outlives the engine: the other order crashes Qt 6.4 at exit
+class Qt3dRenderer final : public Renderer {
+ public:
+  explicit Qt3dRenderer(int samples) {
+    surface_.setFormat(QSurfaceFormat::defaultFormat());
+    surface_.create();
+    engine_.setRunMode(Qt3DCore::QAspectEngine::Manual);
+    engine_.registerAspect(new Qt3DCore::QCoreAspect);
+    engine_.registerAspect(new Qt3DRender::QRenderAspect);
+    root_ = new Qt3DCore::QEntity;
+    auto* settings = new Qt3DRender::QRenderSettings(root_);
+    root_->addComponent(settings);
+    target_ = std::make_unique<PictureTarget>(root_, &surface_, samples);
+    settings->setActiveFrameGraph(target_->root());
+    add_floor();
+    engine_.setRootEntity(Qt3DCore::QEntityPtr(root_));
+  }
+
+  ~Qt3dRenderer() override { engine_.setRootEntity(Qt3DCore::QEntityPtr()); }
+
+  void clear() override {
+    for (Part& part : parts_) {
+      delete part.shadow;
+      delete part.entity;
+    }
+    parts_.clear();
+  }
+
+  int add_part(const Mesh& mesh, const Surface& surface, bool casts_shadow) override {
+    Part part;
+    part.entity = new Qt3DCore::QEntity(root_);
+    part.geometry = new MeshGeometry(part.entity);
+    part.geometry->set(mesh);
+    part.material = new SolidMaterial(part.entity);
+    part.material->set(surface);
+    part.transform = new Qt3DCore::QTransform(part.entity);
+    part.entity->addComponent(part.geometry);
+    part.entity->addComponent(part.material);
+    part.entity->addComponent(part.transform);
+    part.casts_shadow = casts_shadow;
+    add_shadow(part, mesh);
+    parts_.push_back(part);
+    return static_cast<int>(parts_.size()) - 1;
+  }
+
+  void set_mesh(int part, const Mesh& mesh) override {
+    at(part).geometry->set(mesh);
+    at(part).shadow_geometry->set(mesh);
+  }
+  void set_pose(int part, const QMatrix4x4& X) override {
+    at(part).transform->setMatrix(X);
+    at(part).shadow_transform->setMatrix(X);
+  }
+  void set_surface(int part, const Surface& surface) override { at(part).material->set(surface); }
+  void set_visible(int part, bool visible) override {
+    at(part).entity->setEnabled(visible);
+    at(part).shadow->setEnabled(visible && at(part).casts_shadow);
+  }
+
+  void set_floor(const Floor& floor) override {
+    floor_entity_->setEnabled(floor.shown);
+    floor_material_->set(floor);
+    shadow_material_->set(floor);
+    for (Part& part : parts_)
+      part.shadow->setEnabled(floor.shown && part.casts_shadow && part.entity->isEnabled());
+    QMatrix4x4 m;
+    m.translate(floor.centre.x(), floor.centre.y(), floor.z);
+    m.scale(std::min(floor.radius, floor.half_x), std::min(floor.radius, floor.half_y), 1);
+    floor_transform_->setMatrix(m);
+  }
+
+  void set_camera(const OrbitCamera& camera) override {
+    target_->camera()->lens()->setProjectionMatrix(camera.projection(aspect_));
+    target_->camera()->setPosition(camera.eye());
+    target_->camera()->setUpVector(camera.up());
+    target_->camera()->setViewCenter(camera.focus());
+  }
+
+  void resize(const QSize& pixels) override {
+    aspect_ = static_cast<float>(pixels.width()) / static_cast<float>(std::max(pixels.height(), 1));
+    target_->resize(pixels);
+  }
+
+  void draw(std::function<void(const QImage&)> done) override {
+    Qt3DRender::QRenderCaptureReply* reply = target_->capture()->requestCapture();
+    QObject::connect(reply, &Qt3DRender::QRenderCaptureReply::completed, reply,
+                     [reply, done = std::move(done)] {
+                       QImage image = reply->image();
+                       image.reinterpretAsFormat(QImage::Format_ARGB32_Premultiplied);
+                       done(image);
+                       reply->deleteLater();
+                     });
+    engine_.processFrame();
+  }
+
+ private:
+  struct Part {
+    Qt3DCore::QEntity* entity = nullptr;
+    MeshGeometry* geometry = nullptr;
+    SolidMaterial* material = nullptr;
+    Qt3DCore::QTransform* transform = nullptr;
+    Qt3DCore::QEntity* shadow = nullptr;
+    bool casts_shadow = true;
+    MeshGeometry* shadow_geometry = nullptr;
+    Qt3DCore::QTransform* shadow_transform = nullptr;  // components with a pose are not shared
+  };
+  Part& at(int part) { return parts_[static_cast<size_t>(part)]; }
+
+  void add_shadow(Part& part, const Mesh& mesh) {
+    part.shadow = new Qt3DCore::QEntity(root_);
+    part.shadow_geometry = new MeshGeometry(part.shadow);
+    part.shadow_geometry->set(mesh);
+    part.shadow_geometry->setInstanceCount(kShadowLayers);
+    part.shadow->addComponent(part.shadow_geometry);
+    part.shadow->addComponent(shadow_material_);
+    part.shadow_transform = new Qt3DCore::QTransform(part.shadow);
+    part.shadow->addComponent(part.shadow_transform);
+    part.shadow->addComponent(target_->shadow_layer());
+  }
+
+  void add_floor() {
+    shadow_material_ = new ShadowMaterial(root_);
+    floor_entity_ = new Qt3DCore::QEntity(root_);
+    auto* geometry = new MeshGeometry(floor_entity_);
+    Mesh square;
+    for (const auto& [x, y] : {std::pair{-1.F, -1.F}, {1.F, -1.F}, {1.F, 1.F}, {-1.F, 1.F}}) {
+      square.vertex.push_back({{x, y, 0}, {0, 0, 1}});
+    }
+    square.index = {0, 1, 2, 0, 2, 3};
+    geometry->set(square);
+    floor_material_ = new FloorMaterial(floor_entity_);
+    floor_transform_ = new Qt3DCore::QTransform(floor_entity_);
+    floor_entity_->addComponent(geometry);
+    floor_entity_->addComponent(floor_material_);
+    floor_entity_->addComponent(floor_transform_);
+    floor_entity_->addComponent(target_->floor_layer());
+    floor_entity_->setEnabled(false);
+  }
+
+  QOffscreenSurface surface_;
+  Qt3DCore::QAspectEngine engine_;
+  Qt3DCore::QEntity* root_ = nullptr;  // the engine owns it, and everything below
+  std::unique_ptr<PictureTarget> target_;
+  std::vector<Part> parts_;
+  Qt3DCore::QEntity* floor_entity_ = nullptr;
+  FloorMaterial* floor_material_ = nullptr;
+  ShadowMaterial* shadow_material_ = nullptr;
+  Qt3DCore::QTransform* floor_transform_ = nullptr;
+  float aspect_ = 1;
+};
+
+}  // namespace
+
+GlProbe probe_gl() {
+  GlProbe probe;
+  QSurfaceFormat format;
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QOpenGLContext context;
+  context.setFormat(format);
+  if (!context.create()) {
+    probe.why = QStringLiteral("no OpenGL driver answers");
+    return probe;
+  }
+  QOffscreenSurface surface;
+  surface.setFormat(context.format());
+  surface.create();
+  if (!surface.isValid() || !context.makeCurrent(&surface)) {
+    probe.why = QStringLiteral("OpenGL has no surface to draw on");
+    return probe;
+  }
+  const GLubyte* name = context.functions()->glGetString(GL_RENDERER);
+  probe.renderer = QString::fromLatin1(reinterpret_cast<const char*>(name));
+  probe.software = probe.renderer.contains(QLatin1String("llvmpipe")) ||
+                   probe.renderer.contains(QLatin1String("softpipe"));
+  probe.ok = context.format().version() >= qMakePair(3, 3);
+  if (!probe.ok) probe.why = QStringLiteral("OpenGL 3.3 is needed");
+  context.doneCurrent();
+  return probe;
+}
+
+std::unique_ptr<Renderer> make_qt3d_renderer(int samples) { return std::make_unique<Qt3dRenderer>(samples); }
+
+}  // namespace swage::console

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What the view asks of a renderer, free of Qt3D: another one can take its place (Qt3D is deprecated since
+// Qt 6.8).
+#pragma once
+
+#include <QColor>
+#include <QImage>
+#include <QMatrix4x4>
+#include <QSize>
+#include <QString>
+#include <QVector3D>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "console/view3d/camera.hpp"
+#include "console/view3d/mesh.hpp"
+
+namespace swage::console {
+
+/// How a surface answers light.
+struct Surface {
+  QColor colour{150, 150, 150};
+  float metal = 0;   // 0 matte .. 1 polished steel
+  float gloss = 24;  // exponent of the highlight
+};
+
+/// The level where shadows fall and the grid lies; mm.
+struct Floor {
+  bool shown = false;
+  float z = 0;
+  QVector3D centre;
+  float radius = 10;                   // fades out there
+  float half_x = 1e6F, half_y = 1e6F;  // and ends here
+  float fill = 1;                      // 0: only the lines, over a surface that is already there
+  float grid = 1;                      // between lines
+  float shadow = 0.068F;               // darkness of one of the layers of a shadow
+  float reach = 4;                     // height at which a shadow is faint
+  QColor colour{70, 84, 84}, line{96, 112, 112};
+};
+
+/// Whether this machine can draw, and why not. Asked once at start.
+struct GlProbe {
+  bool ok = false, software = false;
+  QString why, renderer;
+};
+GlProbe probe_gl();
+
+/// Draws parts with a pose each. All calls from the GUI thread.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  virtual void clear() = 0;
+  virtual int add_part(const Mesh& mesh, const Surface& surface, bool casts_shadow) = 0;
+  virtual void set_mesh(int part, const Mesh& mesh) = 0;  // for threads: new triangles every picture
+  virtual void set_pose(int part, const QMatrix4x4& X_WB_mm) = 0;
+  virtual void set_surface(int part, const Surface& surface) = 0;
+  virtual void set_visible(int part, bool visible) = 0;
+  virtual void set_floor(const Floor& floor) = 0;
+  virtual void set_camera(const OrbitCamera& camera) = 0;
+  virtual void resize(const QSize& pixels) = 0;
+  /// Draws one picture; `done` gets an earlier or this one, with transparent background, premultiplied.
+  virtual void draw(std::function<void(const QImage&)> done) = 0;
+};
+
+/// `samples`: per pixel, 1 for none.
+std::unique_ptr<Renderer> make_qt3d_renderer(int samples);
+
+}  // namespace swage::console

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/scene_parts.hpp"
+
+#include <swage/abi/lesson.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace swage::console {
+namespace {
+
+// the sleeve of a region is a little thicker than the wire, so that neither flickers through the other
+constexpr double kSleeve = 1.06;
+// what lies on a stage may start a little inside it
+constexpr float kTouch_mm = 0.05F;
+
+bool has_trait(const snapshot::CardObject& object, const char* trait) {
+  return std::any_of(object.traits.begin(), object.traits.end(),
+                     [&](const std::string& t) { return t.find(trait) != std::string::npos; });
+}
+
+void add_bounds(const Mesh& mesh, const swage_pose& X_WB, Bounds& bounds) {
+  const QQuaternion q = to_qt(X_WB.q);
+  const QVector3D p = to_mm(X_WB.p);
+  for (const Vertex& v : mesh.vertex) bounds.add(p + q.rotatedVector({v.p[0], v.p[1], v.p[2]}));
+}
+
+// one part per body, as all shapes of a body move together
+void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
+  std::vector<int> part_of_body(card.start.size(), -1);
+  for (const snapshot::CardShape& shape : card.shapes) {
+    if (!(shape.flags & SWAGE_SHAPE_DRAWN) || shape.body >= card.start.size()) continue;
+    int& at = part_of_body[shape.body];
+    if (at < 0) {
+      at = static_cast<int>(parts.part.size());
+      parts.part.push_back({role_of(card, shape.object), shape.body, shape.object, 0, false, {}});
+    }
+    parts.part[static_cast<size_t>(at)].wire |= shape.kind == SWAGE_SHAPE_ARC;
+    append_shape(shape, parts.part[static_cast<size_t>(at)].mesh);
+  }
+}
+
+// regions that a lesson marks on a wire
+void add_marks(const snapshot::SceneCard& card, SceneParts& parts) {
+  for (uint32_t m = 0; m < card.script.marks.size(); ++m) {
+    const swage_mark& mark = card.script.marks[m].mark;
+    if (mark.kind != SWAGE_MARK_ARC_RANGE) continue;
+    for (const snapshot::CardShape& shape : card.shapes) {
+      const bool wire = shape.kind == SWAGE_SHAPE_ARC || shape.kind == SWAGE_SHAPE_CAPSULE ||
+                        shape.kind == SWAGE_SHAPE_CYLINDER;
+      if (shape.object != mark.object || !wire) continue;
+      ScenePart part{Role::kMark, shape.body, shape.object, m, true, {}};
+      append_range(shape, mark.number[0], mark.number[1], kSleeve, part.mesh);
+      parts.part.push_back(std::move(part));
+      break;
+    }
+  }
+}
+
+bool is_marked(const snapshot::SceneCard& card, uint32_t object) {
+  return std::any_of(card.script.marks.begin(), card.script.marks.end(), [&](const judge::Script::Mark& m) {
+    return m.mark.kind == SWAGE_MARK_ARC_RANGE && m.mark.object == object;
+  });
+}
+
+// the largest level face of the stage below the work
+Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
+  struct Level {
+    Bounds bounds;
+    double area = 0;
+    size_t part = 0;
+  };
+  std::map<long, Level> levels;  // by height, in hundredths of a millimetre
+  for (size_t k = 0; k < parts.part.size(); ++k) {
+    const ScenePart& part = parts.part[k];
+    if (part.role != Role::kStage) continue;
+    const QQuaternion q = to_qt(card.start[part.body].q);
+    const QVector3D p = to_mm(card.start[part.body].p);
+    const auto at = [&](uint32_t i) {
+      const float* v = part.mesh.vertex[i].p;
+      return p + q.rotatedVector({v[0], v[1], v[2]});
+    };
+    for (size_t i = 0; i + 2 < part.mesh.index.size(); i += 3) {
+      const QVector3D a = at(part.mesh.index[i]), b = at(part.mesh.index[i + 1]),
+                      c = at(part.mesh.index[i + 2]);
+      const QVector3D n = QVector3D::crossProduct(b - a, c - a);
+      if (n.z() < 0.999F * n.length() || n.length() <= 0 || a.z() > parts.work.low.z() + kTouch_mm) continue;
+      Level& level = levels[std::lround(100 * a.z())];
+      level.part = k;
+      level.area += 0.5 * static_cast<double>(n.length());
+      for (const QVector3D& v : {a, b, c}) level.bounds.add(v);
+    }
+  }
+  Ground ground;
+  double most = 0;
+  for (const auto& [height, level] : levels) {
+    if (level.area <= most) continue;
+    most = level.area;
+    const QVector3D size = level.bounds.high - level.bounds.low, c = level.bounds.centre();
+    ground = {level.bounds.high.z(), true, level.part, {c.x(), c.y(), 0}, 0.5F * size.x(), 0.5F * size.y()};
+  }
+  // nothing to stand on: a plane right below
+  if (!ground.on_stage)
+    ground = {parts.work.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
+  return ground;
+}
+
+// the marked thing, or the only one that is worked on
+void watch(const snapshot::SceneCard& card, SceneParts& parts) {
+  int works = 0;
+  for (const ScenePart& p : parts.part) {
+    if (p.role != Role::kWork) continue;
+    const bool marked = is_marked(card, p.object);
+    if (++works > 1 && !marked) continue;
+    Bounds own;
+    for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
+    parts.watched = static_cast<int>(p.body);
+    parts.watched_middle = own.centre();
+    if (marked) return;
+  }
+  if (works != 1) parts.watched = -1;
+}
+
+}  // namespace
+
+void Bounds::add(const QVector3D& p) {
+  low = QVector3D(std::min(low.x(), p.x()), std::min(low.y(), p.y()), std::min(low.z(), p.z()));
+  high = QVector3D(std::max(high.x(), p.x()), std::max(high.y(), p.y()), std::max(high.z(), p.z()));
+}
+
+Role role_of(const snapshot::SceneCard& card, uint32_t object) {
+  if (object >= card.objects.size()) return Role::kOther;
+  const snapshot::CardObject& o = card.objects[object];
+  if (has_trait(o, "gripper")) return Role::kTool;
+  bool fixed = o.n_body > 0, followed = false;
+  for (uint32_t b = o.first_body; b < o.first_body + o.n_body && b < card.motion.size(); ++b) {
+    fixed &= card.motion[b] == SWAGE_MOTION_FIXED;
+    followed |= card.motion[b] == SWAGE_MOTION_FOLLOWS;
+  }
+  if (fixed) return Role::kStage;
+  if (followed) return Role::kTool;
+  return has_trait(o, "graspable") ? Role::kWork : Role::kOther;
+}
+
+QVector3D to_mm(const swage_vec3& p) {
+  return {static_cast<float>(p.x * kMmPerM), static_cast<float>(p.y * kMmPerM),
+          static_cast<float>(p.z * kMmPerM)};
+}
+
+QQuaternion to_qt(const swage_quat& q) {
+  return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
+}
+
+SceneParts make_parts(const snapshot::SceneCard& card) {
+  SceneParts parts;
+  add_bodies(card, parts);
+
+  // frame what is marked, else what is worked on, else whatever there is
+  Bounds marked, work, tools, rest;
+  for (const ScenePart& p : parts.part) {
+    const swage_pose& X = card.start[p.body];
+    if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(p.mesh, X, marked);
+    add_bounds(p.mesh, X, p.role == Role::kWork ? work : p.role == Role::kTool ? tools : rest);
+  }
+  for (const Bounds& b : {marked, work, rest, tools}) {
+    if (parts.work.empty() && !b.empty()) parts.work = b;
+  }
+  if (parts.work.empty()) parts.work.add({0, 0, 0});
+  parts.ground = find_ground(card, parts);
+  watch(card, parts);
+
+  // the tool is long: only its point nearest to the work has to be in the picture
+  parts.focus = parts.work;
+  if (!tools.empty()) {
+    const QVector3D c = parts.work.centre();
+    parts.focus.add({std::clamp(c.x(), tools.low.x(), tools.high.x()),
+                     std::clamp(c.y(), tools.low.y(), tools.high.y()),
+                     std::clamp(c.z(), tools.low.z(), tools.high.z())});
+  }
+  add_marks(card, parts);
+  return parts;
+}
+
+}  // namespace swage::console

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What a scene card looks like: which triangles, on which body, in which role. Free of Qt3D.
+#pragma once
+
+#include <QQuaternion>
+#include <QVector3D>
+#include <vector>
+
+#include "console/view3d/mesh.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::console {
+
+/// Tool: what the hand moves. Work: what it takes. Stage: what stands still. Mark: shown by the lesson.
+enum class Role { kTool, kWork, kStage, kOther, kMark };
+
+/// Triangles that move together.
+struct ScenePart {
+  Role role = Role::kOther;
+  uint32_t body = 0;    // its pose moves the part
+  uint32_t object = 0;  // whose cue colours it
+  uint32_t mark = 0;    // kMark: which
+  bool wire = false;    // has a bent wire: steel
+  Mesh mesh;
+};
+
+/// A sphere that holds something, mm.
+struct Bounds {
+  QVector3D low{1e9F, 1e9F, 1e9F}, high{-1e9F, -1e9F, -1e9F};
+  void add(const QVector3D& p);
+  bool empty() const { return low.x() > high.x(); }
+  QVector3D centre() const { return 0.5F * (low + high); }
+  float radius() const { return empty() ? 0.F : 0.5F * (high - low).length(); }
+};
+
+/// Where shadows fall and the grid lies, mm: the top of the stage below the work, or a plane under everything.
+struct Ground {
+  float z = 0;
+  bool on_stage = false;
+  size_t part = 0;               // on a stage: which part carries it; it casts no shadow on itself
+  QVector3D centre;              // z = 0
+  float half_x = 0, half_y = 0;  // on a stage: its size
+};
+
+struct SceneParts {
+  std::vector<ScenePart> part;
+  Bounds work;   // what is worked on, at the start
+  Bounds focus;  // that, and the point of the tool near it
+  Ground ground;
+  /// The one thing that is watched, when there is one: its body, and its middle in the body's frame, mm.
+  int watched = -1;
+  QVector3D watched_middle;
+};
+
+SceneParts make_parts(const snapshot::SceneCard& card);
+
+/// Role of an object by its traits and by how its bodies move.
+Role role_of(const snapshot::SceneCard& card, uint32_t object);
+
+QVector3D to_mm(const swage_vec3& p);
+QQuaternion to_qt(const swage_quat& q);
+
+}  // namespace swage::console

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The live picture: the 3D scene, and over it the scale, the cue at the grasp, the clock. Works without
+// OpenGL, too: then it says so, and the rest of the window goes on.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QPixmap>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "console/cues/cue_theme.hpp"
+#include "console/cues/ui_theme.hpp"
+#include "console/link/pointer_input.hpp"
+#include "console/view3d/renderer.hpp"
+#include "console/view3d/scene_parts.hpp"
+
+namespace swage::console {
+
+class Overlay;
+
+class SceneView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  const GlProbe& gl() const { return gl_; }
+  void set_themes(const UiTheme& ui, const CueTheme& cues);
+  void set_card(const snapshot::SceneCard& card, CameraPreset preset = CameraPreset::kOrbit);
+  /// Copies what it needs; call at display rate.
+  void show_snapshot(const snapshot::Snapshot& snapshot);
+  void look(CameraPreset preset);
+  OrbitCamera& camera() { return camera_; }
+  /// Cues are hidden in Test mode, and by choice.
+  void set_cues_shown(bool shown);
+  void set_forces_shown(bool shown);
+  /// Over the picture: the clock at the right, a banner in the middle ("" for none).
+  void set_texts(const QString& clock, const QString& banner);
+  /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
+  void set_hold(double share);
+  /// While true, mouse and keys drive the instrument and not the camera.
+  void set_instrument(bool on);
+  bool instrument() const { return instrument_; }
+  /// A picture of the scene has arrived since the last card.
+  bool ready() const { return !image_.isNull(); }
+  const QImage& image() const { return image_; }
+  /// Nothing moves and the picture is the newest.
+  bool resting() const { return to_draw_ == 0; }
+
+ Q_SIGNALS:
+  void pointer(const swage_pointer& input);
+  void ready_changed();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void tick();
+  void touch(int pictures = 3);
+  void place_parts();
+  void colour_parts();
+  Surface surface_of(const ScenePart& part) const;
+  QString cue_of(uint32_t object) const;
+  bool moves_camera(const QMouseEvent& event) const;
+  void wrap_pointer(const QPoint& global);
+  QVector3D grasp_point(uint32_t object) const;
+  void paint_background(QPainter& painter);
+  void paint_placeholder(QPainter& painter);
+  void paint_marks(Overlay& overlay) const;
+  void paint_forces(Overlay& overlay) const;
+  void paint_cues(Overlay& overlay) const;
+
+  GlProbe gl_;
+  std::unique_ptr<Renderer> renderer_;
+  OrbitCamera camera_;
+  UiTheme ui_;
+  CueTheme cues_;
+  snapshot::SceneCard card_;
+  SceneParts parts_;
+  std::vector<int> thread_part_;  // renderer's part per object with particles, or -1
+  std::unique_ptr<snapshot::Snapshot> snapshot_;
+  bool have_card_ = false, have_snapshot_ = false;
+  bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
+  double hold_ = 0;
+  QString clock_text_, banner_;
+  QImage image_;
+  QPixmap background_;
+  int to_draw_ = 0;  // pictures still wanted
+  bool skip_ = false;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 last_tick_ns_ = 0;
+  PointerInput input_;
+  QPointF last_mouse_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Mouse and keys over the picture. Usually they move the camera. While the mouse is the instrument everything
+// goes to the instrument, and only Ctrl with the left button (and Ctrl+Shift with the wheel) still moves the
+// camera.
+#include <QCursor>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QScreen>
+#include <QWheelEvent>
+
+#include "console/view3d/scene_view.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr float kTurn_deg_px = 0.4F;
+constexpr int kEdge_px = 2;
+
+}  // namespace
+
+void SceneView::set_instrument(bool on) {
+  if (instrument_ == on) return;
+  instrument_ = on;
+  input_ = PointerInput();
+  input_.set_camera(camera_.q_WC());
+  update();
+}
+
+bool SceneView::moves_camera(const QMouseEvent& event) const {
+  if (!instrument_) return event.buttons() != Qt::NoButton;
+  return event.buttons() & Qt::LeftButton && event.modifiers() & Qt::ControlModifier;
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  last_mouse_ = event->position();
+  setFocus();
+  if (instrument_ && !moves_camera(*event)) Q_EMIT pointer(input_.buttons(*event));
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF delta = event->position() - last_mouse_;
+  last_mouse_ = event->position();
+  if (moves_camera(*event)) {
+    const bool pan =
+        event->modifiers() & Qt::ShiftModifier || (!instrument_ && event->buttons() & Qt::RightButton);
+    const auto dx = static_cast<float>(delta.x()), dy = static_cast<float>(delta.y());
+    const auto h = static_cast<float>(height());
+    pan ? camera_.pan(dx / h, -dy / h) : camera_.turn(-kTurn_deg_px * dx, kTurn_deg_px * dy);
+    touch();
+  } else if (instrument_ && event->buttons() != Qt::NoButton) {
+    input_.buttons(*event);
+    input_.set_camera(camera_.q_WC());
+    Q_EMIT pointer(input_.moved(delta, height()));
+    wrap_pointer(event->globalPosition().toPoint());
+  }
+}
+
+// a long drag does not end at the edge of the screen
+void SceneView::wrap_pointer(const QPoint& global) {
+  if (QGuiApplication::platformName() != QLatin1String("xcb") || !screen()) return;
+  if (screen()->virtualGeometry().adjusted(kEdge_px, kEdge_px, -kEdge_px, -kEdge_px).contains(global)) return;
+  const QPoint middle = rect().center();
+  QCursor::setPos(mapToGlobal(middle));
+  last_mouse_ = middle;
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (instrument_) Q_EMIT pointer(input_.buttons(*event));
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (instrument_) return mousePressEvent(event);
+  look(CameraPreset::kOrbit);
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  const Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
+  if (instrument_ && (event->modifiers() & both) != both) {
+    input_.set_camera(camera_.q_WC());
+    Q_EMIT pointer(input_.wheel(*event));
+    return;
+  }
+  const QPoint angle = event->angleDelta();
+  camera_.zoom(static_cast<float>(angle.y() != 0 ? angle.y() : angle.x()) / 120);
+  touch();
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  swage_pointer out{};
+  input_.set_camera(camera_.q_WC());
+  if (instrument_ && input_.key(*event, true, out)) {
+    if (!event->isAutoRepeat()) Q_EMIT pointer(out);
+    return;
+  }
+  // without a mouse: arrows turn, plus and minus zoom, Home frames
+  switch (event->key()) {
+    case Qt::Key_Left:
+      camera_.turn(-6, 0);
+      break;
+    case Qt::Key_Right:
+      camera_.turn(6, 0);
+      break;
+    case Qt::Key_Up:
+      camera_.turn(0, 6);
+      break;
+    case Qt::Key_Down:
+      camera_.turn(0, -6);
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      camera_.zoom(1);
+      break;
+    case Qt::Key_Minus:
+      camera_.zoom(-1);
+      break;
+    case Qt::Key_Home:
+      camera_.look(CameraPreset::kOrbit);
+      break;
+    default:
+      return QWidget::keyPressEvent(event);
+  }
+  touch();
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+  swage_pointer out{};
+  if (instrument_ && input_.key(*event, false, out)) {
+    if (!event->isAutoRepeat()) Q_EMIT pointer(out);
+    return;
+  }
+  QWidget::keyReleaseEvent(event);
+}
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  update();
+  QWidget::focusInEvent(event);
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  // a key that is let go elsewhere must not go on closing the jaws
+  if (instrument_) Q_EMIT pointer(input_.released());
+  update();
+  QWidget::focusOutEvent(event);
+}
+
+}  // namespace swage::console

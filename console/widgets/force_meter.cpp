@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/force_meter.hpp"
+
+#include <QAccessible>
+#include <QAccessibleEvent>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+
+#include "console/models/words.hpp"
+
+namespace swage::console {
+
+ForceMeter::ForceMeter(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("force_meter"));
+  setAccessibleName(tr("Jaw force"));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  set_value({});
+}
+
+void ForceMeter::set_theme(const UiTheme& theme) {
+  theme_ = theme;
+  update();
+}
+
+void ForceMeter::set_range(double most, double low, double limit) {
+  most_ = std::max(most, 1e-6);
+  low_ = low;
+  limit_ = limit;
+  update();
+}
+
+void ForceMeter::set_value(std::optional<double> newtons) {
+  value_ = newtons;
+  const QString text = newtons ? quantity_text(*newtons, QStringLiteral("N")) : tr("no contact");
+  if (text == shown_) return;
+  shown_ = text;
+  setAccessibleDescription(
+      tr("%1, good from %2 to %3")
+          .arg(text, quantity_text(low_, QStringLiteral("N")), quantity_text(limit_, QStringLiteral("N"))));
+  update();
+}
+
+void ForceMeter::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const bool over = value_ && *value_ > limit_;
+
+  // the number, and what it means
+  QFont big = font();
+  big.setPointSizeF(font().pointSizeF() * 1.9);
+  big.setBold(true);
+  p.setFont(big);
+  p.setPen(value_ ? theme_["text"] : theme_["disabled"]);
+  p.drawText(QRectF(0, 0, width(), 34), Qt::AlignLeft | Qt::AlignVCenter,
+             value_ ? shown_ : QStringLiteral("–"));
+  p.setFont(font());
+  const bool low = value_ && *value_ < low_;
+  const QString word = !value_ ? tr("no contact") : over ? tr("! too much") : low ? tr("light") : tr("good");
+  p.setPen(!value_ || low ? theme_["muted"] : over ? theme_["bad"] : theme_["good"]);
+  p.drawText(QRectF(0, 0, width(), 34), Qt::AlignRight | Qt::AlignVCenter, word);
+
+  // the bar: good band, filled part, limit
+  const QRectF bar(0.5, 40.5, width() - 1, 14);
+  const auto x = [&](double n) { return bar.left() + bar.width() * std::clamp(n / most_, 0.0, 1.0); };
+  p.setPen(QPen(theme_["border"], 1));
+  p.setBrush(theme_["raised"]);
+  p.drawRoundedRect(bar, 4, 4);
+  p.setPen(Qt::NoPen);
+  p.fillRect(QRectF(x(low_), bar.top() + 1, x(limit_) - x(low_), bar.height() - 2), theme_["band"]);
+  if (value_ && *value_ > 0) {
+    p.setBrush(over ? theme_["bad"] : theme_["plot"]);
+    p.drawRoundedRect(QRectF(bar.left(), bar.top() + 4, x(*value_) - bar.left(), bar.height() - 8), 3, 3);
+  }
+  p.setPen(QPen(theme_["bad"], 2));
+  p.drawLine(QPointF(x(limit_), bar.top() - 3), QPointF(x(limit_), bar.bottom() + 3));
+  QFont small = font();
+  small.setPointSizeF(font().pointSizeF() * 0.85);
+  p.setFont(small);
+  p.setPen(theme_["muted"]);
+  for (const double tick : {0.0, low_, limit_, most_}) {
+    // a number that would run into its neighbour is left out
+    if (tick == low_ && x(low_) - x(0) < 24) continue;
+    const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);
+    const Qt::Alignment side = tick <= 0 ? Qt::AlignLeft : tick >= most_ ? Qt::AlignRight : Qt::AlignHCenter;
+    const QRectF in = tick <= 0 ? where.translated(30, 0) : tick >= most_ ? where.translated(-30, 0) : where;
+    p.drawText(in, side | Qt::AlignTop, QLocale().toString(tick, 'g', 2));
+  }
+}
+
+}  // namespace swage::console

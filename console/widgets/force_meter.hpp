@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "console/cues/ui_theme.hpp"
+
+namespace swage::console {
+
+/// A bar with a good band and a limit; the number large above it. Tells screen readers the same.
+class ForceMeter : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ForceMeter(QWidget* parent = nullptr);
+  void set_theme(const UiTheme& theme);
+  void set_range(double most, double low, double limit);  // N
+  void set_value(std::optional<double> newtons);
+  std::optional<double> value() const { return value_; }
+  double limit() const { return limit_; }
+  QSize sizeHint() const override { return {220, 84}; }
+  QSize minimumSizeHint() const override { return {140, 84}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  UiTheme theme_;
+  double most_ = 2, low_ = 0.4, limit_ = 0.9;
+  std::optional<double> value_;
+  QString shown_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/parts.hpp"
+
+#include <QApplication>
+#include <QPainter>
+
+namespace swage::console {
+
+QLabel* make_heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text.toUpper(), parent);
+  label->setProperty("heading", true);
+  return label;
+}
+
+QLabel* make_muted(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("muted", true);
+  label->setWordWrap(true);
+  return label;
+}
+
+Card make_card(const QString& heading, QWidget* parent) {
+  auto* frame = new QFrame(parent);
+  frame->setProperty("card", true);
+  auto* body = new QVBoxLayout(frame);
+  body->setContentsMargins(14, 12, 14, 12);
+  body->setSpacing(8);
+  if (!heading.isEmpty()) body->addWidget(make_heading(heading, frame));
+  return {frame, body};
+}
+
+QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent) {
+  auto* button = new QPushButton(shortcut.isEmpty() ? text : text + QStringLiteral("   ") + shortcut, parent);
+  button->setObjectName(name);
+  button->setAccessibleName(text);
+  if (!shortcut.isEmpty()) button->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut));
+  return button;
+}
+
+CueBadge::CueBadge(QWidget* parent) : QWidget(parent) { setFixedSize(sizeHint()); }
+
+void CueBadge::set_style(const CueStyle& style) {
+  style_ = style;
+  update();
+}
+
+void CueBadge::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  if (!style_.shape.isEmpty()) paint_cue_shape(p, {0, 0}, height(), style_);
+}
+
+QSize TwoLineDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  const int line = option.fontMetrics.height();
+  const bool two = !index.data(role_).toString().isEmpty();
+  return {160, two ? 2 * line + 16 : line + 14};
+}
+
+void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const {
+  QStyleOptionViewItem item = option;
+  initStyleOption(&item, index);
+  item.text.clear();
+  const QStyle* style = item.widget ? item.widget->style() : QApplication::style();
+  style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+
+  const bool selected = option.state & QStyle::State_Selected;
+  const QRect r = option.rect.adjusted(12, 6, -10, -6);
+  const QString summary = index.data(role_).toString();
+  painter->save();
+  QFont bold = option.font;
+  bold.setWeight(QFont::DemiBold);
+  painter->setFont(bold);
+  painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+  const int line = option.fontMetrics.height();
+  painter->drawText(QRect(r.left(), summary.isEmpty() ? r.center().y() - line / 2 : r.top(), r.width(), line),
+                    Qt::AlignVCenter,
+                    QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, r.width()));
+  painter->setFont(option.font);
+  if (!selected) painter->setPen(option.palette.color(QPalette::PlaceholderText));
+  painter->drawText(QRect(r.left(), r.top() + line + 2, r.width(), line), Qt::AlignVCenter,
+                    option.fontMetrics.elidedText(summary, Qt::ElideRight, r.width()));
+  painter->restore();
+}
+
+}  // namespace swage::console

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Small building blocks that look alike everywhere.
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "console/cues/cue_theme.hpp"
+
+namespace swage::console {
+
+/// A rounded box with a heading; add widgets to `body`.
+struct Card {
+  QFrame* frame;
+  QVBoxLayout* body;
+};
+Card make_card(const QString& heading, QWidget* parent);
+QLabel* make_heading(const QString& text, QWidget* parent);
+QLabel* make_muted(const QString& text, QWidget* parent);
+/// A button that tells its shortcut, also to screen readers.
+QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
+/// The signs of one cue fact, drawn as over the scene.
+class CueBadge : public QWidget {
+ public:
+  explicit CueBadge(QWidget* parent = nullptr);
+  void set_style(const CueStyle& style);
+  QSize sizeHint() const override { return {22, 22}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  CueStyle style_;
+};
+
+/// Title in bold, summary below in grey, for lists.
+class TwoLineDelegate : public QStyledItemDelegate {
+ public:
+  TwoLineDelegate(int summary_role, QObject* parent) : QStyledItemDelegate(parent), role_(summary_role) {}
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  int role_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/trace_plot.hpp"
+
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace swage::console {
+
+TracePlot::TracePlot(const QString& title, const QString& unit, QWidget* parent)
+    : QWidget(parent), title_(title), unit_(unit) {
+  setAccessibleName(tr("%1, last 10 seconds").arg(title));
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void TracePlot::set_theme(const UiTheme& theme, const char* colour_role) {
+  theme_ = theme;
+  colour_role_ = colour_role;
+  update();
+}
+
+void TracePlot::set_range(double low, double high) {
+  low_ = low;
+  high_ = high;
+  update();
+}
+
+void TracePlot::set_limit(double value) {
+  limit_ = value;
+  has_limit_ = true;
+  update();
+}
+
+void TracePlot::clear() {
+  samples_.clear();
+  describe();
+  update();
+}
+
+void TracePlot::add(double time_s, double value) {
+  // a reset scene starts again
+  if (!samples_.empty() && time_s < samples_.back().t) samples_.clear();
+  if (!samples_.empty() && time_s == samples_.back().t) return;
+  samples_.push_back({time_s, value});
+  while (samples_.front().t < time_s - kWindow_s - 1) samples_.pop_front();
+  if (samples_.size() % 60 == 0) describe();
+  update();
+}
+
+void TracePlot::describe() {
+  double most = -1;
+  for (const Sample& s : samples_) most = std::max(most, std::isfinite(s.v) ? s.v : -1);
+  setAccessibleDescription(most < 0 ? tr("nothing yet")
+                                    : tr("highest %1 %2").arg(most, 0, 'g', 3).arg(unit_));
+}
+
+std::vector<TracePlot::Column> TracePlot::columns(const std::deque<Sample>& samples, double from, double to,
+                                                  int n) {
+  std::vector<Column> out(static_cast<size_t>(std::max(n, 0)), {1, -1});
+  if (n <= 0 || !(to > from)) return out;
+  for (const Sample& s : samples) {
+    const double place = (s.t - from) / (to - from) * n;
+    if (!std::isfinite(s.v) || place < 0 || place >= n) continue;
+    Column& c = out[static_cast<size_t>(place)];
+    c = c.low > c.high ? Column{s.v, s.v} : Column{std::min(c.low, s.v), std::max(c.high, s.v)};
+  }
+  return out;
+}
+
+void TracePlot::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  QFont small = font();
+  small.setPointSizeF(font().pointSizeF() * 0.85);
+  p.setFont(small);
+  const double margin = 30, top = 20, bottom = 16;
+  const QRectF area(margin, top, width() - margin - 2, height() - top - bottom);
+  const auto y = [&](double v) {
+    return area.bottom() - area.height() * std::clamp((v - low_) / (high_ - low_), 0.0, 1.0);
+  };
+
+  // frame, grid, numbers
+  p.setPen(theme_["text"]);
+  p.drawText(QRectF(0, 0, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, title_);
+  p.setPen(theme_["muted"]);
+  p.drawText(QRectF(0, 0, width() - 2, 18), Qt::AlignRight | Qt::AlignVCenter, unit_);
+  for (int i = 0; i <= 2; ++i) {
+    const double v = low_ + (high_ - low_) * i / 2;
+    p.setPen(QPen(theme_["border"], 1));
+    p.drawLine(QPointF(area.left(), y(v)), QPointF(area.right(), y(v)));
+    p.setPen(theme_["muted"]);
+    p.drawText(QRectF(0, y(v) - 8, margin - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
+               QLocale().toString(v, 'g', 3));
+  }
+  p.drawText(QRectF(area.left(), area.bottom() + 1, 60, 14), Qt::AlignLeft | Qt::AlignVCenter, tr("−10 s"));
+  p.drawText(QRectF(area.right() - 60, area.bottom() + 1, 60, 14), Qt::AlignRight | Qt::AlignVCenter,
+             tr("now"));
+  if (has_limit_) {
+    p.setPen(QPen(theme_["bad"], 1, Qt::DashLine));
+    p.drawLine(QPointF(area.left(), y(limit_)), QPointF(area.right(), y(limit_)));
+  }
+  if (samples_.empty()) return;
+
+  // one stroke per column from lowest to highest, joined to its neighbour
+  p.setRenderHint(QPainter::Antialiasing);
+  const double to = std::max(samples_.back().t, kWindow_s), from = to - kWindow_s;
+  const std::vector<Column> cols = columns(samples_, from, to, static_cast<int>(area.width()));
+  QPolygonF line;
+  const auto flush = [&] {
+    p.setPen(QPen(theme_[colour_role_], 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (line.size() > 1) p.drawPolyline(line);
+    line.clear();
+  };
+  int empty = 0;
+  for (size_t i = 0; i < cols.size(); ++i) {
+    // a short gap lies between two pictures, a long one is a gap in the signal
+    if (cols[i].low > cols[i].high) {
+      if (++empty > 12) flush();
+      continue;
+    }
+    empty = 0;
+    const double x = area.left() + static_cast<double>(i) + 0.5;
+    line << QPointF(x, y(cols[i].low));
+    if (cols[i].high > cols[i].low) line << QPointF(x, y(cols[i].high));
+    if (cols[i].high > high_) p.fillRect(QRectF(x - 1, area.top() - 3, 2, 3), theme_["bad"]);
+  }
+  flush();
+}
+
+}  // namespace swage::console

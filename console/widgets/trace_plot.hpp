@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <deque>
+
+#include "console/cues/ui_theme.hpp"
+
+namespace swage::console {
+
+/// The last ten seconds of one signal. The axis is fixed: what leaves it is cut off and marked, never
+/// rescaled.
+class TracePlot : public QWidget {
+  Q_OBJECT
+ public:
+  TracePlot(const QString& title, const QString& unit, QWidget* parent = nullptr);
+  void set_theme(const UiTheme& theme, const char* colour_role);
+  void set_range(double low, double high);
+  void set_limit(double value);  // a dashed line
+  void clear();
+  /// Time in s, value as shown; not a number leaves a gap.
+  void add(double time_s, double value);
+
+  struct Sample {
+    double t, v;
+  };
+  /// Lowest and highest value of each column; columns without a sample have low > high.
+  struct Column {
+    double low, high;
+  };
+  static std::vector<Column> columns(const std::deque<Sample>& samples, double from, double to, int n);
+  static constexpr double kWindow_s = 10;
+
+  QSize sizeHint() const override { return {240, 130}; }
+  QSize minimumSizeHint() const override { return {140, 90}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+  QString title_, unit_;
+  UiTheme theme_;
+  const char* colour_role_ = "plot";
+  double low_ = 0, high_ = 1, limit_ = 0;
+  bool has_limit_ = false;
+  std::deque<Sample> samples_;
+};
+
+}  // namespace swage::console

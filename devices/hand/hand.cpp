@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hand.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+namespace swage::hand {
+namespace {
+
+using Json = nlohmann::json;
+
+// what a number in the file measures
+enum class Measure { kNumber, kLength, kTime, kAngle, kForce };
+
+struct Unit {
+  const char* name;
+  Measure measure;
+  double si;
+};
+constexpr Unit kUnits[] = {{"m", Measure::kLength, 1},
+                           {"mm", Measure::kLength, 1e-3},
+                           {"um", Measure::kLength, 1e-6},
+                           {"s", Measure::kTime, 1},
+                           {"ms", Measure::kTime, 1e-3},
+                           {"rad", Measure::kAngle, 1},
+                           {"deg", Measure::kAngle, 0.017453292519943295},
+                           {"N", Measure::kForce, 1},
+                           {"mN", Measure::kForce, 1e-3}};
+
+/// Where we are in the file, for messages.
+class Reader {
+ public:
+  explicit Reader(std::string name) : name_(std::move(name)) {}
+
+  [[noreturn]] void fail(const std::string& where, const std::string& what) const {
+    throw std::runtime_error(name_ + " #" + where + ": " + what);
+  }
+
+  double number(const Json& value, Measure measure, const std::string& where) const {
+    if (value.is_number()) return finite(value.get<double>(), where);
+    if (!value.is_string()) fail(where, "a number or a text like \"2.6 mm\" is needed here");
+    const std::string text = value.get<std::string>();
+    char* end = nullptr;
+    const double amount = std::strtod(text.c_str(), &end);
+    const std::string unit =
+        std::string(end).substr(std::string_view(end).find_first_not_of(' ') == std::string::npos
+                                    ? 0
+                                    : std::string_view(end).find_first_not_of(' '));
+    for (const Unit& u : kUnits) {
+      if (end != text.c_str() && unit == u.name && u.measure == measure) return finite(amount * u.si, where);
+    }
+    fail(where, "\"" + text + "\" is not " + expected(measure));
+  }
+
+  Vec3 vec3(const Json& value, Measure measure, const std::string& where) const {
+    if (!value.is_array() || value.size() != 3) fail(where, "three numbers are needed here");
+    Vec3 out;
+    for (int i = 0; i < 3; ++i) {
+      out[i] = number(value[static_cast<size_t>(i)], measure, where + "/" + std::to_string(i));
+    }
+    return out;
+  }
+
+ private:
+  double finite(double value, const std::string& where) const {
+    if (!std::isfinite(value)) fail(where, "the number is not finite");
+    return value;
+  }
+  static const char* expected(Measure measure) {
+    switch (measure) {
+      case Measure::kLength:
+        return "a length (m, mm, um)";
+      case Measure::kTime:
+        return "a time (s, ms)";
+      case Measure::kAngle:
+        return "an angle (rad, deg)";
+      case Measure::kForce:
+        return "a force (N, mN)";
+      case Measure::kNumber:
+        break;
+    }
+    return "a pure number";
+  }
+  std::string name_;
+};
+
+Quat unit_quat(const Reader& reader, const Quat& q, const std::string& where) {
+  const double norm = q.norm();
+  if (norm < 0.5 || norm > 2) reader.fail(where, "the quaternion [w, x, y, z] is not a unit one");
+  return Quat(q.coeffs() / norm);
+}
+
+Quat read_quat(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.is_array() || value.size() != 4) reader.fail(where, "four numbers [w, x, y, z] are needed here");
+  std::array<double, 4> q{};
+  for (size_t i = 0; i < 4; ++i) {
+    q[i] = reader.number(value[i], Measure::kNumber, where + "/" + std::to_string(i));
+  }
+  return unit_quat(reader, Quat(q[0], q[1], q[2], q[3]), where);
+}
+
+Quat read_orientation(const Reader& reader, const Json& key, const Quat& before, const std::string& where) {
+  const bool frame = key.contains("axis") || key.contains("closing");
+  const int ways = (key.contains("q") ? 1 : 0) + (key.contains("rpy") ? 1 : 0) + (frame ? 1 : 0);
+  if (ways == 0) return before;
+  if (ways > 1) reader.fail(where, "give one of \"q\", \"rpy\", or \"axis\" with \"closing\"");
+  if (key.contains("q")) return read_quat(reader, key["q"], where + "/q");
+  if (key.contains("rpy")) {
+    const Vec3 a = reader.vec3(key["rpy"], Measure::kAngle, where + "/rpy");
+    return toolkit::exp_rotation({0, 0, a.z()}) * toolkit::exp_rotation({0, a.y(), 0}) *
+           toolkit::exp_rotation({a.x(), 0, 0});
+  }
+  if (!key.contains("axis") || !key.contains("closing")) {
+    reader.fail(where, "\"axis\" and \"closing\" are given together");
+  }
+  try {
+    return orientation(reader.vec3(key["axis"], Measure::kNumber, where + "/axis"),
+                       reader.vec3(key["closing"], Measure::kNumber, where + "/closing"));
+  } catch (const std::invalid_argument& problem) {
+    reader.fail(where, problem.what());
+  }
+}
+
+Key read_key(const Reader& reader, const Json& value, const Key& before, bool first,
+             const std::string& where) {
+  constexpr std::array kKnown = {"t", "p", "q", "rpy", "axis", "closing", "closure", "grip", "doc"};
+  if (!value.is_object()) reader.fail(where, "a key is an object like {\"t\": 1.5, \"closure\": 0.6}");
+  for (const auto& item : value.items()) {
+    if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end()) {
+      reader.fail(where + "/" + item.key(),
+                  "unknown; a key has t, p, q or rpy or axis and closing, closure, grip, doc");
+    }
+  }
+  if (!value.contains("t")) reader.fail(where, "\"t\", the time, is missing");
+  if (first && !value.contains("p")) reader.fail(where, "the first key needs \"p\", the place");
+
+  Key key = before;
+  key.t = reader.number(value["t"], Measure::kTime, where + "/t");
+  if (value.contains("p")) key.X_WT.p = reader.vec3(value["p"], Measure::kLength, where + "/p");
+  key.X_WT.q = read_orientation(reader, value, before.X_WT.q, where);
+  if (value.contains("closure")) {
+    key.closure = reader.number(value["closure"], Measure::kNumber, where + "/closure");
+  }
+  if (value.contains("grip")) key.grip = reader.number(value["grip"], Measure::kForce, where + "/grip");
+  return key;
+}
+
+Key read_sample(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.is_array() || (value.size() != 9 && value.size() != 10)) {
+    reader.fail(where, "a sample is [t, px, py, pz, qw, qx, qy, qz, closure] and optionally grip");
+  }
+  std::array<double, 10> n{};
+  for (size_t i = 0; i < value.size(); ++i) {
+    n[i] = reader.number(value[i], Measure::kNumber, where + "/" + std::to_string(i));
+  }
+  Key key;
+  key.t = n[0];
+  key.X_WT.p = Vec3(n[1], n[2], n[3]);
+  // a recorded quaternion is kept bit for bit when it is a unit one already
+  const Quat q(n[4], n[5], n[6], n[7]);
+  key.X_WT.q = std::abs(q.squaredNorm() - 1) < 1e-12 ? q : unit_quat(reader, q, where);
+  key.closure = n[8];
+  key.grip = n[9];
+  return key;
+}
+
+void check_key(const Reader& reader, const Hand& hand, const std::string& where) {
+  const Key& key = hand.keys.back();
+  if (hand.keys.size() > 1 && !(key.t > hand.keys[hand.keys.size() - 2].t)) {
+    reader.fail(where, "times must rise from one to the next");
+  }
+  if (key.closure < 0 || key.closure > 1) reader.fail(where, "closure goes from 0 (open) to 1 (closed)");
+}
+
+}  // namespace
+
+Quat orientation(const Vec3& axis, const Vec3& closing) {
+  const Vec3 x = axis.normalized();
+  const Vec3 square = closing - closing.dot(x) * x;
+  if (!(axis.norm() > 0) || !(square.norm() > 1e-6 * closing.norm())) {
+    throw std::invalid_argument("the axis and the closing direction must be two different directions");
+  }
+  toolkit::Mat3 R;
+  R.col(0) = x;
+  R.col(2) = square.normalized();
+  R.col(1) = R.col(2).cross(R.col(0));
+  return Quat(R).normalized();
+}
+
+Hand parse_hand(const std::string& text, const std::string& name) {
+  const Reader reader(name);
+  Json file;
+  try {
+    file = Json::parse(text);
+  } catch (const Json::parse_error& problem) {
+    reader.fail("", std::string("not JSON: ") + problem.what());
+  }
+  if (!file.is_object() || file.value("format", "") != "swage-hand/1") {
+    reader.fail("/format", "\"swage-hand/1\" is needed here");
+  }
+  for (const auto& item : file.items()) {
+    constexpr std::array kKnown = {"format", "title", "doc", "keys", "samples"};
+    if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end()) {
+      reader.fail("/" + item.key(), "unknown; a hand has format, title, doc, and keys or samples");
+    }
+  }
+  if (file.contains("keys") == file.contains("samples"))
+    reader.fail("", "give either \"keys\" or \"samples\"");
+
+  Hand hand;
+  hand.title = file.value("title", "");
+  hand.sampled = file.contains("samples");
+  const std::string list = hand.sampled ? "samples" : "keys";
+  const Json& lines = file[list];
+  if (!lines.is_array() || lines.empty()) reader.fail("/" + list, "at least one is needed");
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::string where = "/" + list + "/" + std::to_string(i);
+    const Key before = i == 0 ? Key{} : hand.keys.back();
+    hand.keys.push_back(hand.sampled ? read_sample(reader, lines[i], where)
+                                     : read_key(reader, lines[i], before, i == 0, where));
+    hand.has_grip = hand.has_grip || (hand.sampled ? lines[i].size() == 10 : lines[i].contains("grip"));
+    check_key(reader, hand, where);
+  }
+  return hand;
+}
+
+Hand load_hand(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::stringstream text;
+  text << file.rdbuf();
+  return parse_hand(text.str(), path);
+}
+
+Moment Hand::at(double t, Between between) const noexcept {
+  // the keys on both sides of t; at the ends the same one twice
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), t, [](double x, const Key& k) { return x < k.t; });
+  const Key& k0 = after == keys.begin() ? keys.front() : *(after - 1);
+  const Key& k1 = after == keys.begin() || after == keys.end() ? k0 : *after;
+
+  Moment m{k0.X_WT, Vec3::Zero(), Vec3::Zero(), k0.closure, k0.grip};
+  const double span = k1.t - k0.t;
+  if (!(span > 0) || between == Between::kHold) return m;
+
+  // share of the way u and its rate: 10 x^3 - 15 x^4 + 6 x^5 is the path of least jerk between two rests
+  const double x = (t - k0.t) / span;
+  const bool smooth = between == Between::kMinimumJerk;
+  const double u = smooth ? x * x * x * (10 + x * (-15 + 6 * x)) : x;
+  const double rate = (smooth ? 30 * x * x * (1 - x) * (1 - x) : 1.0) / span;
+
+  const Vec3 way = k1.X_WT.p - k0.X_WT.p;
+  const Vec3 turn = toolkit::log_rotation(k0.X_WT.q.conjugate() * k1.X_WT.q);
+  m.X_WT.p = k0.X_WT.p + u * way;
+  m.X_WT.q = k0.X_WT.q * toolkit::exp_rotation(u * turn);
+  m.v_W = rate * way;
+  m.w_W = rate * (k0.X_WT.q * turn);
+  m.closure = k0.closure + u * (k1.closure - k0.closure);
+  m.grip = k0.grip + u * (k1.grip - k0.grip);
+  return m;
+}
+
+}  // namespace swage::hand

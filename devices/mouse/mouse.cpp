@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mouse.hpp"
+
+#include <stdexcept>
+
+#include "hand/hand.hpp"
+
+namespace swage::mouse {
+
+using toolkit::vec;
+
+void Mouse::build(const MouseParams& params, DeviceBuilder& builder) {
+  const Speeds speeds{params.drag,           params.wheel, params.turn,      params.key_move, params.key_turn,
+                      1 / params.close_time, params.fine,  params.smoothing, params.latch};
+  try {
+    const Quat q = hand::orientation(vec(params.start_axis), vec(params.start_closing));
+    hand_ = MouseHand(speeds, Pose(vec(params.start), q));
+  } catch (const std::invalid_argument& problem) {
+    builder.error("start_closing", problem.what());
+  }
+}
+
+void Mouse::open() {
+  pointer_ = host_extension<swage_host_pointer>(SWAGE_HOST_POINTER);
+  if (pointer_ == nullptr)
+    refuse("this program does not pass on the pointer and the keys, so there is no mouse to use");
+}
+
+void Mouse::exchange(const swage_command& command, swage_sample& sample) {
+  // two calls at the same moment, as after a pause, must not move the hand twice
+  const double dt = std::clamp(command.time_s - last_s_, 0.0, 0.01);
+  last_s_ = command.time_s;
+  static constexpr swage_pointer kStill{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
+  hand_.step(pointer_ != nullptr ? *pointer_->read(&host()) : kStill, dt);
+
+  sample.sequence += 1;
+  sample.time_s = command.time_s;
+  sample.pose = hand_.pose().abi();
+  sample.closure = hand_.closure();
+  sample.grip_force = 0;
+  sample.buttons = 0;
+  sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
+}
+
+}  // namespace swage::mouse
+
+SWAGE_EXPORT(swage::mouse::Mouse)

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.device.mouse: pointer and keyboard as a hand with six axes and a jaw. Keys: mouse.md.
+#pragma once
+
+#include <swage/device.hpp>
+
+#include "mouse_hand.hpp"
+
+namespace swage::mouse {
+
+inline constexpr double kDegree = std::numbers::pi / 180;  // rad
+
+struct MouseParams {
+  swage_vec3 start = {-8e-3, 0, 4e-3};  // m
+  swage_vec3 start_axis = {1, 0, 0};
+  swage_vec3 start_closing = {0, 1, 0};
+  double drag = Speeds{}.drag;
+  double wheel = Speeds{}.wheel;
+  double turn = Speeds{}.turn;
+  double key_move = Speeds{}.key_move;
+  double key_turn = Speeds{}.key_turn;
+  double close_time = 1.5;  // s
+  double fine = Speeds{}.fine;
+  double smoothing = Speeds{}.smoothing;
+  bool latch = Speeds{}.latch;
+};
+
+class Mouse final : public Device<MouseParams> {
+ public:
+  static constexpr auto id = "swage.device.mouse";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Mouse and keyboard";
+  static constexpr auto summary =
+      "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
+      "not dexterity.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+
+  static constexpr std::array fields = {
+      vector<&MouseParams::start>("start", "Start at", "m", "mm", -1, 1,
+                                  "Where the tips are at the start, in the world."),
+      vector<&MouseParams::start_axis>("start_axis", "Start axis", "1", "1", -1, 1,
+                                       "Direction from hinge to tips at the start; need not have length 1."),
+      vector<&MouseParams::start_closing>("start_closing", "Start closing direction", "1", "1", -1, 1,
+                                          "Direction from the right jaw to the left one at the start."),
+      real<&MouseParams::drag>("drag", "Drag", "m", "mm", 1e-5, 1,
+                               "Way of the tips for a drag over the view's height.")
+          .group("Speed"),
+      real<&MouseParams::wheel>("wheel", "Wheel", "m", "mm", 1e-6, 0.1,
+                                "Way along the line of sight for one notch.")
+          .group("Speed"),
+      real<&MouseParams::turn>("turn", "Turn", "rad", "deg", 1 * kDegree, 3600 * kDegree,
+                               "Turn for a drag over the view's height.")
+          .group("Speed"),
+      real<&MouseParams::key_move>("key_move", "Keys, move", "m/s", "mm/s", 1e-5, 1,
+                                   "Speed while a key is down.")
+          .group("Speed"),
+      real<&MouseParams::key_turn>("key_turn", "Keys, turn", "rad/s", "deg/s", 1 * kDegree, 3600 * kDegree,
+                                   "Turning speed while a key is down.")
+          .group("Speed"),
+      real<&MouseParams::close_time>("close_time", "Closing time", "s", "s", 0.05, 60,
+                                     "From open to closed while the closing key is down.")
+          .group("Speed"),
+      real<&MouseParams::fine>("fine", "Fine", "1", "1", 0.001, 1,
+                               "Factor of all speeds while shift is down.")
+          .group("Speed"),
+      real<&MouseParams::smoothing>("smoothing", "Smoothing", "s", "ms", 0, 1,
+                                    "Time constant that takes the steps out of the mouse's reports.")
+          .group("Speed")
+          .hidden(),
+      boolean<&MouseParams::latch>("latch", "Jaws stay",
+                                   "The jaws stay where they are when the key is let go; otherwise "
+                                   "they open again."),
+  };
+
+  void build(const MouseParams& params, DeviceBuilder& builder) override;
+  void open() override;
+  void exchange(const swage_command& command, swage_sample& sample) override;
+
+ private:
+  const swage_host_pointer* pointer_ = nullptr;
+  MouseHand hand_;
+  double last_s_ = 0;
+};
+
+}  // namespace swage::mouse

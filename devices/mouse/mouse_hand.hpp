@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How pointer and keys move a hand. Pure arithmetic; the table of keys is in mouse.md.
+#pragma once
+
+#include <swage/abi/device.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "toolkit/math.hpp"
+
+namespace swage::mouse {
+
+using toolkit::Pose;
+using toolkit::Quat;
+using toolkit::Vec3;
+
+/// Bits of swage_pointer.keys.
+constexpr uint64_t letter(char c) { return uint64_t{1} << (c - 'a'); }
+inline constexpr uint64_t kLeft = uint64_t{1} << 36, kRight = uint64_t{1} << 37, kUp = uint64_t{1} << 38,
+                          kDown = uint64_t{1} << 39, kSpace = uint64_t{1} << 40, kEnter = uint64_t{1} << 41,
+                          kPlus = uint64_t{1} << 42, kMinus = uint64_t{1} << 43, kPageUp = uint64_t{1} << 44,
+                          kPageDown = uint64_t{1} << 45;
+inline constexpr uint32_t kLeftButton = 1, kMiddleButton = 2, kRightButton = 4;
+inline constexpr uint32_t kShift = 1, kControl = 2;
+
+struct Speeds {
+  double drag = 10e-3;                        // m per height of the view
+  double wheel = 0.2e-3;                      // m per notch
+  double turn = std::numbers::pi;             // rad per height of the view
+  double key_move = 4e-3;                     // m/s
+  double key_turn = 0.25 * std::numbers::pi;  // rad/s
+  double squeeze = 0.6;                       // closure per second
+  double fine = 0.2;                          // factor of all the above while shift is down
+  double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves without steps
+  bool latch = true;        // the jaws stay where they are when the key is let go; otherwise they open again
+};
+
+/// Where the hand wants to be and where, smoothed, it is.
+class MouseHand {
+ public:
+  MouseHand() = default;
+  MouseHand(const Speeds& speeds, const Pose& start)
+      : speeds_(speeds), target_(start), middle_(start), pose_(start) {}
+
+  /// One step of dt [s]. [rt]
+  void step(const swage_pointer& pointer, double dt) noexcept {
+    const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
+    const Quat q_WC = toolkit::quat(pointer.camera);
+    target_.p += scale * (q_WC * motion_C(pointer, dt));
+    target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
+    squeeze(pointer, scale, dt);
+    smooth(dt);
+  }
+
+  const Pose& pose() const { return pose_; }   // X_WT
+  double closure() const { return closure_; }  // 0..1
+
+ private:
+  static double axis(uint64_t keys, uint64_t plus, uint64_t minus) {
+    return ((keys & plus) != 0 ? 1.0 : 0.0) - ((keys & minus) != 0 ? 1.0 : 0.0);
+  }
+
+  /// m in the camera's frame: +x right, +y up, +z towards the viewer.
+  Vec3 motion_C(const swage_pointer& p, double dt) const {
+    Vec3 d = speeds_.key_move * dt *
+             Vec3(axis(p.keys, letter('d'), letter('a')), axis(p.keys, letter('w'), letter('s')),
+                  axis(p.keys, letter('e'), letter('q')));
+    if ((p.buttons & kLeftButton) != 0) d += speeds_.drag * Vec3(p.dx, p.dy, 0);
+    if ((p.modifiers & kControl) == 0) d.z() -= speeds_.wheel * p.wheel;
+    return d;
+  }
+
+  /// rad in the camera's frame, right-handed.
+  Vec3 turning_C(const swage_pointer& p, double dt) const {
+    Vec3 a = speeds_.key_turn * dt *
+             Vec3(axis(p.keys, kDown, kUp), axis(p.keys, kRight, kLeft),
+                  axis(p.keys, letter('z') | kPageUp, letter('x') | kPageDown));
+    // a drag turns the near side of the tool along with the pointer; with control it rolls about the line of
+    // sight
+    if ((p.buttons & kRightButton) != 0) {
+      const bool roll = (p.modifiers & kControl) != 0;
+      a += speeds_.turn * (roll ? Vec3(0, 0, -p.dx) : Vec3(-p.dy, p.dx, 0));
+    }
+    return a;
+  }
+
+  void squeeze(const swage_pointer& p, double scale, double dt) {
+    constexpr double kNotch = 0.02;  // closure per notch of the wheel
+    const bool control = (p.modifiers & kControl) != 0;
+    const bool middle = (p.buttons & kMiddleButton) != 0;
+    const bool close = (p.keys & (kSpace | kPlus)) != 0 || (middle && !control);
+    const bool open = (p.keys & (letter('b') | kEnter | kMinus)) != 0 || (middle && control);
+    double rate = (close ? 1.0 : 0.0) - (open ? 1.0 : 0.0);
+    if (!speeds_.latch && !close) rate = -2;
+    closure_ += rate * scale * speeds_.squeeze * dt;
+    if (control) closure_ += kNotch * scale * p.wheel;
+    closure_ = std::clamp(closure_, 0.0, 1.0);
+  }
+
+  /// Two equal low passes in a row: continuous in speed, no overshoot.
+  void smooth(double dt) {
+    const double share = speeds_.smoothing > 0 ? 1 - std::exp(-dt / speeds_.smoothing) : 1.0;
+    approach(middle_, target_, share);
+    approach(pose_, middle_, share);
+  }
+  static void approach(Pose& pose, const Pose& goal, double share) {
+    pose.p += share * (goal.p - pose.p);
+    const Vec3 turn = toolkit::log_rotation(goal.q * pose.q.conjugate());
+    pose.q = (toolkit::exp_rotation(share * turn) * pose.q).normalized();
+  }
+
+  Speeds speeds_;
+  Pose target_, middle_, pose_;
+  double closure_ = 0;
+};
+
+}  // namespace swage::mouse

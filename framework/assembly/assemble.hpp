@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a lesson file to a rig that can be stepped. Threads: [main].
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "assembly/lesson_file.hpp"
+#include "base/problem.hpp"
+#include "host/catalogue.hpp"
+#include "host/rig.hpp"
+
+namespace swage::assembly {
+
+struct Overrides {
+  std::string
+      device;  // an "as" name ("expert"), a plugin id, or its last word ("mouse"); "": the first choice
+  std::string device_params;  // JSON object for the device chosen by name or id, "" for what the file says
+};
+
+/// Creates, configures, places, binds and activates everything. Everything that is wrong is reported in one
+/// go; nullptr when something is an error. The rig's instances are active; nobody has stepped or reset them
+/// yet.
+std::unique_ptr<host::Rig> assemble(const LessonFile& file, const host::Catalogue& catalogue,
+                                    const Overrides& overrides, base::Problems& problems);
+
+}  // namespace swage::assembly

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Who meets whom: traits, pairs, and what the lesson gets to see.
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/assembler.hpp"
+#include "host/guard.hpp"
+#include "host/nearest.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::assembly {
+
+using host::Call;
+using host::ObjectSlot;
+using scene::kNone;
+
+namespace {
+
+swage_str view(const std::string& text) { return {text.data(), text.size()}; }
+
+bool has_trait(const host::Instance& instance, const std::string& trait) {
+  return std::find(instance.traits.begin(), instance.traits.end(), trait) != instance.traits.end();
+}
+
+}  // namespace
+
+bool Assembler::offers(const LessonCoupling& use, const ObjectSlot& object, const char* const* needs,
+                       const std::string& side) {
+  bool all = true;
+  for (; needs != nullptr && *needs != nullptr; ++needs) {
+    const std::string trait = *needs;
+    if (has_trait(*object.instance, trait) && object.instance->extension(*needs) != nullptr) continue;
+    all = false;
+    std::vector<std::string> others;
+    for (const ObjectSlot& other : rig_->objects)
+      if (other.instance && has_trait(*other.instance, trait)) others.push_back(other.instance->name);
+    error(use.pointer + "/between/" + side,
+          "\"" + use.plugin + "\" needs the trait \"" + trait + "\" here; \"" + object.instance->name +
+              "\" (" + object.instance->plugin_id + ") does not offer it. " +
+              (others.empty() ? "No object of this lesson does."
+                              : "Those of this lesson that do: " + host::join(others) + "."));
+  }
+  return all;
+}
+
+// those that detect make the pairs, in the order of the file; those that look share them
+void Assembler::find_pairs() {
+  const auto same_two = [](const host::CouplingSlot& slot, const contact::Pair& pair) {
+    return std::minmax(slot.object_a, slot.object_b) == std::minmax(pair.object_a, pair.object_b);
+  };
+  for (const bool detects : {true, false}) {
+    for (std::size_t i = 0; i < rig_->couplings.size(); ++i) {
+      host::CouplingSlot& slot = rig_->couplings[i];
+      const LessonCoupling& use = file_.couplings[i];
+      if (slot.coupling == nullptr || slot.object_a == kNone || slot.object_b == kNone || use.a == use.b)
+        continue;
+      if ((slot.coupling->detects != 0) != detects) continue;
+      const auto found = std::find_if(rig_->pairs.begin(), rig_->pairs.end(),
+                                      [&](const contact::Pair& p) { return same_two(slot, p); });
+      slot.pair = static_cast<uint32_t>(found - rig_->pairs.begin());
+      if (found == rig_->pairs.end()) {
+        if (detects) {
+          rig_->pairs.push_back({slot.object_a, slot.object_b, {}});
+          continue;
+        }
+        slot.pair = kNone;
+        error(use.pointer, "\"" + use.plugin + "\" looks at the contacts between \"" + use.a + "\" and \"" +
+                               use.b +
+                               "\", but nothing in this lesson finds them; add a coupling that does, such as "
+                               "\"swage.coupling.contact\".");
+      } else if (found->object_a != slot.object_a) {
+        error(use.pointer + "/between", "Another coupling finds these contacts as [\"" + use.b + "\", \"" +
+                                            use.a + "\"]; name the two in the same order in both.");
+      }
+    }
+  }
+}
+
+void Assembler::bind_couplings() {
+  for (std::size_t i = 0; i < rig_->couplings.size(); ++i) {
+    host::CouplingSlot& slot = rig_->couplings[i];
+    const LessonCoupling& use = file_.couplings[i];
+    if (slot.coupling == nullptr || slot.object_a >= rig_->objects.size() ||
+        slot.object_b >= rig_->objects.size())
+      continue;
+    const ObjectSlot& a = rig_->objects[slot.object_a];
+    const ObjectSlot& b = rig_->objects[slot.object_b];
+    if (!a.instance || !b.instance || use.a == use.b) continue;
+    const bool good_a = offers(use, a, slot.coupling->needs_a, "0");
+    const bool good_b = offers(use, b, slot.coupling->needs_b, "1");
+    if (!good_a || !good_b) continue;
+
+    swage_result result = SWAGE_OK;
+    const std::size_t before = problems_.size();
+    const bool kept = host::guarded(*slot.instance, Call::kBind, 0, [&] {
+      result = slot.coupling->bind(slot.instance->raw, a.instance->raw, b.instance->raw);
+      return result == SWAGE_ERROR ? SWAGE_OK : result;
+    });
+    take_reports(*slot.instance, use.pointer);
+    if (!kept) {
+      error(use.pointer, host::quarantine_text(*slot.instance));
+    } else if (result < 0 && problems_.size() == before) {
+      error(use.pointer, "\"" + use.plugin + "\" refused to join \"" + use.a + "\" and \"" + use.b +
+                             "\" without a reason.");
+    }
+  }
+}
+
+namespace {
+
+// what swage_lesson_binder calls
+struct Binding {
+  host::Rig& rig;
+  std::vector<std::string> errors;
+
+  static Binding& of(swage_lesson_binder* raw) { return *static_cast<Binding*>(raw->host_data); }
+
+  static uint32_t mark(swage_lesson_binder* raw, const swage_mark* mark) {
+    Binding& self = of(raw);
+    std::vector<judge::Script::Mark>& marks = self.rig.script.marks;
+    const std::string wrong = mark != nullptr ? self.check(*mark) : "mark() needs a mark.";
+    if (!wrong.empty()) {
+      self.errors.push_back(wrong);
+      return kNone;
+    }
+    judge::Script::Mark kept{*mark, std::string(mark->meaning.data, mark->meaning.size)};
+    // the text lives in `meaning`; the view would dangle as soon as the script is copied
+    kept.mark.meaning = {nullptr, 0};
+    marks.push_back(std::move(kept));
+    return static_cast<uint32_t>(marks.size() - 1);
+  }
+
+  std::string check(const swage_mark& mark) const {
+    if (rig.script.marks.size() >= snapshot::kMaxMarks)
+      return "A lesson has at most " + std::to_string(snapshot::kMaxMarks) + " marks.";
+    if (mark.meaning.data == nullptr || mark.meaning.size == 0)
+      return "A mark needs a meaning such as \"region.target\".";
+    if (mark.kind == SWAGE_MARK_POINT) {
+      const bool place = std::isfinite(mark.p_W.x) && std::isfinite(mark.p_W.y) && std::isfinite(mark.p_W.z);
+      return place && mark.number[0] > 0 ? "" : "A mark of a point needs a place and a radius > 0 m.";
+    }
+    if (mark.kind != SWAGE_MARK_ARC_RANGE) return "Mark kind " + std::to_string(mark.kind) + " is unknown.";
+    if (mark.object >= rig.objects.size())
+      return "A mark names object " + std::to_string(mark.object) + ", which is not there.";
+    if (!(mark.number[0] >= 0 && mark.number[0] <= mark.number[1] && mark.number[1] <= 1))
+      return "A mark of an arc goes from a share to a larger one, both in 0..1.";
+    const ObjectSlot& slot = rig.objects[mark.object];
+    for (uint32_t i = 0; i < slot.shape.count; ++i)
+      if (rig.world.shape[slot.shape.first + i].kind == SWAGE_SHAPE_ARC) return "";
+    return "A mark of an arc names \"" + slot.instance->name + "\", which has none.";
+  }
+
+  static void error(swage_lesson_binder* raw, const char* message) {
+    of(raw).errors.push_back(message != nullptr ? message : "");
+  }
+};
+
+void fill_bound(host::Rig& rig) {
+  host::BoundScene& bound = rig.bound;
+  for (const ObjectSlot& slot : rig.objects)
+    bound.objects.push_back({view(slot.instance->name), view(slot.instance->plugin_id), slot.body.first,
+                             slot.body.count, slot.particle.first, slot.particle.count, slot.instance->raw});
+  for (const judge::Name& name : rig.script.signals)
+    bound.signals.push_back({view(name.owner), view(name.id), view(name.unit)});
+  for (const judge::Name& name : rig.script.events) bound.events.push_back({view(name.owner), view(name.id)});
+  bound.card = {sizeof(swage_scene_card),
+                static_cast<uint32_t>(bound.objects.size()),
+                static_cast<uint32_t>(bound.signals.size()),
+                static_cast<uint32_t>(bound.events.size()),
+                bound.objects.data(),
+                bound.signals.data(),
+                bound.events.data(),
+                rig.world.length};
+}
+
+}  // namespace
+
+void Assembler::bind_lesson() {
+  host::LessonSlot& slot = rig_->lesson;
+  fill_bound(*rig_);
+  // nullptr: a scene without a lesson, as the validator steps it
+  if (slot.lesson == nullptr || slot.lesson->bind == nullptr) return;
+  Binding binding{*rig_, {}};
+  swage_lesson_binder raw{sizeof(swage_lesson_binder), 0, &binding, Binding::mark, Binding::error};
+  swage_result result = SWAGE_OK;
+  const std::size_t before = problems_.size();
+  const bool kept = host::guarded(*slot.instance, Call::kBind, 0, [&] {
+    result = slot.lesson->bind(slot.instance->raw, &rig_->bound.card, &raw);
+    return result == SWAGE_ERROR ? SWAGE_OK : result;
+  });
+  for (const std::string& message : binding.errors) error(file_.lesson.pointer, message);
+  take_reports(*slot.instance, file_.lesson.pointer);
+  if (!kept) {
+    error(file_.lesson.pointer, host::quarantine_text(*slot.instance));
+  } else if (result < 0 && problems_.size() == before) {
+    error(file_.lesson.pointer, "\"" + file_.lesson.plugin + "\" refused this scene without a reason.");
+  }
+}
+
+void Assembler::fill_card() {
+  const host::Rig& rig = *rig_;
+  snapshot::SceneCard& card = rig_->card;
+  card.lesson_id = file_.id;
+  card.title = file_.title;
+  card.lesson_plugin = file_.lesson.plugin;
+  card.length = rig.world.length;
+  card.dt = rig.world.dt;
+  card.seed = rig.seed;
+  card.script = rig.script;
+  for (const ObjectSlot& slot : rig.objects)
+    card.objects.push_back({slot.instance->name, slot.instance->plugin_id, slot.instance->plugin_version,
+                            slot.instance->traits, slot.body.first, slot.body.count, slot.particle.first,
+                            slot.particle.count});
+  for (const host::DeviceSlot& slot : rig.devices)
+    card.devices.push_back({slot.instance->name, slot.instance->plugin_id, slot.instance->plugin_version});
+  for (const scene::BodyInfo& body : rig.world.body) {
+    card.start.push_back(body.start);
+    card.motion.push_back(body.motion);
+  }
+  for (const scene::Shape& s : rig.world.shape) {
+    snapshot::CardShape shape{s.kind,        s.body,       s.object, s.flags, s.X_BS, s.radius,
+                              s.half_length, s.arc_radius, s.sweep,  {},      {}};
+    if (s.convex != kNone) {
+      const toolkit::Convex& convex = rig.world.convex[s.convex];
+      for (const toolkit::Vec3& v : convex.vertex) shape.vertex.push_back(toolkit::raw(v));
+      for (const toolkit::Convex::Face& f : convex.face) shape.face.push_back(f.vertex);
+    }
+    card.shapes.push_back(std::move(shape));
+  }
+}
+
+}  // namespace swage::assembly

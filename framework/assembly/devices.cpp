@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which device each hand uses, and what follows it.
+#include <algorithm>
+
+#include "assembly/assembler.hpp"
+#include "host/nearest.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::assembly {
+
+using base::Severity;
+using host::PluginInfo;
+using scene::kNone;
+
+namespace {
+
+std::string last_word(const std::string& id) { return id.substr(id.rfind('.') + 1); }
+
+bool matches(const DeviceChoice& choice, const std::string& wanted) {
+  return choice.as == wanted || choice.plugin == wanted || last_word(choice.plugin) == wanted;
+}
+
+}  // namespace
+
+void Assembler::resolve_override() {
+  const std::string& wanted = overrides_.device;
+  if (wanted.empty()) return;
+  if (file_.devices.empty()) {
+    if (!file_.faulty)
+      note(Severity::kNote, "", "This lesson has no device; \"" + wanted + "\" is not used.");
+    return;
+  }
+  // a choice of the file itself
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < file_.devices.size(); ++i) {
+    for (const DeviceChoice& choice : file_.devices[i].choices) {
+      names.push_back(choice.as.empty() ? last_word(choice.plugin) : choice.as);
+      if (substitute_for_ != ~std::size_t{0} || !matches(choice, wanted)) continue;
+      substitute_ = choice;
+      substitute_for_ = i;
+    }
+  }
+  if (substitute_for_ != ~std::size_t{0}) {
+    if (!overrides_.device_params.empty()) substitute_.params = overrides_.device_params;
+    return;
+  }
+  // else any device that is installed, for the first hand
+  for (const PluginInfo* plugin : catalogue_.of_kind(SWAGE_KIND_DEVICE)) {
+    names.push_back(last_word(plugin->id));
+    if (plugin->id != wanted && last_word(plugin->id) != wanted) continue;
+    substitute_.plugin = plugin->id;
+    substitute_.params = overrides_.device_params.empty() ? "{}" : overrides_.device_params;
+    substitute_.pointer = "/devices/0";
+    substitute_for_ = 0;
+    return;
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  error("/devices", "There is no device \"" + wanted + "\" for this lesson." +
+                        host::did_you_mean(wanted, names) + " There is: " + host::join(names) + ".");
+}
+
+const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t index) {
+  if (index == substitute_for_) return &substitute_;
+  // further hands take part in the choice when they know the name
+  if (!overrides_.device.empty()) {
+    for (const DeviceChoice& choice : device.choices)
+      if (matches(choice, overrides_.device)) return &choice;
+  }
+  const DeviceChoice& first = device.choices[0];
+  if (catalogue_.find(first.plugin) != nullptr) return &first;
+  for (const DeviceChoice& choice : device.choices) {
+    if (catalogue_.find(choice.plugin) == nullptr) continue;
+    used_.insert(first.plugin);
+    note(
+        Severity::kNote, first.pointer + "/plugin",
+        "\"" + first.plugin + "\" is not installed; \"" + device.name + "\" uses \"" + choice.plugin + "\".");
+    return &choice;
+  }
+  return &first;
+}
+
+void Assembler::add_devices() {
+  if (file_.devices.size() > snapshot::kMaxDevices)
+    return error("/devices", "A lesson has at most " + std::to_string(snapshot::kMaxDevices) +
+                                 " devices, not " + std::to_string(file_.devices.size()) + ".");
+  for (std::size_t i = 0; i < file_.devices.size(); ++i) {
+    const LessonDevice& use = file_.devices[i];
+    // what the others name is used too, as far as "requires" is concerned
+    for (const DeviceChoice& choice : use.choices) used_.insert(choice.plugin);
+    host::DeviceSlot& slot = rig_->devices.emplace_back();
+    const DeviceChoice* choice = choose(use, i);
+    const bool given = choice == &substitute_ && !overrides_.device_params.empty();
+    std::unique_ptr<host::Builder> builder;
+    slot.instance =
+        make(*choice, SWAGE_KIND_DEVICE, use.name, kNone, {}, given ? "--device-params" : "", builder);
+    if (!slot.instance) continue;
+    slot.device = table<swage_device>(*slot.instance, SWAGE_EXT_DEVICE, *choice);
+    if (slot.device == nullptr) continue;
+    // scripted hands and replays speak in world coordinates
+    const bool world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
+    const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
+    slot.motion_scale = world ? 1 : use.motion_scale;
+    slot.force_scale = force ? use.force_scale : 0;
+    slot.X_WD0 = world ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : use.X_WD0;
+  }
+}
+
+void Assembler::bind_follows() {
+  const auto index_of = [this](const std::string& name) {
+    for (uint32_t i = 0; i < file_.devices.size(); ++i)
+      if (file_.devices[i].name == name) return i;
+    return kNone;
+  };
+  for (std::size_t i = 0; i < rig_->objects.size(); ++i) {
+    const LessonObject& use = file_.objects[i];
+    host::ObjectSlot& slot = rig_->objects[i];
+    slot.follow = {index_of(use.follow_pose), index_of(use.follow_closure)};
+    for (uint32_t b = 0; b < slot.body.count && use.follow_pose.empty(); ++b) {
+      const scene::BodyInfo& body = rig_->world.body[slot.body.first + b];
+      if (body.motion != SWAGE_MOTION_FOLLOWS) continue;
+      const std::string hand = file_.devices.empty() ? "hand" : file_.devices[0].name;
+      error(use.pointer, "\"" + use.name + "\" follows a hand; say which:  \"follows\": { \"pose\": \"" +
+                             hand + "\", \"closure\": \"" + hand + "\" }");
+      break;
+    }
+  }
+}
+
+}  // namespace swage::assembly

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/lesson_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "assembly/reader.hpp"
+#include "assembly/source_map.hpp"
+#include "host/nearest.hpp"
+#include "host/version.hpp"
+
+namespace swage::assembly {
+
+namespace {
+
+constexpr const char* kFormat = "swage-lesson/1";
+constexpr std::size_t kMaxBytes = std::size_t{4}
+                                  << 20;  // a lesson has some kilobytes; a mesh is a file of its own
+constexpr uint32_t kMaxNesting = 32;
+
+class LessonParser {
+ public:
+  LessonParser(LessonFile& out, base::Problems& problems)
+      : out_(out), teller_{[&out](const std::string& pointer) { return out.where(pointer); }, problems} {}
+
+  void run(const Json& json) {
+    ObjectReader top(json, "", "a lesson", teller_);
+    if (!read_format(top)) return;
+    out_.id = top.text("id", true);
+    out_.title = top.text("title", true);
+    out_.summary = top.text("summary", false);
+    out_.goal = top.text("goal", false);
+    out_.seed = top.whole("seed", 0);
+    out_.rate_hz = top.quantity("rate_hz", "Hz", 1000, 100, 10000);
+    out_.scene_length = top.quantity("scene_length", "m", 1e-3, 1e-6, 10);
+    out_.gravity = top.vector("gravity", "m/s2", {0, 0, -9.80665});
+    out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
+    read_requirements(top);
+    top.each("devices", [this](const Json& j, const std::string& p) { read_device(j, p); });
+    if (top.need("objects") != nullptr)
+      top.each("objects", [this](const Json& j, const std::string& p) { read_object(j, p); });
+    top.each("couplings", [this](const Json& j, const std::string& p) { read_coupling(j, p); });
+    if (const Json* lesson = top.need("lesson")) {
+      ObjectReader reader(*lesson, top.at("lesson"), "the lesson's plugin", teller_);
+      read_use(reader, out_.lesson);
+      reader.finish();
+    }
+    top.finish();
+    name_couplings();
+    check_names();
+  }
+
+ private:
+  bool read_format(ObjectReader& top) {
+    const std::string format = top.text("format", true);
+    if (format.empty() || format == kFormat) return !format.empty();
+    teller_.error(top.at("format"),
+                  "\"" + format + "\" cannot be read; this program reads \"" + kFormat + "\".");
+    return false;
+  }
+
+  void read_requirements(ObjectReader& top) {
+    const Json* json = top.find("requires");
+    if (json == nullptr) return;
+    if (!json->is_object()) {
+      teller_.error(top.at("requires"), "\"requires\" is an object { \"plugin.id\": \"^1\", ... }.");
+      return;
+    }
+    for (const auto& [id, range] : json->items()) {
+      const std::string pointer = top.at("requires") + "/" + pointer_step(id);
+      bool valid = false;
+      if (range.is_string()) host::in_range("1", range.get<std::string>(), valid);
+      if (valid) {
+        out_.requirements.emplace_back(id, range.get<std::string>());
+      } else {
+        teller_.error(pointer, short_dump(range) +
+                                   " is not a range of versions; write \"^1.2\" (1.2 or later, below "
+                                   "2), \">=1.2\" or \"1.2.0\" (exactly).");
+      }
+    }
+  }
+
+  void read_use(ObjectReader& reader, PluginUse& use) {
+    use.plugin = reader.text("plugin", true);
+    use.pointer = reader.pointer();
+    const Json* params = reader.find("params");
+    use.params = params != nullptr ? params->dump(-1, ' ', false, Json::error_handler_t::replace) : "{}";
+  }
+
+  void read_device(const Json& json, const std::string& pointer) {
+    ObjectReader reader(json, pointer, "a device of a lesson", teller_);
+    LessonDevice device;
+    device.name = reader.name("name", true);
+    device.choices.emplace_back();
+    read_use(reader, device.choices[0]);
+    device.choices[0].as = reader.name("as", false);
+    // 1e-3 to 1e3: from a lever that enlarges to a robot under the strongest microscope
+    device.motion_scale = reader.quantity("motion_scale", "1", 1, 1e-3, 1e3);
+    device.force_scale = reader.quantity("force_scale", "1", 0, 0, 1e3);
+    device.X_WD0 = reader.pose("pose");
+    reader.each("or", [&](const Json& j, const std::string& p) {
+      ObjectReader alternative(j, p, "an alternative of a device", teller_);
+      DeviceChoice choice;
+      choice.as = alternative.name("as", false);
+      read_use(alternative, choice);
+      alternative.finish();
+      device.choices.push_back(std::move(choice));
+    });
+    reader.finish();
+    out_.devices.push_back(std::move(device));
+  }
+
+  void read_object(const Json& json, const std::string& pointer) {
+    ObjectReader reader(json, pointer, "an object of a lesson", teller_);
+    LessonObject object;
+    object.name = reader.name("name", true);
+    read_use(reader, object);
+    object.X_WO = reader.pose("pose");
+    if (const Json* follows = reader.find("follows")) {
+      ObjectReader f(*follows, reader.at("follows"), "\"follows\"", teller_);
+      object.follow_pose = f.text("pose", false);
+      object.follow_closure = f.text("closure", false);
+      f.finish();
+    }
+    reader.finish();
+    out_.objects.push_back(std::move(object));
+  }
+
+  void read_coupling(const Json& json, const std::string& pointer) {
+    ObjectReader reader(json, pointer, "a coupling of a lesson", teller_);
+    LessonCoupling coupling;
+    coupling.name = reader.name("name", false);
+    read_use(reader, coupling);
+    if (const Json* between = reader.need("between")) {
+      const bool two = between->is_array() && between->size() == 2 && (*between)[0].is_string() &&
+                       (*between)[1].is_string();
+      if (two) {
+        coupling.a = (*between)[0].get<std::string>();
+        coupling.b = (*between)[1].get<std::string>();
+      } else {
+        teller_.error(reader.at("between"), "\"between\" is the names of two objects, [\"a\", \"b\"], not " +
+                                                short_dump(*between) + ".");
+      }
+    }
+    reader.finish();
+    out_.couplings.push_back(std::move(coupling));
+  }
+
+  // "swage.coupling.grasp" is "grasp", the second one "grasp_2"
+  void name_couplings() {
+    std::set<std::string> taken;
+    for (const LessonCoupling& c : out_.couplings) taken.insert(c.name);
+    for (LessonCoupling& c : out_.couplings) {
+      if (!c.name.empty() || c.plugin.empty()) continue;
+      const std::string word = c.plugin.substr(c.plugin.rfind('.') + 1);
+      c.name = word;
+      for (int i = 2; !taken.insert(c.name).second; ++i) c.name = word + "_" + std::to_string(i);
+    }
+  }
+
+  void check_names() {
+    std::set<std::string> names{"lesson", "swage"};
+    std::vector<std::string> devices, objects;
+    const auto take = [&](const std::string& name, const std::string& pointer,
+                          std::vector<std::string>* list) {
+      if (name.empty()) return;
+      if (!names.insert(name).second) {
+        teller_.error(pointer + "/name",
+                      "\"" + name + "\" is taken: every device, object and coupling has its own name.");
+      } else if (list != nullptr) {
+        list->push_back(name);
+      }
+    };
+    for (const LessonDevice& d : out_.devices) take(d.name, d.choices[0].pointer, &devices);
+    for (const LessonObject& o : out_.objects) take(o.name, o.pointer, &objects);
+    for (const LessonCoupling& c : out_.couplings) take(c.name, c.pointer, nullptr);
+
+    for (const LessonObject& o : out_.objects) {
+      check_reference(o.follow_pose, devices, "device", o.pointer + "/follows/pose");
+      check_reference(o.follow_closure, devices, "device", o.pointer + "/follows/closure");
+    }
+    for (const LessonCoupling& c : out_.couplings) {
+      check_reference(c.a, objects, "object", c.pointer + "/between/0");
+      check_reference(c.b, objects, "object", c.pointer + "/between/1");
+      if (!c.a.empty() && c.a == c.b)
+        teller_.error(c.pointer + "/between",
+                      "A coupling joins two different objects, not \"" + c.a + "\" with itself.");
+    }
+  }
+
+  void check_reference(const std::string& name, const std::vector<std::string>& names,
+                       const std::string& what, const std::string& pointer) {
+    if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
+    const std::string has = names.empty() ? " It has none." : " It has: " + host::join(names) + ".";
+    teller_.error(pointer,
+                  "The lesson has no " + what + " \"" + name + "\"." + host::did_you_mean(name, names) + has);
+  }
+
+  LessonFile& out_;
+  Teller teller_;
+};
+
+// where a parser stopped, as line and column
+std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {
+  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
+  const auto line =
+      static_cast<uint32_t>(1 + std::count(text.begin(), text.begin() + static_cast<long>(end), '\n'));
+  const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+  return {line, static_cast<uint32_t>(start == std::string::npos ? end + 1 : end - start)};
+}
+
+bool parse_text(LessonFile& out, Json& json, base::Problems& problems) {
+  const auto error = [&](const std::string& where, const std::string& message) {
+    problems.push_back({base::Severity::kError, where, message});
+    return false;
+  };
+  if (out.text.size() > kMaxBytes) return error(out.where(""), "It is larger than 4 MiB; that is no lesson.");
+  if (nesting(out.text) > kMaxNesting) return error(out.where(""), "Its brackets are nested deeper than 32.");
+  try {
+    json = Json::parse(out.text);
+  } catch (const Json::parse_error& e) {
+    const auto [line, column] = place(out.text, e.byte);
+    return error(out.where("") + ":" + std::to_string(line),
+                 "This is not valid JSON at column " + std::to_string(column) +
+                     ": a comma, colon, quotation mark or bracket is missing or too many.");
+  } catch (const Json::exception&) {
+    return error(out.where(""), "It holds a number that is too large.");
+  }
+  SourceMap map = map_source(out.text);
+  out.line_of = std::move(map.line_of);
+  for (const auto& [pointer, key] : map.double_keys)
+    error(out.where(pointer + "/" + pointer_step(key)), "\"" + key + "\" is there twice.");
+  return map.double_keys.empty();
+}
+
+}  // namespace
+
+std::string LessonFile::where(const std::string& pointer) const {
+  // what is missing is told at the line of the object that should have it
+  std::string known = pointer;
+  while (!known.empty() && !line_of.contains(known)) known.erase(known.rfind('/'));
+  const auto line = line_of.find(known);
+  const std::string number =
+      line == line_of.end() || pointer.empty() ? "" : ":" + std::to_string(line->second);
+  return (path.empty() ? "lesson" : path) + number + (pointer.empty() ? "" : " #" + pointer);
+}
+
+std::string LessonFile::folder() const {
+  std::error_code ignored;
+  return std::filesystem::absolute(path.empty() ? "." : path, ignored).parent_path().string();
+}
+
+bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
+                  base::Problems& problems) {
+  out = {};
+  out.text = text;
+  out.path = path;
+  const std::size_t before = problems.size();
+  Json json;
+  // a file with double keys is read on: one list of everything that is wrong
+  if (parse_text(out, json, problems) || !out.line_of.empty()) LessonParser(out, problems).run(json);
+  out.faulty = std::any_of(problems.begin() + static_cast<long>(before), problems.end(),
+                           [](const base::Problem& p) { return p.severity == base::Severity::kError; });
+  return !out.faulty;
+}
+
+bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems) {
+  std::error_code failed;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(path, failed)) {
+    out = {};
+    out.path = path;
+    out.faulty = true;
+    problems.push_back({base::Severity::kError, path, "There is no such lesson file."});
+    return false;
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_lesson(text.str(), path, out, problems);
+}
+
+}  // namespace swage::assembly

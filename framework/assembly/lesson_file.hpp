@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A lesson file as read: format "swage-lesson/1", its structure checked, parameters still text. Threads:
+// [main].
+#pragma once
+
+#include <swage/abi/base.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/problem.hpp"
+
+namespace swage::assembly {
+
+/// One plugin of the file with its parameters as JSON text, checked later against the plugin's table.
+struct PluginUse {
+  std::string plugin;
+  std::string params;   // JSON object
+  std::string pointer;  // of the JSON object that holds "plugin" and "params": "/objects/1"
+};
+
+struct DeviceChoice : PluginUse {
+  std::string as;  // name to choose it by, "" for none
+};
+
+struct LessonDevice {
+  std::string name;
+  std::vector<DeviceChoice> choices;  // in order of preference; at least one
+  double motion_scale = 1;            // hand movement over scene movement
+  double force_scale = 0;             // N at the hand per N in the scene
+  swage_pose X_WD0{{0, 0, 0}, {1, 0, 0, 0}};
+};
+
+struct LessonObject : PluginUse {
+  std::string name;
+  std::string follow_pose, follow_closure;  // names of devices, "" for none
+  swage_pose X_WO{{0, 0, 0}, {1, 0, 0, 0}};
+};
+
+struct LessonCoupling : PluginUse {
+  std::string name;  // "name", else the last word of the plugin's id, numbered when there are several
+  std::string a, b;  // names of objects
+};
+
+struct LessonFile {
+  std::string path;  // as given; "" for text that has no file
+  std::string text;  // as read, byte for byte
+  std::string id, title, summary;
+  std::string goal;  // what the trainee learns
+  uint64_t seed = 0;
+  double rate_hz = 1000;
+  double scene_length = 1e-3;  // m
+  swage_vec3 gravity{0, 0, -9.80665};
+  double max_time_s = 0;                                          // simulated; 0: no limit
+  std::vector<std::pair<std::string, std::string>> requirements;  // plugin id, version range
+  std::vector<LessonDevice> devices;
+  std::vector<LessonObject> objects;
+  std::vector<LessonCoupling> couplings;
+  PluginUse lesson;
+  std::map<std::string, uint32_t> line_of;  // JSON pointer -> line, 1-based
+  bool faulty = false;  // something in it is an error; assemble() then only looks for more
+
+  /// "lessons/grasp.json:12 #/objects/1/params/arc": path, line of the nearest place that exists, pointer.
+  std::string where(const std::string& pointer) const;
+  /// Folder of the file: relative FILE parameters start there.
+  std::string folder() const;
+};
+
+/// Reads and checks the structure: syntax, unknown and double keys, types, units, names that refer to each
+/// other. Reports everything that is wrong. False when something is an error; `out` then holds what could be
+/// read.
+bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems);
+bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
+                  base::Problems& problems);
+
+}  // namespace swage::assembly

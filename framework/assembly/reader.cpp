@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/source_map.hpp"
+#include "host/nearest.hpp"
+#include "host/units.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::assembly {
+
+namespace {
+
+const Json& empty_object() {
+  static const Json empty = Json::object();
+  return empty;
+}
+
+bool is_instance_name(const std::string& name) {
+  const auto good = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && name[0] >= 'a' && name[0] <= 'z' && std::all_of(name.begin(), name.end(), good);
+}
+
+}  // namespace
+
+std::string short_dump(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+ObjectReader::ObjectReader(const Json& json, std::string pointer, std::string what, const Teller& teller)
+    : json_(&json), pointer_(std::move(pointer)), what_(std::move(what)), teller_(teller) {
+  if (json.is_object()) return;
+  teller_.error(pointer_,
+                "This is " + what_ + ": an object { \"name\": value, ... }, not " + short_dump(json) + ".");
+  json_ = &empty_object();
+}
+
+std::string ObjectReader::at(const std::string& key) const { return pointer_ + "/" + pointer_step(key); }
+
+const Json* ObjectReader::find(const std::string& key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  const auto found = json_->find(key);
+  return found == json_->end() ? nullptr : &*found;
+}
+
+const Json* ObjectReader::need(const std::string& key) {
+  const Json* value = find(key);
+  // an object that is none was reported already
+  if (value == nullptr && json_ != &empty_object()) teller_.error(pointer_, "\"" + key + "\" is missing.");
+  return value;
+}
+
+std::string ObjectReader::text(const std::string& key, bool required) {
+  const Json* value = required ? need(key) : find(key);
+  if (value == nullptr) return "";
+  if (!value->is_string()) {
+    teller_.error(at(key), "\"" + key + "\" is a text, not " + short_dump(*value) + ".");
+    return "";
+  }
+  if (required && value->get_ref<const std::string&>().empty())
+    teller_.error(at(key), "\"" + key + "\" is empty.");
+  return value->get<std::string>();
+}
+
+std::string ObjectReader::name(const std::string& key, bool required) {
+  const std::string name = text(key, required);
+  if (!name.empty() && !is_instance_name(name)) {
+    teller_.error(at(key),
+                  "\"" + name + "\" is not a name: lower-case letters, digits and _, a letter first.");
+  }
+  return name;
+}
+
+bool ObjectReader::number(const Json& json, const std::string& pointer, const std::string& label,
+                          const char* unit, double& out) {
+  std::string sentence;
+  if (json.is_number()) {
+    out = json.get<double>();
+    return true;
+  }
+  if (json.is_string()) {
+    if (host::parse_quantity(json.get<std::string>(), unit, label, out, sentence)) return true;
+  } else {
+    const host::Unit* u = host::find_unit(unit);
+    const bool pure = std::string(unit) == "1";
+    sentence = "\"" + label + "\" is " + u->dimension + (pure ? "" : " (" + host::units_like(unit) + ")") +
+               ", not " + short_dump(json) + ".";
+  }
+  teller_.error(pointer, sentence);
+  return false;
+}
+
+double ObjectReader::quantity(const std::string& key, const char* unit, double fallback, double min,
+                              double max) {
+  const Json* value = find(key);
+  double out = fallback;
+  if (value == nullptr || !number(*value, at(key), key, unit, out)) return fallback;
+  if (out >= min && out <= max) return out;
+  teller_.error(at(key), short_dump(*value) + " is out of range; \"" + key + "\" goes from " +
+                             host::format_quantity(min, unit) + " to " + host::format_quantity(max, unit) +
+                             ".");
+  return fallback;
+}
+
+uint64_t ObjectReader::whole(const std::string& key, uint64_t fallback) {
+  const Json* value = find(key);
+  if (value == nullptr) return fallback;
+  if (value->is_number_unsigned()) return value->get<uint64_t>();
+  teller_.error(at(key), "\"" + key + "\" is a whole number from 0, not " + short_dump(*value) + ".");
+  return fallback;
+}
+
+swage_vec3 ObjectReader::vector(const std::string& key, const char* unit, swage_vec3 fallback) {
+  const Json* value = find(key);
+  if (value == nullptr) return fallback;
+  if (!value->is_array() || value->size() != 3) {
+    teller_.error(at(key), "\"" + key + "\" is a list of 3 numbers, not " + short_dump(*value) + ".");
+    return fallback;
+  }
+  double v[3] = {0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!number((*value)[i], at(key) + "/" + std::to_string(i), key, unit, v[i])) return fallback;
+    // 1 km: everything in a scene is smaller, and numbers like 1e300 only hide a mistake
+    if (!(std::abs(v[i]) <= 1e3)) {
+      teller_.error(at(key) + "/" + std::to_string(i), short_dump((*value)[i]) + " is too large.");
+      return fallback;
+    }
+  }
+  return {v[0], v[1], v[2]};
+}
+
+swage_pose ObjectReader::pose(const std::string& key) {
+  swage_pose out{{0, 0, 0}, {1, 0, 0, 0}};
+  const Json* value = find(key);
+  if (value == nullptr) return out;
+  ObjectReader reader(*value, at(key), "a pose", teller_);
+  out.p = reader.vector("p", "m", out.p);
+  const Json* q = reader.find("q");
+  const bool has_rpy = reader.find("rpy") != nullptr;
+  if (q != nullptr && has_rpy) teller_.error(at(key), "A pose has \"q\" or \"rpy\", not both.");
+
+  // roll, pitch, yaw about the fixed axes x, y, z
+  const swage_vec3 rpy = reader.vector("rpy", "rad", {0, 0, 0});
+  using toolkit::Quat, toolkit::Vec3;
+  const Quat turn = Quat(Eigen::AngleAxisd(rpy.z, Vec3::UnitZ())) *
+                    Quat(Eigen::AngleAxisd(rpy.y, Vec3::UnitY())) *
+                    Quat(Eigen::AngleAxisd(rpy.x, Vec3::UnitX()));
+  out.q = toolkit::raw(turn.normalized());
+  reader.finish();
+  if (q == nullptr) return out;
+
+  const bool four = q->is_array() && q->size() == 4 &&
+                    std::all_of(q->begin(), q->end(), [](const Json& n) { return n.is_number(); });
+  Quat given = Quat::Identity();
+  if (four)
+    given = Quat((*q)[0].get<double>(), (*q)[1].get<double>(), (*q)[2].get<double>(), (*q)[3].get<double>());
+  // 1e-3: digits that a person rounds away; more is another rotation than the one meant
+  if (!four || !(std::abs(given.norm() - 1) < 1e-3)) {
+    teller_.error(at(key) + "/q", "\"q\" is a unit quaternion [w, x, y, z], not " + short_dump(*q) + ".");
+    return out;
+  }
+  out.q = toolkit::raw(given.normalized());
+  return out;
+}
+
+void ObjectReader::each(const std::string& key,
+                        const std::function<void(const Json&, const std::string&)>& f) {
+  const Json* value = find(key);
+  if (value == nullptr) return;
+  if (!value->is_array()) {
+    teller_.error(at(key), "\"" + key + "\" is a list [ ... ], not " + short_dump(*value) + ".");
+    return;
+  }
+  for (std::size_t i = 0; i < value->size(); ++i) f((*value)[i], at(key) + "/" + std::to_string(i));
+}
+
+void ObjectReader::finish() {
+  for (const auto& [key, value] : json_->items()) {
+    if (key.starts_with("x-") || std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    teller_.error(at(key), "\"" + key + "\" is not known in " + what_ + "." +
+                               host::did_you_mean(key, known_) + " It has: " + host::join(known_) + ".");
+  }
+}
+
+}  // namespace swage::assembly

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One JSON object of a lesson file, read key by key with sentences for what is wrong. [main]
+#pragma once
+
+#include <swage/abi/base.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/problem.hpp"
+
+namespace swage::assembly {
+
+using Json = nlohmann::ordered_json;
+
+/// Problems of one file, told with its places.
+struct Teller {
+  std::function<std::string(const std::string& pointer)> where;
+  base::Problems& problems;
+
+  void error(const std::string& pointer, const std::string& message) const {
+    problems.push_back({base::Severity::kError, where(pointer), message});
+  }
+  void warn(const std::string& pointer, const std::string& message) const {
+    problems.push_back({base::Severity::kWarning, where(pointer), message});
+  }
+};
+
+std::string short_dump(const Json& json);  // at most 60 characters
+
+class ObjectReader {
+ public:
+  /// `what` names the object in sentences: "an object of a lesson". A value that is no object reads as an
+  /// empty one.
+  ObjectReader(const Json& json, std::string pointer, std::string what, const Teller& teller);
+
+  /// The value at a key, or nullptr. Every key that is asked for is known.
+  const Json* find(const std::string& key);
+  /// The same, with an error when it is absent.
+  const Json* need(const std::string& key);
+
+  std::string text(const std::string& key, bool required);
+  /// A snake_case name of an instance.
+  std::string name(const std::string& key, bool required);
+  /// A number in the SI unit or a text with unit, within [min, max].
+  double quantity(const std::string& key, const char* unit, double fallback, double min, double max);
+  uint64_t whole(const std::string& key, uint64_t fallback);
+  swage_vec3 vector(const std::string& key, const char* unit, swage_vec3 fallback);
+  swage_pose pose(const std::string& key);
+
+  /// Calls f(value, pointer) for each element; an error when the key holds no array.
+  void each(const std::string& key, const std::function<void(const Json&, const std::string&)>& f);
+
+  /// After everything has been asked for: errors about keys that nobody knows ("x-..." are notes of people).
+  void finish();
+
+  std::string at(const std::string& key) const;  // pointer of a key
+  const std::string& pointer() const { return pointer_; }
+
+ private:
+  bool number(const Json& json, const std::string& pointer, const std::string& label, const char* unit,
+              double& out);
+
+  const Json* json_;
+  std::string pointer_, what_;
+  const Teller& teller_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace swage::assembly

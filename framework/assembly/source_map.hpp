@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which line of a JSON text each value is on: the parser forgets it. [main]
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace swage::assembly {
+
+struct SourceMap {
+  std::map<std::string, uint32_t> line_of;                       // JSON pointer -> line, 1-based
+  std::vector<std::pair<std::string, std::string>> double_keys;  // pointer of the object, key
+};
+
+/// Deepest nesting of brackets in a text, valid JSON or not.
+uint32_t nesting(const std::string& text);
+
+/// Maps a text that is valid JSON, nested at most 64 deep.
+SourceMap map_source(const std::string& json_text);
+
+/// One step of a JSON pointer: "~" and "/" are escaped.
+std::string pointer_step(const std::string& key);
+
+}  // namespace swage::assembly

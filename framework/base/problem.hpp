@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A problem told to a person: where it is, what is wrong, what is allowed, how to mend it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace swage::base {
+
+enum class Severity : int32_t { kNote, kWarning, kError };
+
+struct Problem {
+  Severity severity = Severity::kError;
+  std::string
+      where;  // "lessons/grasp.json #/objects/1/params/wire_diameter", a plugin's path, an instance's name
+  std::string message;  // one or more sentences; the remedy last
+};
+
+using Problems = std::vector<Problem>;
+
+/// True when something in the list forbids to go on.
+inline bool failed(const Problems& problems) {
+  for (const Problem& p : problems)
+    if (p.severity == Severity::kError) return true;
+  return false;
+}
+
+}  // namespace swage::base

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+#
+# How rooms, plugins and tests of this repository are compiled: one set of flags for all.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+# same recording, same bits: no contraction, no -march, no fast-math anywhere
+add_library(swage_flags INTERFACE)
+target_compile_options(swage_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off)
+if(SWAGE_SANITIZE)
+  list(JOIN SWAGE_SANITIZE "," sanitizers)
+  add_compile_options(-fsanitize=${sanitizers} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${sanitizers})
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+# swage_room(<name> [SOURCES ...] [LINKS ...])  ->  target swage_<name>, sources relative to the room's folder
+function(swage_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
+  if(ROOM_SOURCES)
+    add_library(swage_${name} STATIC ${ROOM_SOURCES})
+    target_include_directories(swage_${name} PUBLIC ${CMAKE_SOURCE_DIR}/framework)
+    target_link_libraries(swage_${name} PUBLIC ${ROOM_LINKS} PRIVATE swage_flags)
+  else()
+    add_library(swage_${name} INTERFACE)
+    target_include_directories(swage_${name} INTERFACE ${CMAKE_SOURCE_DIR}/framework)
+    target_link_libraries(swage_${name} INTERFACE ${ROOM_LINKS})
+  endif()
+endfunction()
+
+# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s])  ->  CTest entry <name>
+function(swage_test name)
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
+  string(REPLACE "." "_" target test_${name})
+  add_executable(${target} ${TEST_SOURCES})
+  target_link_libraries(${target} PRIVATE ${TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main swage_flags)
+  target_compile_definitions(${target} PRIVATE
+    SWAGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SWAGE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  add_test(NAME ${name} COMMAND ${target} ${TEST_ARGS})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 120)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
+    ENVIRONMENT "${TEST_ENVIRONMENT}")
+endfunction()
+
+# adds every folder below `parent` that has a CMakeLists.txt, in alphabetical order
+function(swage_add_folders parent)
+  file(GLOB folders CONFIGURE_DEPENDS ${parent}/*/CMakeLists.txt)
+  foreach(file IN LISTS folders)
+    get_filename_component(folder ${file} DIRECTORY)
+    add_subdirectory(${folder})
+  endforeach()
+endfunction()

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Finds all contacts of a step between the objects that may touch, and carries over what each remembers.
+//
+// Units: SI. Frames: W. Threads: built on [main], detect() on [rt].
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "contact/narrow_phase.hpp"
+#include "contact/solid.hpp"
+#include "contact/sphere_tree.hpp"
+#include "scene/state_image.hpp"
+#include "scene/world.hpp"
+
+namespace swage::contact {
+
+/// Which surface stands for an arc.
+enum class Level : uint8_t {
+  kExact,   // the arc itself
+  kThesis,  // a chain of spheres under a tree of bounding spheres (thesis 4.2.9, 4.2.10); to compare with
+};
+
+struct Options {
+  Level level = Level::kExact;
+  int chain_spheres = 100;  // per arc, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
+  /// Contacts are reported while their gap is below margin * length plus what the bodies move in one step.
+  /// 0.02: 20 um for a 1 mm scene. Too small: what the response of the step brings into contact is met a step late.
+  double margin = 0.02;
+  double flatness = 2e-3;   // see Query
+  int line_points = 4;      // see Query
+  uint32_t capacity = 256;  // contacts per step
+};
+
+/// One per scene. detect() neither allocates nor throws.
+class Detector {
+ public:
+  /// [main] Throws std::invalid_argument for options outside their range.
+  Detector(const scene::World& world, std::vector<Pair> pairs, const Options& options);
+
+  /// [rt] Contacts at the poses of `world`, which are where the step is predicted to end; the twists say where it began.
+  /// Bodies that move farther than their wires are thick are swept, and touch where they first touched. `set` holds last
+  /// step's contacts on entry: bristle, force and slip of a contact that lasts are carried over, all else is
+  /// written anew.
+  void detect(const scene::World& world, ContactSet& set) noexcept;
+
+  /// [main] Room for every contact that detect() may write.
+  void reserve(ContactSet& set) const;
+
+  /// [rt] Forgets all contacts and what was remembered about them, as at the start of a lesson.
+  void reset(ContactSet& set) noexcept;
+
+  /// [rt] What the next detect() needs besides the world: last step's contacts and the remembered separations.
+  /// save() writes up to image_size() bytes; restore() reads them back, false when they are not of this scene.
+  void save(const ContactSet& set, scene::Writer& out) const noexcept;
+  bool restore(ContactSet& set, scene::Reader& in) noexcept;
+  size_t image_size() const;  // [main]
+
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  /// Two shapes that may touch.
+  struct ShapePair {
+    uint32_t pair = 0, shape_a = 0, shape_b = 0;
+    Separation memory;
+  };
+
+  void detect_shapes(const scene::World& world, ShapePair& pair, ContactSet& set) noexcept;
+  void detect_chain(const scene::World& world, const ShapePair& pair, const Query& query,
+                    ContactSet& set) noexcept;
+  void append(const scene::World& world, const ShapePair& pair, uint64_t part, ContactSet& set) noexcept;
+  void inherit(const scene::World& world, Contact& contact) const noexcept;
+
+  std::vector<Pair> pairs_;
+  Options options_;
+  std::vector<Solid> solids_;           // one per shape of the world
+  std::vector<SphereTree> chains_;      // one per shape, empty but for arcs at the level of the thesis
+  std::vector<uint32_t> bodies_;        // that have shapes in a pair
+  std::vector<Frame> X_WB_;             // of those bodies, indexed by body
+  std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
+  std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
+  std::vector<scene::Range> last_of_pair_;
+  Manifold manifold_;
+  Solid sphere_;  // one sphere of a chain
+};
+
+}  // namespace swage::contact

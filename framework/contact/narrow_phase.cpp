@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/narrow_phase.hpp"
+
+#include "contact/wire_convex.hpp"
+
+namespace swage::contact {
+namespace {
+
+bool is_wire(const Solid& s) {
+  return s.kind == SWAGE_SHAPE_SPHERE || s.kind == SWAGE_SHAPE_CAPSULE || s.kind == SWAGE_SHAPE_ARC;
+}
+bool has_vertices(const Solid& s) { return !s.convex.vertex.empty(); }
+
+/// Turns contacts of (b, a) into contacts of (a, b).
+void swap_sides(Manifold& out, const Frame& X_WB) {
+  for (int i = 0; i < out.count; ++i) {
+    Candidate& c = out.candidate[static_cast<size_t>(i)];
+    std::swap(c.a, c.b);
+    c.touch.n_W = -c.touch.n_W;
+    c.n_B = X_WB.turn_back(c.touch.n_W);
+  }
+}
+
+}  // namespace
+
+int collide(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB, const Query& query,
+            Separation& memory, Manifold& out) noexcept {
+  out.clear();
+  // bounding spheres
+  const double reach = a.bound + b.bound + query.margin;
+  if ((X_WA * a.centre - X_WB * b.centre).squaredNorm() > reach * reach) return 0;
+
+  if (is_wire(a) && has_vertices(b)) {
+    collide_wire_convex(a, X_WA, b, X_WB, query, memory, out);
+  } else if (is_wire(b) && has_vertices(a)) {
+    collide_wire_convex(b, X_WB, a, X_WA, query, memory, out);
+    swap_sides(out, X_WB);
+  }
+  return out.count;
+}
+
+}  // namespace swage::contact

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where two solids touch: the contact points of one pair of shapes, in a fixed order, exact to rounding.
+//
+// Wires (sphere, capsule, arc) are a point, segment or arc thickened by a radius. Against a polyhedron the
+// curve is cut where it passes from one Voronoi region to the next; inside a region the distance is one
+// closed form. See README.md.
+//
+// Units: m. Frames: A and B the two bodies. Threads: any; nothing allocates or throws.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "contact/candidate.hpp"
+#include "contact/solid.hpp"
+
+namespace swage::contact {
+
+/// What to look for.
+struct Query {
+  double margin = 0;     // m, report features with a gap below this
+  double length = 1e-3;  // m, characteristic length of the scene
+  /// A stretch of wire whose gap varies by less than flatness * length counts as lying on the face: it
+  /// becomes a line contact of line_points points. 2 um for a 1 mm scene: what a needle is pressed in by a
+  /// firm grip (1 to 2 N). Zero: every contact is a point, and neither a wire nor a ball (cap.hpp) on a face has a
+  /// friction moment.
+  double flatness = 2e-3;
+  int line_points = 4;  // even, 2..8
+};
+
+/// The contact points of one pair of shapes. A needle against a jaw has 1 to 6.
+struct Manifold {
+  static constexpr int kCapacity = 24;
+  std::array<Candidate, kCapacity> candidate;
+  int count = 0;
+  int dropped = 0;  // found beyond the capacity
+
+  void clear() { count = dropped = 0; }
+  Candidate* add() {
+    if (count < kCapacity) return &candidate[static_cast<size_t>(count++)];
+    ++dropped;
+    return nullptr;
+  }
+};
+
+/// What is remembered between two calls for the same pair: a direction along which they were apart. Saves
+/// time, never changes the answer. Part of the saved state.
+struct Separation {
+  Vec3 n_B = Vec3::Zero();  // unit, from b to a, in b; zero: none known
+};
+
+/// Contact points of a and b, found at the given poses of their bodies, into `out`, which is
+/// cleared first. Returns their number.
+int collide(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB, const Query& query,
+            Separation& memory, Manifold& out) noexcept;
+
+}  // namespace swage::contact

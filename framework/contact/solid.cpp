@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/solid.hpp"
+
+namespace swage::contact {
+namespace {
+
+/// Centre and radius of a sphere around a solid: tight for round shapes, around the box of the vertices for
+/// polyhedra.
+void add_bound(Solid& s) {
+  if (s.kind == SWAGE_SHAPE_ARC) {
+    // an arc up to half a circle fits the sphere on its chord, a longer one the sphere on its circle
+    const toolkit::Turn middle = s.arc.at(0.5);
+    const bool short_arc = s.arc.sweep < M_PI;
+    const double half = std::min(0.5 * s.arc.sweep, M_PI / 2);
+    s.centre =
+        short_arc ? s.arc.centre + std::cos(half) * (s.arc.point(middle) - s.arc.centre) : s.arc.centre;
+    s.bound = std::sin(half) * s.arc.radius + s.radius;
+  } else if (s.kind == SWAGE_SHAPE_CONVEX) {
+    Vec3 low = s.convex.vertex[0], high = low;
+    for (const Vec3& v : s.convex.vertex) low = low.cwiseMin(v), high = high.cwiseMax(v);
+    s.centre = 0.5 * (low + high);
+    for (const Vec3& v : s.convex.vertex) s.bound = std::max(s.bound, (v - s.centre).norm());
+  } else {
+    const double half = 0.5 * s.axis.length();
+    s.centre = s.axis.point(0.5);
+    s.bound = s.kind == SWAGE_SHAPE_CYLINDER ? std::sqrt(half * half + s.radius * s.radius) : half + s.radius;
+  }
+}
+
+/// The polyhedron of one edge or one vertex inside a capsule or sphere. It has no faces; the planes beside its edge are
+/// nowhere crossed.
+toolkit::Convex skeleton(const toolkit::Segment& axis, bool point) {
+  toolkit::Convex c;
+  c.vertex.push_back(axis.a);
+  c.edges_at.resize(1);
+  if (point) return c;
+  c.vertex.push_back(axis.b);
+  toolkit::Convex::Edge e;
+  e.v0 = 0, e.v1 = 1;
+  e.length = axis.length(), e.u = (axis.b - axis.a) / e.length;
+  e.side_left = e.side_right = Vec3::Zero();
+  c.edge.push_back(e);
+  c.edges_at = {{0}, {0}};
+  return c;
+}
+
+}  // namespace
+
+double support(const Solid& s, const Vec3& n) noexcept {
+  switch (s.kind) {
+    case SWAGE_SHAPE_CONVEX:
+      return s.convex.support(n);
+    case SWAGE_SHAPE_ARC:
+      return n.dot(s.arc.point(lowest(s.arc, -n))) + s.radius * n.norm();
+    case SWAGE_SHAPE_CYLINDER: {
+      const Vec3 u = (s.axis.b - s.axis.a).normalized();
+      return std::max(n.dot(s.axis.a), n.dot(s.axis.b)) + s.radius * (n - n.dot(u) * u).norm();
+    }
+    default:
+      return std::max(n.dot(s.axis.a), n.dot(s.axis.b)) + s.radius * n.norm();
+  }
+}
+
+Solid make_ball(double radius) {
+  scene::Shape shape;
+  shape.kind = SWAGE_SHAPE_SPHERE;
+  shape.X_BS = Pose().abi();
+  shape.radius = radius;
+  return make_solid(shape, {});
+}
+
+Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& convexes) {
+  const Pose X_BS(shape.X_BS);
+  Solid s;
+  s.kind = shape.kind;
+  s.radius = shape.kind == SWAGE_SHAPE_CONVEX ? 0.0 : shape.radius;
+  if (shape.kind == SWAGE_SHAPE_CONVEX)
+    s.convex = toolkit::transformed(convexes[shape.convex], X_BS);
+  else if (shape.kind == SWAGE_SHAPE_ARC)
+    s.arc = toolkit::Arc(X_BS, shape.arc_radius, shape.sweep);
+  else
+    s.axis = {X_BS * Vec3(0, 0, -shape.half_length), X_BS * Vec3(0, 0, shape.half_length)};
+  if (shape.kind == SWAGE_SHAPE_SPHERE) s.axis = {X_BS.p, X_BS.p};
+  if (shape.kind == SWAGE_SHAPE_SPHERE || shape.kind == SWAGE_SHAPE_CAPSULE)
+    s.convex = skeleton(s.axis, shape.kind == SWAGE_SHAPE_SPHERE || shape.half_length <= 0);
+  add_bound(s);
+  return s;
+}
+
+}  // namespace swage::contact

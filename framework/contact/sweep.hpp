@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// When two moving solids first touch within a step: conservative advancement. Time is advanced by gap over speed, a step
+// that can never jump over a contact, until the gap is closed or the step is over.
+//
+// Units: m; time as a share of the step. Threads: any; nothing allocates or throws.
+#pragma once
+
+#include "contact/narrow_phase.hpp"
+
+namespace swage::contact {
+
+/// Motion of a body over one step: constant velocity and spin.
+struct Motion {
+  Pose X0;                   // X_WB at the start
+  Vec3 d = Vec3::Zero();     // m, way of the body's origin
+  Vec3 turn = Vec3::Zero();  // rad, rotation vector
+
+  Pose at(double t) const { return t > 0 ? Pose(X0.p + t * d, toolkit::exp_rotation(t * turn) * X0.q) : X0; }
+};
+
+/// A bound on how far any point of a moves against b over the step, m. Small when both move together.
+double relative_motion(const Solid& a, const Motion& motion_a, const Motion& motion_b) noexcept;
+
+struct FirstTouch {
+  bool hit = false;
+  double t = 1;  // share of the step, 0..1
+};
+
+/// First time at which the gap is at most `tolerance`; 0 when a and b overlap at the start. Bodies that slide closely along
+/// each other may be reported early, or although they pass; never late.
+FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
+                       double tolerance, Separation& memory, Manifold& work) noexcept;
+
+}  // namespace swage::contact

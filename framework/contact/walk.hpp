@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The walk of a curve through the Voronoi regions of a polyhedron: where it is in which region, and all local minima of
+// the distance within reach. Room-internal; README.md states the method.
+#pragma once
+
+#include "contact/curve.hpp"
+#include "contact/narrow_phase.hpp"
+#include "contact/voronoi.hpp"
+#include "toolkit/fixed_vector.hpp"
+
+namespace swage::contact {
+
+/// Slope of the distance, per length of wire, that still counts as level: moves the gap of a 6 mm wire by 6e-12 m.
+inline constexpr double kLevel = 1e-9;
+
+/// Distance of the places of a curve to the polyhedron, within one region.
+template <class Curve>
+class RegionDistance {
+ public:
+  using Place = typename Curve::Place;
+
+  RegionDistance(const Curve& curve, const Convex& convex, Region region) : curve_(curve), region_(region) {
+    if (on_face()) {
+      const Convex::Face& f = convex.face[region.index];
+      height_ = curve.height(f.n, f.d);
+    } else if (on_edge()) {
+      const Convex::Edge& e = convex.edge[region.index];
+      q_ = convex.vertex[e.v0], u_ = e.u;
+      line_ = curve.to_line(q_, u_);
+    } else {
+      q_ = convex.vertex[region.index];
+    }
+  }
+
+  double at(Place e) const {
+    if (on_face()) return height_.at(e);
+    const Vec3 w = curve_.point(e) - q_;
+    return (w - w.dot(u_) * u_).norm();
+  }
+  /// Of the sign of the slope of the distance; its unit depends on the region.
+  double slope(Place e) const {
+    if (on_face()) return height_.slope(e);
+    if (on_edge()) return line_.slope(e);
+    return (curve_.point(e) - q_).dot(curve_.tangent(e));
+  }
+  /// kLevel in the unit of slope(), at distances of about a wire radius.
+  double level(double radius) const { return kLevel * (on_face() ? curve_.unit() : radius); }
+
+  /// The minimum between a place of negative and one of positive slope.
+  Place lowest(Place from, Place to, double slope_from, double slope_to) const {
+    if (on_face()) return Curve::valley(height_, from, to);
+    if (on_edge()) return Curve::closest(line_, from, to, slope_from, slope_to);
+    return curve_.closest(q_, from, to);
+  }
+  /// Adds places between which the slope changes sign at most once.
+  template <class List>
+  void split(Place from, Place to, double slope_from, double slope_to, double level, List& out) const {
+    if (on_edge()) Curve::split(line_, from, to, slope_from, slope_to, level, out);
+  }
+  int branch(Place e) const { return on_edge() ? Curve::branch(line_, e) : 0; }
+
+ private:
+  bool on_face() const { return region_.kind == Region::kFace || region_.kind == Region::kInside; }
+  bool on_edge() const { return region_.kind == Region::kEdge; }
+
+  const Curve& curve_;
+  Region region_;
+  Vec3 q_ = Vec3::Zero(), u_ = Vec3::Zero();  // edge: a point and the direction. vertex: the point, and zero
+  typename Curve::Height height_;
+  typename Curve::ToLine line_;
+};
+
+/// The part of a curve that lies in one region.
+template <class Place>
+struct Piece {
+  Region region;
+  Place from{}, to{};
+  bool joined = false;  // continues the piece before it
+};
+
+/// A local minimum of the distance.
+template <class Place>
+struct Dip {
+  int piece = 0, branch = 0;
+  Place at{};
+  double distance = 0;  // m, from the curve
+};
+
+/// Where a curve is in which region, and where the distance has its minima.
+template <class Curve>
+class Walk {
+ public:
+  using Place = typename Curve::Place;
+  using Distance = RegionDistance<Curve>;
+  using Stretches = toolkit::FixedVector<Stretch<Place>, 16>;
+  using Pieces = toolkit::FixedVector<Piece<Place>, 48>;
+  using Dips = toolkit::FixedVector<Dip<Place>, 24>;
+
+  /// Looks for places of the curve nearer than `reach`, and a little further, by `slack`, at pieces around them.
+  Walk(const Curve& curve, const Convex& convex, double radius, double reach, double slack)
+      : curve_(curve), convex_(convex), radius_(radius), reach_(reach), slack_(slack) {}
+
+  /// Leaves of the curve only what is within reach of every face. False: nothing; `memory` learns what separates.
+  bool clip(Separation& memory) {
+    if (!memory.n_B.isZero() && apart(memory.n_B, convex_.support(memory.n_B))) return false;
+    stretch_.clear();
+    for (int i = 0; i < curve_.stretches(); ++i) stretch_.add(curve_.stretch(i));
+    for (const Convex::Face& f : convex_.face) {
+      clip(curve_.height(f.n, f.d + reach_ + slack_));
+      if (!stretch_.empty()) continue;
+      if (apart(f.n, f.d)) memory.n_B = f.n;
+      return false;
+    }
+    return true;
+  }
+
+  void walk() {
+    for (const Stretch<Place>& s : stretch_) {
+      if (s.at_from != Border::kJoined) region_ = locate(convex_, curve_.point(s.from));
+      if (s.at_from != Border::kJoined) falling_ = true;
+      cross_regions(s);
+      // at an end of the curve, the end may be the minimum; a clipped border is out of reach
+      if (s.at_to == Border::kEnd && falling_) add_dip(Distance(curve_, convex_, region_), s.to);
+    }
+  }
+
+  const Pieces& pieces() const { return piece_; }
+  const Dips& dips() const { return dip_; }
+
+ private:
+  bool apart(const Vec3& n, double support) const {
+    return curve_.lowest(curve_.height(n, support)) > reach_;
+  }
+
+  /// Keeps the parts of all stretches where h <= 0. One height has one peak per turn: at most one stretch is split.
+  void clip(const typename Curve::Height& h) {
+    int kept = 0;
+    for (int i = 0; i < stretch_.size(); ++i) {
+      const Place from = stretch_[i].from, to = stretch_[i].to;
+      const bool from_dead = h.at(from) > 0, to_dead = h.at(to) > 0;
+      if (from_dead && to_dead && !Curve::has_valley(h, from, to)) continue;
+      // without room for two parts the whole is kept: more work, no loss
+      if (!from_dead && !to_dead && Curve::has_peak(h, from, to) && stretch_.insert(i, stretch_[i])) {
+        stretch_[i].to = Curve::rising(h, from, to), stretch_[i].at_to = Border::kClipped;
+        stretch_[i + 1].from = Curve::falling(h, from, to), stretch_[i + 1].at_from = Border::kClipped;
+        stretch_[kept++] = stretch_[i++];
+      }
+      if (from_dead) stretch_[i].from = Curve::falling(h, from, to), stretch_[i].at_from = Border::kClipped;
+      if (to_dead) stretch_[i].to = Curve::rising(h, from, to), stretch_[i].at_to = Border::kClipped;
+      if (kept != i) stretch_[kept] = stretch_[i];
+      ++kept;
+    }
+    stretch_.shrink(kept);
+  }
+
+  void cross_regions(const Stretch<Place>& s) {
+    Place from = s.from;
+    bool joined = s.at_from == Border::kJoined;
+    for (;;) {
+      // first border that the curve leaves the region through
+      Place to = s.to;
+      Region next = region_;
+      for_each_border(convex_, region_, [&](const Vec3& n, double d, Region beyond) {
+        if (leaves(curve_.height(n, d), from, to)) next = beyond;
+      });
+      add_piece(from, to, joined);
+      // a full table ends the walk: 48 regions on one wire are beyond any sane polyhedron
+      if (next == region_ || piece_.full()) return;
+      region_ = next;
+      from = to;
+      joined = true;
+    }
+  }
+
+  /// Moves `to` to where h rises through zero between the two places. A curve that is just outside and rising (it
+  /// passed a corner of the region) leaves at once; one that is outside and sinking has just come in.
+  static bool leaves(const typename Curve::Height& h, Place from, Place& to) {
+    const double h_from = h.at(from), h_to = h.at(to);
+    if (h_from >= 0 && h.slope(from) > 0) {
+      to = from;
+      return true;
+    }
+    if (h_to <= 0 && !Curve::has_peak(h, from, to)) return false;
+    if (h_to > 0 && h_from >= 0 && !Curve::has_valley(h, from, to)) return false;
+    to = Curve::rising(h, from, to);
+    return true;
+  }
+
+  void add_piece(Place from, Place to, bool joined) {
+    if (joined && !piece_.empty() && piece_.back().region == region_ &&
+        Curve::may_join(piece_.back().from, to))
+      piece_.back().to = to;
+    else
+      piece_.add({region_, from, to, joined});
+
+    // sign changes of the slope, between places where there is at most one
+    const Distance distance(curve_, convex_, region_);
+    const double level = distance.level(radius_), slope_from = distance.slope(from),
+                 slope_to = distance.slope(to);
+    toolkit::FixedVector<Place, 8> cut;
+    distance.split(from, to, slope_from, slope_to, level, cut);
+    // at the start of a piece a kink, or the end of the curve, may be the minimum
+    if (falling_ && slope_from >= -level) add_dip(distance, from);
+    falling_ = slope_from < -level;
+    Place a = from;
+    double slope_a = slope_from;
+    for (int i = 0; i <= cut.size(); ++i) {
+      const bool last = i == cut.size();
+      const Place b = last ? to : cut[i];
+      const double slope_b = last ? slope_to : distance.slope(b);
+      if (falling_ && slope_b > 0) {
+        add_dip(distance, distance.lowest(a, b, slope_a, slope_b));
+        falling_ = false;
+      }
+      falling_ |= slope_b < -level;
+      a = b, slope_a = slope_b;
+    }
+  }
+
+  void add_dip(const Distance& distance, Place place) {
+    const double d = distance.at(place);
+    if (d < reach_) dip_.add({piece_.size() - 1, distance.branch(place), place, d});
+  }
+
+  const Curve& curve_;
+  const Convex& convex_;
+  double radius_, reach_, slack_;
+  Region region_;
+  bool falling_ = false;
+  Stretches stretch_;
+  Pieces piece_;
+  Dips dip_;
+};
+
+}  // namespace swage::contact

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/wire_convex.hpp"
+
+#include "contact/cap.hpp"
+#include "contact/walk.hpp"
+#include "contact/wire_feature.hpp"
+
+namespace swage::contact {
+namespace {
+
+/// A stretch counts as level while its ends differ by less than kLevel times the flatness, as tilted from kSteep times on:
+/// 4 and 40 um for a 1 mm scene. Nearer together: a wire pinched by more than 0.2 N rocks, because its weights follow its
+/// tilt one step late.
+constexpr double kLevel = 2, kSteep = 20;
+
+/// 0 up to `low`, 1 from `high` on, smooth in between.
+double ramp(double x, double low, double high) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Turns pieces and dips of a walk into contact points.
+///
+/// A dip is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
+/// spreads along it, so it becomes a line of points of equal weight at the midpoints of equal parts, which gives an even
+/// pressure its friction moment. `sharp` (1: point, 0: line) fades one into the other, so that no force jumps when a
+/// wire is laid down.
+template <class Curve>
+class Writer {
+ public:
+  using Place = typename Curve::Place;
+
+  Writer(const Walk<Curve>& walk, const Curve& curve, const Solid& a, const Solid& b, const Frame& X_WB,
+         const Query& query, Manifold& out)
+      : walk_(walk), curve_(curve), a_(a), b_(b), X_WB_(X_WB), query_(query), out_(out) {}
+
+  void write() {
+    judge();
+    int dip = 0;
+    for (int k = 0; k < walk_.pieces().size(); ++k) {
+      for (; dip < walk_.dips().size() && walk_.dips()[dip].piece == k; ++dip) write_dip(walk_.dips()[dip]);
+      if (line_weight_[at(k)] > 0) write_line(k);
+    }
+  }
+
+ private:
+  static size_t at(int i) { return static_cast<size_t>(i); }
+  bool joined(int k) const { return k > 0 && k < walk_.pieces().size() && walk_.pieces()[k].joined; }
+
+  /// Finds which pieces lie flat, and shares the weight of one line among the pieces it runs over.
+  void judge() {
+    bool any = false;
+    for (int k = 0; k < walk_.pieces().size(); ++k) {
+      sharp_[at(k)] = sharpness(k);
+      line_weight_[at(k)] = 0;
+      any |= sharp_[at(k)] < 1;
+    }
+    for (int k = 0; any && k < walk_.pieces().size();) {
+      int end = k;
+      double total = 0;
+      do {
+        total += flat_length(end);
+      } while (joined(++end));
+      for (; k < end; ++k)
+        if (total > 0) line_weight_[at(k)] = (1 - sharp_[at(k)]) * flat_length(k) / total;
+    }
+  }
+  double flat_length(int k) const {
+    const Piece<Place>& piece = walk_.pieces()[k];
+    return (1 - sharp_[at(k)]) * curve_.length(piece.from, piece.to);
+  }
+
+  /// 0 for a piece along which the distance hardly varies and that is longer than the wire is thick.
+  double sharpness(int k) const {
+    const Piece<Place>& piece = walk_.pieces()[k];
+    if (piece.region.kind == Region::kVertex || query_.flatness <= 0) return 1;
+    const double short_wire = 1 - ramp(curve_.length(piece.from, piece.to), 0.25 * a_.radius, a_.radius);
+    if (short_wire >= 1) return 1;
+
+    // the minima in the piece and right beside it; without any, nothing there is within reach
+    double low = 1e300;
+    for (const Dip<Place>& dip : walk_.dips()) {
+      const bool beside =
+          dip.piece == k || (dip.piece == k - 1 && joined(k)) || (dip.piece == k + 1 && joined(k + 1));
+      if (beside) low = std::min(low, dip.distance);
+    }
+    if (low == 1e300) return 1;
+
+    // how far the distance bends away from a straight slope, and how steep that slope is. Slope counts for less: points of
+    // a line follow it by themselves, and weights that followed it closely would chase the tilt they cause
+    const double flat = query_.flatness * query_.length;
+    const RegionDistance<Curve> distance(curve_, b_.convex, piece.region);
+    const double d0 = distance.at(piece.from), d1 = distance.at(piece.to);
+    const double tilt = std::abs(d1 - d0);
+    if (tilt >= kSteep * flat || std::min(d0, d1) - low >= flat) return 1;
+    const double d = distance.at(curve_.middle(piece.from, piece.to));
+    const double bend = std::max(std::abs(d - 0.5 * (d0 + d1)), std::min({d0, d, d1}) - low);
+    return std::max({short_wire, ramp(bend, 0.01 * flat, flat), ramp(tilt, kLevel * flat, kSteep * flat)});
+  }
+
+  void write_dip(const Dip<Place>& dip) {
+    double weight = sharp_[at(dip.piece)];
+    if (joined(dip.piece)) weight *= sharp_[at(dip.piece - 1)];
+    if (joined(dip.piece + 1)) weight *= sharp_[at(dip.piece + 1)];
+    if (weight <= 0) return;
+    const Piece<Place>& piece = walk_.pieces()[dip.piece];
+    Candidate* c = add(piece.region, dip.at, dip.branch, 0, weight);
+    if (!c) return;
+    // over a face the place may move as far as the face goes; round an edge or vertex, along the whole wire
+    const bool on_face = piece.region.kind == Region::kFace || piece.region.kind == Region::kInside;
+    const auto range = on_face ? curve_.around(dip.at, piece.from, piece.to) : curve_.around(dip.at);
+    set_wire_stretch(a_, dip.at, range, c->a);
+  }
+
+  void write_line(int k) {
+    const Piece<Place>& piece = walk_.pieces()[k];
+    for (int i = 0; i < query_.line_points; ++i) {
+      const Place place = midpoint(piece, i);
+      Candidate* c = add(piece.region, place, 0, 1 + i, line_weight_[at(k)] / query_.line_points);
+      if (c) set_wire_point(a_, place, c->a);
+    }
+  }
+
+  /// Middle of part i of `line_points` equal parts (a power of two), by halving.
+  Place midpoint(const Piece<Place>& piece, int i) const {
+    Place from = piece.from, to = piece.to;
+    int parts = query_.line_points;
+    for (; parts > 1; parts /= 2) {
+      const Place middle = curve_.middle(from, to);
+      const bool second = i >= parts / 2;
+      (second ? from : to) = middle;
+      if (second) i -= parts / 2;
+    }
+    return curve_.middle(from, to);
+  }
+
+  Candidate* add(Region region, Place place, int branch, int point, double weight) {
+    const Vec3 p = curve_.point(place);
+    Touch touch_B = touch(region, p);
+    if (touch_B.gap > query_.margin) return nullptr;
+    Candidate* c = out_.add();
+    if (!c) return nullptr;
+    set_convex_feature(b_, region, c->b);
+    c->n_B = touch_B.n_W;
+    c->feature = feature_id(region, branch, point);
+    c->weight = weight;
+    c->touch = {touch_B.gap, X_WB_ * touch_B.p_W, X_WB_.turn(touch_B.n_W)};
+    return c;
+  }
+
+  /// Gap, point and normal, in the frame of b, of the wire's place p with the feature of a region.
+  Touch touch(Region region, const Vec3& p) const {
+    Touch t;
+    double distance;
+    if (region.kind == Region::kFace || region.kind == Region::kInside) {
+      const toolkit::Convex::Face& f = b_.convex.face[region.index];
+      distance = f.n.dot(p) - f.d;
+      t.n_W = f.n;
+    } else {
+      Vec3 w, outward;
+      if (region.kind == Region::kEdge) {
+        const toolkit::Convex::Edge& e = b_.convex.edge[region.index];
+        w = p - b_.convex.vertex[e.v0];
+        w -= w.dot(e.u) * e.u;
+        outward = e.side_left + e.side_right;
+      } else {
+        w = p - b_.convex.vertex[region.index];
+        outward = b_.convex.vertex[region.index] - b_.centre;
+      }
+      distance = w.norm();
+      if (outward.isZero())
+        outward = Vec3::UnitZ();  // the axes of two round wires cross: any direction will do
+      t.n_W = distance > 1e-6 * a_.radius ? Vec3(w / distance) : outward.normalized();
+    }
+    t.gap = distance - a_.radius - b_.radius;
+    t.p_W = p - (a_.radius + 0.5 * t.gap) * t.n_W;
+    return t;
+  }
+
+  const Walk<Curve>& walk_;
+  const Curve& curve_;
+  const Solid &a_, &b_;
+  const Frame& X_WB_;
+  const Query& query_;
+  Manifold& out_;
+  std::array<double, 48> sharp_, line_weight_;
+};
+
+/// Flattened: the walk is made of many small functions with arguments in memory; inlined it takes a third less time.
+template <class Curve>
+[[gnu::flatten]] void collide_curve(const Curve& curve, const Solid& a, const Solid& b, const Frame& X_WB,
+                                    const Query& query, Separation& memory, Manifold& out) noexcept {
+  const double reach = a.radius + b.radius + query.margin, slack = 2 * query.flatness * query.length;
+  Walk<Curve> walk(curve, b.convex, a.radius, reach, slack);
+  if (!walk.clip(memory)) return;
+  walk.walk();
+  Writer<Curve>(walk, curve, a, b, X_WB, query, out).write();
+}
+
+}  // namespace
+
+void collide_wire_convex(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB,
+                         const Query& query, Separation& memory, Manifold& out) noexcept {
+  const Frame X_BA = X_WB.inverse_times(X_WA);
+  if (a.kind == SWAGE_SHAPE_ARC) {
+    toolkit::Arc arc = a.arc;
+    arc.centre = X_BA * arc.centre, arc.x = X_BA.turn(arc.x), arc.y = X_BA.turn(arc.y);
+    collide_curve(ArcCurve(arc), a, b, X_WB, query, memory, out);
+  } else {
+    collide_curve(LineCurve(X_BA * a.axis.a, X_BA * a.axis.b), a, b, X_WB, query, memory, out);
+    if (a.kind == SWAGE_SHAPE_SPHERE && query.flatness > 0) spread_caps(a, X_BA, X_WB, out);
+  }
+}
+
+}  // namespace swage::contact

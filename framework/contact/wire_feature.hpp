@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Names and carriers of the features that touch. Room-internal.
+#pragma once
+
+#include "contact/candidate.hpp"
+#include "contact/curve.hpp"
+#include "contact/solid.hpp"
+#include "contact/voronoi.hpp"
+
+namespace swage::contact {
+
+/// Identity of a contact within its pair of shapes: what of b, which of two minima on one edge, which point of a line.
+inline uint64_t feature_id(Region region, int branch, int point) {
+  const uint64_t kind = region.kind == Region::kInside ? Region::kFace : region.kind;
+  return (kind << 40) | (uint64_t{region.index} << 8) | (static_cast<uint64_t>(branch) << 4) |
+         static_cast<uint64_t>(point);
+}
+
+/// The carrier of a polyhedron's feature. Written in place: members that the kind does not use keep what they had.
+inline void set_convex_feature(const Solid& solid, Region region, Feature& f) {
+  const Convex& c = solid.convex;
+  f.tube = solid.radius;
+  switch (region.kind) {
+    case Region::kFace:
+    case Region::kInside:
+      f.kind = Feature::kPlane;
+      f.u = c.face[region.index].n;
+      f.p = c.face[region.index].d * f.u;
+      break;
+    case Region::kEdge:
+      f.kind = Feature::kSegment;
+      f.p = c.vertex[c.edge[region.index].v0];
+      f.u = c.vertex[c.edge[region.index].v1] - f.p;
+      break;
+    case Region::kVertex:
+      f.kind = Feature::kPoint;
+      f.p = c.vertex[region.index];
+      break;
+  }
+}
+
+/// One place of a wire, fixed to it.
+inline void set_wire_point(const Solid& wire, double t, Feature& f) {
+  f.kind = Feature::kPoint;
+  f.tube = wire.radius;
+  const double length = wire.axis.length();
+  f.p = length > 0 ? wire.axis.point(t / length) : wire.axis.a;
+}
+inline void set_wire_point(const Solid& wire, Turn e, Feature& f) {
+  f.kind = Feature::kPoint;
+  f.tube = wire.radius;
+  f.p = wire.arc.point(e);
+}
+
+/// A stretch of a wire within which the touching place may move.
+inline void set_wire_stretch(const Solid& wire, double, const Stretch<double>& range, Feature& f) {
+  set_wire_point(wire, range.to, f);
+  const Vec3 end = f.p;
+  set_wire_point(wire, range.from, f);
+  f.u = end - f.p;
+  if (range.to > range.from) f.kind = Feature::kSegment;
+}
+inline void set_wire_stretch(const Solid& wire, Turn e, const Stretch<Turn>& range, Feature& f) {
+  f.kind = Feature::kCircle;
+  f.tube = wire.radius;
+  f.p = wire.arc.centre, f.u = wire.arc.x, f.v = wire.arc.y, f.radius = wire.arc.radius;
+  f.e = e, f.from = range.from, f.upto = range.to;
+}
+
+}  // namespace swage::contact

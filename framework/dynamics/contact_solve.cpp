@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/contact_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/candidate.hpp"
+
+namespace swage::dynamics {
+
+using scene::kNone;
+
+namespace {
+
+constexpr double kGeometry =
+    0.01;  // by how much a contact may be elsewhere than its linear model says, in tolerances: 1 pm
+constexpr uint32_t kFreePasses = 3;  // before friction limits are held
+constexpr uint32_t kPasses = 12;     // geometry evaluations before an island is left at its best
+
+/// Two unit vectors across n, without a branch that could flip between builds (Duff et al., JCGT 6 (2017) 1).
+void axes_across(const Vec3& n, Vec3& t1, Vec3& t2) {
+  const double sign = std::copysign(1.0, n.z());
+  const double a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
+  t1 = Vec3(1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x());
+  t2 = Vec3(b, sign + n.y() * n.y() * a, -n.y());
+}
+
+}  // namespace
+
+ContactSolve::ContactSolve(const scene::World& world, const Options& options)
+    : options_(options), place_(world), solver_(options.max_unknowns) {
+  const size_t movers = place_.movers();
+  known_.resize(options.max_contacts), row_.resize(options.max_contacts);
+  J_.resize(size_t{3} * options.max_contacts * std::max(12u, options.max_unknowns / 2));
+  island_.reserve(movers + 1);
+  parent_.assign(movers, 0), island_of_.assign(movers, kNone);
+  member_.assign(movers, 0), member_mover_.assign(movers, nullptr);
+  solved_.assign(movers, 0), touched_.assign(movers, 0);
+}
+
+void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
+                         std::span<SelfSolver* const> self, Stats& stats) noexcept {
+  begin(world, motion, contacts, self, stats);
+  let_go(contacts);
+
+  bool regroup = true;
+  for (uint32_t pass = 0; pass < kPasses; ++pass) {
+    if (regroup) find_islands(contacts, stats);
+    bool done = true;
+    for (Group& group : island_) {
+      if (!group.done) solve_island(contacts, group, stats);
+      done = done && group.done;
+    }
+    if (done) break;
+    regroup = refresh(contacts);
+    ++stats.refreshed;
+  }
+  for (const Group& group : island_) {
+    if (group.done) continue;
+    calm(contacts, group);
+    ++stats.not_converged;
+  }
+  write_back(motion, contacts);
+}
+
+// --- the start of the step
+
+void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
+                         std::span<SelfSolver* const> self, Stats& stats) noexcept {
+  h_ = world.dt;
+  tolerance_ = options_.tolerance * world.length;
+  place_.begin(world, motion, self);
+  std::fill(solved_.begin(), solved_.end(), uint8_t{0});
+
+  n_ = static_cast<uint32_t>(std::min({contacts.contact.size(), contacts.candidate.size(), known_.size()}));
+  stats.dropped += contacts.contact.size() - n_;
+  for (uint32_t i = 0; i < n_; ++i) {
+    const contact::Contact& c = contacts.contact[i];
+    Known& k = known_[i];
+    k.a = place_.side(c.body_a, c.particle_a);
+    k.b = place_.side(c.body_b, c.particle_b);
+    k.active = c.gap < 0;
+    add_self_points(c, k, stats);
+  }
+  place_.self().ask(h_);
+  place_.size_self_movers();
+}
+
+void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept {
+  for (const bool is_a : {true, false}) {
+    Side& s = is_a ? k.a : k.b;
+    if (!place_.is_self(s.mover)) continue;
+    s.point = place_.self().add_point(place_.mover(s.mover).index, s.body, is_a ? c.shape_a : c.shape_b,
+                                      c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
+    if (s.point != kNone) continue;
+    ++stats.dropped;
+    s.mover = kNone;
+  }
+}
+
+/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there.
+void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
+  std::fill(touched_.begin(), touched_.end(), uint8_t{0});
+  for (uint32_t i = 0; i < n_; ++i)
+    for (const Side* s : {&known_[i].a, &known_[i].b})
+      if (known_[i].active && s->mover != kNone) touched_[s->mover] = 1;
+
+  bool moved = false;
+  for (uint32_t i = 0; i < n_; ++i)
+    for (const Side* s : {&known_[i].a, &known_[i].b}) {
+      if (s->mover == kNone || touched_[s->mover]) continue;
+      touched_[s->mover] = 1;
+      moved = place_.let_go(s->mover) || moved;
+    }
+  for (uint32_t i = 0; moved && i < n_; ++i) {
+    evaluate(contacts, i);
+    known_[i].active = known_[i].active || contacts.contact[i].gap < 0;
+  }
+}
+
+/// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; what contacts make it
+/// give is added to the gap.
+void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept {
+  contact::Contact& c = contacts.contact[i];
+  const Known& k = known_[i];
+  const contact::Touch touch = reevaluate(contacts.candidate[i], place_.frame(k.a), place_.frame(k.b));
+  c.gap = touch.gap;
+  c.p_W = touch.p_W;
+  c.n_W = touch.n_W;
+  if (k.a.point != kNone) c.gap += c.n_W.dot(place_.self().extra(place_.mover(k.a.mover).index, k.a.point));
+  if (k.b.point != kNone) c.gap -= c.n_W.dot(place_.self().extra(place_.mover(k.b.mover).index, k.b.point));
+}
+
+/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said they
+/// would be. True when a contact has begun to overlap that took no part.
+bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
+  for (Group& group : island_)
+    if (!group.done) group.off = 0;
+  bool found = false;
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    Group* const moved[2] = {moving_group(k.a), moving_group(k.b)};
+    if (!moved[0] && !moved[1]) continue;
+    contact::Contact& c = contacts.contact[i];
+    evaluate(contacts, i);
+    if (k.active) {
+      Row& row = row_[k.row];
+      const Vec3 said = row.u.g * row.n + row.u.s1 * row.t1 + row.u.s2 * row.t2;
+      look(c, k, row);
+      const double off = (row.at.g * row.n + row.at.s1 * row.t1 + row.at.s2 * row.t2 - said).norm();
+      for (Group* group : moved)
+        if (group) group->off = std::max(group->off, off);
+    } else if (c.gap < 0) {
+      k.active = found = true;
+      for (Group* group : moved)
+        if (group) group->off = HUGE_VAL;
+    }
+  }
+  for (Group& group : island_)
+    group.done = group.done || (group.converged && group.off <= kGeometry * tolerance_);
+  return found;
+}
+
+/// The island that moved this side in this pass.
+ContactSolve::Group* ContactSolve::moving_group(const Side& side) noexcept {
+  if (!place_.moves(side.mover) || island_of_[side.mover] == kNone) return nullptr;
+  Group& group = island_[island_of_[side.mover]];
+  return group.done ? nullptr : &group;
+}
+
+// --- islands
+
+uint32_t ContactSolve::root(uint32_t mover) noexcept {
+  while (parent_[mover] != mover) mover = parent_[mover] = parent_[parent_[mover]];
+  return mover;
+}
+
+uint32_t ContactSolve::first_mover(const Known& k) const noexcept {
+  return place_.moves(k.a.mover) ? k.a.mover : place_.moves(k.b.mover) ? k.b.mover : kNone;
+}
+
+/// Movers linked by active contacts; islands in the order of their first contact.
+void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stats) noexcept {
+  for (uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i, island_of_[i] = kNone;
+  for (uint32_t i = 0; i < n_; ++i) {
+    const Known& k = known_[i];
+    if (!k.active || !place_.moves(k.a.mover) || !place_.moves(k.b.mover)) continue;
+    const uint32_t a = root(k.a.mover), b = root(k.b.mover);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  island_.clear();
+  for (uint32_t i = 0; i < n_; ++i) {
+    const uint32_t m = first_mover(known_[i]);
+    if (!known_[i].active || m == kNone) continue;
+    const uint32_t r = root(m);
+    if (island_of_[r] != kNone) continue;
+    island_of_[r] = static_cast<uint32_t>(island_.size());
+    island_.push_back({});
+  }
+  for (uint32_t m = 0; m < parent_.size(); ++m) island_of_[m] = island_of_[root(m)];
+  for (uint32_t i = 0; i < island_.size(); ++i) fill_island(contacts, i, stats);
+}
+
+/// Movers in the order in which contacts name them; a contact's row in the contacts' order.
+void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept {
+  Group& group = island_[island];
+  if (island > 0) {
+    const Group& before = island_[island - 1];
+    group.first_mover = before.first_mover + before.movers;
+    group.first_row = before.first_row + before.rows;
+  }
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    const uint32_t m = first_mover(k);
+    if (!k.active || m == kNone || island_of_[m] != island) continue;
+    if (place_.moves(k.a.mover)) add_mover(group, k.a.mover);
+    if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
+    k.row = group.first_row + group.rows++;
+    row_[k.row].contact = i;
+    look(contacts.contact[i], k, row_[k.row]);
+  }
+  if (group.unknowns <= options_.max_unknowns) return;
+
+  // too large to be solved together: stands as predicted, and says so
+  stats.dropped += group.rows;
+  ++stats.not_converged;
+  group.rows = group.unknowns = 0;
+  group.done = true;
+}
+
+void ContactSolve::add_mover(Group& group, uint32_t mover) noexcept {
+  const auto first = member_.begin() + group.first_mover, last = first + group.movers;
+  if (std::find(first, last, mover) != last) return;
+  Mover& m = place_.mover(mover);
+  m.offset = group.unknowns;
+  group.unknowns += m.size;
+  member_[group.first_mover + group.movers] = mover;
+  member_mover_[group.first_mover + group.movers] = &m;
+  ++group.movers;
+  solved_[mover] = 1;
+}
+
+void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept {
+  J_used_ = 0;
+  const std::span<Row> rows(row_.data() + group.first_row, group.rows);
+  for (Row& row : rows) row.J = jacobian(contacts.contact[row.contact], known_[row.contact], row);
+
+  const Island problem{{member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns};
+  const From from = group.passes == 0            ? From::kPrediction
+                    : group.passes < kFreePasses ? From::kEarlierPass
+                                                 : From::kHeldLimits;
+  ++group.passes;
+  const Outcome outcome = solver_.solve(problem, tolerance_, from);
+  for (uint32_t i = 0; i < group.movers; ++i) {
+    const uint32_t m = member_[group.first_mover + i];
+    place_.move(m, solver_.d().data() + place_.mover(m).offset);
+  }
+  for (const Row& row : rows)
+    contacts.contact[row.contact].f_a_W = row.f.fn * row.n + row.f.f1 * row.t1 + row.f.f2 * row.t2;
+
+  // nothing moved that could be seen: the geometry is what it was
+  group.converged = outcome.converged;
+  group.done = outcome.converged && outcome.moved <= kGeometry * tolerance_;
+  if (group.done)
+    for (Row& row : rows) row.at = row.u;
+  ++stats.islands;
+  stats.newton += outcome.newton;
+  stats.fallbacks += outcome.fell_back;
+  stats.rounds += outcome.rounds;
+}
+
+/// The contact at the present poses: axes, law, gap and tangential displacement.
+void ContactSolve::look(const contact::Contact& c, const Known& k, Row& row) noexcept {
+  row.n = c.n_W;
+  axes_across(row.n, row.t1, row.t2);
+  row.surface.k = c.law.stiffness * c.weight;
+  row.surface.kt = kTangentRatio * row.surface.k;
+  row.surface.mu = c.law.friction;
+
+  const Vec3 s = carried_bristle(c, k) + place_.displacement(k.a, c.p_W) - place_.displacement(k.b, c.p_W);
+  row.at = {c.gap, row.t1.dot(s), row.t2.dot(s)};
+}
+
+/// How gap and displacement change with the unknowns of both sides.
+const double* ContactSolve::jacobian(const contact::Contact& c, const Known& k, Row& row) noexcept {
+  const bool a = place_.moves(k.a.mover), b = place_.moves(k.b.mover);
+  row.size_a = a ? place_.mover(k.a.mover).size : 0;
+  row.size_b = b ? place_.mover(k.b.mover).size : 0;
+  row.offset_a = a ? place_.mover(k.a.mover).offset : 0;
+  row.offset_b = b ? place_.mover(k.b.mover).offset : 0;
+
+  double* J = J_.data() + J_used_;
+  const uint32_t columns = row.size_a + row.size_b;
+  const Vec3* axis[3] = {&row.n, &row.t1, &row.t2};
+  for (uint32_t i = 0; i < 3; ++i) {
+    if (a) place_.columns(k.a, c.p_W, *axis[i], 1, J + i * columns);
+    if (b) place_.columns(k.b, c.p_W, *axis[i], -1, J + i * columns + row.size_a);
+  }
+  J_used_ += size_t{3} * columns;
+  return J;
+}
+
+/// The bristle of the last step, turned as its surfaces turned since, in the tangent plane of now.
+Vec3 ContactSolve::carried_bristle(const contact::Contact& c, const Known& k) const noexcept {
+  if (c.bristle_W.isZero(0)) return Vec3::Zero();
+  bool has_a, has_b;
+  const Vec3 a = place_.rotation(k.a, has_a), b = place_.rotation(k.b, has_b);
+  const Vec3 turn = has_a && has_b ? Vec3(0.5 * (a + b)) : Vec3(a + b);
+
+  // both turns and the tilt of the normal change its direction, not its length
+  const Vec3 s = carried(c.bristle_W, turn);
+  const Vec3 flat = s - c.n_W.dot(s) * c.n_W;
+  const double length = flat.norm();
+  return length > 0 ? Vec3(flat * (c.bristle_W.norm() / length)) : Vec3::Zero();
+}
+
+// --- the end of the step
+
+/// An island that did not converge must not gain energy: nothing in it leaves faster than it came or than twice what
+/// pushes it.
+void ContactSolve::calm(const contact::ContactSet& contacts, const Group& group) noexcept {
+  double fastest = 0;
+  for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r) {
+    const Known& k = known_[row_[r].contact];
+    const Vec3& p = contacts.contact[row_[r].contact].p_W;
+    for (const Side* s : {&k.a, &k.b})
+      if (!place_.moves(s->mover) || place_.mover(s->mover).kind == Mover::Kind::kHinge)
+        fastest = std::max(fastest, place_.speed(*s, p));
+  }
+  for (uint32_t i = 0; i < group.movers; ++i) place_.slow_down(member_[group.first_mover + i], 2 * fastest);
+}
+
+void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < n_; ++i) write_contact(contacts.contact[i], known_[i]);
+  for (size_t i = n_; i < contacts.contact.size(); ++i) {
+    contacts.contact[i].bristle_W.setZero();
+    contacts.contact[i].f_a_W.setZero();
+    contacts.contact[i].slip = 0;
+  }
+  mark_held(motion, contacts);
+  place_.write_back(solved_);
+  place_.self().yield();
+}
+
+void ContactSolve::write_contact(contact::Contact& c, const Known& k) noexcept {
+  const bool touches = k.active && first_mover(k) != kNone && row_[k.row].f.fn > 0;
+  c.slip = 0;
+  if (!touches) {
+    c.bristle_W.setZero();
+    c.f_a_W.setZero();
+    return;
+  }
+  const Row& row = row_[k.row];
+  c.gap = row.at.g;
+
+  // the bristle bears what friction bears; the rest has slipped
+  const double stretch = std::sqrt(row.at.s1 * row.at.s1 + row.at.s2 * row.at.s2);
+  const double most = row.limit / row.surface.kt;
+  const double keep = stretch > most ? most / stretch : 1;
+  c.bristle_W = keep * (row.at.s1 * row.t1 + row.at.s2 * row.t2);
+  c.slip = (1 - keep) * stretch / h_;
+
+  const Vec3 impulse = h_ * c.f_a_W;
+  if (k.a.point != kNone) place_.self().add_impulse(place_.mover(k.a.mover).index, k.a.point, impulse);
+  if (k.b.point != kNone) place_.self().add_impulse(place_.mover(k.b.mover).index, k.b.point, -impulse);
+}
+
+void ContactSolve::mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept {
+  std::fill(motion.held_body.begin(), motion.held_body.end(), 0);
+  std::fill(motion.held_hinge.begin(), motion.held_hinge.end(), 0);
+  std::fill(motion.held_particle.begin(), motion.held_particle.end(), 0);
+  for (uint32_t i = 0; i < n_; ++i) {
+    if (contacts.contact[i].f_a_W.isZero(0)) continue;
+    for (const Side* s : {&known_[i].a, &known_[i].b}) {
+      if (s->mover == kNone) continue;
+      const Mover& m = place_.mover(s->mover);
+      if (m.kind == Mover::Kind::kBody) motion.held_body[m.index] = 1;
+      if (m.kind == Mover::Kind::kHinge) motion.held_hinge[m.index] = 1;
+      if (m.kind == Mover::Kind::kParticle) motion.held_particle[m.index] = 1;
+    }
+  }
+}
+
+}  // namespace swage::dynamics

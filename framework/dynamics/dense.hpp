@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Small dense systems in buffers of the caller: no allocation, fixed order of operations, so the same bits everywhere.
+// Matrices are row-major, n x n, without gaps. Header-only, [rt].
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace swage::dynamics {
+
+/// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: n.
+inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
+  for (size_t i = 0; i < n; ++i) row[i] = static_cast<uint32_t>(i);
+  for (size_t k = 0; k < n; ++k) {
+    size_t best = k;
+    double largest = std::abs(A[k * n + k]);
+    for (size_t i = k + 1; i < n; ++i) {
+      const double candidate = std::abs(A[i * n + k]);
+      if (candidate > largest) largest = candidate, best = i;
+    }
+    if (!(largest > 0) || !std::isfinite(largest)) return false;
+    if (best != k) {
+      for (size_t j = 0; j < n; ++j) std::swap(A[k * n + j], A[best * n + j]);
+      std::swap(row[k], row[best]);
+    }
+
+    const double inverse = 1 / A[k * n + k];
+    for (size_t i = k + 1; i < n; ++i) {
+      const double l = A[i * n + k] * inverse;
+      A[i * n + k] = l;
+      if (l == 0) continue;
+      const double* from = A + k * n;
+      double* to = A + i * n;
+      for (size_t j = k + 1; j < n; ++j) to[j] -= l * from[j];
+    }
+  }
+  return true;
+}
+
+/// x = A^-1 b with the factors of lu_factor. x and b must not overlap.
+inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const double* b, double* x) noexcept {
+  for (size_t i = 0; i < n; ++i) {
+    double sum = b[row[i]];
+    for (size_t j = 0; j < i; ++j) sum -= LU[i * n + j] * x[j];
+    x[i] = sum;
+  }
+  for (size_t i = n; i-- > 0;) {
+    double sum = x[i];
+    for (size_t j = i + 1; j < n; ++j) sum -= LU[i * n + j] * x[j];
+    x[i] = sum / LU[i * n + i];
+  }
+}
+
+/// W = L L^T of a symmetric positive semi-definite W (n x n, overwritten) by pivoted Cholesky; L is n x rank, row-major
+/// with stride n. Stops where the remainder is below 1e-14 of the largest diagonal entry: what is left out is
+/// compliance a million times below that of a contact. Returns the rank.
+inline size_t cholesky_semidefinite(size_t n, double* W, double* L) noexcept {
+  double largest = 0;
+  for (size_t i = 0; i < n; ++i) largest = std::fmax(largest, W[i * n + i]);
+  const double floor = 1e-14 * largest;
+  for (size_t rank = 0; rank < n; ++rank) {
+    size_t pivot = n;
+    double best = floor;
+    for (size_t i = 0; i < n; ++i)
+      if (W[i * n + i] > best) best = W[i * n + i], pivot = i;
+    if (pivot == n) return rank;
+
+    // one column of L, and its share taken off the remainder
+    const double inverse = 1 / std::sqrt(best);
+    for (size_t i = 0; i < n; ++i) L[i * n + rank] = 0.5 * (W[i * n + pivot] + W[pivot * n + i]) * inverse;
+    for (size_t i = 0; i < n; ++i)
+      for (size_t j = 0; j < n; ++j) W[i * n + j] -= L[i * n + rank] * L[j * n + rank];
+    W[pivot * n + pivot] = 0;
+  }
+  return n;
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/dynamics.hpp"
+
+#include <algorithm>
+
+#include "dynamics/contact_solve.hpp"
+#include "dynamics/impulse.hpp"
+#include "dynamics/motion.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::dynamics {
+
+struct Dynamics::Core {
+  Core(const scene::World& world, const Options& chosen)
+      : options(chosen), motion(world), contact_solve(world, chosen) {}
+
+  Options options;
+  Motion motion;
+  ContactSolve contact_solve;
+  Stats stats;
+};
+
+Dynamics::Dynamics(const scene::World& world, const Options& options)
+    : core_(std::make_unique<Core>(world, options)) {}
+
+Dynamics::~Dynamics() = default;
+
+void Dynamics::free_motion(scene::World& world) noexcept {
+  core_->motion.predict(world, core_->options.free_motion);
+  ++core_->stats.steps;
+}
+
+void Dynamics::solve(scene::World& world, contact::ContactSet& contacts,
+                     std::span<SelfSolver* const> self) noexcept {
+  if (core_->options.response == Response::kImpulse) {
+    respond_by_impulses(world, core_->motion, contacts);
+  } else {
+    core_->contact_solve.solve(world, core_->motion, contacts, self, core_->stats);
+  }
+
+  // what contacts put on each hinge, about its axis
+  for (size_t i = 0; i < world.hinge.size(); ++i) world.hinge_torque[i] = 0;
+  for (const contact::Contact& c : contacts.contact) {
+    if (c.f_a_W.isZero(0)) continue;
+    for (const bool is_a : {true, false}) {
+      const uint32_t body = is_a ? c.body_a : c.body_b;
+      if (body == scene::kNone || world.body[body].motion != SWAGE_MOTION_HINGED) continue;
+      const uint32_t hinge = world.body[body].hinge;
+      const scene::HingeInfo& info = world.hinge[hinge];
+      const toolkit::Pose X_WP(world.X_WB[info.parent]);
+      const Vec3 axis = X_WP.q * toolkit::vec(info.axis), arm = c.p_W - X_WP * toolkit::vec(info.anchor);
+      world.hinge_torque[hinge] += (is_a ? 1 : -1) * axis.dot(arm.cross(c.f_a_W));
+    }
+  }
+}
+
+void Dynamics::finish(scene::World& world) noexcept {
+  std::fill(world.F_B_W.begin(), world.F_B_W.end(), swage_wrench{});
+  std::fill(world.particle_f_W.begin(), world.particle_f_W.end(), 0.0);
+}
+
+const Stats& Dynamics::stats() const noexcept { return core_->stats; }
+const Options& Dynamics::options() const noexcept { return core_->options; }
+
+void Dynamics::save(scene::Writer& out) const noexcept {
+  out.put(core_->motion.held_body);
+  out.put(core_->motion.held_hinge);
+  out.put(core_->motion.held_particle);
+}
+
+bool Dynamics::restore(scene::Reader& in) noexcept {
+  in.get(core_->motion.held_body);
+  in.get(core_->motion.held_hinge);
+  in.get(core_->motion.held_particle);
+  return in.ok();
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How things move: free motion, then contacts. One step is
+//
+//     follow (scene/kinematics.hpp)      kinematic bodies stand at the end of the step, their twist says
+//     where they were forces of the objects              into World::F_B_W, particle_f_W, drive
+//     dynamics.free_motion(world)        dynamic bodies, hinges and particles at their predicted poses
+//     detect (contact room), couple      contacts at the predicted poses
+//     dynamics.solve(world, contacts)    contact forces; final poses and twists
+//     dynamics.finish(world)             hinge torques, inputs cleared
+//
+// Equations and symbols: README.md of this room. Units SI, frame W.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "contact/contact_set.hpp"
+#include "dynamics/options.hpp"
+#include "dynamics/self_solver.hpp"
+#include "scene/state_image.hpp"
+#include "scene/world.hpp"
+
+namespace swage::dynamics {
+
+/// Moves one scene. Built on [main]; afterwards [rt] alone, nothing allocates or throws.
+class Dynamics {
+ public:
+  /// [main] Reserves everything for this world. Throws std::invalid_argument when a hinge's parent is DYNAMIC
+  /// or a dynamic body has no mass.
+  Dynamics(const scene::World& world, const Options& options);
+  ~Dynamics();
+  Dynamics(const Dynamics&) = delete;
+  Dynamics& operator=(const Dynamics&) = delete;
+
+  /// [rt] Predicts: writes X_WB, V_WB, particles, hinge angles and rates as if nothing touched anything;
+  /// bodies that were held in the last step are predicted to go on with their twist, so that contacts are
+  /// looked for where they will be.
+  void free_motion(scene::World& world) noexcept;
+
+  /// [rt] Solves the contacts and writes final poses, twists and the results in `contacts` (bristle, force,
+  /// slip). `self`: objects with own mechanics, in the order of their objects; may be empty.
+  void solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self) noexcept;
+
+  /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.
+  void finish(scene::World& world) noexcept;
+
+  const Stats& stats() const noexcept;
+  const Options& options() const noexcept;
+
+  /// [rt] What the next step needs beyond the world: which bodies are held.
+  void save(scene::Writer& out) const noexcept;
+  bool restore(scene::Reader& in) noexcept;
+
+ private:
+  struct Core;
+  std::unique_ptr<Core> core_;
+};
+
+}  // namespace swage::dynamics

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The contact problem of movers that touch one another, with the geometry linearised at the present poses: find d with
+//
+//     F(d) = A (x + d - x_hat) - sum over contacts of J' f(u + J d) = 0.
+//
+// f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F, made safe by a line search; where that
+// stalls, a sequence of convex problems with the friction limits held (Tresca), whose energy only falls. README.md.
+//
+// Threads: the solver is built on [main]; solve() is [rt] and neither allocates nor throws.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamics/contact_law.hpp"
+#include "dynamics/mover.hpp"
+
+namespace swage::dynamics {
+
+/// One contact in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
+struct Row {
+  uint32_t contact = 0;  // in the contact set
+  uint32_t mover_a = UINT32_MAX, mover_b = UINT32_MAX;
+  uint32_t size_a = 0, size_b = 0;      // columns of J of either side
+  uint32_t offset_a = 0, offset_b = 0;  // of the unknowns in the island
+  Surface surface;
+  Vec3 n, t1, t2;   // axes in W
+  Displacement at;  // at the linearisation
+  const double* J =
+      nullptr;  // 3 x (size_a + size_b), row-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
+
+  // --- what solve() found
+  Displacement u;
+  Force f;
+  double limit = 0;  // N, of friction
+};
+
+struct Island {
+  std::span<Mover* const> movers;
+  std::span<Row> rows;
+  uint32_t size = 0;  // unknowns
+};
+
+/// How a solve ended.
+struct Outcome {
+  bool converged = false;
+  bool fell_back = false;  // Newton alone did not do it
+  uint32_t newton = 0;     // linear systems solved
+  uint32_t rounds = 0;     // convex problems solved
+  double moved = 0;        // m, from the pose of the linearisation
+};
+
+/// Where a solve begins.
+enum class From : uint8_t {
+  kPrediction,   // poses are predicted: friction is asked first where nothing would slip
+  kEarlierPass,  // poses are the end of an earlier pass
+  kHeldLimits,  // the same, and friction limits stay as that pass left them: convex, so passes cannot jump to and fro
+};
+
+class IslandSolver {
+ public:
+  explicit IslandSolver(uint32_t max_unknowns);
+
+  /// Solves for d, to be added to the movers' unknowns (d() below), and fills u, f, limit of every row.
+  /// Converged: the last correction was below `tolerance` [m].
+  Outcome solve(const Island& island, double tolerance, From from) noexcept;
+
+  std::span<const double> d() const { return {d_.data(), size_}; }
+
+ private:
+  enum class Friction { kCoulomb, kTresca };
+
+  void evaluate(const Island& island, const double* d, Friction friction) noexcept;
+  double merit(const Island& island) const noexcept;
+  bool direction(const Island& island, Friction friction) noexcept;
+  double length(const Island& island, const double* step) const noexcept;
+  void advance(double fraction) noexcept;
+  bool newton(const Island& island, double tolerance) noexcept;
+  void follow_limits(const Island& island, double tolerance, From from, Outcome& outcome) noexcept;
+  bool limits_hold(const Island& island) const noexcept;
+  bool minimise(const Island& island, double tolerance) noexcept;
+  double slope(const Island& island, double fraction) noexcept;
+  double search(const Island& island) noexcept;
+
+  size_t size_ = 0;
+  uint32_t newton_ = 0;
+  std::vector<double> d_, trial_, step_, F_, negative_F_, H_;
+  std::vector<double> before_;  // d_ of the last convex problem
+  std::vector<uint32_t> pivot_;
+};
+
+}  // namespace swage::dynamics

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/motion.hpp"
+
+#include <stdexcept>
+
+#include "dynamics/rotation.hpp"
+#include "scene/kinematics.hpp"
+
+namespace swage::dynamics {
+
+using toolkit::raw;
+using toolkit::vec;
+
+Motion::Motion(const scene::World& world) {
+  const size_t bodies = world.body.size(), hinges = world.hinge.size(),
+               particles = world.particle_mass.size();
+  mass.resize(bodies);
+  for (size_t i = 0; i < bodies; ++i) {
+    const scene::BodyInfo& info = world.body[i];
+    if (info.motion != SWAGE_MOTION_DYNAMIC) continue;
+    const Vec3 I(info.inertia[0], info.inertia[1], info.inertia[2]);
+    if (!(info.mass > 0) || !(I.minCoeff() > 0))
+      throw std::invalid_argument("body \"" + info.name +
+                                  "\": a dynamic body needs mass and moments of inertia above 0");
+    mass[i] = RigidMass(info.mass, I);
+  }
+  for (const scene::HingeInfo& info : world.hinge) {
+    const int32_t motion = world.body[info.parent].motion;
+    if (motion != SWAGE_MOTION_FIXED && motion != SWAGE_MOTION_FOLLOWS)
+      throw std::invalid_argument("hinge of \"" + world.body[info.child].name +
+                                  "\": its parent must be FIXED or FOLLOWS");
+    if (!(info.inertia > 0))
+      throw std::invalid_argument("hinge of \"" + world.body[info.child].name +
+                                  "\": its inertia must be above 0");
+  }
+  for (const double m : world.particle_mass)
+    if (!(m > 0)) throw std::invalid_argument("a particle needs a mass above 0");
+
+  X0.resize(bodies), X_free.resize(bodies);
+  v_free.assign(bodies, Vec3::Zero()), w_free.assign(bodies, Vec3::Zero()), w0 = w_free;
+  held_body.assign(bodies, 0);
+  q0.assign(hinges, 0), q_free.assign(hinges, 0);
+  drive.resize(hinges);
+  held_hinge.assign(hinges, 0);
+  p0.assign(particles, Vec3::Zero()), p_free.assign(particles, Vec3::Zero()),
+      v_free_p.assign(particles, Vec3::Zero());
+  held_particle.assign(particles, 0);
+}
+
+void Motion::predict(scene::World& world, FreeMotion method) noexcept {
+  for (uint32_t i = 0; i < world.body.size(); ++i)
+    if (world.body[i].motion == SWAGE_MOTION_DYNAMIC) predict_body(world, i, method);
+  for (uint32_t i = 0; i < world.hinge.size(); ++i) predict_hinge(world, i);
+  for (uint32_t i = 0; i < world.particle_mass.size(); ++i) predict_particle(world, i);
+}
+
+void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method) noexcept {
+  const swage_twist V0 = world.V_WB[body];
+  X0[body] = Pose(world.X_WB[body]);
+  RigidState s{X0[body].p, X0[body].q, vec(V0.v), vec(V0.w)};
+  const RigidMass& m = mass[body];
+  const Vec3 f = vec(world.F_B_W[body].f) + m.mass * vec(world.gravity);
+  move_free(method, m, f, vec(world.F_B_W[body].t), world.dt, s);
+  X_free[body] = {s.p_W, s.q_WB};
+  v_free[body] = s.v_W;
+  w_free[body] = s.w_W;
+  w0[body] = vec(V0.w);
+
+  if (held_body[body]) {
+    // contacts held it against its weight and will again: look for them where it would go by itself
+    const double h = world.dt;
+    Quat q = turn(h * vec(V0.w)) * X0[body].q;
+    renormalise(q);
+    world.X_WB[body] = Pose(X0[body].p + h * vec(V0.v), q).abi();
+  } else {
+    world.X_WB[body] = X_free[body].abi();
+    world.V_WB[body] = {raw(s.v_W), raw(s.w_W)};
+  }
+}
+
+void Motion::predict_hinge(scene::World& world, uint32_t hinge) noexcept {
+  const scene::HingeInfo& info = world.hinge[hinge];
+  X0[info.child] = Pose(world.X_WB[info.child]);
+  q0[hinge] = world.hinge_angle[hinge];
+
+  // what the forces on the child mean about the axis
+  const Pose X_WP(world.X_WB[info.parent]);
+  const Vec3 anchor = X_WP * vec(info.anchor), axis = X_WP.q * vec(info.axis);
+  const swage_wrench& F = world.F_B_W[info.child];
+  const double torque = axis.dot(vec(F.t) + (X0[info.child].p - anchor).cross(vec(F.f)));
+
+  const double rate = world.hinge_rate[hinge];
+  drive[hinge] = HingeDrive(info, world.drive[hinge], q0[hinge], rate, torque, world.dt);
+  q_free[hinge] = q0[hinge] + drive[hinge].free();
+  place_hinge(world, *this, hinge, held_hinge[hinge] ? q0[hinge] + world.dt * rate : q_free[hinge]);
+}
+
+void Motion::predict_particle(scene::World& world, uint32_t i) noexcept {
+  double *p = &world.particle_p_W[3 * i], *v = &world.particle_v_W[3 * i];
+  const double h = world.dt;
+  const Vec3 v0(v[0], v[1], v[2]);
+  const Vec3 f(world.particle_f_W[3 * i], world.particle_f_W[3 * i + 1], world.particle_f_W[3 * i + 2]);
+  p0[i] = Vec3(p[0], p[1], p[2]);
+  v_free_p[i] = v0 + h * (vec(world.gravity) + f / world.particle_mass[i]);
+  p_free[i] = p0[i] + 0.5 * h * (v0 + v_free_p[i]);
+
+  const Vec3 at = held_particle[i] ? Vec3(p0[i] + h * v0) : p_free[i];
+  const Vec3& speed = held_particle[i] ? v0 : v_free_p[i];
+  for (int k = 0; k < 3; ++k) p[k] = at[k], v[k] = speed[k];
+}
+
+void place_hinge(scene::World& world, const Motion& motion, uint32_t hinge, double angle) noexcept {
+  const scene::HingeInfo& info = world.hinge[hinge];
+  const Pose X_WP(world.X_WB[info.parent]);
+  const Pose X_WC = scene::hinged(info, X_WP, angle);
+  world.hinge_angle[hinge] = angle;
+  world.hinge_rate[hinge] = (angle - motion.q0[hinge]) / world.dt;
+  world.X_WB[info.child] = X_WC.abi();
+
+  // the child moves with its parent and turns about the axis
+  const Vec3 w_P = vec(world.V_WB[info.parent].w), axis = X_WP.q * vec(info.axis);
+  const Vec3 w = w_P + world.hinge_rate[hinge] * axis;
+  const Vec3 anchor = X_WP * vec(info.anchor);
+  const Vec3 v = vec(world.V_WB[info.parent].v) + w_P.cross(anchor - X_WP.p) + w.cross(X_WC.p - anchor);
+  world.V_WB[info.child] = {raw(v), raw(w)};
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the contact solve can move: a rigid body, a hinge, a particle, or an object with its own mechanics. All look alike
+// to the solve: unknowns x, inertia A = M / h^2, a force A (x - x_hat) that contacts must balance, and for a hinge the torque
+// of its drive. Unknowns count from the pose at which the geometry was last evaluated.
+//
+// Threads: [rt], nothing allocates.
+#pragma once
+
+#include <cstdint>
+
+#include "dynamics/hinge_drive.hpp"
+#include "dynamics/rotation.hpp"
+
+namespace swage::dynamics {
+
+struct Mover {
+  enum class Kind : uint8_t { kBody, kHinge, kParticle, kSelf };
+  Kind kind = Kind::kBody;
+  uint32_t index = 0;            // body, hinge, particle of the world, or place among the self solvers
+  uint32_t size = 6;             // unknowns
+  uint32_t offset = 0;           // of its unknowns in the island
+  double m_hh = 0;               // N/m, mass / h^2; kSelf: 1, its unknowns are scaled to unit mass
+  Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
+  Mat3 inv_I_hh = Mat3::Zero();  // its inverse
+  HingeDrive drive;
+
+  Vec3 x = Vec3::Zero();  // m, from where it would go without contacts
+  Vec3 a = Vec3::Zero();  // rad, rotation over the step
+  Vec3 b = Vec3::
+      Zero();  // N m, L0 / h + t: angular momentum at the start and torque. Balance is of momentum, because
+               // the spin of a thin wire about itself says little about the rest of it
+  double angle = 0;           // kHinge: x itself [rad], not relative to x_hat
+  const double* y = nullptr;  // kSelf: its unknowns so far
+
+  /// F = A (x + d - x_hat) - t(x + d): forces that contacts must balance. Writes `size` numbers at F.
+  void residual(const double* d, double* F) const noexcept {
+    switch (kind) {
+      case Kind::kBody: {
+        const Vec3 f = m_hh * (x + Vec3(d[0], d[1], d[2])), t = I_hh * (a + Vec3(d[3], d[4], d[5])) - b;
+        for (int i = 0; i < 3; ++i) F[i] = f[i], F[3 + i] = t[i];
+        break;
+      }
+      case Kind::kHinge:
+        F[0] = drive.inertia_hh * (angle + d[0] - drive.x_hat) - drive.torque(angle + d[0]);
+        break;
+      case Kind::kParticle:
+        for (int i = 0; i < 3; ++i) F[i] = m_hh * (x[i] + d[i]);
+        break;
+      case Kind::kSelf:
+        for (uint32_t i = 0; i < size; ++i) F[i] = y[i] + d[i];
+        break;
+    }
+  }
+
+  /// Adds dF/dd to the island's matrix H (n x n, row-major).
+  void add_stiffness(const double* d, size_t n, double* H) const noexcept {
+    double* at = H + offset * n + offset;
+    for (uint32_t i = 0; i < size; ++i) at[i * n + i] += m_hh;
+    if (kind == Kind::kHinge) at[0] += drive.stiffness(angle + d[0]);
+    if (kind != Kind::kBody) return;
+    for (uint32_t i = 0; i < 3; ++i) {
+      at[(3 + i) * n + 3 + i] -= m_hh;
+      for (uint32_t j = 0; j < 3; ++j) at[(3 + i) * n + 3 + j] += I_hh(i, j);
+    }
+  }
+
+  /// F' A^-1 F: h^2 times twice the kinetic energy that the unbalanced impulse h F would give [J].
+  double merit(const double* F) const noexcept {
+    if (kind == Kind::kBody) {
+      const Vec3 f(F[0], F[1], F[2]), t(F[3], F[4], F[5]);
+      return f.squaredNorm() / m_hh + t.dot(inv_I_hh * t);
+    }
+    double sum = 0;
+    for (uint32_t i = 0; i < size; ++i) sum += F[i] * F[i];
+    return sum / m_hh;
+  }
+
+  /// Energy whose gradient residual() is [J].
+  double energy(const double* d) const noexcept {
+    switch (kind) {
+      case Kind::kBody: {
+        const Vec3 u = x + Vec3(d[0], d[1], d[2]), w = a + Vec3(d[3], d[4], d[5]);
+        return 0.5 * (m_hh * u.squaredNorm() + w.dot(I_hh * w)) - w.dot(b);
+      }
+      case Kind::kHinge: {
+        const double u = angle + d[0] - drive.x_hat;
+        return 0.5 * drive.inertia_hh * u * u + drive.energy(angle + d[0]);
+      }
+      case Kind::kParticle:
+        return 0.5 * m_hh * (x + Vec3(d[0], d[1], d[2])).squaredNorm();
+      case Kind::kSelf:
+        break;
+    }
+    double sum = 0;
+    for (uint32_t i = 0; i < size; ++i) sum += 0.5 * (y[i] + d[i]) * (y[i] + d[i]);
+    return sum;
+  }
+
+  /// Size of a change [m]: of the centre; turns show at the contacts.
+  double length(const double* d) const noexcept {
+    if (kind == Kind::kHinge || kind == Kind::kSelf) return 0;
+    return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  }
+};
+
+}  // namespace swage::dynamics

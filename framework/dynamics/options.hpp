@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a scene can choose about how things move, and what the solver reports about itself.
+#pragma once
+
+#include <cstdint>
+
+namespace swage::dynamics {
+
+/// How a body moves while nothing touches it. Figures and reasons: README.md.
+enum class FreeMotion : uint8_t {
+  kThesis,           // explicit Euler of thesis 4.1: attitude by one tangent step, angular momentum kept in W
+  kSymplecticEuler,  // momentum first, then attitude by the exponential: order 1
+  kRungeKutta4,      // classical order 4 on Euler's equations and the quaternion
+  kSplitting2,  // symmetric splitting into exact rotations: order 2, |L| exact, energy bounded for all times
+  kSplitting4,  // its composition of order 4
+  kTaylor,      // Taylor series of Euler's equations (order 8) and Magnus series of the attitude (order 5)
+};
+
+/// What happens where bodies touch.
+enum class Response : uint8_t {
+  kCompliant,  // compliant contacts with Coulomb friction, implicit at the end of the step
+  kImpulse,    // impulse response of thesis 4.3, frictionless, contact by contact; for comparison
+};
+
+struct Options {
+  FreeMotion free_motion = FreeMotion::kSplitting4;
+  Response response = Response::kCompliant;
+  uint32_t max_contacts = 256;  // per step; more are counted in Stats::dropped
+  uint32_t max_unknowns = 120;  // per island; the solve is dense
+  double tolerance = 1e-7;  // converged when the last correction is below tolerance * World::length: 0.1 nm
+};
+
+/// What the solver did since it was made. A step that did not converge shows here.
+struct Stats {
+  uint64_t steps = 0;
+  uint64_t islands = 0;        // solved
+  uint64_t newton = 0;         // Newton steps, all islands
+  uint64_t refreshed = 0;      // times the geometry was evaluated anew at trial poses
+  uint64_t fallbacks = 0;      // islands where Newton stalled and the convex path took over
+  uint64_t rounds = 0;         // convex problems solved there
+  uint64_t not_converged = 0;  // islands left at their best iterate
+  uint64_t dropped = 0;        // contacts or unknowns beyond the capacity
+};
+
+}  // namespace swage::dynamics

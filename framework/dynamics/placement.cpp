@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/kinematics.hpp"
+
+namespace swage::dynamics {
+
+using scene::kNone;
+using toolkit::Frame;
+using toolkit::raw;
+using toolkit::vec;
+
+Placement::Placement(const scene::World& world) : self_(world) {
+  const size_t bodies = world.body.size(), hinges = world.hinge.size(),
+               particles = world.particle_mass.size();
+  trial_.resize(bodies);
+  p_.assign(particles, Vec3::Zero());
+  mover_of_body_.assign(bodies, kNone), mover_of_particle_.assign(particles, kNone);
+
+  auto add = [this](Mover::Kind kind, size_t index, uint32_t size) {
+    Mover m;
+    m.kind = kind, m.index = static_cast<uint32_t>(index), m.size = size;
+    mover_.push_back(m);
+    return static_cast<uint32_t>(mover_.size() - 1);
+  };
+  for (size_t i = 0; i < bodies; ++i)
+    if (world.body[i].motion == SWAGE_MOTION_DYNAMIC) mover_of_body_[i] = add(Mover::Kind::kBody, i, 6);
+  for (size_t i = 0; i < hinges; ++i) mover_of_body_[world.hinge[i].child] = add(Mover::Kind::kHinge, i, 1);
+  for (size_t i = 0; i < particles; ++i) mover_of_particle_[i] = add(Mover::Kind::kParticle, i, 3);
+  first_self_ = movers();
+  for (size_t i = 0; i < self_.capacity(); ++i) add(Mover::Kind::kSelf, i, 0);
+  mover_step_.assign(mover_.size(), 0);
+}
+
+void Placement::begin(scene::World& world, Motion& motion, std::span<SelfSolver* const> self) noexcept {
+  world_ = &world, motion_ = &motion;
+  h_ = world.dt;
+  ++step_;
+  self_.begin(self);
+  for (uint32_t i = first_self_; i < movers(); ++i) mover_[i].size = 0;
+}
+
+Side Placement::side(uint32_t body, uint32_t particle) noexcept {
+  Side s;
+  if (particle != kNone) {
+    s.particle = particle;
+    s.mover = mover_of_particle_[particle];
+    if (mover_step_[s.mover] != step_) {
+      const double* p = &world_->particle_p_W[3 * particle];
+      p_[particle] = Vec3(p[0], p[1], p[2]);
+    }
+  } else {
+    s.body = body;
+    if (trial_[body].step != step_) prepare(body);
+    s.mover = mover_of_body_[body];
+    if (world_->body[body].motion == SWAGE_MOTION_SELF) {
+      const uint32_t slot = self_.slot(world_->body[body].object);
+      s.mover = slot == kNone ? kNone : first_self_ + slot;
+    }
+  }
+  if (s.mover != kNone && mover_step_[s.mover] != step_) prepare_mover(s.mover);
+  return s;
+}
+
+void Placement::size_self_movers() noexcept {
+  for (uint32_t slot = 0; slot < self_.count(); ++slot) {
+    Mover& m = mover_[first_self_ + slot];
+    m.size = self_.rank(slot);
+    m.m_hh = 1;
+    m.y = self_.y(slot);
+  }
+}
+
+/// Trial of any body at the pose that the world has for it.
+void Placement::prepare(uint32_t body) noexcept {
+  Trial& t = trial_[body];
+  const int32_t kind = world_->body[body].motion;
+  const Vec3 v = vec(world_->V_WB[body].v), w = vec(world_->V_WB[body].w);
+  t.step = step_;
+  t.stands = false;
+  const Pose X(world_->X_WB[body]);
+  if (kind == SWAGE_MOTION_DYNAMIC || kind == SWAGE_MOTION_HINGED) {
+    t.X0 = motion_->X0[body];
+    set_pose(t, X);
+    return;
+  }
+  // a kinematic body's twist says where it was at the start
+  t.X = t.X0 = X;
+  t.F = Frame(X);
+  t.a = h_ * w;
+  t.stands = v.isZero(0) && w.isZero(0);
+  if (t.stands) return;
+  const Quat undo = turn(-t.a);
+  t.X0 = Pose(X.p - h_ * v, undo * X.q);
+  t.back = undo.toRotationMatrix();
+}
+
+void Placement::prepare_mover(uint32_t mover) noexcept {
+  Mover& m = mover_[mover];
+  mover_step_[mover] = step_;
+  const double per_hh = 1 / (h_ * h_);
+  switch (m.kind) {
+    case Mover::Kind::kBody: {
+      const RigidMass& mass = motion_->mass[m.index];
+      const Trial& t = trial_[m.index];
+      m.m_hh = mass.mass * per_hh;
+      m.x = t.X.p - t.X0.p - h_ * motion_->v_free[m.index];
+      const Quat& q0 = t.X0.q;
+      const Vec3 L0 = q0 * mass.I.cwiseProduct(q0.conjugate() * motion_->w0[m.index]);
+      m.b = L0 / h_ + vec(world_->F_B_W[m.index].t);
+      turn_inertia(m);
+      break;
+    }
+    case Mover::Kind::kHinge:
+      m.drive = motion_->drive[m.index];
+      m.m_hh = m.drive.inertia_hh;
+      m.angle = world_->hinge_angle[m.index] - motion_->q0[m.index];
+      break;
+    case Mover::Kind::kParticle:
+      m.m_hh = world_->particle_mass[m.index] * per_hh;
+      m.x = p_[m.index] - motion_->p0[m.index] - h_ * motion_->v_free_p[m.index];
+      break;
+    case Mover::Kind::kSelf:
+      break;
+  }
+}
+
+/// Inertia in W at the present attitude.
+void Placement::turn_inertia(Mover& m) noexcept {
+  const RigidMass& mass = motion_->mass[m.index];
+  const Trial& t = trial_[m.index];
+  const double hh = h_ * h_;
+  m.a = t.a;
+  m.I_hh = t.F.R * (mass.I / hh).asDiagonal() * t.F.R.transpose();
+  m.inv_I_hh = t.F.R * (hh * mass.inv_I).asDiagonal() * t.F.R.transpose();
+}
+
+void Placement::set_pose(Trial& t, const Pose& X) noexcept {
+  t.X = X;
+  t.F = Frame(X);
+  const Quat turned = X.q * t.X0.q.conjugate();
+  t.a = rotation_vector(turned);
+  t.back = turned.conjugate().toRotationMatrix();
+}
+
+Frame Placement::frame(const Side& side) const noexcept {
+  return side.particle != kNone ? Frame(p_[side.particle], Mat3::Identity()) : trial_[side.body].F;
+}
+
+Vec3 Placement::displacement(const Side& side, const Vec3& p_W) const noexcept {
+  if (side.particle != kNone) return p_[side.particle] - motion_->p0[side.particle];
+  if (is_self(side.mover) && side.point != kNone)
+    return self_.displacement(side.mover - first_self_, side.point);
+  const Trial& t = trial_[side.body];
+  if (t.stands) return Vec3::Zero();
+  const Vec3 r = p_W - t.X.p;
+  return (t.X.p - t.X0.p) + (r - t.back * r);
+}
+
+Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {
+  known = side.body != kNone && !is_self(side.mover);
+  return known ? trial_[side.body].a : Vec3::Zero();
+}
+
+void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double sign,
+                        double* J) const noexcept {
+  const Mover& m = mover_[side.mover];
+  switch (m.kind) {
+    case Mover::Kind::kBody: {
+      // u = d + w x r: e . u = e . d + (r x e) . w
+      const Vec3 moment = (p_W - trial_[side.body].X.p).cross(e);
+      for (int i = 0; i < 3; ++i) J[i] = sign * e[i], J[3 + i] = sign * moment[i];
+      break;
+    }
+    case Mover::Kind::kHinge: {
+      const scene::HingeInfo& info = world_->hinge[m.index];
+      const Pose X_WP(world_->X_WB[info.parent]);
+      const Vec3 axis = X_WP.q * vec(info.axis), anchor = X_WP * vec(info.anchor);
+      J[0] = sign * axis.cross(p_W - anchor).dot(e);
+      break;
+    }
+    case Mover::Kind::kParticle:
+      for (int i = 0; i < 3; ++i) J[i] = sign * e[i];
+      break;
+    case Mover::Kind::kSelf: {
+      const double *L0 = self_.columns(m.index, side.point, 0), *L1 = self_.columns(m.index, side.point, 1),
+                   *L2 = self_.columns(m.index, side.point, 2);
+      for (uint32_t i = 0; i < m.size; ++i) J[i] = sign * (e.x() * L0[i] + e.y() * L1[i] + e.z() * L2[i]);
+      break;
+    }
+  }
+}
+
+void Placement::move(uint32_t mover, const double* d) noexcept {
+  Mover& m = mover_[mover];
+  switch (m.kind) {
+    case Mover::Kind::kBody: {
+      Trial& t = trial_[m.index];
+      const Vec3 dp(d[0], d[1], d[2]);
+      Quat q = turn(Vec3(d[3], d[4], d[5])) * t.X.q;
+      renormalise(q);
+      set_pose(t, Pose(t.X.p + dp, q));
+      m.x += dp;
+      turn_inertia(m);
+      break;
+    }
+    case Mover::Kind::kHinge: {
+      m.angle += d[0];
+      const scene::HingeInfo& info = world_->hinge[m.index];
+      const Pose X_WP(world_->X_WB[info.parent]);
+      set_pose(trial_[info.child], scene::hinged(info, X_WP, motion_->q0[m.index] + m.angle));
+      break;
+    }
+    case Mover::Kind::kParticle: {
+      const Vec3 dp(d[0], d[1], d[2]);
+      p_[m.index] += dp;
+      m.x += dp;
+      break;
+    }
+    case Mover::Kind::kSelf: {
+      double* y = self_.y(m.index);
+      for (uint32_t i = 0; i < m.size; ++i) y[i] += d[i];
+      break;
+    }
+  }
+}
+
+bool Placement::let_go(uint32_t mover) noexcept {
+  Mover& m = mover_[mover];
+  switch (m.kind) {
+    case Mover::Kind::kBody:
+      if (!motion_->held_body[m.index]) return false;
+      set_pose(trial_[m.index], motion_->X_free[m.index]);
+      break;
+    case Mover::Kind::kHinge: {
+      if (!motion_->held_hinge[m.index]) return false;
+      const scene::HingeInfo& info = world_->hinge[m.index];
+      m.angle = motion_->q_free[m.index] - motion_->q0[m.index];
+      set_pose(trial_[info.child],
+               scene::hinged(info, Pose(world_->X_WB[info.parent]), motion_->q_free[m.index]));
+      return true;
+    }
+    case Mover::Kind::kParticle:
+      if (!motion_->held_particle[m.index]) return false;
+      p_[m.index] = motion_->p_free[m.index];
+      break;
+    case Mover::Kind::kSelf:
+      return false;
+  }
+  prepare_mover(mover);
+  return true;
+}
+
+void Placement::slow_down(uint32_t mover, double speed) noexcept {
+  Mover& m = mover_[mover];
+  if (m.kind == Mover::Kind::kBody) {
+    Trial& t = trial_[m.index];
+    const Vec3 way = t.X.p - t.X0.p;
+    const double far = way.norm();
+    if (far <= h_ * speed) return;
+    const double keep = h_ * speed / far;
+    set_pose(t, Pose(t.X0.p + keep * way, turn(keep * t.a) * t.X0.q));
+  } else if (m.kind == Mover::Kind::kParticle) {
+    const Vec3 way = p_[m.index] - motion_->p0[m.index];
+    const double far = way.norm();
+    if (far > h_ * speed) p_[m.index] = motion_->p0[m.index] + h_ * speed / far * way;
+  }
+}
+
+void Placement::write_back(std::span<const uint8_t> solved) noexcept {
+  for (uint32_t i = 0; i < first_self_; ++i) {
+    const Mover& m = mover_[i];
+    switch (m.kind) {
+      case Mover::Kind::kBody:
+        write_body(m, solved[i]);
+        break;
+      case Mover::Kind::kHinge:
+        write_hinge(m, solved[i]);
+        break;
+      case Mover::Kind::kParticle:
+        write_particle(m, solved[i]);
+        break;
+      case Mover::Kind::kSelf:
+        break;
+    }
+  }
+}
+
+void Placement::write_body(const Mover& m, bool solved) noexcept {
+  const uint32_t i = m.index;
+  if (solved) {
+    const Trial& t = trial_[i];
+    world_->X_WB[i] = t.X.abi();
+    world_->V_WB[i] = {raw(Vec3((t.X.p - t.X0.p) / h_)), raw(Vec3(t.a / h_))};
+  } else {
+    world_->X_WB[i] = motion_->X_free[i].abi();
+    world_->V_WB[i] = {raw(motion_->v_free[i]), raw(motion_->w_free[i])};
+  }
+}
+
+void Placement::write_hinge(const Mover& m, bool solved) noexcept {
+  const double q = solved ? motion_->q0[m.index] + m.angle : motion_->q_free[m.index];
+  place_hinge(*world_, *motion_, m.index, q);
+}
+
+void Placement::write_particle(const Mover& m, bool solved) noexcept {
+  const uint32_t i = m.index;
+  const Vec3 p = solved ? p_[i] : motion_->p_free[i];
+  const Vec3 v = solved ? Vec3((p_[i] - motion_->p0[i]) / h_) : motion_->v_free_p[i];
+  for (int k = 0; k < 3; ++k) {
+    world_->particle_p_W[3 * i + static_cast<uint32_t>(k)] = p[k];
+    world_->particle_v_W[3 * i + static_cast<uint32_t>(k)] = v[k];
+  }
+}
+
+}  // namespace swage::dynamics

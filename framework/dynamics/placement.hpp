@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where everything stands while the contact solve looks for the end of the step: trial poses, the movers that change them,
+// and how far each has come since the start of the step.
+//
+// Threads: built on [main]; the rest [rt], nothing allocates or throws.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamics/motion.hpp"
+#include "dynamics/mover.hpp"
+#include "dynamics/self_movers.hpp"
+#include "scene/world.hpp"
+
+namespace swage::dynamics {
+
+/// One side of a contact: a body or a particle, and what moves it.
+struct Side {
+  uint32_t body = scene::kNone, particle = scene::kNone;
+  uint32_t mover = scene::kNone;  // index into Placement, or kNone: cannot be moved
+  uint32_t point = scene::kNone;  // SELF bodies: among the points of their mover
+};
+
+class Placement {
+ public:
+  explicit Placement(const scene::World& world);
+
+  /// Forgets the last step; bodies are looked at when a contact first names them.
+  void begin(scene::World& world, Motion& motion, std::span<SelfSolver* const> self) noexcept;
+  /// The side of a contact, its mover ready at the predicted pose.
+  Side side(uint32_t body, uint32_t particle) noexcept;
+
+  SelfMovers& self() noexcept { return self_; }
+  /// Self movers know their unknowns once they have been asked.
+  void size_self_movers() noexcept;
+
+  Mover& mover(uint32_t i) noexcept { return mover_[i]; }
+  uint32_t movers() const noexcept { return static_cast<uint32_t>(mover_.size()); }
+  bool is_self(uint32_t mover) const noexcept { return mover != scene::kNone && mover >= first_self_; }
+  /// False for a self mover that gives nowhere.
+  bool moves(uint32_t mover) const noexcept { return mover != scene::kNone && mover_[mover].size > 0; }
+
+  toolkit::Frame frame(const Side& side) const noexcept;
+  /// Displacement over the step of the material point that is now at p_W [m].
+  Vec3 displacement(const Side& side, const Vec3& p_W) const noexcept;
+  /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
+  Vec3 rotation(const Side& side, bool& known) const noexcept;
+  /// d(displacement . e) / d(unknowns), times `sign`, into `columns` numbers at J.
+  void columns(const Side& side, const Vec3& p_W, const Vec3& e, double sign, double* J) const noexcept;
+
+  /// Adds d to the unknowns of a mover.
+  void move(uint32_t mover, const double* d) noexcept;
+  /// It was predicted to go on as it went, but nothing holds it: to where it goes by itself. False when it is there.
+  bool let_go(uint32_t mover) noexcept;
+  /// Shortens its way over the step to at most `speed` [m/s]; what the fallback of the fallback is.
+  void slow_down(uint32_t mover, double speed) noexcept;
+  /// Speed of the material point at p_W over the step [m/s].
+  double speed(const Side& side, const Vec3& p_W) const noexcept {
+    return displacement(side, p_W).norm() / h_;
+  }
+
+  /// Poses and twists of everything into the world. `solved`: per mover, whether it was in an island.
+  void write_back(std::span<const uint8_t> solved) noexcept;
+
+ private:
+  struct Trial {
+    uint64_t step = 0;             // for which it was prepared
+    Pose X0, X;                    // at the start of the step, now
+    toolkit::Frame F;              // now
+    Mat3 back = Mat3::Identity();  // turns a vector of now to what it was at the start
+    Vec3 a = Vec3::Zero();         // rotation over the step
+    bool stands = false;           // X0 = X
+  };
+
+  void prepare(uint32_t body) noexcept;
+  void prepare_mover(uint32_t mover) noexcept;
+  void turn_inertia(Mover& m) noexcept;
+  void set_pose(Trial& trial, const Pose& X) noexcept;
+  void write_body(const Mover& m, bool solved) noexcept;
+  void write_hinge(const Mover& m, bool solved) noexcept;
+  void write_particle(const Mover& m, bool solved) noexcept;
+
+  scene::World* world_ = nullptr;
+  Motion* motion_ = nullptr;
+  double h_ = 1e-3;
+  uint64_t step_ = 0;
+  std::vector<Trial> trial_;  // per body
+  std::vector<Vec3> p_;       // per particle
+  std::vector<Mover> mover_;  // per dynamic body, hinge, particle, object with SELF bodies
+  std::vector<uint64_t> mover_step_;
+  std::vector<uint32_t> mover_of_body_, mover_of_particle_;
+  uint32_t first_self_ = 0;
+  SelfMovers self_;
+};
+
+}  // namespace swage::dynamics

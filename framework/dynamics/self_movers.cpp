@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/self_movers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/dense.hpp"
+
+namespace swage::dynamics {
+
+SelfMovers::SelfMovers(const scene::World& world) {
+  // one slot per object that has SELF bodies
+  std::vector<uint32_t> objects;
+  for (const scene::BodyInfo& body : world.body)
+    if (body.motion == SWAGE_MOTION_SELF) objects.push_back(body.object);
+  std::sort(objects.begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+  object_.resize(objects.size());
+  constexpr size_t n = 3 * kMaxPoints;
+  for (Object& o : object_) {
+    o.point.resize(kMaxPoints);
+    o.v_free.resize(n), o.y.resize(n), o.impulse.resize(n);
+    o.W.resize(n * n), o.L.resize(n * n);
+  }
+}
+
+void SelfMovers::begin(std::span<SelfSolver* const> self) noexcept {
+  self_ = self.first(std::min(self.size(), object_.size()));
+  for (Object& o : object_) o.points = o.rank = 0;
+}
+
+uint32_t SelfMovers::slot(uint32_t object) const noexcept {
+  for (uint32_t i = 0; i < self_.size(); ++i)
+    if (self_[i]->object() == object) return i;
+  return scene::kNone;
+}
+
+uint32_t SelfMovers::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
+                               const Vec3& into) noexcept {
+  Object& o = object_[slot];
+  if (o.points == kMaxPoints) return scene::kNone;
+  o.point[o.points] = {body, shape, toolkit::raw(p_W), toolkit::raw(into)};
+  return o.points++;
+}
+
+void SelfMovers::ask(double h) noexcept {
+  for (uint32_t i = 0; i < self_.size(); ++i) {
+    Object& o = object_[i];
+    const size_t n = 3 * o.points;
+    o.h = h;
+    if (n == 0) continue;
+    std::fill_n(o.v_free.begin(), n, 0.0);
+    std::fill_n(o.W.begin(), n * n, 0.0);
+    std::fill_n(o.impulse.begin(), n, 0.0);
+    const bool answered = self_[i]->compliance({o.point.data(), o.points}, o.v_free.data(), o.W.data());
+
+    // a failed object, or one that answers nonsense, stands still
+    bool sound = answered;
+    for (size_t k = 0; sound && k < n; ++k) sound = std::isfinite(o.v_free[k]);
+    for (size_t k = 0; sound && k < n * n; ++k) sound = std::isfinite(o.W[k]);
+    if (!sound) {
+      std::fill_n(o.v_free.begin(), n, 0.0);
+      continue;
+    }
+    o.rank = static_cast<uint32_t>(cholesky_semidefinite(n, o.W.data(), o.L.data()));
+    for (size_t k = 0; k < n * n; ++k) o.L[k] *= h;
+    std::fill_n(o.y.begin(), o.rank, 0.0);
+  }
+}
+
+const double* SelfMovers::columns(uint32_t slot, uint32_t point, int i) const noexcept {
+  const Object& o = object_[slot];
+  return o.L.data() + (3 * point + static_cast<uint32_t>(i)) * (3 * o.points);
+}
+
+Vec3 SelfMovers::extra(uint32_t slot, uint32_t point) const noexcept {
+  const Object& o = object_[slot];
+  Vec3 u = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const double* L = columns(slot, point, i);
+    for (uint32_t k = 0; k < o.rank; ++k) u[i] += L[k] * o.y[k];
+  }
+  return u;
+}
+
+Vec3 SelfMovers::u_free(uint32_t slot, uint32_t point) const noexcept {
+  const Object& o = object_[slot];
+  return o.h * Vec3(o.v_free[3 * point], o.v_free[3 * point + 1], o.v_free[3 * point + 2]);
+}
+
+void SelfMovers::add_impulse(uint32_t slot, uint32_t point, const Vec3& impulse) noexcept {
+  for (uint32_t i = 0; i < 3; ++i) object_[slot].impulse[3 * point + i] += impulse[i];
+}
+
+void SelfMovers::yield() noexcept {
+  for (uint32_t i = 0; i < self_.size(); ++i) {
+    const Object& o = object_[i];
+    if (o.points > 0) self_[i]->yield({o.point.data(), o.points}, o.impulse.data());
+  }
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// An object with mechanics of its own, as the contact solve sees it. The step implements it on top of the
+// plugin extension swage.object.solver/1; tests implement it directly.
+#pragma once
+
+#include <swage/abi/object.h>
+
+#include <cstdint>
+#include <span>
+
+namespace swage::dynamics {
+
+/// Answers for the SELF bodies of one object. All calls [rt], noexcept, at most once per step and in this
+/// order. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
+/// contact set.
+class SelfSolver {
+ public:
+  virtual ~SelfSolver() = default;
+
+  /// Index of the object, as in BodyInfo::object.
+  virtual uint32_t object() const noexcept = 0;
+
+  /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, row-major, symmetric, positive
+  /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be
+  /// moved.
+  virtual bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
+
+  /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
+  /// twists.
+  virtual void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
+};
+
+}  // namespace swage::dynamics

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/plugin_info.hpp"
+#include "host/units.hpp"
+#include "snapshot/snapshot.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::host {
+
+using scene::kNone;
+using scene::Range;
+using toolkit::Pose;
+using toolkit::Quat;
+using toolkit::Vec3;
+
+namespace {
+
+bool finite(const swage_vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+
+// what rounding leaves of a unit length; more is a mistake of the author
+bool unit(double norm) { return std::abs(norm - 1) < 1e-6; }
+
+bool unit(const swage_quat& q) { return unit(std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)); }
+
+bool positive(double a) { return std::isfinite(a) && a > 0; }
+
+Pose normalised(const swage_pose& pose) {
+  Pose out(pose);
+  out.q.normalize();
+  return out;
+}
+
+// frame with its z axis from a to b, at their middle
+Pose axis_pose(const Vec3& a, const Vec3& b) {
+  return {0.5 * (a + b), Quat::FromTwoVectors(Vec3::UnitZ(), b - a)};
+}
+
+bool is_name(const std::string& id) {
+  const auto good = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+  };
+  return !id.empty() && id[0] >= 'a' && id[0] <= 'z' && std::all_of(id.begin(), id.end(), good);
+}
+
+std::string article(int32_t kind) {
+  return (kind == SWAGE_KIND_OBJECT ? "An " : "A ") + std::string(kind_text(kind));
+}
+
+}  // namespace
+
+// the functions of the C table
+struct BuilderCalls {
+  static Builder& of(swage_builder* raw) { return *static_cast<Builder*>(raw->host_data); }
+
+  static uint32_t body(swage_builder* raw, int32_t motion, const swage_pose* X_OB, const swage_mass* mass,
+                       const char* name) {
+    Builder& b = of(raw);
+    const std::string called = name != nullptr && *name != 0 ? name : "body " + std::to_string(b.body.count);
+    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "bodies")) return kNone;
+    if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return kNone;
+    if (X_OB == nullptr || !finite(X_OB->p) || !unit(X_OB->q))
+      return b.refuse("Body \"" + called + "\": the start pose is not a position and a unit quaternion.");
+    if (motion < SWAGE_MOTION_FIXED || motion > SWAGE_MOTION_SELF)
+      return b.refuse("Body \"" + called + "\": motion " + std::to_string(motion) + " is unknown.");
+    scene::BodyInfo info;
+    if (const std::string wrong = take_mass(motion, mass, info); !wrong.empty())
+      return b.refuse("Body \"" + called + "\": " + wrong);
+
+    info.motion = motion;
+    info.object = b.owner_.object;
+    info.name = called;
+    info.start = (normalised(b.owner_.X_WO) * normalised(*X_OB)).abi();
+    b.world_.body.push_back(info);
+    b.world_.X_WB.push_back(info.start);
+    b.world_.V_WB.push_back({});
+    b.world_.F_B_W.push_back({});
+    return b.body.count++;
+  }
+
+  static std::string take_mass(int32_t motion, const swage_mass* mass, scene::BodyInfo& info) {
+    if (motion != SWAGE_MOTION_DYNAMIC) return mass == nullptr ? "" : "only dynamic bodies have a mass.";
+    if (mass == nullptr || !positive(mass->mass)) return "a dynamic body needs a mass > 0 kg.";
+    const double i[3] = {mass->inertia.x, mass->inertia.y, mass->inertia.z};
+    for (int k = 0; k < 3; ++k) {
+      if (!positive(i[k])) return "a dynamic body needs moments of inertia > 0 kg m2.";
+      // each moment is at most the sum of the others: no mass has a negative distance from an axis
+      if (i[k] > (i[(k + 1) % 3] + i[(k + 2) % 3]) * (1 + 1e-9))
+        return "no body has these moments of inertia: one exceeds the sum of the others.";
+    }
+    info.mass = mass->mass;
+    std::copy(std::begin(i), std::end(i), info.inertia);
+    return "";
+  }
+
+  static uint32_t particles(swage_builder* raw, uint32_t n, const double* p_O, const double* mass,
+                            double radius) {
+    Builder& b = of(raw);
+    scene::World& w = b.world_;
+    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "particles")) return kNone;
+    if (!b.fits(w.particle_mass.size() + n, snapshot::kMaxParticles, "particles")) return kNone;
+    if (n == 0 || p_O == nullptr || mass == nullptr || !(std::isfinite(radius) && radius >= 0))
+      return b.refuse("particles() needs positions, masses and a radius >= 0 m.");
+    for (uint32_t i = 0; i < n; ++i) {
+      const Vec3 p(p_O[3 * i], p_O[3 * i + 1], p_O[3 * i + 2]);
+      if (!p.allFinite() || !positive(mass[i]))
+        return b.refuse("Particle " + std::to_string(i) +
+                        ": its position must be finite and its mass > 0 kg.");
+    }
+    const Pose X_WO = normalised(b.owner_.X_WO);
+    for (uint32_t i = 0; i < n; ++i) {
+      const Vec3 p_W = X_WO * Vec3(p_O[3 * i], p_O[3 * i + 1], p_O[3 * i + 2]);
+      w.particle_p_W.insert(w.particle_p_W.end(), {p_W.x(), p_W.y(), p_W.z()});
+      w.particle_v_W.insert(w.particle_v_W.end(), 3, 0.0);
+      w.particle_f_W.insert(w.particle_f_W.end(), 3, 0.0);
+      w.particle_mass.push_back(mass[i]);
+      w.particle_radius.push_back(radius);
+      w.particle_object.push_back(b.owner_.object);
+    }
+    const uint32_t first = b.particle.count;
+    b.particle.count += n;
+    return first;
+  }
+
+  static uint32_t sphere(swage_builder* raw, uint32_t body, swage_vec3 centre, double radius,
+                         uint32_t flags) {
+    Builder& b = of(raw);
+    if (!b.owns_body(body, "A sphere")) return kNone;
+    if (!finite(centre) || !positive(radius)) return b.refuse("A sphere needs a centre and a radius > 0 m.");
+    scene::Shape shape;
+    shape.kind = SWAGE_SHAPE_SPHERE;
+    shape.X_BS = {centre, {1, 0, 0, 0}};
+    shape.radius = shape.bounding_radius = radius;
+    return b.add_shape(body, shape, flags);
+  }
+
+  static uint32_t tube(Builder& b, int32_t kind, const char* what, uint32_t body, swage_vec3 a, swage_vec3 c,
+                       double radius, uint32_t flags) {
+    if (!b.owns_body(body, what)) return kNone;
+    const double length = (toolkit::vec(c) - toolkit::vec(a)).norm();
+    if (!positive(length) || !positive(radius))
+      return b.refuse(std::string(what) + " needs two different ends and a radius > 0 m.");
+    scene::Shape shape;
+    shape.kind = kind;
+    shape.X_BS = axis_pose(toolkit::vec(a), toolkit::vec(c)).abi();
+    shape.radius = radius;
+    shape.half_length = 0.5 * length;
+    shape.bounding_radius =
+        kind == SWAGE_SHAPE_CAPSULE ? shape.half_length + radius : std::hypot(shape.half_length, radius);
+    return b.add_shape(body, shape, flags);
+  }
+  static uint32_t capsule(swage_builder* raw, uint32_t body, swage_vec3 a, swage_vec3 c, double radius,
+                          uint32_t flags) {
+    return tube(of(raw), SWAGE_SHAPE_CAPSULE, "A capsule", body, a, c, radius, flags);
+  }
+  static uint32_t cylinder(swage_builder* raw, uint32_t body, swage_vec3 a, swage_vec3 c, double radius,
+                           uint32_t flags) {
+    return tube(of(raw), SWAGE_SHAPE_CYLINDER, "A cylinder", body, a, c, radius, flags);
+  }
+
+  static uint32_t arc(swage_builder* raw, uint32_t body, const swage_arc* arc, uint32_t flags) {
+    Builder& b = of(raw);
+    if (!b.owns_body(body, "An arc")) return kNone;
+    if (arc == nullptr || !finite(arc->X_BA.p) || !unit(arc->X_BA.q))
+      return b.refuse("An arc needs a pose: a position and a unit quaternion.");
+    if (!positive(arc->radius) || !positive(arc->wire_radius) || arc->wire_radius >= arc->radius)
+      return b.refuse("An arc needs 0 < wire radius < radius.");
+    if (!positive(arc->sweep) || arc->sweep >= 2 * M_PI)
+      return b.refuse("An arc needs a sweep between 0 and 2 pi rad.");
+    scene::Shape shape;
+    shape.kind = SWAGE_SHAPE_ARC;
+    shape.X_BS = normalised(arc->X_BA).abi();
+    shape.radius = arc->wire_radius;
+    shape.arc_radius = arc->radius;
+    shape.sweep = arc->sweep;
+    shape.bounding_radius = arc->radius + arc->wire_radius;
+    return b.add_shape(body, shape, flags);
+  }
+
+  static uint32_t convex(swage_builder* raw, uint32_t body, const swage_convex* convex, uint32_t flags) {
+    Builder& b = of(raw);
+    if (!b.owns_body(body, "A convex polyhedron")) return kNone;
+    if (convex == nullptr || convex->vertex == nullptr || convex->face_start == nullptr ||
+        convex->face_vertex == nullptr || convex->n_vertex == 0 || convex->n_face == 0)
+      return b.refuse("A convex polyhedron needs vertices and faces.");
+    std::vector<Vec3> vertex;
+    Vec3 low = Vec3::Constant(1e300), high = -low;
+    for (uint32_t i = 0; i < convex->n_vertex; ++i) {
+      vertex.emplace_back(convex->vertex[3 * i], convex->vertex[3 * i + 1], convex->vertex[3 * i + 2]);
+      if (!vertex.back().allFinite()) return b.refuse("A convex polyhedron has a vertex that is not finite.");
+      low = low.cwiseMin(vertex.back());
+      high = high.cwiseMax(vertex.back());
+    }
+    for (uint32_t f = 0; f < convex->n_face; ++f)
+      if (convex->face_start[f] > convex->face_start[f + 1])
+        return b.refuse("A convex polyhedron has faces that do not follow each other in face_start.");
+
+    // S sits in the middle of the box, so that the bounding sphere is tight
+    const Vec3 centre = 0.5 * (low + high);
+    scene::Shape shape;
+    for (Vec3& v : vertex) {
+      v -= centre;
+      shape.bounding_radius = std::max(shape.bounding_radius, v.norm());
+    }
+    toolkit::Convex built;
+    const std::string wrong =
+        toolkit::build_convex(vertex, {convex->face_start, convex->n_face + 1},
+                              {convex->face_vertex, convex->face_start[convex->n_face]}, built);
+    if (!wrong.empty()) return b.refuse("A convex polyhedron is refused: " + wrong + ".");
+    shape.kind = SWAGE_SHAPE_CONVEX;
+    shape.X_BS = {toolkit::raw(centre), {1, 0, 0, 0}};
+    shape.convex = static_cast<uint32_t>(b.world_.convex.size());
+    const uint32_t index = b.add_shape(body, shape, flags);
+    if (index != kNone) b.world_.convex.push_back(std::move(built));
+    return index;
+  }
+
+  static uint32_t hinge(swage_builder* raw, const swage_hinge* hinge) {
+    Builder& b = of(raw);
+    scene::World& w = b.world_;
+    if (hinge == nullptr || !b.owns_body(hinge->parent, "A hinge") || !b.owns_body(hinge->child, "A hinge"))
+      return hinge == nullptr ? b.refuse("hinge() needs a hinge.") : kNone;
+    const uint32_t parent = b.body.first + hinge->parent, child = b.body.first + hinge->child;
+    const std::string name = "The hinge of body \"" + w.body[child].name + "\"";
+    if (w.body[child].motion != SWAGE_MOTION_HINGED)
+      return b.refuse(name + ": the child must be declared as hinged.");
+    if (w.body[child].hinge != kNone) return b.refuse(name + " is there twice.");
+    if (parent >= child) return b.refuse(name + ": the parent must be declared before the child.");
+    if (!finite(hinge->anchor) || !finite(hinge->axis) || !unit(toolkit::vec(hinge->axis).norm()))
+      return b.refuse(name + " needs an anchor and a unit axis.");
+    if (!positive(hinge->inertia)) return b.refuse(name + " needs an inertia > 0 kg m2.");
+    if (!(hinge->min <= 0 && hinge->max >= 0 && hinge->min < hinge->max))
+      return b.refuse(name + ": angle 0 is the start pose, so min <= 0 <= max and min < max.");
+
+    scene::HingeInfo info;
+    info.object = b.owner_.object;
+    info.parent = parent;
+    info.child = child;
+    info.anchor = hinge->anchor;
+    info.axis = toolkit::raw(toolkit::vec(hinge->axis).normalized());
+    info.X_PC0 = (Pose(w.body[parent].start).inverse() * Pose(w.body[child].start)).abi();
+    info.inertia = hinge->inertia;
+    info.min = hinge->min;
+    info.max = hinge->max;
+    w.body[child].hinge = static_cast<uint32_t>(w.hinge.size());
+    w.hinge.push_back(info);
+    w.hinge_angle.push_back(0);
+    w.hinge_rate.push_back(0);
+    w.hinge_torque.push_back(0);
+    w.drive.push_back({});
+    return b.hinge.count++;
+  }
+
+  static uint32_t state(swage_builder* raw, uint32_t n) {
+    Builder& b = of(raw);
+    if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return kNone;
+    // 1 Mi doubles are 8 MB to save at each rewind; a number that large is a mistake
+    if (n > (1u << 20)) return b.refuse("state() of " + std::to_string(n) + " numbers is too large.");
+    const uint32_t first = b.state.count;
+    b.state.count += n;
+    b.world_.plugin_state.resize(b.world_.plugin_state.size() + n, 0.0);
+    return first;
+  }
+
+  static uint32_t declare(swage_builder* raw, int32_t what, const char* id, const char* unit_text,
+                          const char* doc) {
+    Builder& b = of(raw);
+    const int32_t kind = b.owner_.kind;
+    judge::Name name{b.owner_.name, id != nullptr ? id : "", unit_text != nullptr ? unit_text : "",
+                     doc != nullptr ? doc : ""};
+    switch (what) {
+      case SWAGE_DECLARE_SIGNAL: {
+        if (!b.may(kind == SWAGE_KIND_OBJECT || kind == SWAGE_KIND_COUPLING, "signals")) return kNone;
+        if (!b.fits(b.script_.signals.size() + 1, snapshot::kMaxSignals, "signals")) return kNone;
+        const uint32_t index = b.add_name(b.script_.signals, b.signal, std::move(name));
+        if (index != kNone) b.world_.signal.push_back(0);
+        return index;
+      }
+      case SWAGE_DECLARE_METRIC:
+        if (!b.may(kind == SWAGE_KIND_LESSON, "metrics")) return kNone;
+        if (!b.fits(b.script_.metrics.size() + 1, snapshot::kMaxMetrics, "metrics")) return kNone;
+        return b.add_name(b.script_.metrics, b.metric, std::move(name));
+      case SWAGE_DECLARE_CUE:
+        if (!b.may(kind == SWAGE_KIND_LESSON, "cues")) return kNone;
+        return b.add_name(b.script_.cues, b.cue, std::move(name));
+      case SWAGE_DECLARE_EVENT:
+        if (!b.may(kind == SWAGE_KIND_COUPLING || kind == SWAGE_KIND_LESSON, "events")) return kNone;
+        return b.add_name(b.script_.events, b.event, std::move(name));
+      case SWAGE_DECLARE_PHASE:
+        if (!b.may(kind == SWAGE_KIND_LESSON, "phases")) return kNone;
+        return b.add_name(b.script_.phases, b.phase, std::move(name));
+      default:
+        return b.refuse("declare() does not know what " + std::to_string(what) + " is.");
+    }
+  }
+
+  static void error(swage_builder* raw, const char* param_id, const char* message) {
+    of(raw).refuse(message != nullptr ? message : "", param_id != nullptr ? param_id : "");
+  }
+};
+
+Builder::Builder(Owner owner, scene::World& world, judge::Script& script, base::Problems& problems)
+    : body{static_cast<uint32_t>(world.body.size()), 0},
+      particle{static_cast<uint32_t>(world.particle_mass.size()), 0},
+      shape{static_cast<uint32_t>(world.shape.size()), 0},
+      hinge{static_cast<uint32_t>(world.hinge.size()), 0},
+      state{static_cast<uint32_t>(world.plugin_state.size()), 0},
+      signal{static_cast<uint32_t>(script.signals.size()), 0},
+      metric{static_cast<uint32_t>(script.metrics.size()), 0},
+      cue{static_cast<uint32_t>(script.cues.size()), 0},
+      event{static_cast<uint32_t>(script.events.size()), 0},
+      phase{static_cast<uint32_t>(script.phases.size()), 0},
+      owner_(std::move(owner)),
+      world_(world),
+      script_(script),
+      problems_(problems) {
+  using Calls = BuilderCalls;
+  abi_ = {sizeof(swage_builder),
+          0,
+          this,
+          Calls::body,
+          Calls::particles,
+          Calls::sphere,
+          Calls::capsule,
+          Calls::cylinder,
+          Calls::arc,
+          Calls::convex,
+          Calls::hinge,
+          Calls::state,
+          Calls::declare,
+          Calls::error};
+}
+
+uint32_t Builder::refuse(const std::string& message, const std::string& param_id) {
+  const std::string where = owner_.where ? owner_.where(param_id) : owner_.name;
+  problems_.push_back({base::Severity::kError, where, message});
+  failed_ = true;
+  return kNone;
+}
+
+bool Builder::may(bool allowed, const char* what) {
+  if (!allowed) refuse(article(owner_.kind) + " has no " + what + ".");
+  return allowed;
+}
+
+bool Builder::fits(std::size_t n, uint32_t capacity, const char* what) {
+  if (n <= capacity) return true;
+  refuse("The scene would have " + std::to_string(n) + " " + what + "; there is room for " +
+         std::to_string(capacity) + ".");
+  return false;
+}
+
+bool Builder::owns_body(uint32_t index, const char* shape_name) {
+  if (index < body.count) return true;
+  refuse(std::string(shape_name) + " is fixed to body " + (index == kNone ? "NONE" : std::to_string(index)) +
+         ", which was not declared.");
+  return false;
+}
+
+uint32_t Builder::add_shape(uint32_t body_index, scene::Shape s, uint32_t flags) {
+  if ((flags & ~SWAGE_SHAPE_USUAL) != 0)
+    return refuse("A shape has unknown flags (" + std::to_string(flags) + ").");
+  s.body = body.first + body_index;
+  s.object = owner_.object;
+  s.flags = flags;
+  world_.shape.push_back(s);
+  return shape.count++;
+}
+
+uint32_t Builder::add_name(std::vector<judge::Name>& list, Range& range, judge::Name name) {
+  const std::string quoted = "\"" + name.id + "\"";
+  if (!is_name(name.id)) return refuse(quoted + " is not a name such as \"grasp.force\".");
+  if (name.doc.empty()) return refuse(quoted + " has no doc.");
+  if (const Unit* u = find_unit(name.unit); u == nullptr || u->si != name.unit)
+    return refuse(quoted + ": \"" + name.unit + "\" is not an SI unit of the table (" + unit_list() + ").");
+  for (uint32_t i = 0; i < range.count; ++i)
+    if (list[range.first + i].id == name.id) return refuse(quoted + " is declared twice.");
+  list.push_back(std::move(name));
+  return range.count++;
+}
+
+void Builder::finish() {
+  for (uint32_t i = 0; i < body.count; ++i) {
+    const scene::BodyInfo& info = world_.body[body.first + i];
+    if (info.motion == SWAGE_MOTION_HINGED && info.hinge == kNone)
+      refuse("Body \"" + info.name + "\" is hinged, but no hinge names it as its child.");
+  }
+}
+
+}  // namespace swage::host

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The host's side of swage_builder: what an instance declares during configure goes, checked, into the world
+// and the script. One Builder per configure call. Threads: [main].
+#pragma once
+
+#include <swage/abi/builder.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/problem.hpp"
+#include "judge/verdict.hpp"
+#include "scene/world.hpp"
+
+namespace swage::host {
+
+class Builder {
+ public:
+  /// Who declares. Bodies and shapes are written with this object index and placed by X_WO.
+  struct Owner {
+    int32_t kind = SWAGE_KIND_OBJECT;  // SWAGE_KIND_*
+    std::string name;                  // of the instance
+    uint32_t object = scene::kNone;    // OBJECT: its index in the rig
+    swage_pose X_WO{{0, 0, 0}, {1, 0, 0, 0}};
+    /// What Problem::where says about a parameter ("" is the whole instance); without it: the instance's
+    /// name.
+    std::function<std::string(const std::string& param_id)> where;
+  };
+
+  Builder(Owner owner, scene::World& world, judge::Script& script, base::Problems& problems);
+
+  swage_builder* abi() { return &abi_; }
+  bool failed() const { return failed_; }
+  /// What can only be seen at the end: hinges of hinged bodies. Instance::configure calls it.
+  void finish();
+
+  // what was declared, as ranges of the world's and the script's arrays
+  scene::Range body, particle, shape, hinge, state, signal, metric, cue, event, phase;
+
+ private:
+  friend struct BuilderCalls;
+  uint32_t refuse(const std::string& message, const std::string& param_id = "");
+  bool may(bool allowed, const char* what);  // does this kind of plugin declare such things?
+  bool fits(std::size_t n, uint32_t capacity, const char* what);
+  bool owns_body(uint32_t index, const char* shape);
+  uint32_t add_shape(uint32_t body, scene::Shape shape, uint32_t flags);
+  uint32_t add_name(std::vector<judge::Name>& list, scene::Range& range, judge::Name name);
+
+  Owner owner_;
+  scene::World& world_;
+  judge::Script& script_;
+  base::Problems& problems_;
+  bool failed_ = false;
+  swage_builder abi_{};
+};
+
+}  // namespace swage::host

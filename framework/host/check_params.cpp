@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The checker: JSON values against a parameter table, with sentences for people.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "host/nearest.hpp"
+#include "host/params_json.hpp"
+#include "host/units.hpp"
+
+namespace swage::host {
+
+using Json = nlohmann::ordered_json;
+using base::Severity;
+
+namespace {
+
+std::string dump(const Json& json) {
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+// what a parameter takes, for "is ..., not ..."
+std::string expected(const Param& p) {
+  const Unit* unit = find_unit(p.unit);
+  const std::string units = unit != nullptr && p.unit != "1" ? " (" + units_like(p.unit) + ")" : "";
+  switch (p.type) {
+    case SWAGE_PARAM_INTEGER:
+      return "a whole number";
+    case SWAGE_PARAM_BOOL:
+      return "true or false";
+    case SWAGE_PARAM_CHOICE:
+      return "one of " + join(p.choices, true);
+    case SWAGE_PARAM_TEXT:
+      return "a text";
+    case SWAGE_PARAM_FILE:
+      return "the name of a file";
+    case SWAGE_PARAM_VECTOR:
+      return "a list of " + std::to_string(p.dimension) + " numbers" +
+             (unit != nullptr && p.unit != "1" ? ", each " + std::string(unit->dimension) + units : "");
+    default:
+      return (unit != nullptr ? unit->dimension : "a number") + units;
+  }
+}
+
+class Checker {
+ public:
+  Checker(const ParamTable& table, const ParamSource& source, ParamValues& out, base::Problems& problems)
+      : table_(table), source_(source), out_(out), problems_(problems) {}
+
+  bool run(const Json& object) {
+    out_ = default_values(table_, source_.bundle_folder);
+    std::vector<bool> given(table_.size(), false);
+    if (!object.is_object()) {
+      error("", "\"params\" is an object { \"name\": value, ... }, not " + dump(object) + ".");
+      return false;
+    }
+    for (const auto& [key, value] : object.items()) take(key, value, given);
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      if (table_[i].required() && !given[i])
+        error("", source_.plugin_id + " needs \"" + table_[i].id + "\" (" + expected(table_[i]) +
+                      "): " + table_[i].doc);
+    }
+    out_.point_to_texts();
+    return good_;
+  }
+
+ private:
+  void say(Severity severity, const std::string& pointer, const std::string& message) {
+    problems_.push_back({severity, source_.where ? source_.where(pointer) : source_.plugin_id, message});
+    good_ = good_ && severity != Severity::kError;
+  }
+  void error(const std::string& pointer, const std::string& message) {
+    say(Severity::kError, pointer, message);
+  }
+
+  // JSON pointers escape two characters
+  static std::string pointer_to(const std::string& key) {
+    std::string out = "/";
+    for (const char c : key) out += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    return out;
+  }
+
+  void take(const std::string& key, const Json& value, std::vector<bool>& given) {
+    const std::string pointer = pointer_to(key);
+    if (key.starts_with("x-")) return;  // notes of people
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < table_.size(); ++i) {
+      const Param& p = table_[i];
+      ids.push_back(p.id);
+      const bool former = std::find(p.aliases.begin(), p.aliases.end(), key) != p.aliases.end();
+      if (p.id != key && !former) continue;
+      if (former) {
+        say(Severity::kWarning, pointer,
+            "\"" + key + "\" is now called \"" + p.id + "\". Write  \"" + p.id + "\": " + dump(value));
+      }
+      if (given[i]) return error(pointer, "\"" + p.id + "\" is given twice.");
+      given[i] = true;
+      return check(p, pointer, value, i);
+    }
+    const std::string has = ids.empty() ? " It has none." : " It has: " + join(ids) + ".";
+    error(pointer, source_.plugin_id + " has no such parameter." + did_you_mean(key, ids) + has);
+  }
+
+  void check(const Param& p, const std::string& pointer, const Json& json, std::size_t i) {
+    swage_value& value = out_.value[i];
+    const auto refuse = [&] {
+      error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + ".");
+    };
+    switch (p.type) {
+      case SWAGE_PARAM_BOOL:
+        if (!json.is_boolean()) return refuse();
+        value.number[0] = json.get<bool>() ? 1 : 0;
+        return;
+      case SWAGE_PARAM_CHOICE:
+        return choice(p, pointer, json, value);
+      case SWAGE_PARAM_TEXT:
+        if (!json.is_string()) return refuse();
+        out_.text[i] = json.get<std::string>();
+        return;
+      case SWAGE_PARAM_FILE:
+        if (!json.is_string()) return refuse();
+        return file(p, pointer, json.get<std::string>(), out_.text[i]);
+      case SWAGE_PARAM_VECTOR:
+        if (!json.is_array() || json.size() != p.dimension) return refuse();
+        for (std::size_t k = 0; k < json.size(); ++k)
+          number(p, pointer + "/" + std::to_string(k), json[k], value.number[k]);
+        return;
+      default:
+        number(p, pointer, json, value.number[0]);
+    }
+  }
+
+  void choice(const Param& p, const std::string& pointer, const Json& json, swage_value& value) {
+    const std::string typed = json.is_string() ? json.get<std::string>() : "";
+    const auto found = std::find(p.choices.begin(), p.choices.end(), typed);
+    if (json.is_string() && found != p.choices.end()) {
+      value.number[0] = static_cast<double>(found - p.choices.begin());
+      return;
+    }
+    error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + "." +
+                       (json.is_string() ? did_you_mean(typed, p.choices) : ""));
+  }
+
+  void file(const Param& p, const std::string& pointer, const std::string& name, std::string& text) {
+    namespace fs = std::filesystem;
+    text = name;
+    if (name.empty()) return;
+    std::error_code failed;
+    const fs::path path = fs::absolute(fs::path(source_.folder) / name, failed).lexically_normal();
+    if (!failed && fs::is_regular_file(path, failed)) {
+      text = path.string();
+    } else {
+      error(pointer, "\"" + p.label + "\": there is no file " + path.string() + ".");
+    }
+  }
+
+  // a plain number is in the SI unit, a text brings its own
+  void number(const Param& p, const std::string& pointer, const Json& json, double& out) {
+    double value = 0;
+    std::string sentence;
+    if (json.is_string()) {
+      if (!parse_quantity(json.get<std::string>(), p.unit, p.label, value, sentence))
+        return error(pointer, sentence);
+    } else if (json.is_number()) {
+      value = json.get<double>();
+    } else {
+      return error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + ".");
+    }
+    if (p.type == SWAGE_PARAM_INTEGER && value != std::floor(value))
+      return error(pointer, "\"" + p.label + "\" is a whole number, not " + dump(json) + ".");
+    // conversion rounds: "20 mm" must not exceed 0.02 m by its last bit
+    const double slack = 1e-12 * std::max(std::abs(p.min), std::abs(p.max));
+    if (!(value >= p.min - slack && value <= p.max + slack)) {
+      return error(pointer, dump(json) + " is out of range; \"" + p.label + "\" goes from " +
+                                format_quantity(p.min, p.display_unit) + " to " +
+                                format_quantity(p.max, p.display_unit) + ".");
+    }
+    out = std::clamp(value, p.min, p.max);
+  }
+
+  const ParamTable& table_;
+  const ParamSource& source_;
+  ParamValues& out_;
+  base::Problems& problems_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+bool check_params_json(const Json& object, const ParamTable& table, const ParamSource& source,
+                       ParamValues& out, base::Problems& problems) {
+  return Checker(table, source, out, problems).run(object);
+}
+
+bool check_params(std::string_view text, const ParamTable& table, const ParamSource& source, ParamValues& out,
+                  base::Problems& problems) {
+  const Json object = text.empty() ? Json::object() : Json::parse(text, nullptr, false);
+  if (object.is_discarded()) {
+    out = default_values(table, source.bundle_folder);
+    problems.push_back({Severity::kError, source.where ? source.where("") : source.plugin_id,
+                        "The parameters are not JSON: " + std::string(text.substr(0, 60))});
+    return false;
+  }
+  return check_params_json(object, table, source, out, problems);
+}
+
+}  // namespace swage::host

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/guard.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/clock.hpp"
+
+namespace swage::host {
+
+thread_local constinit LastCall last_call;
+
+namespace {
+
+constexpr uint64_t kWindow = 100;            // steps over which lateness is counted
+constexpr int kBadge = 5, kQuarantine = 20;  // late steps of the window
+
+// how many of the last kWindow steps were late; the window is 64 + 36 bits
+int late_count(const Watch& watch) {
+  return std::popcount(watch.late[0]) + std::popcount(watch.late[1] & ((uint64_t{1} << (kWindow - 64)) - 1));
+}
+
+// moves the window on to `step`
+void shift(Watch& watch, uint64_t steps) {
+  if (steps >= 128) {
+    watch.late[0] = watch.late[1] = 0;
+  } else if (steps >= 64) {
+    watch.late[1] = watch.late[0] << (steps - 64);
+    watch.late[0] = 0;
+  } else if (steps > 0) {
+    watch.late[1] = (watch.late[1] << steps) | (watch.late[0] >> (64 - steps));
+    watch.late[0] <<= steps;
+  }
+}
+
+void begin_step(Watch& watch, uint64_t step) {
+  shift(watch, step > watch.step ? step - watch.step : 1);
+  watch.badge.store(late_count(watch) >= kBadge ? 1 : 0, std::memory_order_relaxed);
+  watch.step = step;
+  watch.wall_ns = watch.cpu_ns = 0;
+  watch.investigated = step < watch.investigate_until;
+}
+
+}  // namespace
+
+void quarantine(Instance& instance, Misdeed misdeed, Call call, uint64_t step) noexcept {
+  Misdeed none = Misdeed::kNone;
+  if (!instance.misdeed.compare_exchange_strong(none, misdeed, std::memory_order_relaxed)) return;
+  instance.misdeed_call.store(call, std::memory_order_relaxed);
+  instance.quarantine_step.store(step, std::memory_order_relaxed);
+  instance.quarantined.store(1, std::memory_order_release);
+}
+
+bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
+            double limit) noexcept {
+  if (!finite(data, n)) {
+    quarantine(instance, Misdeed::kNotFinite, call, step);
+    return false;
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(data[i]));
+  if (largest <= limit) return true;
+  quarantine(instance, Misdeed::kTooLarge, call, step);
+  return false;
+}
+
+namespace detail {
+
+void start_watch(Watch& watch, uint64_t step, int64_t& wall, int64_t& cpu) noexcept {
+  if (watch.step != step) begin_step(watch, step);
+  // the processor clock is a system call: it is read only while an instance is under suspicion
+  if (watch.investigated) cpu = base::cpu_ns();
+  wall = base::wall_ns();
+}
+
+bool stop_watch(Watch& watch, int64_t wall, int64_t cpu) noexcept {
+  const int64_t spent = base::wall_ns() - wall;
+  watch.wall_ns += spent;
+  if (spent > watch.worst_wall_ns.load(std::memory_order_relaxed))
+    watch.worst_wall_ns.store(spent, std::memory_order_relaxed);
+  const bool over_before = watch.wall_ns - spent > watch.budget_ns;
+  const int64_t cpu_before = watch.cpu_ns;
+  if (watch.investigated) watch.cpu_ns += base::cpu_ns() - cpu;
+  if (watch.wall_ns <= watch.budget_ns) return false;
+
+  // over the budget by the wall clock: suspicion; by the processor clock: guilt
+  watch.investigate_until = watch.step + kWindow;
+  if (!watch.investigated) return false;
+  const bool guilty = watch.cpu_ns > watch.budget_ns;
+  if (guilty && cpu_before <= watch.budget_ns) {
+    watch.late[0] |= 1;
+    watch.late_steps.fetch_add(1, std::memory_order_relaxed);
+  } else if (!guilty && !over_before) {
+    watch.preempted.fetch_add(1, std::memory_order_relaxed);
+  }
+  const int count = late_count(watch);
+  if (count >= kBadge) watch.badge.store(1, std::memory_order_relaxed);
+  return guilty && count >= kQuarantine;
+}
+
+}  // namespace detail
+
+}  // namespace swage::host

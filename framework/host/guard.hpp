@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every call into a plugin goes through guarded(): an exception, an error, a changed floating-point mode or
+// repeated overrun costs the instance, never the session. Over a bare call: 2 ns untimed, 45 ns timed.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "host/instance.hpp"
+
+namespace swage::host {
+
+/// Control bits of the floating-point unit (MXCSR and x87), without the sticky flags.
+struct FpuMode {
+  uint32_t mxcsr = 0, x87 = 0;
+  bool operator==(const FpuMode&) const = default;
+};
+
+inline FpuMode fpu_mode() noexcept {
+#if defined(__x86_64__)
+  uint32_t mxcsr;
+  uint16_t x87;
+  asm volatile("stmxcsr %0" : "=m"(mxcsr));
+  asm volatile("fnstcw %0" : "=m"(x87));
+  return {mxcsr & ~0x3Fu, x87};  // the low six bits say what has happened, not how to calculate
+#else
+  return {};
+#endif
+}
+
+inline void set_fpu_mode([[maybe_unused]] const FpuMode& mode) noexcept {
+#if defined(__x86_64__)
+  const uint32_t mxcsr = mode.mxcsr;
+  const auto x87 = static_cast<uint16_t>(mode.x87);
+  asm volatile("ldmxcsr %0" : : "m"(mxcsr));
+  asm volatile("fldcw %0" : : "m"(x87));
+#endif
+}
+
+/// The call that a thread is in. A signal handler reads its own thread's, a watchdog those that threads have
+/// shown it.
+struct LastCall {
+  std::atomic<const Instance*> instance{nullptr};  // nullptr between calls
+  std::atomic<Call> call{Call::kNone};
+  std::atomic<uint64_t> step{0};
+};
+extern thread_local constinit LastCall last_call;
+
+/// Puts the instance in quarantine; the first misdeed stays. [any] wait-free
+void quarantine(Instance& instance, Misdeed misdeed, Call call, uint64_t step) noexcept;
+
+/// True when all n numbers are finite.
+inline bool finite(const double* data, std::size_t n) noexcept {
+  uint64_t worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    // infinity and NaN are the exponents of all ones
+    const uint64_t exponent = __builtin_bit_cast(uint64_t, data[i]) & 0x7FF0000000000000ull;
+    worst |= static_cast<uint64_t>(exponent == 0x7FF0000000000000ull);
+  }
+  return worst == 0;
+}
+
+/// Looks through what a call has written: finite, and no component beyond `limit` in size. False:
+/// quarantined. [rt]
+bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
+            double limit) noexcept;
+
+namespace detail {
+void start_watch(Watch& watch, uint64_t step, int64_t& wall, int64_t& cpu) noexcept;
+/// True when the instance has been late in 20 of the last 100 steps.
+bool stop_watch(Watch& watch, int64_t wall, int64_t cpu) noexcept;
+}  // namespace detail
+
+namespace detail {
+
+/// Calls `f` under last_call and stops what it throws. SWAGE_FAULT: it threw. `mode_kept` false: it had
+/// changed the floating-point mode, which is restored.
+template <class F>
+swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
+                       bool* mode_kept = nullptr) noexcept {
+  const FpuMode mode = fpu_mode();
+  // whoever looks into a crash or a hang finds the culprit here
+  last_call.call.store(call, std::memory_order_relaxed);
+  last_call.step.store(step, std::memory_order_relaxed);
+  last_call.instance.store(&instance, std::memory_order_release);
+
+  // the wrapper stops exceptions inside the plugin; those of a plugin without it are stopped here
+  swage_result result = SWAGE_OK;
+  try {
+    if constexpr (std::is_void_v<std::invoke_result_t<F>>) {
+      f();
+    } else {
+      result = f();
+    }
+  } catch (...) {
+    result = SWAGE_FAULT;
+  }
+  last_call.instance.store(nullptr, std::memory_order_release);
+  const bool kept = fpu_mode() == mode;
+  if (!kept) set_fpu_mode(mode);
+  if (mode_kept != nullptr) *mode_kept = kept;
+  return result;
+}
+
+}  // namespace detail
+
+/// Calls `f` (a call of one plugin function; swage_result or void) for `instance`. True: use what it wrote.
+/// False: drop it, because the plugin said DISCARD, is in quarantine, or has just been put there. [any]
+/// noexcept, no allocation unless the plugin throws.
+template <class F>
+bool guarded(Instance& instance, Call call, uint64_t step, F&& f) noexcept {
+  if (instance.quarantined.load(std::memory_order_relaxed) != 0) return false;
+  const bool timed = instance.watch.budget_ns > 0;
+  int64_t wall = 0, cpu = 0;
+  if (timed) detail::start_watch(instance.watch, step, wall, cpu);
+  bool mode_kept = true;
+  const swage_result result = detail::contained(instance, call, step, f, &mode_kept);
+  const bool late = timed && detail::stop_watch(instance.watch, wall, cpu);
+
+  if (!mode_kept) {
+    quarantine(instance, Misdeed::kFpuMode, call, step);
+  } else if (result < 0) {
+    quarantine(instance, result == SWAGE_FAULT ? Misdeed::kFault : Misdeed::kError, call, step);
+  } else if (late) {
+    quarantine(instance, Misdeed::kLate, call, step);
+  } else {
+    return result != SWAGE_DISCARD;
+  }
+  return false;
+}
+
+}  // namespace swage::host

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One live instance of a plugin, what it was configured with, and its record with the guard (guard.hpp).
+#pragma once
+
+#include <swage/abi/plugin.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/params.hpp"
+#include "host/services.hpp"
+
+namespace swage::host {
+
+class Builder;
+class Library;
+struct PluginInfo;
+
+/// Why an instance is in quarantine.
+enum class Misdeed : uint32_t { kNone, kError, kFault, kNotFinite, kTooLarge, kFpuMode, kLate };
+
+/// Which function of a plugin is running.
+enum class Call : uint32_t {
+  kNone,
+  kCreate,
+  kConfigure,
+  kActivate,
+  kDeactivate,
+  kDestroy,
+  kExtension,
+  kBind,
+  kOpen,
+  kClose,  // [main]
+  kForces,
+  kFinish,
+  kReset,
+  kAdvance,
+  kCompliance,
+  kYield,
+  kResolve,
+  kObserve,
+  kExchange,  // [rt], [io]
+  kChange     // [rt]
+};
+
+const char* text(Misdeed misdeed);  // "returned an error", ...
+const char* text(Call call);        // "forces", ...
+
+/// Time keeping of the guard; written by the thread that calls the instance.
+struct Watch {
+  int64_t budget_ns =
+      0;  // own processor time per step; 0: untimed, so that nothing depends on the wall clock
+  uint64_t step = ~uint64_t{0};
+  int64_t wall_ns = 0, cpu_ns = 0;  // of this step so far
+  uint64_t investigate_until = 0;   // up to this step the processor clock is read around each call
+  bool investigated = false;        // this step, from its first call on
+  uint64_t late[2] = {0, 0};        // bit i: late i steps ago; [0] the latest 64
+  std::atomic<uint32_t> badge{0};   // 1: late in 5 of the last 100 steps
+  std::atomic<uint64_t> late_steps{0};
+  std::atomic<uint64_t> preempted{0};  // over its budget by the wall clock, innocent by the processor clock
+  std::atomic<int64_t> worst_wall_ns{0};
+};
+
+class Instance {
+ public:
+  Instance() = default;
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+  ~Instance();  // deactivates and destroys what is left
+
+  /// Creates an instance of `plugin`. nullptr: `error` has one sentence. [main]
+  static std::unique_ptr<Instance> create(const PluginInfo& plugin, const Library& library,
+                                          const std::string& name, const Shared& shared,
+                                          uint32_t random_index, uint64_t seed, std::string& error);
+
+  /// Keeps the values and hands them to the plugin. False: `error` has a sentence, the builder may have more.
+  /// [main]
+  bool configure(ParamValues values, Builder& builder, std::string& error);
+  bool activate(double dt_s, std::string& error);  // [main]
+  void deactivate();                               // [main]
+  bool active() const { return active_; }
+
+  /// An extension of the instance, guarded; nullptr when it does not offer it. [main]
+  const void* extension(const char* id);
+
+  std::string name;  // in the lesson file
+  std::string plugin_id, plugin_version;
+  std::vector<swage_value> values;
+  std::vector<std::string> texts;  // what values[i].text points to
+  std::vector<std::string> traits;
+  swage_instance* raw = nullptr;
+  std::unique_ptr<Services> services;
+
+  // --- guard: written on [rt], read anywhere
+  std::atomic<uint32_t> quarantined{0};
+  std::atomic<uint64_t> quarantine_step{0};
+  std::atomic<Misdeed> misdeed{Misdeed::kNone};
+  std::atomic<Call> misdeed_call{Call::kNone};
+  Watch watch;
+
+ private:
+  bool active_ = false;
+};
+
+/// "needle (swage.object.needle 1.2.0): forces() returned a number that is not finite at step 120; ..."
+/// [main]
+std::string quarantine_text(const Instance& instance);
+
+}  // namespace swage::host

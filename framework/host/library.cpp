@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/library.hpp"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "base/clock.hpp"
+#include "host/guard.hpp"
+
+namespace swage::host {
+
+namespace {
+
+std::string version_text(uint32_t major, uint32_t minor) {
+  return std::to_string(major) + "." + std::to_string(minor);
+}
+
+// libraries stay for the life of the process, and so does this map; deinit runs at exit
+std::map<std::string, std::unique_ptr<Library>>& loaded() {
+  static auto* const map = new std::map<std::string, std::unique_ptr<Library>>;
+  return *map;
+}
+
+// what was refused after it had been mapped: it stays mapped, its constructors do not run again, and a second
+// look would find nothing wrong with it
+std::map<std::string, std::string>& refused() {
+  static auto* const map = new std::map<std::string, std::string>;
+  return *map;
+}
+
+void deinit_all() {
+  for (auto& [path, library] : loaded())
+    if (library->entry().deinit != nullptr) library->entry().deinit();
+}
+
+// dlerror() repeats the path, which the caller names anyway
+std::string loader_error(const std::string& path) {
+  const char* text = dlerror();
+  std::string message = text != nullptr ? text : "unknown error";
+  if (message.starts_with(path + ": ")) message.erase(0, path.size() + 2);
+  return message;
+}
+
+}  // namespace
+
+std::string abi_refusal(uint32_t major, uint32_t minor) {
+  if (major == SWAGE_ABI_MAJOR && minor <= SWAGE_ABI_MINOR) return "";
+  const std::string offered = version_text(SWAGE_ABI_MAJOR, SWAGE_ABI_MINOR);
+  return "It was built for plugin interface " + version_text(major, minor) + "; this program offers " +
+         offered +
+         (major == SWAGE_ABI_MAJOR ? ". Update this program, or build the plugin for an older interface."
+                                   : ". Build it against this program's SDK.");
+}
+
+const Library* Library::load(const std::string& path, std::string& error) {
+  std::error_code ignored;
+  std::string real = std::filesystem::weakly_canonical(path, ignored).string();
+  if (real.empty()) real = path;
+  if (const auto found = loaded().find(real); found != loaded().end()) return found->second.get();
+  if (const auto found = refused().find(real); found != refused().end()) {
+    error = found->second;
+    return nullptr;
+  }
+  if (!std::filesystem::is_regular_file(real, ignored)) {
+    error = "There is no such file.";
+    return nullptr;
+  }
+
+  auto library = std::unique_ptr<Library>(new Library);
+  library->path_ = real;
+  library->bundle_dir_ = std::filesystem::path(real).parent_path().string();
+  error.clear();
+  if (!library->open(error)) {
+    if (library->mapped_) refused()[real] = error;
+    return nullptr;
+  }
+  if (loaded().empty()) std::atexit(deinit_all);
+  return (loaded()[real] = std::move(library)).get();
+}
+
+bool Library::open(std::string& error) {
+  // a library linked with -ffast-math changes the arithmetic of this thread while it loads
+  const FpuMode mode = fpu_mode();
+  const int64_t begin = base::wall_ns();
+  void* handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL);
+  const FpuMode mode_after = fpu_mode();
+  set_fpu_mode(mode);
+  if (handle == nullptr) {
+    error = "The dynamic loader refused it: " + loader_error(path_) + ".";
+    return false;
+  }
+  mapped_ = true;
+  if (mode_after != mode) {
+    error =
+        "It changes how the processor calculates when it is loaded (linked with -ffast-math?). "
+        "Link it without.";
+    return false;
+  }
+
+  // the entry, and whether both sides speak the same language
+  entry_ = static_cast<const swage_entry*>(dlsym(handle, SWAGE_ENTRY_SYMBOL));
+  if (entry_ == nullptr) {
+    error = "It is not a Swage plugin: it exports no " SWAGE_ENTRY_SYMBOL ".";
+    return false;
+  }
+  error = abi_refusal(entry_->abi_major, entry_->abi_minor);
+  if (!error.empty()) return false;
+  const bool started = start(error);
+  load_seconds_ = 1e-9 * static_cast<double>(base::wall_ns() - begin);
+  return started;
+}
+
+bool Library::start(std::string& error) {
+  const FpuMode mode = fpu_mode();
+  swage_result result = SWAGE_ERROR;
+  if (entry_->struct_size >= sizeof(swage_entry) && entry_->get_factory != nullptr) {
+    try {
+      result = entry_->init == nullptr ? SWAGE_OK : entry_->init(bundle_dir_.c_str());
+      factory_ = static_cast<const swage_factory*>(entry_->get_factory(SWAGE_FACTORY_INSTANCES));
+      param_factory_ = static_cast<const swage_param_factory*>(entry_->get_factory(SWAGE_FACTORY_PARAMS));
+    } catch (...) {
+      result = SWAGE_FAULT;
+    }
+  }
+  if (fpu_mode() != mode) {
+    set_fpu_mode(mode);
+    error = "Its init changes how the processor calculates.";
+  } else if (entry_->struct_size < sizeof(swage_entry) || entry_->get_factory == nullptr) {
+    error = "Its " SWAGE_ENTRY_SYMBOL " is incomplete.";
+  } else if (result < 0) {
+    error = "Its init failed.";
+  } else if (factory_ == nullptr || factory_->count == nullptr || factory_->descriptor == nullptr ||
+             factory_->create == nullptr) {
+    error = "It offers no " SWAGE_FACTORY_INSTANCES ".";
+  }
+  return error.empty();
+}
+
+const swage_param* Library::params(const char* plugin_id, uint32_t* count) const {
+  *count = 0;
+  if (param_factory_ == nullptr || param_factory_->table == nullptr) return nullptr;
+  const swage_param* table = param_factory_->table(plugin_id, count);
+  if (table == nullptr) *count = 0;
+  return table;
+}
+
+}  // namespace swage::host

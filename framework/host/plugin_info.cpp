@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/plugin_info.hpp"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/hash.hpp"
+#include "host/library.hpp"
+#include "host/params_json.hpp"
+#include "host/version.hpp"
+
+namespace swage::host {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kFormat = "swage-plugin/1";
+constexpr std::array kKinds = {"object", "coupling", "device", "lesson"};
+
+std::string copy(const char* text) { return text != nullptr ? text : ""; }
+
+bool is_id(const std::string& id) {
+  // reverse domain, lower case: at least two words of a-z 0-9 _, each starting with a letter
+  bool start = true, dotted = false;
+  for (const char c : id) {
+    const bool letter = c >= 'a' && c <= 'z';
+    const bool inner = letter || (c >= '0' && c <= '9') || c == '_';
+    if (c == '.' && !start) {
+      start = dotted = true;
+    } else if (start ? letter : inner) {
+      start = false;
+    } else {
+      return false;
+    }
+  }
+  return dotted && !start;
+}
+
+PluginInfo copy_descriptor(const swage_descriptor& d) {
+  PluginInfo plugin;
+  plugin.kind = d.kind;
+  plugin.id = copy(d.id);
+  plugin.version = copy(d.version);
+  plugin.name = copy(d.name);
+  plugin.summary = copy(d.summary);
+  plugin.author = copy(d.author);
+  plugin.licence = copy(d.licence);
+  for (const char* const* trait = d.traits; trait != nullptr && *trait != nullptr; ++trait)
+    plugin.traits.push_back(*trait);
+  return plugin;
+}
+
+}  // namespace
+
+const char* kind_text(int32_t kind) {
+  return kind >= 1 && kind <= 4 ? kKinds[static_cast<std::size_t>(kind - 1)] : "unknown";
+}
+
+bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error) {
+  out.clear();
+  try {
+    const uint32_t n = library.factory().count();
+    for (uint32_t i = 0; i < n && i < 1000; ++i) {
+      const swage_descriptor* d = library.factory().descriptor(i);
+      if (d == nullptr) {
+        error = "Its descriptor " + std::to_string(i) + " of " + std::to_string(n) + " is NULL.";
+        return false;
+      }
+      PluginInfo plugin = copy_descriptor(*d);
+      uint32_t count = 0;
+      const swage_param* table = library.params(plugin.id.c_str(), &count);
+      plugin.params = copy_table(table, count);
+      plugin.bundle_dir = library.bundle_dir();
+      plugin.library_path = library.path();
+      plugin.build_info = copy(library.entry().build_info);
+      plugin.abi_major = library.entry().abi_major;
+      plugin.abi_minor = library.entry().abi_minor;
+      out.push_back(std::move(plugin));
+    }
+  } catch (...) {
+    error = "It threw an exception while it was described.";
+    return false;
+  }
+  if (out.empty()) error = "It holds no plugin.";
+  return !out.empty();
+}
+
+std::vector<std::string> plugin_faults(const PluginInfo& plugin) {
+  std::vector<std::string> faults;
+  if (!is_id(plugin.id))
+    faults.push_back("Id \"" + plugin.id +
+                     "\" is not a reverse domain in lower case such as \"org.example.clip\".");
+  Version version;
+  if (!parse_version(plugin.version, version))
+    faults.push_back("Version \"" + plugin.version + "\" is not three numbers such as \"1.2.0\".");
+  if (plugin.kind < SWAGE_KIND_OBJECT || plugin.kind > SWAGE_KIND_LESSON)
+    faults.push_back("Kind " + std::to_string(plugin.kind) + " is not object, coupling, device or lesson.");
+  if (plugin.kind != SWAGE_KIND_OBJECT && !plugin.traits.empty())
+    faults.push_back("Only objects offer traits.");
+  const std::array<std::pair<const char*, const std::string*>, 4> texts = {{{"name", &plugin.name},
+                                                                            {"summary", &plugin.summary},
+                                                                            {"author", &plugin.author},
+                                                                            {"licence", &plugin.licence}}};
+  for (const auto& [what, text] : texts)
+    if (text->empty()) faults.push_back(std::string("It has no ") + what + ".");
+  for (std::string& fault : table_faults(plugin.params)) faults.push_back(std::move(fault));
+  return faults;
+}
+
+std::string content_hash(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return "";
+  base::Hash hash;
+  std::vector<char> block(std::size_t{1} << 16);
+  while (file) {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    hash.add(block.data(), static_cast<std::size_t>(file.gcount())).add(static_cast<uint64_t>(file.gcount()));
+  }
+  std::array<char, 20> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash.value()));
+  return text.data();
+}
+
+std::string write_sidecar(const std::string& library_path, const std::string& hash,
+                          const std::vector<PluginInfo>& plugins) {
+  Json json;
+  json["format"] = kFormat;
+  json["library"] = library_path.substr(library_path.rfind('/') + 1);
+  json["hash"] = hash;
+  if (!plugins.empty()) {
+    json["abi"] = {plugins[0].abi_major, plugins[0].abi_minor};
+    json["build_info"] = plugins[0].build_info;
+  }
+  Json& list = json["plugins"] = Json::array();
+  for (const PluginInfo& plugin : plugins) {
+    list.push_back({{"kind", kind_text(plugin.kind)},
+                    {"id", plugin.id},
+                    {"version", plugin.version},
+                    {"name", plugin.name},
+                    {"summary", plugin.summary},
+                    {"author", plugin.author},
+                    {"licence", plugin.licence},
+                    {"traits", plugin.traits},
+                    {"params", table_to_json(plugin.params)}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool read_sidecar(const std::string& text, std::string& hash, std::vector<PluginInfo>& out,
+                  std::string& error) {
+  out.clear();
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != kFormat) throw std::runtime_error("another format");
+    hash = json.at("hash").get<std::string>();
+    for (const Json& item : json.at("plugins")) {
+      PluginInfo plugin;
+      const std::string kind = item.at("kind");
+      for (int32_t k = SWAGE_KIND_OBJECT; k <= SWAGE_KIND_LESSON; ++k)
+        if (kind == kind_text(k)) plugin.kind = k;
+      item.at("id").get_to(plugin.id);
+      item.at("version").get_to(plugin.version);
+      item.at("name").get_to(plugin.name);
+      item.at("summary").get_to(plugin.summary);
+      item.at("author").get_to(plugin.author);
+      item.at("licence").get_to(plugin.licence);
+      item.at("traits").get_to(plugin.traits);
+      json.at("abi").at(0).get_to(plugin.abi_major);
+      json.at("abi").at(1).get_to(plugin.abi_minor);
+      json.at("build_info").get_to(plugin.build_info);
+      if (!table_from_json(item.at("params"), plugin.params)) throw std::runtime_error("a parameter table");
+      out.push_back(std::move(plugin));
+    }
+  } catch (const std::exception& e) {
+    error = std::string("It is not a ") + kFormat + " file: " + e.what();
+    return false;
+  }
+  return true;
+}
+
+}  // namespace swage::host

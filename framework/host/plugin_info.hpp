@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Who a plugin is, readable without loading it: the sidecar plugin.json, generated from the binary by
+// swage-describe.
+#pragma once
+
+#include <swage/abi/plugin.h>
+
+#include <string>
+#include <vector>
+
+#include "host/params.hpp"
+
+namespace swage::host {
+
+class Library;
+
+struct PluginInfo {
+  int32_t kind = 0;  // SWAGE_KIND_*
+  std::string id, version, name, summary, author, licence;
+  std::vector<std::string> traits;
+  ParamTable params;
+  std::string bundle_dir, library_path;
+  std::string build_info;  // compiler and flags, for reports only
+  uint32_t abi_major = 0, abi_minor = 0;
+  bool stock = false;  // found in the install's own folder
+};
+
+const char* kind_text(int32_t kind);  // "object", "coupling", "device", "lesson"
+
+/// Reads every descriptor and table of a loaded library. False: `error` says what is malformed.
+bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error);
+
+/// What is wrong with a descriptor and its table, one sentence each; empty for a good plugin.
+std::vector<std::string> plugin_faults(const PluginInfo& plugin);
+
+/// Hash of a file's content, "" when it cannot be read.
+std::string content_hash(const std::string& path);
+
+/// Text of plugin.json for a library and its plugins (format "swage-plugin/1").
+std::string write_sidecar(const std::string& library_path, const std::string& hash,
+                          const std::vector<PluginInfo>& plugins);
+
+/// The other way round; `hash` as written. False: `error` says why.
+bool read_sidecar(const std::string& text, std::string& hash, std::vector<PluginInfo>& out,
+                  std::string& error);
+
+}  // namespace swage::host

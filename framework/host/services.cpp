@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/services.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "base/rng.hpp"
+#include "scene/world.hpp"
+
+namespace swage::host {
+
+namespace {
+thread_local constinit int32_t role = SWAGE_THREAD_MAIN;
+}
+
+int32_t thread_role() noexcept { return role; }
+void set_thread_role(int32_t new_role) noexcept { role = new_role; }
+
+void FaultRing::push(int32_t code, double a, double b) noexcept {
+  const uint64_t k = head_.fetch_add(1, std::memory_order_relaxed);
+  Slot& slot = slot_[k % kCapacity];
+  // released, so that whoever sees one of them also sees that the ticket has changed; ThreadSanitizer knows no fences
+  slot.ticket.store(2 * k + 1, std::memory_order_relaxed);
+  slot.code.store(code, std::memory_order_release);
+  slot.a.store(a, std::memory_order_release);
+  slot.b.store(b, std::memory_order_release);
+  slot.ticket.store(2 * k + 2, std::memory_order_release);
+}
+
+std::vector<Fault> FaultRing::take(uint64_t* lost) {
+  const uint64_t head = head_.load(std::memory_order_acquire);
+  const uint64_t first = std::max(taken_, head > kCapacity ? head - kCapacity : 0);
+  uint64_t gone = first - taken_;
+  std::vector<Fault> out;
+  for (uint64_t k = first; k < head; ++k) {
+    const Slot& slot = slot_[k % kCapacity];
+    const uint64_t before = slot.ticket.load(std::memory_order_acquire);
+    const Fault fault{slot.code.load(std::memory_order_acquire), slot.a.load(std::memory_order_acquire),
+                      slot.b.load(std::memory_order_acquire)};
+    const bool whole = before == 2 * k + 2 && slot.ticket.load(std::memory_order_relaxed) == before;
+    if (whole) {
+      out.push_back(fault);
+    } else {
+      ++gone;
+    }
+  }
+  taken_ = head;
+  if (lost != nullptr) *lost = gone;
+  return out;
+}
+
+Services::Services(std::string instance_name, const Shared& shared, uint32_t random_index, uint64_t seed)
+    : name_(std::move(instance_name)),
+      shared_(shared),
+      random_index_(random_index),
+      own_random_(base::stream_seed(seed, name_)) {
+  if (shared_.world != nullptr && random_index_ < shared_.world->random.size())
+    shared_.world->random[random_index_] = own_random_;
+  host_.struct_size = sizeof(swage_host);
+  host_.abi_major = SWAGE_ABI_MAJOR;
+  host_.abi_minor = SWAGE_ABI_MINOR;
+  host_.host_data = this;
+  host_.get_extension = get_extension;
+  host_.report = report;
+  host_.fault = fault;
+  host_.thread_kind = thread_kind;
+  host_.random_u64 = random_u64;
+}
+
+base::Problems Services::take_reports() {
+  const std::lock_guard lock(reports_mutex_);
+  return std::exchange(reports_, {});
+}
+
+const void* Services::get_extension(const swage_host*, const char* id) {
+  static constexpr swage_host_pointer pointer{read_pointer};
+  return id != nullptr && std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
+}
+
+void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {
+  Services& self = of(host);
+  if (role == SWAGE_THREAD_RT) {
+    // text on [rt] would allocate: it is dropped, and the breach counted
+    self.role_breaches_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  const auto level = static_cast<base::Severity>(std::clamp(severity, SWAGE_NOTE, SWAGE_SEVERE));
+  const std::lock_guard lock(self.reports_mutex_);
+  // a plugin that talks for ever must not eat the memory
+  if (self.reports_.size() >= 1000) return;
+  const bool named = where.data != nullptr && where.size > 0;
+  self.reports_.push_back({level, named ? std::string(where.data, where.size) : self.name_,
+                           message.data != nullptr ? std::string(message.data, message.size) : ""});
+}
+
+void Services::fault(const swage_host* host, int32_t code, double a, double b) {
+  of(host).faults_.push(code, a, b);
+}
+
+int32_t Services::thread_kind(const swage_host*) { return role; }
+
+uint64_t Services::random_u64(const swage_host* host) {
+  Services& self = of(host);
+  if (role != SWAGE_THREAD_RT) self.role_breaches_.fetch_add(1, std::memory_order_relaxed);
+  const bool in_world =
+      self.shared_.world != nullptr && self.random_index_ < self.shared_.world->random.size();
+  return base::splitmix64(in_world ? self.shared_.world->random[self.random_index_] : self.own_random_);
+}
+
+const swage_pointer* Services::read_pointer(const swage_host* host) {
+  static constexpr swage_pointer still{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
+  const Services& self = of(host);
+  return self.shared_.pointer != nullptr ? self.shared_.pointer : &still;
+}
+
+}  // namespace swage::host

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether a plugin's table has all its functions: the step calls them without looking.
+#pragma once
+
+#include <swage/abi/coupling.h>
+#include <swage/abi/device.h>
+#include <swage/abi/lesson.h>
+
+#include <string>
+
+#include "host/instance.hpp"
+
+namespace swage::host {
+
+inline bool complete(const swage_object& t) { return t.forces && t.finish && t.reset; }
+inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
+inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
+inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }
+inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }
+
+/// The table `id` of an instance. nullptr: it is not offered, or it has gaps; `error` then has a sentence,
+/// unless the table is not `needed` and simply not there. [main]
+template <class Table>
+const Table* find_table(Instance& instance, const char* id, bool needed, std::string& error) {
+  const auto* found = static_cast<const Table*>(instance.extension(id));
+  if (found != nullptr && complete(*found)) return found;
+  if (found != nullptr) {
+    error = "The table " + std::string(id) + " of " + instance.plugin_id + " has gaps.";
+  } else if (needed) {
+    error = instance.plugin_id + " does not offer " + id + ".";
+  }
+  return nullptr;
+}
+
+}  // namespace swage::host

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tests behind `swage validate`. Each runs in a forked child with a time limit, so that a crash or a hang
+// is a result and not the end. Rooms above (step, tools) add tests of their own with add_test. Threads:
+// [main].
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host/plugin_info.hpp"
+
+namespace swage::host {
+
+enum class Mark : int32_t { kSuccess, kWarning, kSkipped, kFailed, kCrashed };
+
+const char* text(Mark mark);  // "success", ...
+
+/// What one test has found. Warning is for what depends on the speed of the machine.
+struct Finding {
+  Mark mark = Mark::kSuccess;
+  std::string text;  // sentences; "" for a plain success
+};
+
+struct ValidateOptions {
+  uint32_t strictness = 5;  // 1 to 10: tests up to this level
+  std::string only;         // name of one test; "" for all
+  uint64_t seed = 1;        // of random tests; a finding names it
+  double limit_s = 20;      // per test
+  bool in_process = false;  // for debuggers: no child, no limit
+};
+
+/// What a test is given. `plugins`: every plugin of the library.
+struct Subject {
+  std::string library_path;
+  std::vector<PluginInfo> plugins;
+  uint64_t seed = 1;
+};
+
+struct ValidateTest {
+  uint32_t level = 1;
+  std::string name;  // "load"
+  std::string asks;  // one sentence
+  std::function<Finding(const Subject&)> run;
+};
+
+struct ValidateResult {
+  std::string name;
+  uint32_t level = 0;
+  Finding finding;
+  double seconds = 0;  // wall
+};
+
+/// The tests that this room can do, levels 1 to 7, in order.
+std::vector<ValidateTest> host_tests();
+
+/// Runs `tests` (host_tests() and more) on the bundle folder or library at `path`. `progress` hears of each
+/// result.
+std::vector<ValidateResult> validate(const std::string& path, const std::vector<ValidateTest>& tests,
+                                     const ValidateOptions& options,
+                                     const std::function<void(const ValidateResult&)>& progress = {});
+
+/// True when nothing failed or crashed.
+bool passed(const std::vector<ValidateResult>& results);
+
+}  // namespace swage::host

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "judge/host_events.hpp"
+
+namespace swage::judge {
+
+uint32_t declare_host_events(Script& script) {
+  // already there?
+  for (uint32_t i = 0; i < script.events.size(); ++i)
+    if (script.events[i].owner == kHostOwner) return i;
+
+  const auto first = static_cast<uint32_t>(script.events.size());
+  script.events.push_back({kHostOwner, "host.quarantined", "1", "a plugin misbehaved; the attempt is void"});
+  script.events.push_back({kHostOwner, "host.reset", "1", "an object was put back to its start"});
+  script.events.push_back({kHostOwner, "host.mark", "1", "somebody marked this moment"});
+  script.events.push_back({kHostOwner, "host.gap", "1", "steps were lost because the machine was held up"});
+  script.events.push_back({kHostOwner, "host.force_stopped", "1", "the force guard disarmed a device"});
+  return first;
+}
+
+}  // namespace swage::judge

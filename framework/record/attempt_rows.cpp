@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/attempt_rows.hpp"
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "record/identity.hpp"
+
+namespace swage::record {
+
+const char* const kAttemptColumns =
+    "attempt_id, session_id, exercise, title, mode, device, started_utc, ended_utc, state, outcome, reason, "
+    "score,"
+    " simulated_s, is_void, dropped, seed, dt_s, realtime, descriptor, descriptor_path, plugins, devices, "
+    "script,"
+    " loop_health";
+
+namespace {
+
+using nlohmann::json;
+
+struct Statement {
+  std::string sql;
+  std::size_t arity;
+};
+
+const Statement& statement(Kind kind) {
+  // the order is that of Kind
+  static const Statement kStatements[kKinds] = {
+      {"INSERT INTO person (person_id, pseudonym, created_utc) VALUES (?, ?, ?) ON CONFLICT DO NOTHING", 3},
+      {"INSERT INTO session (session_id, person_id, station, app_version, started_utc)"
+       " SELECT ?, person_id, ?, ?, ? FROM person WHERE pseudonym = ? ON CONFLICT DO NOTHING",
+       5},
+      {"INSERT INTO device (device_id, plugin, serial, descriptor) VALUES (?, ?, ?, ?) ON CONFLICT DO "
+       "NOTHING",
+       4},
+      {"INSERT INTO attempt (" + std::string(kAttemptColumns) +
+           ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO "
+           "NOTHING",
+       24},
+      {"INSERT INTO metric (attempt_id, seq, name, value, unit) VALUES (?, ?, ?, ?, ?) ON CONFLICT DO "
+       "NOTHING",
+       5},
+      {"INSERT INTO event (attempt_id, seq, step, t_us, kind, script_index, owner, body, value)"
+       " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
+       9},
+      {"INSERT INTO chunk (attempt_id, stream, seq, t0_us, n, codec, crc32c, data, dictionary)"
+       " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
+       9},
+      {"UPDATE attempt SET ended_utc = ?, state = ?, outcome = ?, reason = ?, score = ?, simulated_s = ?, "
+       "is_void = ?,"
+       " dropped = ?, loop_health = ? WHERE attempt_id = ?",
+       10},
+  };
+  return kStatements[static_cast<std::size_t>(kind)];
+}
+
+// one sitting: all attempts of one person in one run of the program
+std::string session_of(const std::string& person) {
+  static std::mutex mutex;
+  static std::map<std::string, std::string> sessions;
+  const std::lock_guard lock(mutex);
+  std::string& id = sessions[person];
+  if (id.empty()) id = make_id();
+  return id;
+}
+
+json to_json(const std::vector<judge::Name>& names) {
+  json out = json::array();
+  for (const judge::Name& n : names)
+    out.push_back({{"owner", n.owner}, {"id", n.id}, {"unit", n.unit}, {"doc", n.doc}});
+  return out;
+}
+
+std::vector<judge::Name> names_from(const json& list) {
+  std::vector<judge::Name> out;
+  for (const json& n : list) out.push_back({n.at("owner"), n.at("id"), n.at("unit"), n.at("doc")});
+  return out;
+}
+
+std::string health_json(const snapshot::LoopHealth& h) {
+  json out = {{"executed", h.executed},
+              {"late", h.late},
+              {"overrun", h.overrun},
+              {"dropped", h.dropped},
+              {"worst_wake_s", h.worst_wake_s},
+              {"worst_step_s", h.worst_step_s},
+              {"mean_step_cpu_s", h.mean_step_cpu_s},
+              {"realtime", h.realtime},
+              {"quarantined", h.quarantined}};
+  out["phase_s"] = json::array();
+  for (const double s : h.phase_s) out["phase_s"].push_back(s);
+  return out.dump();
+}
+
+// reads what to_json wrote; anything else is refused, whatever it is
+template <class Read>
+bool parse(const std::string& text, const Read& read) {
+  try {
+    read(json::parse(text));
+    return true;
+  } catch (const json::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::size_t arity(Kind kind) { return statement(kind).arity; }
+
+bool write(Database& db, const Write& w) { return db.run(statement(w.kind).sql, w.values); }
+
+bool write_batch(Database& db, const Batch& batch) {
+  if (!db.begin()) return false;
+  for (const Write& w : batch) {
+    if (write(db, w)) continue;
+    db.rollback();
+    return false;
+  }
+  if (db.commit()) return true;
+  db.rollback();
+  return false;
+}
+
+Batch attempt_rows(const std::string& attempt_id, const AttemptInfo& info) {
+  const std::string now = utc_now();
+  const std::string session = session_of(info.person);
+  Batch out;
+  out.push_back({Kind::kPerson, {make_id(), info.person, now}});
+  out.push_back({Kind::kSession, {session, station(), std::string(SWAGE_VERSION), now, info.person}});
+  out.push_back({Kind::kDevice, {make_id(), info.device, std::string(), std::string()}});
+  out.push_back({Kind::kAttempt,
+                 {attempt_id,
+                  session,
+                  info.lesson_id,
+                  info.lesson_title,
+                  info.mode,
+                  info.device,
+                  now,
+                  std::string(),
+                  std::string("running"),
+                  std::string(judge::text(judge::Outcome::kRunning)),
+                  std::string(),
+                  0.0,
+                  0.0,
+                  int64_t{0},
+                  int64_t{0},
+                  static_cast<int64_t>(info.seed),
+                  info.dt,
+                  int64_t{info.realtime},
+                  info.descriptor_text,
+                  info.descriptor_path,
+                  to_json(info.plugins),
+                  to_json(info.devices),
+                  to_json(info.script),
+                  std::string("{}")}});
+  return out;
+}
+
+Batch end_rows(const std::string& attempt_id, const AttemptInfo& info, const AttemptEnd& end,
+               uint64_t dropped) {
+  Batch out;
+  const auto& names = info.script.metrics;
+  for (std::size_t i = 0; i < end.metric.size() && i < names.size(); ++i) {
+    if (std::isnan(end.metric[i])) continue;
+    out.push_back(
+        {Kind::kMetric, {attempt_id, static_cast<int64_t>(i), names[i].id, end.metric[i], names[i].unit}});
+  }
+  const bool aborted = end.outcome == judge::Outcome::kAborted || end.outcome == judge::Outcome::kRunning;
+  const judge::Outcome outcome = aborted ? judge::Outcome::kAborted : end.outcome;
+  out.push_back({Kind::kEnd,
+                 {utc_now(), std::string(aborted ? "aborted" : "complete"), std::string(judge::text(outcome)),
+                  end.reason, end.score, end.simulated_s, int64_t{end.is_void}, static_cast<int64_t>(dropped),
+                  health_json(end.health), attempt_id}});
+  return out;
+}
+
+std::string to_json(const judge::Script& script) {
+  json out = {{"signals", to_json(script.signals)},
+              {"metrics", to_json(script.metrics)},
+              {"cues", to_json(script.cues)},
+              {"events", to_json(script.events)},
+              {"phases", to_json(script.phases)}};
+  out["marks"] = json::array();
+  for (const judge::Script::Mark& m : script.marks)
+    out["marks"].push_back({{"kind", m.mark.kind},
+                            {"object", m.mark.object},
+                            {"meaning", m.meaning},
+                            {"number", {m.mark.number[0], m.mark.number[1]}},
+                            {"p_W", {m.mark.p_W.x, m.mark.p_W.y, m.mark.p_W.z}}});
+  return out.dump();
+}
+
+bool from_json(const std::string& text, judge::Script& script) {
+  return parse(text, [&](const json& j) {
+    script.signals = names_from(j.at("signals"));
+    script.metrics = names_from(j.at("metrics"));
+    script.cues = names_from(j.at("cues"));
+    script.events = names_from(j.at("events"));
+    script.phases = names_from(j.at("phases"));
+    script.marks.clear();
+    for (const json& m : j.at("marks")) {
+      judge::Script::Mark mark;
+      mark.meaning = m.at("meaning");
+      mark.mark = swage_mark{m.at("kind"),
+                             m.at("object"),
+                             swage_str{nullptr, 0},
+                             {m.at("number").at(0), m.at("number").at(1)},
+                             {m.at("p_W").at(0), m.at("p_W").at(1), m.at("p_W").at(2)}};
+      script.marks.push_back(mark);
+    }
+  });
+}
+
+std::string to_json(const std::vector<std::pair<std::string, std::string>>& plugins) {
+  json out = json::array();
+  for (const auto& [id, version] : plugins) out.push_back({{"id", id}, {"version", version}});
+  return out.dump();
+}
+
+bool from_json(const std::string& text, std::vector<std::pair<std::string, std::string>>& plugins) {
+  return parse(text, [&](const json& j) {
+    plugins.clear();
+    for (const json& p : j) plugins.emplace_back(p.at("id"), p.at("version"));
+  });
+}
+
+std::string to_json(const std::vector<std::string>& names) { return json(names).dump(); }
+
+bool from_json(const std::string& text, std::vector<std::string>& names) {
+  return parse(text, [&](const json& j) { names = j.get<std::vector<std::string>>(); });
+}
+
+}  // namespace swage::record

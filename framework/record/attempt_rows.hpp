@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is written about an attempt, as rows that mean the same in the store, in an exported file and in the
+// fallback journal. Every row can be written twice without harm.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "record/recorder.hpp"
+#include "record/sql.hpp"
+
+namespace swage::record {
+
+/// The kinds of row; numbers are part of the journal's format.
+enum class Kind : uint8_t { kPerson, kSession, kDevice, kAttempt, kMetric, kEvent, kChunk, kEnd };
+inline constexpr uint8_t kKinds = 8;
+
+struct Write {
+  Kind kind = Kind::kPerson;
+  Row values;
+};
+using Batch = std::vector<Write>;
+
+/// Number of values of a row of this kind.
+std::size_t arity(Kind);
+bool write(Database&, const Write&);
+/// All or nothing, in one transaction.
+bool write_batch(Database&, const Batch&);
+
+/// Columns of the attempt table in the order of a kAttempt row.
+extern const char* const kAttemptColumns;
+
+/// Person, session, device and the attempt itself, "running".
+Batch attempt_rows(const std::string& attempt_id, const AttemptInfo&);
+/// Metrics and the end of the attempt.
+Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);
+
+// The parts of an attempt row that are JSON text.
+std::string to_json(const judge::Script&);
+bool from_json(const std::string& text, judge::Script&);
+std::string to_json(const std::vector<std::pair<std::string, std::string>>& plugins);
+bool from_json(const std::string& text, std::vector<std::pair<std::string, std::string>>& plugins);
+std::string to_json(const std::vector<std::string>& names);
+bool from_json(const std::string& text, std::vector<std::string>& names);
+
+}  // namespace swage::record

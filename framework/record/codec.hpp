@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tables of equal words, packed losslessly: each word xor the one above it (slow signals leave mostly zeros),
+// the bytes of one significance together, zstd level 1. A hand at 1 kHz shrinks about five to one, at 0.15 ms
+// per quarter of a second.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "record/sql.hpp"
+
+namespace swage::record {
+
+enum class Codec : int64_t { kRaw = 0, kZstd = 1, kZstdShuffleXor = 2 };
+
+/// `table` is row-major, rows x columns words of 4 or 8 bytes. Incompressible tables stay raw.
+struct Packed {
+  Codec codec = Codec::kRaw;
+  uint32_t crc = 0;  // CRC-32C of `data`
+  Blob data;
+};
+Packed pack(const uint64_t* table, std::size_t rows, std::size_t columns);
+Packed pack(const float* table, std::size_t rows, std::size_t columns);
+
+/// The inverse. False when the data does not fit its checksum or the size; `table` then holds nothing of
+/// worth.
+bool unpack(int64_t codec, uint32_t crc, const Blob& data, uint64_t* table, std::size_t rows,
+            std::size_t columns);
+bool unpack(int64_t codec, uint32_t crc, const Blob& data, float* table, std::size_t rows,
+            std::size_t columns);
+
+/// CRC-32C (Castagnoli), as in iSCSI: polynomial 0x1EDC6F41 reflected, start and end inverted.
+uint32_t crc32c(const void* data, std::size_t size);
+
+}  // namespace swage::record

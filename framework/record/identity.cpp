@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/identity.hpp"
+
+#include <sys/random.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+
+namespace swage::record {
+
+std::string make_id() {
+  uint64_t random[2] = {};
+  if (getrandom(random, sizeof random, 0) != sizeof random) {
+    std::random_device device;
+    for (uint64_t& word : random) word = (uint64_t{device()} << 32) | device();
+  }
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  const uint64_t ms =
+      static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
+  const uint64_t high = (ms << 16) | 0x7000u | (random[0] & 0x0fffu);
+  const uint64_t low = (random[1] >> 2) | 0x8000000000000000ull;
+  char out[37];
+  std::snprintf(
+      out, sizeof out, "%08llx-%04llx-%04llx-%04llx-%012llx", static_cast<unsigned long long>(high >> 32),
+      static_cast<unsigned long long>((high >> 16) & 0xffff), static_cast<unsigned long long>(high & 0xffff),
+      static_cast<unsigned long long>(low >> 48), static_cast<unsigned long long>(low & 0xffffffffffffull));
+  return out;
+}
+
+std::string utc_now() {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  tm utc{};
+  gmtime_r(&now.tv_sec, &utc);
+  char out[64];
+  std::snprintf(out, sizeof out, "%04d-%02d-%02dT%02d:%02d:%02d.%03ldZ", utc.tm_year + 1900, utc.tm_mon + 1,
+                utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec, now.tv_nsec / 1'000'000);
+  return out;
+}
+
+std::string station() {
+  char name[256] = {};
+  return gethostname(name, sizeof name - 1) == 0 && name[0] != '\0' ? name : "unnamed";
+}
+
+}  // namespace swage::record

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Names that need no register: identifiers that two stations can never both make, times, this machine.
+#pragma once
+
+#include <string>
+
+namespace swage::record {
+
+/// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, then random bits; text order is order of making.
+/// [any]
+std::string make_id();
+
+/// Now as "2025-06-01T09:30:00.125Z". [any]
+std::string utc_now();
+
+/// The name of this machine. [any]
+std::string station();
+
+}  // namespace swage::record

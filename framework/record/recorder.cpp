@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/recorder.hpp"
+
+#include <pthread.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <mutex>
+#include <thread>
+
+#include "base/spsc_ring.hpp"
+#include "record/chunk_buffer.hpp"
+#include "record/identity.hpp"
+#include "record/journal.hpp"
+#include "record/schema.hpp"
+#include "record/store.hpp"
+
+namespace swage::record {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// 4 s of steps: a commit took at most 0.25 s when measured, a locked store gives up after 2 s. Smaller rings
+// make gaps.
+constexpr std::size_t kStepRing = 4096;
+constexpr std::size_t kEventRing = 4096;
+constexpr std::size_t kCommandRing = 1024;
+// 10 ms between looks at the rings; 250 ms until a chunk is closed although it is not full
+constexpr std::chrono::milliseconds kWake{10}, kOldest{250};
+// the writer must never take the processor from the step (nice, -20..19)
+constexpr int kNice = 5;
+
+class FileRecorder final : public Recorder {
+ public:
+  FileRecorder(std::string store, const AttemptInfo& info)
+      : store_(std::move(store)), id_(make_id()), info_(info), buffer_(id_, info_) {}
+
+  ~FileRecorder() override {
+    // not finished: the attempt stays "running" and becomes "recovered", which is what happened
+    if (thread_.joinable()) end_thread();
+  }
+
+  bool start(base::Problems& problems) {
+    journal_ = Journal::create(store_, id_);
+    std::future<bool> opened = opened_.get_future();
+
+    // signals belong to the threads of the program that asked for them
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    thread_ = std::thread([this] { write(); });
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+
+    const bool ok = opened.get();
+    for (base::Problem& p : this->problems()) problems.push_back(std::move(p));
+    return ok;
+  }
+
+  void step(const StepRecord& record) noexcept override { push(steps_, record); }
+  void event(const judge::Event& event) noexcept override { push(events_, event); }
+  void command(const CommandRecord& command) noexcept override { push(commands_, command); }
+
+  void note(uint64_t step, const std::string& text) override {
+    const std::lock_guard lock(mutex_);
+    notes_.emplace_back(step, text);
+  }
+
+  void finish(const AttemptEnd& end) override {
+    if (!thread_.joinable()) return;
+    end_ = end;
+    finished_ = true;
+    end_thread();
+  }
+
+  std::string attempt_id() const override { return id_; }
+  uint64_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
+  bool healthy() const override { return healthy_.load(std::memory_order_relaxed); }
+
+  base::Problems problems() override {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(problems_, {});
+  }
+
+ private:
+  template <class T>
+  void push(base::SpscRing<T>& ring, const T& record) noexcept {
+    while (!ring.try_push(record)) {
+      if (info_.realtime) {
+        dropped_.fetch_add(1, std::memory_order_relaxed);
+        return;
+      }
+      // without a clock nobody is late: wait for the writer, so that nothing is lost
+      const timespec moment{0, 100'000};
+      nanosleep(&moment, nullptr);
+    }
+  }
+
+  void end_thread() {
+    {
+      const std::lock_guard lock(mutex_);
+      stop_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+  }
+
+  void tell(base::Severity severity, const std::string& message) {
+    const std::lock_guard lock(mutex_);
+    problems_.push_back({severity, "record " + store_, message});
+  }
+
+  // --- writer thread
+
+  void write() {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), kNice);
+    const bool ok = open();
+    opened_.set_value(ok);
+    if (!ok) return;
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+      wake_.wait_for(lock, kWake, [this] { return stop_; });
+      lock.unlock();
+      drain();
+      if (!buffer_.empty() && Clock::now() - oldest_ >= kOldest) commit();
+      lock.lock();
+    }
+    lock.unlock();
+    close();
+  }
+
+  bool open() {
+    std::string error;
+    Trouble why = Trouble::kNone;
+    db_ = open_store(store_, error, &why);
+    if (!db_) {
+      if ((why == Trouble::kLocked || why == Trouble::kFull) && fall_back(why, error)) return true;
+      tell(base::Severity::kError, error);
+      return false;
+    }
+    merge_journals(*db_, store_);
+    return write_batch(*db_, attempt_rows(id_, info_)) || fall_back(db_->trouble(), db_->error());
+  }
+
+  void drain() {
+    const bool was_empty = buffer_.empty();
+    CommandRecord command;
+    while (commands_.try_pop(command)) buffer_.add(command);
+    judge::Event event;
+    while (events_.try_pop(event)) buffer_.add(event);
+    {
+      const std::lock_guard lock(mutex_);
+      for (const auto& [step, text] : notes_) buffer_.note(step, text);
+      notes_.clear();
+    }
+    if (was_empty) oldest_ = Clock::now();
+    while (steps_.try_pop(record_)) {
+      buffer_.add(record_);
+      if (buffer_.steps() < kChunkSteps) continue;
+      commit();
+      oldest_ = Clock::now();
+    }
+  }
+
+  void commit() { keep(buffer_.take(), false); }
+
+  // the end of an attempt is small: it is tried even where a chunk found no room
+  void keep(const Batch& batch, bool is_end) {
+    if (batch.empty() || (db_ && write_batch(*db_, batch))) return;
+    if (db_) fall_back(db_->trouble(), db_->error());
+    if (journal_ && (is_end || !full_) && journal_->append(batch)) return;
+    dropped_.fetch_add(steps_in(batch), std::memory_order_relaxed);
+    if (!journal_ || full_) return;
+    full_ = true;
+    tell(base::Severity::kError,
+         "The fallback file " + journal_->path() +
+             " is full too: from here on nothing of this attempt is kept. Free space on "
+             "that disk.");
+  }
+
+  // from here on the rest of the attempt goes beside the store, its head repeated so that the file stands
+  // alone
+  bool fall_back(Trouble why, const std::string& error) {
+    db_.reset();
+    healthy_.store(false, std::memory_order_relaxed);
+    const std::string reason = why == Trouble::kLocked ? "is locked by another program"
+                               : why == Trouble::kFull ? "cannot grow: the disk is full"
+                                                       : "cannot be written (" + error + ")";
+    if (!journal_ || !journal_->append(attempt_rows(id_, info_))) {
+      tell(base::Severity::kError,
+           "The store " + reason +
+               ", and no file can be written beside it: from here on nothing of this attempt "
+               "is kept. Free space there or choose another store.");
+      journal_.reset();
+      return false;
+    }
+    tell(base::Severity::kWarning,
+         "The store " + reason + ". The attempt goes on and is kept in " + journal_->path() +
+             "; it is merged when the store is next opened." +
+             (why == Trouble::kFull ? " Free space on that disk now: the file has room for a minute or two."
+                                    : ""));
+    return true;
+  }
+
+  void close() {
+    drain();
+    commit();
+    const uint64_t lost = dropped() - std::min(dropped(), buffer_.steps_lost_in_gaps());
+    if (lost > 0) buffer_.gap(buffer_.next_step(), "records", lost);
+    Batch end = buffer_.take();
+    // a finished attempt survives a power cut: this one commit waits for the disk
+    if (finished_) {
+      for (Write& w : end_rows(id_, info_, end_, dropped())) end.push_back(std::move(w));
+      if (db_ && !db_->on_postgres()) db_->run("PRAGMA synchronous = FULL");
+    }
+    keep(end, true);
+    settle();
+  }
+
+  void settle() {
+    if (db_) {
+      if (!db_->on_postgres()) {
+        // a reader may keep the log from being emptied; nothing is lost then, so do not wait long
+        db_->run("PRAGMA busy_timeout = 200");
+        db_->rows("PRAGMA wal_checkpoint(TRUNCATE)");
+      }
+    } else if (journal_ && finished_) {
+      // perhaps the other program has gone meanwhile
+      std::string error;
+      const std::unique_ptr<Database> again = open_store(store_, error);
+      if (again && merge_journal(*again, journal_->path())) {
+        journal_->remove();
+        tell(base::Severity::kNote, "The store can be written again: the attempt has been merged into it.");
+      }
+    }
+    db_.reset();
+    journal_.reset();
+  }
+
+  const std::string store_, id_;
+  const AttemptInfo info_;
+  base::SpscRing<StepRecord> steps_{kStepRing};
+  base::SpscRing<judge::Event> events_{kEventRing};
+  base::SpscRing<CommandRecord> commands_{kCommandRing};
+  std::atomic<uint64_t> dropped_{0};
+  std::atomic<bool> healthy_{true};
+
+  std::mutex mutex_;  // of what follows, between [main] and the writer
+  std::condition_variable wake_;
+  bool stop_ = false;
+  std::vector<std::pair<uint64_t, std::string>> notes_;
+  base::Problems problems_;
+
+  std::promise<bool> opened_;
+  AttemptEnd end_;         // handed over by joining
+  bool finished_ = false;  // set before stop_
+
+  // the writer's own
+  ChunkBuffer buffer_;
+  StepRecord record_{};
+  Clock::time_point oldest_{};
+  std::unique_ptr<Database> db_;
+  std::unique_ptr<Journal> journal_;
+  bool full_ = false;  // a chunk did not fit into the journal
+  std::thread thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<Recorder> Recorder::open(const std::string& store_path, const AttemptInfo& info,
+                                         base::Problems& problems) {
+  auto recorder =
+      std::make_unique<FileRecorder>(store_path.empty() ? Store::default_path() : store_path, info);
+  if (!recorder->start(problems)) return nullptr;
+  return recorder;
+}
+
+}  // namespace swage::record

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Writes one attempt while it runs. The step pushes fixed-size records into a ring; a writer thread
+// compresses them into chunks of a quarter of a second and commits each, so that killing the program loses at
+// most that much.
+#pragma once
+
+#include <swage/abi/device.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/problem.hpp"
+#include "judge/verdict.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::record {
+
+/// What identifies an attempt; written before the first step.
+struct AttemptInfo {
+  std::string person = "Guest";
+  std::string lesson_id, lesson_title, mode, device;
+  std::string descriptor_text, descriptor_path;
+  std::vector<std::pair<std::string, std::string>> plugins;  // id, version of every instance, in order
+  std::vector<std::string> devices;                          // names, in the order of StepRecord::sample
+  judge::Script script;
+  uint64_t seed = 0;
+  double dt = 1e-3;  // s
+  bool realtime =
+      false;  // true: a full ring drops and counts; false: step() waits for the writer, nothing is lost
+};
+
+/// Commands that changed the scene, applied at the start of the step with that number.
+struct CommandRecord {
+  uint64_t step = 0;
+  uint32_t kind = 0;                // step::CommandKind
+  uint32_t object = 0;              // which, or SWAGE_NONE; ordinal of the instance for a live parameter
+  uint32_t parameter = SWAGE_NONE;  // of a live parameter: index into the plugin's table
+  uint32_t reserved = 0;
+  double number[4] = {0, 0, 0, 0};  // its value, SI
+};
+
+/// One step: exactly what replaying needs, and what the instructor's plots show. The counts are those of the
+/// attempt: AttemptInfo::devices and AttemptInfo::script.signals.
+struct StepRecord {
+  uint64_t step = 0;
+  uint64_t hash = 0;  // of the state after the step
+  uint32_t n_device = 0, n_signal = 0;
+  swage_sample sample[snapshot::kMaxDevices];
+  double signal[snapshot::kMaxSignals];
+};
+
+/// How the attempt ended.
+struct AttemptEnd {
+  judge::Outcome outcome = judge::Outcome::kRunning;
+  std::string reason;
+  double score = 0, simulated_s = 0;
+  bool is_void = false;
+  std::vector<double> metric;  // in the order of script.metrics, NaN: not reported
+  snapshot::LoopHealth health;
+};
+
+class Recorder {
+ public:
+  /// Opens the store, writes the attempt as "running" and starts the writer thread. [main]
+  /// A locked store or a full disk falls back to a journal file beside it and says so in `problems`.
+  static std::unique_ptr<Recorder> open(const std::string& store_path, const AttemptInfo&,
+                                        base::Problems& problems);
+  virtual ~Recorder() = default;
+
+  virtual void step(
+      const StepRecord&) noexcept = 0;  // [rt] wait-free; a full ring drops and counts (realtime)
+  virtual void event(const judge::Event&) noexcept = 0;           // [rt] wait-free
+  virtual void command(const CommandRecord&) noexcept = 0;        // [rt] wait-free
+  virtual void note(uint64_t step, const std::string& text) = 0;  // [main] what a person says about a moment
+  virtual void finish(const AttemptEnd&) = 0;  // [main] flushes, checkpoints, joins the writer
+  virtual std::string attempt_id() const = 0;  // [any]
+  virtual uint64_t dropped() const = 0;        // [any] records lost: ring or disk full
+  virtual bool healthy() const = 0;            // [any] false once writing failed
+  virtual base::Problems problems() = 0;       // [main] what went wrong since the last call
+};
+
+/// Everything of a recorded attempt that replaying needs, read back. Columns, because a quarter of an hour
+/// has 900 000 steps.
+struct Recording {
+  AttemptInfo info;
+  std::vector<uint64_t> step, hash;  // one each per recorded step; a jump in `step` is a gap
+  std::vector<swage_sample> sample;  // info.devices.size() per step, bit-exact
+  std::vector<float> signal;         // info.script.signals.size() per step, rounded to single precision
+  std::vector<CommandRecord> commands;
+  std::vector<judge::Event> events;  // of the script; notes and gaps are in Store::events
+};
+
+/// Reads an attempt from a store, or from a file that Store::export_attempt wrote (then `attempt_id` may be
+/// ""). [main]
+bool read_recording(const std::string& store_or_file, const std::string& attempt_id, Recording&,
+                    std::string& error);
+
+}  // namespace swage::record

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tables, and how an older store becomes a newer one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "record/sql.hpp"
+
+namespace swage::record {
+
+/// What leads from version i to i + 1; BLOB is written @BLOB@, the one token in which the two servers differ.
+using Step = std::vector<std::string>;
+std::span<const Step> schema_steps();
+
+/// 0 for a database without our tables, -1 when it cannot be asked.
+int schema_version(Database&);
+
+/// Takes the missing steps in one transaction. False with a sentence when the store is newer than this
+/// program.
+bool bring_up_to_date(Database&, std::span<const Step> steps, std::string& error);
+
+/// A store, ready to be written: write-ahead log, tables up to date.
+std::unique_ptr<Database> open_store(const std::string& where, std::string& error, Trouble* why = nullptr);
+
+/// A store or an exported attempt, to be read; refuses with a sentence what Swage did not write.
+std::unique_ptr<Database> open_for_reading(const std::string& where, std::string& error);
+
+}  // namespace swage::record

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "record/transfer.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "base/hash.hpp"
+#include "record/attempt_rows.hpp"
+#include "record/recorder.hpp"
+#include "record/schema.hpp"
+
+namespace swage::record {
+namespace {
+
+struct Source {
+  Kind kind;
+  std::string sql;  // the values of a row of this kind, in its order
+};
+
+std::vector<Source> sources() {
+  const std::string of_person =
+      " FROM person p JOIN session s ON s.person_id = p.person_id"
+      " JOIN attempt a ON a.session_id = s.session_id WHERE a.attempt_id = ?";
+  return {
+      {Kind::kPerson, "SELECT p.person_id, p.pseudonym, p.created_utc" + of_person},
+      {Kind::kSession,
+       "SELECT s.session_id, s.station, s.app_version, s.started_utc, p.pseudonym" + of_person},
+      {Kind::kDevice,
+       "SELECT d.device_id, d.plugin, d.serial, d.descriptor FROM device d JOIN attempt a ON a.device = "
+       "d.plugin"
+       " WHERE a.attempt_id = ?"},
+      {Kind::kAttempt, "SELECT " + std::string(kAttemptColumns) + " FROM attempt WHERE attempt_id = ?"},
+      {Kind::kMetric,
+       "SELECT attempt_id, seq, name, value, unit FROM metric WHERE attempt_id = ? ORDER BY seq"},
+      {Kind::kEvent,
+       "SELECT attempt_id, seq, step, t_us, kind, script_index, owner, body, value FROM event WHERE "
+       "attempt_id = ?"
+       " ORDER BY seq"},
+      {Kind::kChunk,
+       "SELECT attempt_id, stream, seq, t0_us, n, codec, crc32c, data, dictionary FROM chunk WHERE "
+       "attempt_id = ?"
+       " ORDER BY stream, seq"},
+  };
+}
+
+void feed(base::Hash& hash, const Row& row) {
+  for (const Value& value : row) {
+    hash.add(uint64_t{value.index()});
+    if (const auto* i = std::get_if<int64_t>(&value)) hash.add(static_cast<uint64_t>(*i));
+    if (const auto* d = std::get_if<double>(&value)) hash.add(*d);
+    if (const auto* t = std::get_if<std::string>(&value))
+      hash.add(t->data(), t->size()).add(uint64_t{t->size()});
+    if (const auto* b = std::get_if<Blob>(&value)) hash.add(b->data(), b->size()).add(uint64_t{b->size()});
+  }
+}
+
+// every row of an attempt, one at a time, so that an hour of traces does not lie in memory
+bool each_row(Database& db, const std::string& id, const std::function<bool(Kind, const Row&)>& visit) {
+  bool ok = true;
+  for (const Source& source : sources()) {
+    const bool read = db.each(source.sql, {id}, [&](const Row& row) { return ok = visit(source.kind, row); });
+    if (!read || !ok) return false;
+  }
+  return true;
+}
+
+bool copy(Database& from, Database& to, const std::string& id, std::string& digest, std::string& error) {
+  base::Hash hash;
+  const bool ok = to.begin() && each_row(from, id, [&](Kind kind, const Row& row) {
+                    feed(hash, row);
+                    return write(to, {kind, row});
+                  });
+  if (ok && to.commit()) {
+    digest = std::to_string(hash.value());
+    return true;
+  }
+  if (to.trouble() != Trouble::kNone)
+    error = "It cannot be written: " + to.error() + ".";
+  else
+    error = "It cannot be read: " + from.error() + ".";
+  to.rollback();
+  return false;
+}
+
+bool make_file(Database& store, const std::string& id, const std::string& file, std::string& error) {
+  const std::unique_ptr<Database> out = Database::open(file, Access::kWrite, error);
+  std::string digest;
+  return out && bring_up_to_date(*out, schema_steps(), error) && copy(store, *out, id, digest, error) &&
+         out->run("CREATE TABLE swage_export (digest TEXT NOT NULL)") &&
+         out->run("INSERT INTO swage_export (digest) VALUES (?)", {digest});
+}
+
+// what a stranger's file must be before we believe a word of it
+bool check_file(Database& file, std::string& id, std::string& error) {
+  const std::vector<Row> integrity = file.rows("PRAGMA integrity_check(1)");
+  if (integrity.empty() || text(integrity[0][0]) != "ok") {
+    error = "It is damaged: " + (integrity.empty() ? file.error() : text(integrity[0][0])) + ".";
+    return false;
+  }
+  const std::vector<Row> attempts = file.rows("SELECT attempt_id FROM attempt LIMIT 2");
+  if (attempts.size() != 1) {
+    error = attempts.empty() ? "It holds no attempt."
+                             : "It holds more than one attempt: it is a store, not an export.";
+    return false;
+  }
+  id = text(attempts[0][0]);
+
+  base::Hash hash;
+  const std::vector<Row> digest = file.rows("SELECT digest FROM swage_export");
+  const bool read = each_row(file, id, [&](Kind, const Row& row) {
+    feed(hash, row);
+    return true;
+  });
+  if (read && digest.size() == 1 && text(digest[0][0]) == std::to_string(hash.value())) return true;
+  error = "It is damaged: its rows do not fit the checksum that was written with them.";
+  return false;
+}
+
+}  // namespace
+
+bool write_attempt_file(Database& store, const std::string& id, const std::string& file, std::string& error) {
+  if (store.rows("SELECT attempt_id FROM attempt WHERE attempt_id = ?", {id}).empty()) {
+    error = "There is no attempt " + id + " in the store.";
+    return false;
+  }
+  const std::string part = file + ".part";
+  unlink(part.c_str());
+  const bool ok = make_file(store, id, part, error) && rename(part.c_str(), file.c_str()) == 0;
+  if (ok) return true;
+  unlink(part.c_str());
+  error = "Attempt " + id + " cannot be exported to " + file + ". " + error;
+  return false;
+}
+
+bool read_attempt_file(Database& store, const std::string& file, std::string& id, std::string& error) {
+  const std::unique_ptr<Database> in = open_for_reading(file, error);
+  if (!in) return false;
+  std::string found, digest, reason;
+  Recording whole;
+  if (check_file(*in, found, reason) && read_recording(file, found, whole, reason) &&
+      copy(*in, store, found, digest, reason)) {
+    id = found;
+    return true;
+  }
+  error = file + " is refused. " + reason;
+  return false;
+}
+
+}  // namespace swage::record

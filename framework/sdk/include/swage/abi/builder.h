@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * swage/abi/builder.h - everything an instance will ever own is declared here, once, during configure. [main]
+ *
+ * Indices that the builder returns count per instance from 0. SWAGE_NONE reports a refused declaration; the builder has
+ * then recorded why. Declared poses are in the object's own frame O; the lesson file places O in the world.
+ */
+#ifndef SWAGE_ABI_BUILDER_H
+#define SWAGE_ABI_BUILDER_H
+
+#include "plugin.h"
+
+#define SWAGE_NONE 0xFFFFFFFFu
+
+/* How a body moves. */
+#define SWAGE_MOTION_FIXED 0   /* never */
+#define SWAGE_MOTION_FOLLOWS 1 /* takes the pose of the device that the lesson binds to the object; speed-limited, swept */
+#define SWAGE_MOTION_DYNAMIC 2 /* integrated by the host under forces and contacts */
+#define SWAGE_MOTION_HINGED 3  /* one angle about an axis fixed in its parent, with a force-limited drive (see hinge) */
+#define SWAGE_MOTION_SELF 4    /* the object's own solver moves it: extension swage.object.solver/1 */
+
+/* What declare() declares; each kind counts its own indices. */
+#define SWAGE_DECLARE_SIGNAL 1 /* a number per step, e.g. "grasp.force" in "N" */
+#define SWAGE_DECLARE_METRIC 2 /* LESSON: a result, e.g. "grasp.tries" in "1" */
+#define SWAGE_DECLARE_CUE 3    /* LESSON: a meaning, e.g. "grasp.good"; never a colour */
+#define SWAGE_DECLARE_EVENT 4  /* COUPLING, LESSON: something that happened, e.g. "grasp.taken" */
+#define SWAGE_DECLARE_PHASE 5  /* LESSON: a stage of the task, e.g. "approach" */
+
+/* Flags of a shape. */
+#define SWAGE_SHAPE_COLLIDES 1u
+#define SWAGE_SHAPE_DRAWN 2u
+#define SWAGE_SHAPE_USUAL 3u
+
+/* Kinds of shape. */
+#define SWAGE_SHAPE_SPHERE 1
+#define SWAGE_SHAPE_CAPSULE 2
+#define SWAGE_SHAPE_ARC 3    /* circular-arc capsule: the exact surface of a bent wire */
+#define SWAGE_SHAPE_CONVEX 4 /* convex polyhedron given by vertices and planar faces */
+#define SWAGE_SHAPE_CYLINDER 5 /* flat ends */
+
+/* Mass of a dynamic body. Its frame B must sit at the centre of mass with axes along the principal axes of inertia. */
+typedef struct swage_mass {
+  double mass;        /* kg */
+  swage_vec3 inertia; /* principal moments about B's origin, kg m2 */
+} swage_mass;
+
+/* Circular arc of angle `sweep` and radius `radius` about the z axis of frame A, from A's +x axis counter-clockwise,
+ * thickened to a tube of radius `wire_radius`, with spherical ends. Arc coordinate 0 is the start, 1 the end. */
+typedef struct swage_arc {
+  swage_pose X_BA;
+  double radius;      /* m, of the centre line */
+  double sweep;       /* rad, (0, 2 pi) */
+  double wire_radius; /* m */
+} swage_arc;
+
+/* Convex polyhedron. Face i has the vertices face_vertex[face_start[i] .. face_start[i + 1]), counter-clockwise seen from
+ * outside; face_start has n_face + 1 entries. */
+typedef struct swage_convex {
+  uint32_t n_vertex, n_face;
+  const double* vertex; /* 3 n_vertex, in B, m */
+  const uint32_t* face_start;
+  const uint32_t* face_vertex;
+} swage_convex;
+
+/* One angle about `axis`, through `anchor`, both in the parent's frame; angle 0 is the declared start pose of the child.
+ * Each step the object writes a swage_drive (object.h). */
+typedef struct swage_hinge {
+  uint32_t parent, child; /* bodies; the child has SWAGE_MOTION_HINGED */
+  swage_vec3 anchor;      /* m, in the parent */
+  swage_vec3 axis;        /* unit, in the parent */
+  double inertia;         /* kg m2 about the axis, reflected mass of the handle included */
+  double min, max;        /* rad */
+} swage_hinge;
+
+struct swage_builder {
+  uint32_t struct_size, reserved;
+  void* host_data;
+  /* X_OB: start pose in the object's frame. mass: for DYNAMIC bodies, NULL otherwise. */
+  uint32_t (*body)(swage_builder*, int32_t motion, const swage_pose* X_OB, const swage_mass* mass, const char* name);
+  /* n point masses integrated by the host; 3 n positions in O [m], n masses [kg]; returns the first index. */
+  uint32_t (*particles)(swage_builder*, uint32_t n, const double* p_O, const double* mass, double radius);
+  uint32_t (*sphere)(swage_builder*, uint32_t body, swage_vec3 centre, double radius, uint32_t flags);
+  uint32_t (*capsule)(swage_builder*, uint32_t body, swage_vec3 a, swage_vec3 b, double radius, uint32_t flags);
+  uint32_t (*cylinder)(swage_builder*, uint32_t body, swage_vec3 a, swage_vec3 b, double radius, uint32_t flags);
+  uint32_t (*arc)(swage_builder*, uint32_t body, const swage_arc* arc, uint32_t flags);
+  uint32_t (*convex)(swage_builder*, uint32_t body, const swage_convex* convex, uint32_t flags);
+  uint32_t (*hinge)(swage_builder*, const swage_hinge* hinge);
+  /* n private doubles, kept, saved, restored and hashed by the host, passed as `state` to every [rt] call. */
+  uint32_t (*state)(swage_builder*, uint32_t n);
+  /* what: SWAGE_DECLARE_*; id: dotted lower case; unit: SI, "1" for a pure number; doc: one sentence. */
+  uint32_t (*declare)(swage_builder*, int32_t what, const char* id, const char* unit, const char* doc);
+  /* Ties a problem to a parameter ("" for the whole instance); several may be reported before configure fails. */
+  void (*error)(swage_builder*, const char* param_id, const char* message);
+};
+
+SWAGE_STATIC_ASSERT(sizeof(swage_mass) == 32, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_arc) == 80, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_convex) == 32, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_hinge) == 80, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_builder) == 104, "frozen layout");
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * swage/abi/object.h - an object moves freely, shows its surface, and yields to impulses.
+ *
+ * Most objects declare bodies or particles and add forces; the host integrates them and solves their contacts. An object
+ * with inner mechanics (beam, thread, tissue) offers swage.object.solver/1 and answers for its SELF bodies itself.
+ */
+#ifndef SWAGE_ABI_OBJECT_H
+#define SWAGE_ABI_OBJECT_H
+
+#include "builder.h"
+
+/* What the bound device channels say this step. */
+typedef struct swage_input {
+  swage_pose X_WD;    /* pose of the hand in the scene, after scaling */
+  double closure;     /* 0 open .. 1 closed */
+  double grip_force;  /* N at the handle; 0 when the device does not measure it */
+  uint32_t buttons;   /* bit mask */
+  uint32_t valid;     /* SWAGE_VALID_* of device.h: which of the above were measured */
+} swage_input;
+
+/* Force-limited drive of a hinge: torque = clamp(stiffness (target - angle) - damping rate, +- max_torque), implicit. */
+typedef struct swage_drive {
+  double target;     /* rad */
+  double stiffness;  /* N m / rad */
+  double damping;    /* N m s / rad */
+  double max_torque; /* N m */
+} swage_drive;
+
+/* One object as the step sees it. Arrays are the host's, valid for the call; index i is the i-th declared item. */
+typedef struct swage_object_step {
+  uint32_t struct_size, reserved;
+  uint64_t step;
+  double time_s, dt_s;
+  double scene_length;          /* m, characteristic length of the scene; tolerances are relative to it */
+  swage_vec3 gravity;           /* m/s2 in W; the host applies it to dynamic bodies and particles itself */
+  const swage_input* input;     /* NULL when no device is bound */
+  swage_pose* X_WB;             /* [n_body]; writable for SELF bodies in solver calls only */
+  swage_twist* V_WB;            /* [n_body]; same */
+  swage_wrench* F_B_W;          /* [n_body] add to it in forces() */
+  double* particle_p_W;         /* [3 n_particle] read */
+  double* particle_v_W;         /* [3 n_particle] read */
+  double* particle_f_W;         /* [3 n_particle] add to it in forces() */
+  const double* hinge_angle;    /* [n_hinge] rad */
+  const double* hinge_rate;     /* [n_hinge] rad/s */
+  const double* hinge_torque;   /* [n_hinge] N m that contacts put on the hinge in the last step */
+  swage_drive* drive;           /* [n_hinge] write in forces() */
+  double* state;                /* [n_state] */
+  double* signal;               /* [n_signal] write in finish() */
+  uint32_t n_body, n_particle, n_hinge, n_state, n_signal, reserved1;
+} swage_object_step;
+
+#define SWAGE_EXT_OBJECT "swage.object/1"
+typedef struct swage_object {
+  swage_result (*forces)(swage_instance*, const swage_object_step*); /* [rt & active] before contacts */
+  swage_result (*finish)(swage_instance*, const swage_object_step*); /* [rt & active] after integration */
+  void (*reset)(swage_instance*, const swage_object_step*);          /* [rt & active] state back to the start */
+} swage_object;
+
+/* A place where something touches a SELF body. */
+typedef struct swage_contact_point {
+  uint32_t body, shape; /* the object's own indices */
+  swage_vec3 p_W;       /* m */
+  swage_vec3 n_W;       /* unit, pointing into the object */
+} swage_contact_point;
+
+/* Own mechanics. Per step: advance, then compliance for all contact points at once, then yield with the impulses. advance
+ * makes the whole free motion: where nothing touches, its poses are final and the other two are not called. Contacts are
+ * found on the poses that advance wrote. reset comes before the first step; SELF bodies then stand at their start poses.
+ * compliance answers v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
+ * stacked xyz. It is how unlike objects are solved together in one small implicit problem. */
+#define SWAGE_EXT_SOLVER "swage.object.solver/1"
+typedef struct swage_solver {
+  swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write SELF poses and twists */
+  swage_result (*compliance)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                             double* v_free, double* W);              /* [rt] v_free: 3n, m/s */
+  swage_result (*yield)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                        const double* impulse); /* [rt] 3n, N s on the object; write final SELF poses and twists */
+} swage_solver;
+
+/* Traits: how a coupling speaks to an object it has never heard of. Offered through get_extension under the trait's id and
+ * listed in the descriptor. A trait without functions is a promise only: get_extension returns any non-NULL pointer. */
+#define SWAGE_TRAIT_SOLID "swage.trait.solid/1" /* its COLLIDES shapes resist penetration */
+
+#define SWAGE_TRAIT_GRASPABLE "swage.trait.graspable/1"
+typedef struct swage_graspable_place {
+  double s;             /* 0 at the point .. 1 at the swage, along the body; 0.5 for objects without ends */
+  double length;        /* m, arc length that s spans */
+  swage_vec3 p_W;       /* m, nearest place on the centre line */
+  swage_vec3 tangent_W; /* unit, towards the swage */
+  swage_vec3 normal_W;  /* unit, normal of the plane of the curve; perpendicular to the tangent */
+} swage_graspable_place;
+typedef struct swage_graspable {
+  swage_result (*locate)(swage_instance*, const swage_object_step*, swage_vec3 p_W, swage_graspable_place* out); /* [rt] */
+} swage_graspable;
+
+#define SWAGE_TRAIT_GRIPPER "swage.trait.gripper/1"
+typedef struct swage_gripper_state {
+  uint32_t left_body, right_body; /* indices of the jaws */
+  swage_vec3 tip_W;               /* m, middle of the two tips */
+  swage_vec3 axis_W;              /* unit, hinge to tip */
+  swage_vec3 closing_W;           /* unit, from the right jaw to the left */
+  double opening;                 /* rad between the jaws */
+  double closure;                 /* 0..1 as commanded */
+} swage_gripper_state;
+typedef struct swage_gripper {
+  swage_result (*describe)(swage_instance*, const swage_object_step*, swage_gripper_state* out); /* [rt] */
+} swage_gripper;
+
+SWAGE_STATIC_ASSERT(sizeof(swage_input) == 80, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_drive) == 32, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_object_step) == 192, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_contact_point) == 56, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_graspable_place) == 88, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_gripper_state) == 96, "frozen layout");
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// An object: something in the scene. The short way: declare bodies and shapes in build(), push in forces().
+// The free way: inherit Solver as well and answer for your own mechanics.
+//
+//   class Ball final : public swage::Object<BallParams>, public swage::Solid { ... };
+//   SWAGE_EXPORT(Ball)
+#pragma once
+
+#include <swage/abi/object.h>
+#include <swage/plugin.hpp>
+#include <swage/step.hpp>
+
+namespace swage {
+
+namespace detail {
+template <class T>
+struct ObjectTables;
+}
+
+/// Base of every object plugin.
+template <class P = NoParams>
+class Object : public WithParams<P> {
+ public:
+  using Kind = Object;
+  using Builder = ObjectBuilder;
+  template <class T>
+  using Tables = detail::ObjectTables<T>;
+  static constexpr int32_t kKind = SWAGE_KIND_OBJECT;
+
+  /// Declares everything the instance will ever own. [main]
+  virtual void build(const P& params, ObjectBuilder& builder) = 0;
+  /// Adds forces and sets drives, before contacts. [rt]
+  virtual void forces(const Step& step) SWAGE_RT { static_cast<void>(step); }
+  /// After the step: signals. [rt]
+  virtual void finish(const Step& step) SWAGE_RT { static_cast<void>(step); }
+  /// Private state to the start, also before the first step; the host has put the bodies back. [rt]
+  virtual void reset(const Step& step) SWAGE_RT { static_cast<void>(step); }
+};
+
+/// Own mechanics of SELF bodies. Per step: advance, compliance for all points of contact, yield with their
+/// impulses.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  /// Free motion over dt: writes poses and twists of SELF bodies. [rt]
+  virtual void advance(const Step& step) SWAGE_RT = 0;
+  /// How the points move when pushed: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n row-major [m/s per N
+  /// s], symmetric, positive semi-definite. [rt]
+  virtual void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+                          double* W) SWAGE_RT = 0;
+  /// Takes the impulses, 3 n [N s] on the object, and writes the final poses and twists. [rt]
+  virtual void yield(const Step& step, std::span<const swage_contact_point> points,
+                     const double* impulse) SWAGE_RT = 0;
+};
+
+/// Its COLLIDES shapes resist penetration. A promise without functions.
+class Solid {};
+
+/// Can be held by a gripper.
+class Graspable {
+ public:
+  virtual ~Graspable() = default;
+  /// The place on the centre line nearest to p_W. [rt]
+  virtual void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) SWAGE_RT = 0;
+};
+
+/// Has two jaws.
+class Gripper {
+ public:
+  virtual ~Gripper() = default;
+  /// Where the jaws are and how far they are open. [rt]
+  virtual void describe(const Step& step, swage_gripper_state& out) SWAGE_RT = 0;
+};
+
+namespace detail {
+
+inline constexpr Entry kForces{"forces", 4, kRt, When::kActive};
+inline constexpr Entry kFinish{"finish", 5, kRt, When::kActive};
+inline constexpr Entry kReset{"reset", 6, kRt, When::kActive};
+inline constexpr Entry kAdvance{"advance", 7, kRt, When::kActive};
+inline constexpr Entry kCompliance{"compliance", 8, kRt, When::kActive};
+inline constexpr Entry kYield{"yield", 9, kRt, When::kActive};
+inline constexpr Entry kLocate{"locate", 10, kRt, When::kActive};
+inline constexpr Entry kDescribe{"describe", 11, kRt, When::kActive};
+
+/// The tables that object T offers, and the list of its traits.
+template <class T>
+struct ObjectTables {
+  using Raw = const swage_object_step*;
+  static constexpr bool kSolves = std::is_base_of_v<Solver, T>;
+  static constexpr bool kSolid = std::is_base_of_v<Solid, T>;
+  static constexpr bool kGraspable = std::is_base_of_v<Graspable, T>;
+  static constexpr bool kGripper = std::is_base_of_v<Gripper, T>;
+
+  static swage_result forces(swage_instance* i, Raw s) noexcept {
+    return guarded<T>(i, kForces, [&](typename T::Kind& plugin, auto&) { plugin.forces(Step(s)); });
+  }
+  static swage_result finish(swage_instance* i, Raw s) noexcept {
+    return guarded<T>(i, kFinish, [&](typename T::Kind& plugin, auto&) { plugin.finish(Step(s)); });
+  }
+  static void reset(swage_instance* i, Raw s) noexcept {
+    guarded<T>(i, kReset, [&](typename T::Kind& plugin, auto&) { plugin.reset(Step(s)); });
+  }
+  static swage_result advance(swage_instance* i, Raw s) noexcept {
+    return guarded<T>(i, kAdvance, [&](auto&, Holder<T>& h) { part<Solver>(h).advance(Step(s)); });
+  }
+  static swage_result compliance(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+                                 double* v_free, double* W) noexcept {
+    return guarded<T>(i, kCompliance, [&](auto&, Holder<T>& h) {
+      part<Solver>(h).compliance(Step(s), {point, n}, v_free, W);
+    });
+  }
+  static swage_result yield(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+                            const double* impulse) noexcept {
+    return guarded<T>(i, kYield, [&](auto&, Holder<T>& h) {
+      part<Solver>(h).yield(Step(s), {point, n}, impulse);
+    });
+  }
+  static swage_result locate(swage_instance* i, Raw s, swage_vec3 p_W, swage_graspable_place* out) noexcept {
+    return guarded<T>(i, kLocate,
+                      [&](auto&, Holder<T>& h) { part<Graspable>(h).locate(Step(s), p_W, *out); });
+  }
+  static swage_result describe(swage_instance* i, Raw s, swage_gripper_state* out) noexcept {
+    return guarded<T>(i, kDescribe, [&](auto&, Holder<T>& h) { part<Gripper>(h).describe(Step(s), *out); });
+  }
+
+  static const void* find(const char* id) {
+    static constexpr swage_object object{forces, finish, reset};
+    static constexpr uint32_t promise = 1;
+    if (same(id, SWAGE_EXT_OBJECT)) return &object;
+    if constexpr (kSolves) {
+      static constexpr swage_solver solver{advance, compliance, yield};
+      if (same(id, SWAGE_EXT_SOLVER)) return &solver;
+    }
+    if constexpr (kGraspable) {
+      static constexpr swage_graspable graspable{locate};
+      if (same(id, SWAGE_TRAIT_GRASPABLE)) return &graspable;
+    }
+    if constexpr (kGripper) {
+      static constexpr swage_gripper gripper{describe};
+      if (same(id, SWAGE_TRAIT_GRIPPER)) return &gripper;
+    }
+    if (kSolid && same(id, SWAGE_TRAIT_SOLID)) return &promise;
+    return nullptr;
+  }
+
+ private:
+  template <class Part>
+  static Part& part(Holder<T>& holder) {
+    return *holder.plugin;
+  }
+
+  // the traits of the interfaces that T inherits, then those it lists itself, then NULL
+  static constexpr size_t n_own() {
+    if constexpr (requires { T::traits; }) return T::traits.size();
+    return 0;
+  }
+  static constexpr auto list_traits() {
+    std::array<const char*, n_own() + 4> list{};
+    size_t n = 0;
+    if (kSolid) list[n++] = SWAGE_TRAIT_SOLID;
+    if (kGraspable) list[n++] = SWAGE_TRAIT_GRASPABLE;
+    if (kGripper) list[n++] = SWAGE_TRAIT_GRIPPER;
+    if constexpr (n_own() > 0) {
+      for (const char* trait : T::traits) list[n++] = trait;
+    }
+    return list;
+  }
+  static constexpr auto trait_list = list_traits();
+
+ public:
+  static constexpr const char* const* traits = trait_list.data();
+};
+
+}  // namespace detail
+
+}  // namespace swage

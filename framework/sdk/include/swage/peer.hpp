@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Another object, spoken to through its traits. Couplings and lessons meet objects this way and never know
+// their class.
+#pragma once
+
+#include <swage/abi/object.h>
+#include <swage/step.hpp>
+
+#include <optional>
+
+namespace swage {
+
+/// An object of somebody else's plugin. Cheap to copy; keep it from bind() on.
+class Peer {
+ public:
+  Peer() = default;
+  explicit Peer(swage_instance* raw)
+      : raw_(raw),
+        graspable_(table<swage_graspable>(raw, SWAGE_TRAIT_GRASPABLE)),
+        gripper_(table<swage_gripper>(raw, SWAGE_TRAIT_GRIPPER)) {}
+
+  bool graspable() const { return graspable_ != nullptr; }
+  bool gripper() const { return gripper_ != nullptr; }
+  /// Whether it offers a trait at all. [main]
+  bool has(const char* trait) const { return raw_ != nullptr && raw_->get_extension(raw_, trait) != nullptr; }
+  /// The table of any trait, or nullptr. [main]
+  template <class Table>
+  const Table* trait(const char* id) const {
+    return table<Table>(raw_, id);
+  }
+
+  /// Place on its centre line nearest to p_W; nothing when it cannot say. [rt]
+  std::optional<swage_graspable_place> locate(const Step& step, swage_vec3 p_W) const SWAGE_RT {
+    swage_graspable_place place{};
+    if (graspable_ == nullptr || graspable_->locate(raw_, step.raw(), p_W, &place) != SWAGE_OK)
+      return std::nullopt;
+    return place;
+  }
+  /// Its jaws; nothing when it cannot say. [rt]
+  std::optional<swage_gripper_state> describe(const Step& step) const SWAGE_RT {
+    swage_gripper_state state{};
+    if (gripper_ == nullptr || gripper_->describe(raw_, step.raw(), &state) != SWAGE_OK) return std::nullopt;
+    return state;
+  }
+
+  swage_instance* raw() const { return raw_; }
+
+ private:
+  template <class Table>
+  static const Table* table(swage_instance* raw, const char* id) {
+    return raw == nullptr ? nullptr : static_cast<const Table*>(raw->get_extension(raw, id));
+  }
+
+  swage_instance* raw_ = nullptr;
+  const swage_graspable* graspable_ = nullptr;
+  const swage_gripper* gripper_ = nullptr;
+};
+
+}  // namespace swage

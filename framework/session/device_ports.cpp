@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/device_ports.hpp"
+
+#include <sched.h>
+#include <sys/prctl.h>
+
+#include <algorithm>
+
+#include "base/clock.hpp"
+#include "host/guard.hpp"
+#include "host/services.hpp"
+#include "session/sentinel.hpp"
+
+namespace swage::session {
+
+namespace {
+
+// between the step (70) and normal threads: a reader must not delay the step
+constexpr int kReaderPriority = 60;
+// s without a new sample after which a device counts as silent; normal gaps are one to ten milliseconds
+constexpr double kSilence = 0.1;
+
+double seconds(int64_t ns) { return 1e-9 * static_cast<double>(ns); }
+
+HandMotion motion(const swage_sample& sample, double age) {
+  HandMotion hand;
+  hand.p = sample.pose.p;
+  hand.v = sample.twist.v;
+  hand.has_velocity = (sample.valid & SWAGE_VALID_TWIST) != 0;
+  hand.age = age;
+  return hand;
+}
+
+ForceRequest request(const step::ToolForce& force, double age) {
+  ForceRequest out;
+  out.force = force.force;
+  out.anchor = force.anchor;
+  out.anchor_twist = force.anchor_twist;
+  out.age = age;
+  return out;
+}
+
+swage_command quiet(double time_s) {
+  swage_command out{};
+  out.time_s = time_s;
+  out.anchor.q.w = 1;
+  return out;
+}
+
+}  // namespace
+
+ForceLimits Port::limits(const host::DeviceSlot& slot) {
+  ForceLimits out;
+  out.max_force = std::min(out.max_force, slot.device->max_force);
+  out.continuous_force = std::min(out.continuous_force, out.max_force);
+  return out;
+}
+
+void Port::follow_orders() noexcept {
+  const uint32_t disarm = disarm_.load(std::memory_order_relaxed), arm = arm_.load(std::memory_order_relaxed);
+  if (disarm != disarm_seen_) guard_.disarm(ForceFault::kStopped);
+  if (arm != arm_seen_) guard_.arm();
+  disarm_seen_ = disarm;
+  arm_seen_ = arm;
+}
+
+IoPort::IoPort(host::DeviceSlot& slot, const std::atomic<bool>* stalled)
+    : Port(slot, limits(slot)),
+      stalled_(stalled),
+      period_(1 / (slot.device->rate_hz > 0 ? std::clamp(slot.device->rate_hz, 20.0, 4000.0) : 1000.0)) {}
+
+void IoPort::start() {
+  thread_ = std::thread([this] { run(); });
+}
+
+void IoPort::stop() {
+  stop_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+}
+
+// one exchange per period; what the driver takes longer is its own affair
+void IoPort::run() {
+  prctl(PR_SET_NAME, "swage-device");
+  prctl(PR_SET_TIMERSLACK, 1UL);
+  sched_param param{};
+  param.sched_priority = kReaderPriority;
+  sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &param);
+  Sentinel::protect_thread();
+  host::set_thread_role(SWAGE_THREAD_IO);
+
+  host::Instance& instance = *slot_.instance;
+  Given given{};
+  given.sample.pose.q.w = 1;
+  int64_t last = base::wall_ns(), next = last;
+  for (uint64_t n = 0; instance.quarantined.load(std::memory_order_relaxed) == 0; ++n) {
+    // the last exchange takes the force away
+    const bool leaving = stop_.load(std::memory_order_relaxed);
+    const int64_t now = base::wall_ns();
+    const swage_command out = leaving ? quiet(0) : command(given, seconds(now - last), now);
+    last = now;
+    swage_sample sample = given.sample;
+    const bool good = host::guarded(instance, host::Call::kExchange, n,
+                                    [&] { return slot_.device->exchange(instance.raw, &out, &sample); });
+    if (leaving) return;
+    if (good && sample.sequence != given.sample.sequence) given.wall_ns = base::wall_ns();
+    if (good) given.sample = sample;
+    given.force = out.force;
+    given_.publish(given);
+    next = std::max(next + static_cast<int64_t>(period_ * 1e9), base::wall_ns());
+    base::sleep_until_ns(next);
+  }
+}
+
+swage_command IoPort::command(const Given& last, double dt, int64_t now) noexcept {
+  // no force before the device has spoken and the scene has answered
+  Wanted wanted;
+  const bool ready = last.wall_ns != 0 && wanted_.latest(wanted) != 0;
+  if (!(slot_.device->flags & SWAGE_DEVICE_FORCE) || !ready) return quiet(seconds(now));
+  follow_orders();
+  double age = seconds(now - wanted.wall_ns);
+  if (stalled_ && stalled_->load(std::memory_order_relaxed)) age = std::max(age, 2 * guard_.limits().stale);
+  swage_command out =
+      guard_.tick(request(wanted.force, age), motion(last.sample, seconds(now - last.wall_ns)),
+                  std::clamp(dt, 1e-4, 0.05), seconds(now));
+  out.time_s = wanted.force.time_s;
+  return out;
+}
+
+void IoPort::read(uint64_t, double, swage_sample& sample) noexcept {
+  Given given;
+  if (given_.latest(given) != 0) sample = given.sample;
+}
+
+void IoPort::send(const step::ToolForce& force) noexcept { wanted_.publish({force, base::wall_ns()}); }
+
+swage_vec3 IoPort::force() const noexcept {
+  Given given;
+  return given_.latest(given) != 0 ? given.force : swage_vec3{};
+}
+
+bool IoPort::stale() const noexcept {
+  Given given;
+  return given_.latest(given) == 0 || seconds(base::wall_ns() - given.wall_ns) > kSilence;
+}
+
+StepPort::StepPort(host::DeviceSlot& slot, double dt, bool forces)
+    : Port(slot, limits(slot)), dt_(dt), forces_(forces && (slot.device->flags & SWAGE_DEVICE_FORCE)) {}
+
+void StepPort::read(uint64_t step, double time_s, swage_sample& sample) noexcept {
+  swage_command command = quiet(time_s);
+  if (forces_) {
+    follow_orders();
+    command = guard_.tick(request(wanted_, 0), motion(sample, 0), dt_, time_s);
+    command.time_s = time_s;
+  }
+  given_ = command.force;
+  host::Instance& instance = *slot_.instance;
+  const swage_sample last = sample;
+  const bool good = host::guarded(instance, host::Call::kExchange, step,
+                                  [&] { return slot_.device->exchange(instance.raw, &command, &sample); });
+  if (!good) sample = last;
+}
+
+}  // namespace swage::session

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Devices as the session runs them: on threads of their own, or asked in the step; forces in both cases through a guard.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+#include "base/snapshot_ring.hpp"
+#include "host/rig.hpp"
+#include "session/force_guard.hpp"
+#include "step/device_port.hpp"
+
+namespace swage::session {
+
+/// What every port of a session can tell and be told. Methods without a mark are [any].
+class Port : public step::DevicePort {
+ public:
+  Port(host::DeviceSlot& slot, const ForceLimits& limits) : slot_(slot), guard_(limits) {}
+  virtual void start() {}                                                // [main] the device is open
+  virtual void stop() {}                                                 // [main] joins
+  void arm() noexcept { arm_.fetch_add(1, std::memory_order_relaxed); }  // forces may flow, after a fade-in
+  void disarm() noexcept { disarm_.fetch_add(1, std::memory_order_relaxed); }
+  ForceFault fault() const noexcept { return guard_.fault(); }
+  virtual swage_vec3 force() const noexcept = 0;         // N, last given
+  virtual bool stale() const noexcept { return false; }  // no new sample for a while
+
+ protected:
+  /// Limits for this device: never above what it says it bears.
+  static ForceLimits limits(const host::DeviceSlot& slot);
+  void follow_orders() noexcept;  // takes arm and disarm over; on the thread that uses the guard
+
+  host::DeviceSlot& slot_;
+  ForceGuard guard_;
+
+ private:
+  std::atomic<uint32_t> arm_{0}, disarm_{0};
+  uint32_t arm_seen_ = 0, disarm_seen_ = 0;
+};
+
+/// A device with a thread of its own: exchange() may block. Samples and wanted forces cross in mailboxes.
+class IoPort final : public Port {
+ public:
+  /// `stalled`: the step has not come back; forces must go. [main]
+  IoPort(host::DeviceSlot& slot, const std::atomic<bool>* stalled);
+  ~IoPort() override { stop(); }
+  void start() override;
+  void stop() override;
+  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
+  void send(const step::ToolForce& force) noexcept override;
+  swage_vec3 force() const noexcept override;
+  bool stale() const noexcept override;
+
+ private:
+  struct Wanted {
+    step::ToolForce force;
+    int64_t wall_ns = 0;
+  };
+  struct Given {
+    swage_sample sample;
+    swage_vec3 force;
+    int64_t wall_ns = 0;  // when a new sample last came
+  };
+  void run();
+  swage_command command(const Given& last, double dt, int64_t now) noexcept;
+
+  const std::atomic<bool>* stalled_;
+  const double period_;  // s
+  base::SnapshotRing<Wanted> wanted_;
+  base::SnapshotRing<Given> given_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+/// A LOCKSTEP device, asked in the step. Its clock is the scene's.
+class StepPort final : public Port {
+ public:
+  /// `forces`: false where nobody could release the hand if the step hung, i.e. in real time. [main]
+  StepPort(host::DeviceSlot& slot, double dt, bool forces);
+  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
+  void send(const step::ToolForce& force) noexcept override { wanted_ = force; }
+  swage_vec3 force() const noexcept override { return given_; }
+
+ private:
+  const double dt_;
+  const bool forces_;
+  step::ToolForce wanted_;
+  swage_vec3 given_{};
+};
+
+}  // namespace swage::session

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/loop.hpp"
+
+#include <algorithm>
+
+#include "base/clock.hpp"
+#include "judge/host_events.hpp"
+
+namespace swage::session {
+
+namespace {
+
+// what people and devices may send between two steps; normal is 0 to 2 per step
+constexpr std::size_t kCommands = 64, kPointers = 256;
+// events until the console fetches them; at 60 frames a second and 5 events per step that is a whole second
+constexpr std::size_t kEvents = 8192;
+// steps between two snapshots: 250 a second in real time; a run without a clock has hardly a reader
+constexpr uint64_t kShowRealtime = 4, kShowFastest = 64;
+// commands taken in one step; the rest waits
+constexpr int kCommandsPerStep = 16;
+// a paused run without a clock sleeps so long between two looks
+constexpr int64_t kPausedSleep = 1'000'000;  // ns
+
+}  // namespace
+
+Loop::Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, record::Recorder* recorder,
+           const Settings& settings)
+    : rig_(rig),
+      engine_(engine),
+      ports_(std::move(ports)),
+      recorder_(recorder),
+      settings_(settings),
+      command_in_(kCommands),
+      pointer_in_(kPointers),
+      event_out_(kEvents),
+      out_(std::make_unique<snapshot::Snapshot>()),
+      fault_seen_(ports_.size(), ForceFault::kNone),
+      paused_(settings.start_paused) {
+  engine_.fill(*out_);
+  channel_.publish(*out_);
+}
+
+bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
+  if (stop_.load(std::memory_order_relaxed)) return end(Ending::kStopped, stats);
+
+  // a paused scene pushes nobody
+  const bool paused = paused_.load(std::memory_order_relaxed);
+  if (forces_on_ == paused) {
+    for (Port* port : ports_) paused ? port->disarm() : port->arm();
+    forces_on_ = !paused;
+  }
+  if (paused) {
+    if (!settings_.realtime) base::sleep_until_ns(base::wall_ns() + kPausedSleep);
+    if (out_->paused == 0) show(stats);
+    return true;
+  }
+
+  listen(tick);
+  take_pointer();
+  engine_.step();
+  keep(stats);
+  const Ending now = judge();
+  return now == Ending::kNone || end(now, stats);
+}
+
+// commands of people, and what the step must be told of its own thread
+void Loop::listen(const RtThread::Tick& tick) noexcept {
+  step::Command command;
+  for (int i = 0; i < kCommandsPerStep && command_in_.try_pop(command); ++i) take_command(command);
+  const auto tell = [&](judge::HostEvent event, double value) {
+    command = {};
+    command.kind = step::CommandKind::kHostEvent;
+    command.object = event;
+    command.number[0] = value;
+    take_command(command);
+  };
+  if (tick.lost > 0) tell(judge::kTimeLost, static_cast<double>(tick.lost));
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    const ForceFault fault = ports_[i]->fault();
+    if (fault == fault_seen_[i]) continue;
+    fault_seen_[i] = fault;
+    if (fault != ForceFault::kNone && fault != ForceFault::kStopped)
+      tell(judge::kForceStopped, static_cast<double>(static_cast<uint32_t>(fault)));
+  }
+}
+
+void Loop::take_command(const step::Command& command) noexcept {
+  if (!engine_.push(command) || !recorder_) return;
+  record::CommandRecord out;
+  out.step = engine_.world().step;
+  out.kind = static_cast<uint32_t>(command.kind);
+  out.object = command.object;
+  out.parameter = command.parameter;
+  std::copy(std::begin(command.number), std::end(command.number), std::begin(out.number));
+  recorder_->command(out);
+}
+
+// movements add up, everything else is as it was last
+void Loop::take_pointer() noexcept {
+  swage_pointer& now = rig_.pointer;
+  now.dx = now.dy = now.wheel = 0;
+  swage_pointer p;
+  while (pointer_in_.try_pop(p)) {
+    p.dx += now.dx;
+    p.dy += now.dy;
+    p.wheel += now.wheel;
+    now = p;
+  }
+}
+
+// records, events and snapshots of the step that was just made
+void Loop::keep(const LoopStats& stats) noexcept {
+  steps_.store(engine_.world().step, std::memory_order_relaxed);
+  for (const judge::Event& e : engine_.events()) {
+    lost_events_ += !event_out_.try_push(e);
+    if (recorder_) recorder_->event(e);
+  }
+  if (recorder_) {
+    const auto& samples = engine_.samples();
+    const auto& signals = engine_.world().signal;
+    record_.step = engine_.world().step - 1;
+    record_.hash = engine_.hash();
+    record_.n_device = static_cast<uint32_t>(std::min<std::size_t>(samples.size(), snapshot::kMaxDevices));
+    record_.n_signal = static_cast<uint32_t>(std::min<std::size_t>(signals.size(), snapshot::kMaxSignals));
+    std::copy_n(samples.begin(), record_.n_device, record_.sample);
+    std::copy_n(signals.begin(), record_.n_signal, record_.signal);
+    recorder_->step(record_);
+  }
+  const uint64_t every = settings_.realtime ? kShowRealtime : kShowFastest;
+  if (engine_.world().step % every == 0) show(stats);
+}
+
+void Loop::show(const LoopStats& stats) noexcept {
+  snapshot::Snapshot& s = *out_;
+  engine_.fill(s);
+  s.paused = paused_.load(std::memory_order_relaxed);
+  for (uint32_t i = 0; i < s.n_device; ++i) {
+    s.device[i].force = ports_[i]->force();
+    s.device[i].stale = ports_[i]->stale();
+  }
+  snapshot::LoopHealth& h = s.health;
+  stats.fill(h);
+  h.executed = engine_.world().step;
+  h.lost_events = lost_events_ + engine_.lost_events();
+  h.lost_records = recorder_ ? recorder_->dropped() : 0;
+  std::copy_n(engine_.phase_s(), snapshot::kPhases, h.phase_s);
+  h.realtime = realtime_granted_;
+  h.quarantined = engine_.quarantined();
+  channel_.publish(s);
+}
+
+// Is it over? A quarantine voids the attempt but lets it run on to its end, unless nobody is left who could end it.
+Ending Loop::judge() const noexcept {
+  if (engine_.verdict().outcome != judge::Outcome::kRunning) return Ending::kVerdict;
+  const double time = engine_.world().time();
+  if (settings_.lesson_max_time_s > 0 && time >= settings_.lesson_max_time_s) return Ending::kLessonTimeLimit;
+  if (settings_.max_time_s > 0 && time >= settings_.max_time_s) return Ending::kTimeLimit;
+  if (engine_.quarantined() > 0) {
+    const host::Instance* lesson = rig_.lesson.instance.get();
+    const bool no_judge = lesson && lesson->quarantined.load(std::memory_order_relaxed) != 0;
+    if (no_judge || !settings_.realtime) return Ending::kVoid;
+  }
+  if (engine_.hand_gone()) return engine_.quarantined() > 0 ? Ending::kVoid : Ending::kHandEnded;
+  return Ending::kNone;
+}
+
+bool Loop::end(Ending ending, const LoopStats& stats) noexcept {
+  for (Port* port : ports_) port->disarm();
+  ending_ = ending;
+  show(stats);
+  finished_.store(true, std::memory_order_release);
+  return false;
+}
+
+}  // namespace swage::session

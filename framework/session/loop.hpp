@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the step thread does around a step: commands in, snapshots, events and records out, and the end of an attempt.
+#pragma once
+
+#include <swage/abi/device.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/spsc_ring.hpp"
+#include "judge/verdict.hpp"
+#include "record/recorder.hpp"
+#include "session/device_ports.hpp"
+#include "session/rt_thread.hpp"
+#include "snapshot/channel.hpp"
+#include "step/step.hpp"
+
+namespace swage::session {
+
+/// Why an attempt ended.
+enum class Ending : uint32_t { kNone, kVerdict, kStopped, kTimeLimit, kLessonTimeLimit, kHandEnded, kVoid };
+
+class Loop {
+ public:
+  struct Settings {
+    bool realtime = true;
+    bool start_paused = false;
+    double max_time_s = 0;         // of the caller; 0: none
+    double lesson_max_time_s = 0;  // of the lesson; 0: none
+  };
+
+  /// `recorder` may be nullptr. Everything outlives the loop. [main]
+  Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, record::Recorder* recorder,
+       const Settings& settings);
+
+  /// One period. False: the attempt is over. [rt]
+  bool tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept;
+
+  // --- from outside; one caller at a time each
+  bool command(const step::Command& command) { return command_in_.try_push(command); }  // [main]
+  void pause(bool on) { paused_.store(on, std::memory_order_relaxed); }                 // [main]
+  void stop() { stop_.store(true, std::memory_order_relaxed); }                         // [any]
+  void pointer(const swage_pointer& p) { pointer_in_.try_push(p); }                     // [one thread]
+  void grant(bool realtime) { realtime_granted_ = realtime; }  // [rt] before the first tick
+
+  bool latest(snapshot::Snapshot& out) const { return channel_.latest(out); }  // [any]
+  bool next_event(judge::Event& out) { return event_out_.try_pop(out); }       // [one reader]
+  bool finished() const { return finished_.load(std::memory_order_acquire); }  // [any]
+  uint64_t steps() const { return steps_.load(std::memory_order_relaxed); }    // [any] executed so far
+
+  // --- valid once finished
+  Ending ending() const { return ending_; }
+  const snapshot::LoopHealth& health() const { return out_->health; }
+
+ private:
+  void listen(const RtThread::Tick& tick) noexcept;
+  void take_command(const step::Command& command) noexcept;
+  void take_pointer() noexcept;
+  void keep(const LoopStats& stats) noexcept;
+  void show(const LoopStats& stats) noexcept;
+  Ending judge() const noexcept;
+  bool end(Ending ending, const LoopStats& stats) noexcept;
+
+  host::Rig& rig_;
+  step::Engine& engine_;
+  const std::vector<Port*> ports_;
+  record::Recorder* const recorder_;
+  const Settings settings_;
+
+  base::SpscRing<step::Command> command_in_;
+  base::SpscRing<swage_pointer> pointer_in_;
+  base::SpscRing<judge::Event> event_out_;
+  snapshot::Channel channel_;
+  std::unique_ptr<snapshot::Snapshot> out_;
+  record::StepRecord record_;
+  std::vector<ForceFault> fault_seen_;
+
+  std::atomic<bool> paused_, stop_{false}, finished_{false};
+  std::atomic<uint64_t> steps_{0};
+  bool forces_on_ = false;
+  bool realtime_granted_ = false;
+  uint64_t lost_events_ = 0;
+  Ending ending_ = Ending::kNone;
+};
+
+}  // namespace swage::session

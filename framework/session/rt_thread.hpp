@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The thread that steps: once per millisecond at absolute deadlines, with what the system grants of real-time
+// scheduling.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "base/histogram.hpp"
+#include "snapshot/snapshot.hpp"
+
+namespace swage::session {
+
+/// What to do when deadlines have passed.
+enum class Lateness : uint32_t {
+  kCatchUp,   // no force device: up to four further steps at once, then let the rest go
+  kDrop,      // force device present: one step, never replay old poses of the hand as pushes
+  kLockstep,  // no clock at all: as fast as possible, bit-reproducible
+};
+
+/// What the system granted.
+struct RtGrant {
+  bool fifo = false;    // SCHED_FIFO 70
+  bool locked = false;  // memory cannot be paged out
+  int nice = 0;
+  std::string sentence;  // for people; names the remedy when something was refused
+};
+
+/// Makes the calling thread as punctual as the system allows. Never fails; says what it got. [the thread
+/// itself]
+RtGrant make_punctual();
+
+/// Counts what the loop did. Written by the loop, read by the loop's own tick.
+struct LoopStats {
+  base::Histogram wake, wall, cpu;  // ns: lateness of waking, length of a tick, its processor time
+  uint64_t late = 0, overrun = 0, own_overrun = 0, dropped = 0;
+  int64_t cpu_smooth_ns = 0;  // over about a second
+  void fill(snapshot::LoopHealth& health) const;
+};
+
+/// Runs `tick` until it answers false. Not restartable.
+class RtThread {
+ public:
+  struct Tick {
+    uint64_t lost = 0;  // deadlines dropped since the last tick
+  };
+  /// Called once per period on the thread. [rt] Must not throw.
+  using Work = std::function<bool(const Tick&)>;
+
+  RtThread(Lateness lateness, double period_s, Work work);
+  ~RtThread();  // joins
+
+  /// `ready` runs on the new thread with what the system granted, before the first tick. [main]
+  void start(std::function<void(const RtGrant&)> ready);
+  void join();
+  /// Counts up with every wake-up, also while the scene is paused: the watchdog's pulse. [any]
+  uint64_t beats() const noexcept { return beats_.load(std::memory_order_relaxed); }
+  /// [rt]
+  const LoopStats& stats() const noexcept { return stats_; }
+
+ private:
+  void run_clocked();
+  void run_lockstep();
+  bool one(const Tick& tick, int64_t deadline);
+
+  const Lateness lateness_;
+  const int64_t period_;  // ns
+  Work work_;
+  std::thread thread_;
+  std::atomic<uint64_t> beats_{0};
+  LoopStats stats_;
+};
+
+}  // namespace swage::session

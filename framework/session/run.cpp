@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/run.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "host/services.hpp"
+#include "record/store.hpp"
+#include "session/live.hpp"
+
+namespace swage::session {
+
+namespace {
+
+using base::Severity;
+
+// Own processor time that a plugin may use per step. A fifth of a step: five plugins at their limit still fit. Builds for
+// finding faults calculate many times slower.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+constexpr double kBudget = 200e-6;  // s
+#else
+constexpr double kBudget = 20e-3;  // s
+#endif
+// how long before the call a person's mark lies: what was worth marking has just been seen
+constexpr double kMarkBack = 2.0;  // s
+// exit status when a plugin does not come back (sysexits: internal software error)
+constexpr int kExitHung = 70;
+
+const char* text(Ending ending) {
+  switch (ending) {
+    case Ending::kStopped:
+      return "stopped";
+    case Ending::kTimeLimit:
+    case Ending::kLessonTimeLimit:
+      return "time.limit";
+    case Ending::kHandEnded:
+      return "hand.ended";
+    case Ending::kVoid:
+      return "host.quarantined";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+Run::Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig)
+    : options_(options), catalogue_(std::move(catalogue)), rig_(std::move(rig)) {}
+
+Run::~Run() {
+  if (started_) stop();
+  if (!started_ && recorder_) {
+    record::AttemptEnd nothing;
+    nothing.outcome = judge::Outcome::kAborted;
+    nothing.reason = text(Ending::kStopped);
+    nothing.metric.assign(rig_->script.metrics.size(), std::nan(""));
+    recorder_->finish(nothing);
+  }
+  for (host::DeviceSlot* slot : opened_) {
+    host::Instance& instance = *slot->instance;
+    host::guarded(instance, host::Call::kClose, 0, [&] { slot->device->close(instance.raw); });
+  }
+}
+
+bool Run::prepare(Problems& problems) {
+  if (realtime()) host::set_budgets(*rig_, kBudget);
+  watchdog_ = std::make_unique<Watchdog>(
+      [this] { return loop_->finished() ? ++idle_beats_ : thread_->beats(); }, [this] { hung(); });
+  open_devices(problems);
+  if (base::failed(problems)) return false;
+  std::vector<step::DevicePort*> step_ports;
+  std::vector<Port*> ports;
+  for (const auto& port : ports_) {
+    step_ports.push_back(port.get());
+    ports.push_back(port.get());
+  }
+  try {
+    engine_ = std::make_unique<step::Engine>(*rig_, step::Options(), step_ports);
+  } catch (const std::exception& e) {
+    problems.push_back({Severity::kError, rig_->descriptor_path, e.what()});
+    return false;
+  }
+  open_record(problems);
+  if (base::failed(problems)) return false;
+  Loop::Settings settings;
+  settings.realtime = realtime();
+  settings.start_paused = options_.start_paused;
+  settings.max_time_s = options_.max_time_s;
+  settings.lesson_max_time_s = rig_->max_time_s;
+  loop_ = std::make_unique<Loop>(*rig_, *engine_, std::move(ports), recorder_.get(), settings);
+  return true;
+}
+
+void Run::open_devices(Problems& problems) {
+  for (host::DeviceSlot& slot : rig_->devices) {
+    host::Instance& instance = *slot.instance;
+    swage_result result = SWAGE_ERROR;
+    host::guarded(instance, host::Call::kOpen, 0, [&] { return result = slot.device->open(instance.raw); });
+    Problems said = instance.services->take_reports();
+    const bool told = base::failed(said);
+    for (Problem& p : said) problems.push_back(std::move(p));
+    if (result < 0) {
+      if (!told)
+        problems.push_back({Severity::kError, instance.name, instance.plugin_id + " could not be opened."});
+      continue;
+    }
+    opened_.push_back(&slot);
+    const bool lockstep = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) != 0;
+    const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
+    if (!lockstep) {
+      ports_.push_back(std::make_unique<IoPort>(slot, watchdog_->stalled_flag()));
+      continue;
+    }
+    ports_.push_back(std::make_unique<StepPort>(slot, rig_->world.dt, !realtime()));
+    if (force && realtime())
+      problems.push_back({Severity::kNote, instance.name,
+                          instance.plugin_id +
+                              " runs in the step and gets no forces in real time: nobody could release "
+                              "the hand if the step hung."});
+  }
+}
+
+void Run::open_record(Problems& problems) {
+  if (options_.store_path == ":none:") return;
+  record::AttemptInfo info;
+  info.person = options_.person;
+  info.lesson_id = rig_->card.lesson_id;
+  info.lesson_title = rig_->card.title;
+  info.mode = options_.mode;
+  info.descriptor_text = rig_->descriptor_text;
+  info.descriptor_path = rig_->descriptor_path;
+  for (const host::Instance* i : host::instances(*rig_))
+    info.plugins.emplace_back(i->plugin_id, i->plugin_version);
+  for (const host::DeviceSlot& slot : rig_->devices) {
+    info.devices.push_back(slot.instance->name);
+    if (info.device.empty()) info.device = slot.instance->plugin_id;
+  }
+  info.script = rig_->script;
+  info.seed = rig_->seed;
+  info.dt = rig_->world.dt;
+  info.realtime = realtime();
+  const std::string where = options_.store_path.empty() ? record::Store::default_path() : options_.store_path;
+  recorder_ = record::Recorder::open(where, info, problems);
+}
+
+void Run::start() {
+  if (started_) return;
+  started_ = true;
+  sentinel_ = std::make_unique<Sentinel>();
+  const bool forces = std::any_of(rig_->devices.begin(), rig_->devices.end(), [](const host::DeviceSlot& s) {
+    return (s.device->flags & SWAGE_DEVICE_FORCE) != 0;
+  });
+  const Lateness lateness = !realtime() ? Lateness::kLockstep : forces ? Lateness::kDrop : Lateness::kCatchUp;
+  thread_ = std::make_unique<RtThread>(lateness, rig_->world.dt, [this](const RtThread::Tick& tick) {
+    return loop_->tick(tick, thread_->stats());
+  });
+  for (const auto& port : ports_) port->start();
+  thread_->start([this](const RtGrant& grant) {
+    host::set_thread_role(SWAGE_THREAD_RT);
+    Sentinel::protect_thread();
+    last_call_.store(&host::last_call);
+    loop_->grant(grant.fifo && grant.locked);
+    grant_ = grant.sentence;
+  });
+  watchdog_->start();
+}
+
+void Run::reset_object(const std::string& object_name) {
+  for (uint32_t i = 0; i < rig_->objects.size(); ++i) {
+    if (rig_->objects[i].instance->name != object_name) continue;
+    step::Command command;
+    command.kind = step::CommandKind::kResetObject;
+    command.object = i;
+    loop_->command(command);
+  }
+}
+
+void Run::mark(const std::string& note) {
+  step::Command command;
+  command.kind = step::CommandKind::kMark;
+  command.object = marks_++;
+  loop_->command(command);
+  const auto back = static_cast<uint64_t>(kMarkBack / rig_->world.dt);
+  const uint64_t now = loop_->steps();
+  if (recorder_) recorder_->note(now > back ? now - back : 0, note);
+}
+
+bool Run::change(const std::string& instance_name, const std::string& params_json, Problems& problems) {
+  const std::vector<host::Instance*> all = host::instances(*rig_);
+  for (uint32_t i = 0; i < all.size(); ++i) {
+    if (all[i]->name != instance_name) continue;
+    const host::PluginInfo* plugin = catalogue_.find(all[i]->plugin_id);
+    std::vector<step::Command> commands;
+    if (!plugin || !live_commands(*all[i], i, plugin->params, params_json, commands, problems)) return false;
+    for (const step::Command& c : commands) loop_->command(c);
+    return true;
+  }
+  problems.push_back({Severity::kError, instance_name, "There is nothing of this name in the scene."});
+  return false;
+}
+
+void Run::stop() {
+  if (!started_) return;
+  loop_->stop();
+  close();
+}
+
+void Run::wait() {
+  if (started_) close();
+}
+
+// Waits for the end of the attempt, then takes everything down in the order that keeps the record: the step first.
+void Run::close() {
+  if (closed_) return;
+  closed_ = true;
+  thread_->join();
+  watchdog_->stop();
+  for (const auto& port : ports_) port->stop();
+  collect_reports();
+  result_ = make_result(loop_->ending());
+  if (recorder_) {
+    recorder_->finish(make_end(result_));
+    for (Problem& p : recorder_->problems()) result_.problems.push_back(std::move(p));
+  }
+  sentinel_.reset();
+}
+
+Result Run::result() const { return closed_ ? result_ : make_result(Ending::kNone); }
+
+void Run::collect_reports() {
+  if (realtime()) problems_.push_back({Severity::kNote, "loop", grant_});
+  for (host::Instance* instance : host::instances(*rig_)) {
+    for (Problem& p : instance->services->take_reports()) problems_.push_back(std::move(p));
+    if (instance->quarantined.load() != 0)
+      problems_.push_back({Severity::kError, instance->name, host::quarantine_text(*instance)});
+  }
+}
+
+Result Run::make_result(Ending ending) const {
+  Result out;
+  if (recorder_) out.attempt_id = recorder_->attempt_id();
+  out.problems = problems_;
+  if (ending == Ending::kNone) return out;
+
+  const judge::Verdict& verdict = engine_->verdict();
+  out.outcome = verdict.outcome;
+  if (ending == Ending::kVerdict && verdict.reason < rig_->script.events.size())
+    out.reason = rig_->script.events[verdict.reason].id;
+  if (ending != Ending::kVerdict) {
+    out.outcome = ending == Ending::kLessonTimeLimit ? judge::Outcome::kFailed : judge::Outcome::kAborted;
+    out.reason = text(ending);
+  }
+  if (engine_->quarantined() > 0) {
+    out.outcome = judge::Outcome::kVoid;
+    out.reason = text(Ending::kVoid);
+  }
+  out.score = out.outcome == judge::Outcome::kVoid ? 0 : verdict.score;
+  out.steps = engine_->world().step;
+  out.simulated_s = engine_->world().time();
+  out.hash = engine_->hash();
+  for (std::size_t i = 0; i < rig_->script.metrics.size(); ++i) {
+    const judge::Name& name = rig_->script.metrics[i];
+    out.metrics.push_back({name.id, name.unit, name.doc, verdict.metric[i]});
+  }
+  out.health = loop_->health();
+  return out;
+}
+
+record::AttemptEnd Run::make_end(const Result& result) const {
+  record::AttemptEnd end;
+  end.outcome = result.outcome;
+  end.reason = result.reason;
+  end.score = result.score;
+  end.simulated_s = result.simulated_s;
+  end.is_void = result.outcome == judge::Outcome::kVoid;
+  for (const Result::Metric& m : result.metrics) end.metric.push_back(m.value);
+  end.health = result.health;
+  return end;
+}
+
+// On the watchdog's thread, while the step thread is lost in a call: what there is, is saved, and the program ends with the
+// name of the culprit. A slow disk or a machine that was held up is nobody's hang.
+void Run::hung() {
+  const host::LastCall* last = last_call_.load();
+  const host::Instance* culprit = last ? last->instance.load(std::memory_order_acquire) : nullptr;
+  if (!culprit && !realtime()) return;
+  if (last) Sentinel::write(*last, "hang");
+  const std::string who = culprit ? std::string(host::text(last->call.load())) + "() of \"" + culprit->name +
+                                        "\" (" + culprit->plugin_id + " " + culprit->plugin_version + ")"
+                                  : "the step itself";
+  const uint64_t step = loop_->steps();
+  if (recorder_) {
+    record::AttemptEnd end;
+    end.outcome = judge::Outcome::kVoid;
+    end.reason = "host.hung";
+    end.is_void = true;
+    end.simulated_s = static_cast<double>(step) * rig_->world.dt;
+    end.metric.assign(rig_->script.metrics.size(), std::nan(""));
+    recorder_->finish(end);
+  }
+  std::fprintf(stderr,
+               "swage: step %llu has not come back for half a second: %s. The attempt was saved. Start in "
+               "safe mode to "
+               "leave out every plugin that did not come with Swage.\n",
+               static_cast<unsigned long long>(step), who.c_str());
+  std::fflush(stderr);
+  _exit(kExitHung);
+}
+
+}  // namespace swage::session

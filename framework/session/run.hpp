@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The session behind the facade: owns the scene, the threads and the record of one attempt.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/catalogue.hpp"
+#include "host/guard.hpp"
+#include "host/rig.hpp"
+#include "record/recorder.hpp"
+#include "session/device_ports.hpp"
+#include "session/loop.hpp"
+#include "session/rt_thread.hpp"
+#include "session/sentinel.hpp"
+#include "session/session.hpp"
+#include "session/watchdog.hpp"
+#include "step/step.hpp"
+
+namespace swage::session {
+
+class Run final : public Session {
+ public:
+  /// `rig` is assembled and active. [main]
+  Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig);
+  ~Run() override;
+
+  /// Opens devices and the record. False: `problems` say why. [main]
+  bool prepare(Problems& problems);
+
+  const snapshot::SceneCard& card() const override { return rig_->card; }
+  void start() override;
+  void pause(bool on) override { loop_->pause(on); }
+  void reset_object(const std::string& object_name) override;
+  void mark(const std::string& note) override;
+  bool change(const std::string& instance_name, const std::string& params, Problems& problems) override;
+  void stop() override;
+  bool finished() const override { return loop_->finished(); }
+  void wait() override;
+  void pointer(const swage_pointer& p) override { loop_->pointer(p); }
+  bool latest(snapshot::Snapshot& out) const override { return loop_->latest(out); }
+  bool next_event(judge::Event& out) override { return loop_->next_event(out); }
+  Result result() const override;
+
+ private:
+  void open_devices(Problems& problems);
+  void open_record(Problems& problems);
+  void close();
+  void hung();
+  void collect_reports();
+  Result make_result(Ending ending) const;
+  record::AttemptEnd make_end(const Result& result) const;
+  bool realtime() const { return options_.pace == Pace::kRealtime; }
+
+  const Options options_;
+  const host::Catalogue catalogue_;
+  std::unique_ptr<host::Rig> rig_;
+  std::unique_ptr<Sentinel> sentinel_;
+  std::unique_ptr<Watchdog> watchdog_;
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::vector<host::DeviceSlot*> opened_;
+  std::unique_ptr<step::Engine> engine_;
+  std::unique_ptr<record::Recorder> recorder_;
+  std::unique_ptr<Loop> loop_;
+  std::unique_ptr<RtThread> thread_;
+
+  std::atomic<const host::LastCall*> last_call_{nullptr};  // of the step thread
+  uint64_t idle_beats_ = 0;                                // the watchdog's pulse once the attempt has ended
+  uint32_t marks_ = 0;
+  bool started_ = false, closed_ = false;
+  std::string grant_;
+  Problems problems_;
+  Result result_;
+};
+
+}  // namespace swage::session

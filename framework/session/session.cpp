@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/session.hpp"
+
+#include <utility>
+
+#include "assembly/assemble.hpp"
+#include "assembly/lesson_file.hpp"
+#include "host/catalogue.hpp"
+#include "session/run.hpp"
+#include "session/sentinel.hpp"
+
+namespace swage::session {
+
+std::unique_ptr<Session> Session::open(const Options& options, Problems& problems) {
+  // how did the last run end?
+  Sentinel::Report report;
+  if (Sentinel::take(Sentinel::default_folder(), report)) problems.push_back(Sentinel::problem(report));
+
+  assembly::LessonFile file;
+  // a faulty file is assembled all the same, as far as it goes: one run tells everything that is wrong with it
+  assembly::read_lesson_file(options.lesson_path, file, problems);
+  host::Catalogue::Options search;
+  search.plugin_dirs = options.plugin_dirs;
+  search.safe_mode = options.safe_mode;
+  host::Catalogue catalogue(search);
+  auto rig = assembly::assemble(file, catalogue, {options.device, options.device_params}, problems);
+  if (!rig) return nullptr;
+
+  auto run = std::make_unique<Run>(options, std::move(catalogue), std::move(rig));
+  Problems found;
+  const bool ready = run->prepare(found);
+  for (Problem& p : found) problems.push_back(std::move(p));
+  if (!ready) return nullptr;
+  return run;
+}
+
+}  // namespace swage::session

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/watchdog.hpp"
+
+#include <sys/prctl.h>
+
+#include <utility>
+
+#include "base/clock.hpp"
+
+namespace swage::session {
+
+Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung)
+    : Watchdog(std::move(beats), std::move(hung), Settings()) {}
+
+Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings)
+    : beats_(std::move(beats)), hung_(std::move(hung)), settings_(settings) {}
+
+Watchdog::~Watchdog() { stop(); }
+
+void Watchdog::start() {
+  thread_ = std::thread([this] { run(); });
+}
+
+void Watchdog::stop() {
+  stop_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+}
+
+void Watchdog::run() {
+  prctl(PR_SET_NAME, "swage-watchdog");
+  prctl(PR_SET_TIMERSLACK, 1UL);
+  uint64_t seen = beats_();
+  int64_t silent_ms = 0;
+  bool accused = false;
+  while (!stop_.load(std::memory_order_relaxed)) {
+    base::sleep_until_ns(base::wall_ns() + settings_.look_ms * 1'000'000);
+
+    // each look counts for no more than its own length, however late it came
+    const uint64_t now = beats_();
+    silent_ms = now == seen ? silent_ms + settings_.look_ms : 0;
+    seen = now;
+
+    const bool stalled = silent_ms >= settings_.stalled_ms;
+    if (stalled && !this->stalled()) stalls_.fetch_add(1, std::memory_order_relaxed);
+    stalled_.store(stalled, std::memory_order_relaxed);
+    if (silent_ms >= settings_.hung_ms && !accused) {
+      accused = true;
+      hung_();
+    }
+  }
+}
+
+}  // namespace swage::session

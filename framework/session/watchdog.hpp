@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sees when the step no longer comes back. It counts its own looks, not wall time: when the whole machine was
+// held up the watchdog was too, and nobody is accused.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+namespace swage::session {
+
+class Watchdog {
+ public:
+  struct Settings {
+    int64_t look_ms = 5;      // ms between two looks
+    int64_t stalled_ms = 20;  // ms without a beat: forces must go to zero
+    int64_t hung_ms = 500;    // ms without a beat: the program cannot go on
+  };
+
+  /// `beats`: any number that changes while all is well. `hung` runs once, on the watchdog's thread. [main]
+  Watchdog(std::function<uint64_t()> beats, std::function<void()> hung);
+  Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings);
+  ~Watchdog();
+
+  void start();  // [main]
+  void stop();   // [main] joins
+
+  /// True while the step has not come back for 20 ms: device threads give zero force. [any]
+  bool stalled() const noexcept { return stalled_.load(std::memory_order_relaxed); }
+  const std::atomic<bool>* stalled_flag() const noexcept { return &stalled_; }
+  uint64_t stalls() const noexcept {
+    return stalls_.load(std::memory_order_relaxed);
+  }  // [any] how often so far
+
+ private:
+  void run();
+
+  const std::function<uint64_t()> beats_;
+  const std::function<void()> hung_;
+  const Settings settings_;
+  std::atomic<bool> stop_{false}, stalled_{false};
+  std::atomic<uint64_t> stalls_{0};
+  std::thread thread_;
+};
+
+}  // namespace swage::session

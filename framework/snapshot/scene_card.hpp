@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What does not change while a scene runs: names, shapes, marks. Handed over once, at activation.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "judge/verdict.hpp"
+
+namespace swage::snapshot {
+
+/// Surface to draw; numbers as in scene::Shape, convex resolved to vertices and faces.
+struct CardShape {
+  int32_t kind = 0;
+  uint32_t body = 0;
+  uint32_t object = 0;
+  uint32_t flags = 0;
+  swage_pose X_BS{};
+  double radius = 0, half_length = 0, arc_radius = 0, sweep = 0;  // m, m, m, rad
+  std::vector<swage_vec3> vertex;                                 // in S, m
+  std::vector<std::vector<uint32_t>> face;                        // counter-clockwise from outside
+};
+
+struct CardObject {
+  std::string name, plugin, plugin_version;
+  std::vector<std::string> traits;
+  uint32_t first_body = 0, n_body = 0, first_particle = 0, n_particle = 0;
+};
+
+struct CardDevice {
+  std::string name, plugin, plugin_version;
+};
+
+struct SceneCard {
+  std::string lesson_id, title, lesson_plugin;
+  double length = 0;  // m, characteristic
+  double dt = 0;      // s
+  uint64_t seed = 0;
+  std::vector<CardObject> objects;
+  std::vector<CardDevice> devices;
+  std::vector<CardShape> shapes;
+  std::vector<swage_pose> start;  // X_WB of every body
+  std::vector<int32_t>
+      motion;  // SWAGE_MOTION_* of every body: what stands still is stage, what moves is watched
+  judge::Script script;
+};
+
+}  // namespace swage::snapshot

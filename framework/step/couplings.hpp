@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What happens between two objects: contacts as couplings see them, their calls, the law they ask for.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "host/rig.hpp"
+#include "step/events.hpp"
+#include "step/objects.hpp"
+
+namespace swage::step {
+
+class Couplings {
+ public:
+  /// [main]
+  Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts);
+
+  void reset() noexcept;                                 // [rt] all
+  void reset_those_of(uint32_t object) noexcept;         // [rt]
+  void resolve(contact::ContactSet& contacts) noexcept;  // [rt] detected, not solved: they may change the law
+  void finish(contact::ContactSet& contacts) noexcept;   // [rt] solved: forces are known
+
+ private:
+  struct Context {
+    Couplings* self = nullptr;
+    uint32_t coupling = 0;
+  };
+
+  bool released(uint32_t coupling) const noexcept;
+  bool released_pair(uint32_t pair) const noexcept;
+  void release(contact::ContactSet& contacts) noexcept;
+  void show(const contact::ContactSet& contacts) noexcept;
+  void take_laws(contact::ContactSet& contacts) noexcept;
+  void call(uint32_t coupling, host::Call call, const contact::ContactSet& contacts) noexcept;
+  void reset(uint32_t coupling) noexcept;
+  swage_coupling_step& begin(uint32_t coupling, std::span<swage_contact> contacts) noexcept;
+  std::span<swage_contact> mine(uint32_t coupling, const scene::Range& range) noexcept;
+  static void on_event(const swage_coupling_step* step, uint32_t event, double value);
+
+  host::Rig& rig_;
+  const Objects& objects_;
+  Events& events_;
+  std::vector<swage_coupling_step> step_;
+  std::vector<Context> context_;
+  std::vector<swage_contact> shown_;  // shown_[i] stands for contact i of the set
+  std::vector<swage_contact> mine_;   // what one coupling gets to see and change
+};
+
+}  // namespace swage::step

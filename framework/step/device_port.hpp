@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One device as the step sees it. Whether it is asked in the step, lives on a thread of its own or is replayed from a
+// recording is not the step's business.
+#pragma once
+
+#include <swage/abi/device.h>
+
+#include <cstdint>
+
+#include "host/rig.hpp"
+
+namespace swage::step {
+
+/// What the scene does to the tool that a device leads, in the device frame D0.
+struct ToolForce {
+  uint64_t step = 0;
+  double time_s = 0;    // simulated
+  swage_vec3 force{};   // N at the hand: contact forces times the force scale
+  swage_vec3 torque{};  // N m, about the tool's origin
+  swage_pose anchor{};  // where the tool is: behind the hand while its speed is limited
+  swage_twist anchor_twist{};
+};
+
+class DevicePort {
+ public:
+  virtual ~DevicePort() = default;
+  /// Newest sample; leaves `sample` as it is when there is none. [rt]
+  virtual void read(uint64_t step, double time_s, swage_sample& sample) noexcept = 0;
+  /// What the hand should feel, before any guard. [rt]
+  virtual void send(const ToolForce& force) noexcept = 0;
+};
+
+/// A LOCKSTEP device without forces: asked in the step, so that a run is bit-reproducible.
+class LockstepPort final : public DevicePort {
+ public:
+  explicit LockstepPort(host::DeviceSlot& slot) : slot_(slot) {}
+  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
+  void send(const ToolForce&) noexcept override {}
+
+ private:
+  host::DeviceSlot& slot_;
+};
+
+}  // namespace swage::step

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/hands.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/guard.hpp"
+#include "scene/kinematics.hpp"
+#include "step/limits.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::step {
+
+using toolkit::Pose;
+using toolkit::Quat;
+using toolkit::Vec3;
+
+namespace {
+
+constexpr uint32_t kHasPose = SWAGE_VALID_POSE;
+
+// the nearest unit quaternion, or false when there is none
+bool normalise(swage_quat& q) {
+  const double n2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+  if (!(n2 > 0.25 && n2 < 4)) return false;
+  const double k = 1 / std::sqrt(n2);
+  q = {k * q.w, k * q.x, k * q.y, k * q.z};
+  return true;
+}
+
+// shortens a vector to `longest`
+Vec3 limited(const Vec3& a, double longest) {
+  const double length = std::sqrt(a.x() * a.x() + a.y() * a.y() + a.z() * a.z());
+  return length > longest ? Vec3(a * (longest / length)) : a;
+}
+
+}  // namespace
+
+Hands::Hands(host::Rig& rig, std::vector<DevicePort*> ports) : rig_(rig), port_(std::move(ports)) {
+  const std::size_t devices = rig.devices.size();
+  port_.resize(devices, nullptr);
+  for (std::size_t i = 0; i < devices; ++i) {
+    if (port_[i]) continue;
+    own_.push_back(std::make_unique<LockstepPort>(rig.devices[i]));
+    port_[i] = own_.back().get();
+  }
+  sample_.resize(devices);
+  X_WD_.resize(devices);
+  seen_.resize(devices);
+  input_.resize(rig.objects.size());
+  for (const scene::BodyInfo& body : rig.world.body) {
+    const Pose X_WO = body.object < rig.objects.size() ? Pose(rig.objects[body.object].X_WO) : Pose();
+    X_OB_.push_back((X_WO.inverse() * Pose(body.start)).abi());
+  }
+  reset();
+}
+
+void Hands::reset() noexcept {
+  std::fill(sample_.begin(), sample_.end(), swage_sample{});
+  for (swage_sample& s : sample_) s.pose.q.w = 1;
+  std::fill(seen_.begin(), seen_.end(), uint8_t{0});
+  for (uint32_t i = 0; i < X_WD_.size(); ++i) X_WD_[i] = rig_.devices[i].X_WD0;
+  for (uint32_t i = 0; i < input_.size(); ++i) {
+    input_[i] = {};
+    input_[i].X_WD = rig_.objects[i].X_WO;
+  }
+}
+
+const swage_input* Hands::input(uint32_t object) const noexcept {
+  const host::Follow& follow = rig_.objects[object].follow;
+  return follow.pose_device == host::kNone && follow.closure_device == host::kNone ? nullptr
+                                                                                   : &input_[object];
+}
+
+std::size_t Hands::image_size() const {
+  scene::Writer count;
+  save(count);
+  return count.size();
+}
+
+void Hands::save(scene::Writer& out) const noexcept {
+  out.put(sample_);
+  out.put(X_WD_);
+  out.put(input_);
+  for (const uint8_t seen : seen_) out.put(uint64_t{seen});
+}
+
+bool Hands::restore(scene::Reader& in) noexcept {
+  in.get(sample_);
+  in.get(X_WD_);
+  in.get(input_);
+  for (uint8_t& seen : seen_) {
+    uint64_t word = 0;
+    in.get(word);
+    seen = static_cast<uint8_t>(word);
+  }
+  return in.ok();
+}
+
+bool Hands::usable(uint32_t device) const noexcept {
+  return rig_.devices[device].instance->quarantined.load(std::memory_order_relaxed) == 0;
+}
+
+bool Hands::gone() const noexcept {
+  bool ended = false, left = false;
+  for (uint32_t i = 0; i < sample_.size(); ++i) {
+    ended |= (sample_[i].valid & SWAGE_VALID_DONE) != 0;
+    left |= usable(i);
+  }
+  return ended || (!sample_.empty() && !left);
+}
+
+void Hands::read() noexcept {
+  scene::World& world = rig_.world;
+  for (uint32_t i = 0; i < sample_.size(); ++i) {
+    if (!usable(i)) continue;
+    const swage_sample last = sample_[i];
+    port_[i]->read(world.step, world.time(), sample_[i]);
+
+    // what is not a number costs the device, not the scene
+    host::Instance& instance = *rig_.devices[i].instance;
+    const double* numbers = &sample_[i].time_s;
+    constexpr std::size_t kNumbers = 1 + 7 + 6 + 2;
+    static_assert(offsetof(swage_sample, buttons) == offsetof(swage_sample, time_s) + 8 * kNumbers);
+    const bool good =
+        host::accept(instance, host::Call::kExchange, world.step, numbers, kNumbers, kAnyNumber);
+    if (!good || !usable(i)) {
+      sample_[i] = last;
+      sample_[i].valid = 0;
+      continue;
+    }
+    place(i);
+  }
+  for (uint32_t i = 0; i < input_.size(); ++i) map_input(i);
+}
+
+// hand space to scene: scaled down and turned, unless the device already speaks of the world
+void Hands::place(uint32_t device) noexcept {
+  const host::DeviceSlot& slot = rig_.devices[device];
+  const swage_sample& sample = sample_[device];
+  swage_pose pose = sample.pose;
+  if (!(sample.valid & kHasPose) || !normalise(pose.q)) return;
+  if (!(slot.device->flags & SWAGE_DEVICE_WORLD)) {
+    const double k = 1 / slot.motion_scale;
+    const Pose X_WD0(slot.X_WD0), X_D0H(Vec3(k * toolkit::vec(pose.p)), toolkit::quat(pose.q));
+    pose = (X_WD0 * X_D0H).abi();
+  }
+  X_WD_[device] = pose;
+  seen_[device] = 1;
+}
+
+void Hands::map_input(uint32_t object) noexcept {
+  const host::Follow& follow = rig_.objects[object].follow;
+  swage_input& in = input_[object];
+  in.valid = 0;
+  if (follow.pose_device != host::kNone && seen_[follow.pose_device]) {
+    const swage_sample& s = sample_[follow.pose_device];
+    in.X_WD = X_WD_[follow.pose_device];
+    in.buttons = s.buttons;
+    in.valid |= s.valid & (SWAGE_VALID_POSE | SWAGE_VALID_BUTTONS);
+  }
+  if (follow.closure_device != host::kNone) {
+    const swage_sample& s = sample_[follow.closure_device];
+    if (s.valid & SWAGE_VALID_CLOSURE) in.closure = std::clamp(s.closure, 0.0, 1.0);
+    if (s.valid & SWAGE_VALID_GRIP) in.grip_force = s.grip_force;
+    in.valid |= s.valid & (SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP);
+  }
+}
+
+void Hands::follow() noexcept {
+  for (uint32_t i = 0; i < input_.size(); ++i) lead(i);
+}
+
+// The tool goes towards its hand, never faster than the limits, and its bodies get the twist that leads there: whatever the
+// device does, contacts see a motion and not a jump.
+void Hands::lead(uint32_t object) noexcept {
+  const host::ObjectSlot& slot = rig_.objects[object];
+  scene::World& world = rig_.world;
+  const uint32_t device = slot.follow.pose_device;
+  const bool led =
+      device != host::kNone && seen_[device] && !slot.instance->quarantined.load(std::memory_order_relaxed);
+
+  bool moved = false;
+  Pose X_WT;  // the tool's own frame after this step
+  for (uint32_t b = slot.body.first; b < slot.body.first + slot.body.count; ++b) {
+    if (world.body[b].motion != SWAGE_MOTION_FOLLOWS) continue;
+    const Pose X_OB(X_OB_[b]);
+    if (!led) {
+      world.V_WB[b] = {};
+      continue;
+    }
+    if (!moved) {
+      // where the tool is, from its first body; where the hand wants it
+      const Pose X_WT0 = Pose(world.X_WB[b]) * X_OB.inverse(), X_WD(X_WD_[device]);
+      const Vec3 away = X_WD.p - X_WT0.p;
+      const Vec3 turn = toolkit::log_rotation(X_WD.q * X_WT0.q.conjugate());
+      const Vec3 step_p = limited(away, kMaxToolSpeed * world.length * world.dt);
+      const Vec3 step_q = limited(turn, kMaxToolTurn * world.dt);
+      const bool arrives = step_p == away && step_q == turn;
+      X_WT = arrives ? X_WD : Pose(X_WT0.p + step_p, (toolkit::exp_rotation(step_q) * X_WT0.q).normalized());
+      moved = true;
+    }
+    scene::follow(world, b, X_WT * X_OB);
+  }
+}
+
+void Hands::send(const contact::ContactSet& contacts) noexcept {
+  for (uint32_t d = 0; d < port_.size(); ++d) {
+    if (!(rig_.devices[d].device->flags & SWAGE_DEVICE_FORCE)) continue;
+    port_[d]->send(to_hand(d, felt(d, contacts)));
+  }
+}
+
+// the sum of the contact forces on the tool of a device, about the tool's origin
+Hands::Felt Hands::felt(uint32_t device, const contact::ContactSet& contacts) const noexcept {
+  const scene::World& world = rig_.world;
+  const auto led = [&](uint32_t body) {
+    const uint32_t object = world.body[body].object;
+    return object < rig_.objects.size() && rig_.objects[object].follow.pose_device == device;
+  };
+  Felt out;
+  out.X_WT = Pose(X_WD_[device]);
+  for (uint32_t b = 0; b < world.body.size(); ++b) {
+    if (world.body[b].motion != SWAGE_MOTION_FOLLOWS || !led(b)) continue;
+    out.X_WT = Pose(world.X_WB[b]) * Pose(X_OB_[b]).inverse();
+    out.V_WT = world.V_WB[b];
+    break;
+  }
+  for (const contact::Contact& c : contacts.contact) {
+    const double sign = (led(c.body_a) ? 1.0 : 0.0) - (led(c.body_b) ? 1.0 : 0.0);
+    out.f_W += sign * c.f_a_W;
+    out.t_W += sign * (c.p_W - out.X_WT.p).cross(c.f_a_W);
+  }
+  return out;
+}
+
+// into hand space: forces by the force scale, movements by the motion scale
+ToolForce Hands::to_hand(uint32_t device, const Felt& felt) const noexcept {
+  const host::DeviceSlot& slot = rig_.devices[device];
+  const bool in_world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
+  const Quat q_D0W = in_world ? Quat::Identity() : toolkit::quat(slot.X_WD0.q).conjugate();
+  const Vec3 origin = in_world ? Vec3(Vec3::Zero()) : toolkit::vec(slot.X_WD0.p);
+  const double s = in_world ? 1 : slot.motion_scale;
+  ToolForce out;
+  out.step = rig_.world.step;
+  out.time_s = rig_.world.time();
+  out.force = toolkit::raw(Vec3(q_D0W * (slot.force_scale * felt.f_W)));
+  out.torque = toolkit::raw(Vec3(q_D0W * (slot.force_scale * s * felt.t_W)));
+  out.anchor = {toolkit::raw(Vec3(q_D0W * (s * (felt.X_WT.p - origin)))),
+                toolkit::raw(Quat(q_D0W * felt.X_WT.q))};
+  out.anchor_twist = {toolkit::raw(Vec3(q_D0W * (s * toolkit::vec(felt.V_WT.v)))),
+                      toolkit::raw(Vec3(q_D0W * toolkit::vec(felt.V_WT.w)))};
+  return out;
+}
+
+}  // namespace swage::step

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// From devices to tools: samples, the hand in the scene, and bodies that follow it, limited in speed and swept.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "host/rig.hpp"
+#include "scene/state_image.hpp"
+#include "step/device_port.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::step {
+
+class Hands {
+ public:
+  /// `ports`: as in Engine. [main]
+  Hands(host::Rig& rig, std::vector<DevicePort*> ports);
+
+  void reset() noexcept;                                    // [rt]
+  void read() noexcept;                                     // [rt] newest sample of every device
+  void follow() noexcept;                                   // [rt] tools after their hands
+  void send(const contact::ContactSet& contacts) noexcept;  // [rt] what the tools feel
+
+  const swage_input* input(uint32_t object) const noexcept;  // nullptr when no device is bound
+  std::span<const swage_sample> samples() const noexcept { return sample_; }
+  std::span<const swage_pose> hands() const noexcept { return X_WD_; }
+  std::size_t image_size() const;                // [main]
+  void save(scene::Writer& out) const noexcept;  // [main or rt] last samples and hands
+  bool restore(scene::Reader& in) noexcept;
+  /// A script has ended, or every hand is in quarantine.
+  bool gone() const noexcept;
+
+ private:
+  bool usable(uint32_t device) const noexcept;
+  void place(uint32_t device) noexcept;
+  void map_input(uint32_t object) noexcept;
+  void lead(uint32_t object) noexcept;
+  struct Felt {
+    toolkit::Pose X_WT;  // the tool
+    swage_twist V_WT{};
+    toolkit::Vec3 f_W = toolkit::Vec3::Zero(), t_W = toolkit::Vec3::Zero();  // N, N m about the tool's origin
+  };
+  Felt felt(uint32_t device, const contact::ContactSet& contacts) const noexcept;
+  ToolForce to_hand(uint32_t device, const Felt& felt) const noexcept;
+
+  host::Rig& rig_;
+  std::vector<std::unique_ptr<DevicePort>> own_;
+  std::vector<DevicePort*> port_;
+  std::vector<swage_sample> sample_;  // of each device, as used in this step
+  std::vector<swage_pose> X_WD_;      // of each device: the hand in the scene, last valid one
+  std::vector<uint8_t> seen_;         // of each device: a valid pose has come
+  std::vector<swage_input> input_;    // of each object
+  std::vector<swage_pose> X_OB_;      // of each body: as declared in its object
+};
+
+}  // namespace swage::step

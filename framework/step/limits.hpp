@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bounds on what plugins and devices may say. They are far outside of what a lesson needs: beyond them stands only a mistake.
+#pragma once
+
+namespace swage::step {
+
+// N and N m that an object may put on one of its bodies in one step. Normal: 1e-6 to 1. Larger: nothing in microsurgery
+inline constexpr double kMaxForce = 1e3;
+// m/s of a free surface. Normal: under 0.1. Larger: an unstable solver on its way to infinity
+inline constexpr double kMaxSpeed = 1e3;
+// m/s per N s of a free surface: 1 / effective mass. Normal: 1e3 to 1e8 (a wire end of 10 ug). Larger: no mass at all
+inline constexpr double kMaxMobility = 1e12;
+// m from the world's origin. Normal: under 0.1. Larger: it has left the room
+inline constexpr double kMaxPosition = 1e3;
+// SI, anything that is only required to be a number
+inline constexpr double kAnyNumber = 1e300;
+
+// Lengths of the scene per second that a tool follows its device. Normal hands: up to 50. Faster (a tracker that jumps, a
+// script that teleports) the tool sweeps behind, so that it pushes through nothing; slower limits would be felt
+inline constexpr double kMaxToolSpeed = 250;
+// rad/s. Normal wrists: up to 10
+inline constexpr double kMaxToolTurn = 30;
+
+}  // namespace swage::step

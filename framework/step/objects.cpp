@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/objects.hpp"
+
+#include <algorithm>
+
+#include "host/guard.hpp"
+#include "scene/kinematics.hpp"
+#include "scene/view.hpp"
+#include "step/limits.hpp"
+
+namespace swage::step {
+
+namespace {
+
+scene::Slices slices(const host::ObjectSlot& slot) {
+  return {slot.body, slot.particle, slot.shape, slot.hinge, slot.state, slot.signal};
+}
+
+template <class T>
+const double* numbers(const T* first) {
+  return reinterpret_cast<const double*>(first);
+}
+
+// copies the part of an array that belongs to a range; `width` entries per index
+template <class T>
+void copy(std::vector<T>& to, const std::vector<T>& from, const scene::Range& range,
+          uint32_t width = 1) noexcept {
+  const std::size_t first = std::size_t{width} * range.first, count = std::size_t{width} * range.count;
+  std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(first), count,
+              to.begin() + static_cast<std::ptrdiff_t>(first));
+}
+template <class T>
+void clear(std::vector<T>& array, const scene::Range& range, uint32_t width = 1) noexcept {
+  const std::size_t first = std::size_t{width} * range.first, count = std::size_t{width} * range.count;
+  std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(first), count, T{});
+}
+
+}  // namespace
+
+Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts) : rig_(rig), hands_(hands) {
+  scene::World& world = rig.world;
+  particle_start_ = world.particle_p_W;
+  random_start_ = world.random;
+  scene::reset(world);
+  X_WB_before_ = world.X_WB;
+  particle_before_ = world.particle_p_W;
+  hinge_before_ = world.hinge_angle;
+  view_.resize(rig.objects.size());
+  for (uint32_t i = 0; i < rig.objects.size(); ++i) {
+    host::ObjectSlot& slot = rig.objects[i];
+    view_[i] = scene::view(world, slices(slot), hands.input(i));
+    if (slot.solver) self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_contacts));
+  }
+  self_now_.reserve(self_.size());
+}
+
+void Objects::reset() noexcept {
+  scene::World& world = rig_.world;
+  scene::reset(world);
+  world.particle_p_W = particle_start_;
+  world.random = random_start_;
+  begin();
+  for (uint32_t i = 0; i < view_.size(); ++i) {
+    const host::ObjectSlot& slot = rig_.objects[i];
+    host::guarded(*slot.instance, host::Call::kReset, 0,
+                  [&] { slot.object->reset(slot.instance->raw, &view_[i]); });
+  }
+  begin();
+}
+
+void Objects::reset(uint32_t object) noexcept {
+  const host::ObjectSlot& slot = rig_.objects[object];
+  scene::World& world = rig_.world;
+  for (uint32_t b = slot.body.first; b < slot.body.first + slot.body.count; ++b) {
+    world.X_WB[b] = world.body[b].start;
+    world.V_WB[b] = {};
+  }
+  for (uint32_t h = slot.hinge.first; h < slot.hinge.first + slot.hinge.count; ++h) {
+    const scene::HingeInfo& hinge = world.hinge[h];
+    world.X_WB[hinge.child] = scene::hinged(hinge, toolkit::Pose(world.X_WB[hinge.parent]), 0.0).abi();
+  }
+  copy(world.particle_p_W, particle_start_, slot.particle, 3);
+  clear(world.particle_v_W, slot.particle, 3);
+  clear(world.hinge_angle, slot.hinge);
+  clear(world.hinge_rate, slot.hinge);
+  clear(world.hinge_torque, slot.hinge);
+  clear(world.plugin_state, slot.state);
+  clear(world.signal, slot.signal);
+  host::guarded(*slot.instance, host::Call::kReset, world.step,
+                [&] { slot.object->reset(slot.instance->raw, &view_[object]); });
+  begin();
+}
+
+void Objects::begin() noexcept {
+  scene::World& world = rig_.world;
+  for (uint32_t i = 0; i < view_.size(); ++i)
+    view_[i] = scene::view(world, slices(rig_.objects[i]), hands_.input(i));
+  X_WB_before_ = world.X_WB;
+  particle_before_ = world.particle_p_W;
+  hinge_before_ = world.hinge_angle;
+}
+
+void Objects::forces() noexcept {
+  scene::World& world = rig_.world;
+  for (uint32_t i = 0; i < view_.size(); ++i) {
+    const host::ObjectSlot& slot = rig_.objects[i];
+    const swage_object_step& view = view_[i];
+    host::Instance& instance = *slot.instance;
+    const auto accept = [&](const double* data, std::size_t n, double limit) {
+      return host::accept(instance, host::Call::kForces, world.step, data, n, limit);
+    };
+    const bool given = host::guarded(instance, host::Call::kForces, world.step,
+                                     [&] { return slot.object->forces(instance.raw, &view); });
+    const bool good = given && accept(numbers(view.F_B_W), 6 * view.n_body, kMaxForce) &&
+                      accept(view.particle_f_W, 3 * view.n_particle, kMaxForce) &&
+                      accept(numbers(view.drive), 4 * view.n_hinge, kAnyNumber);
+    if (good) continue;
+    clear(world.F_B_W, slot.body);
+    clear(world.particle_f_W, slot.particle, 3);
+    clear(world.drive, slot.hinge);
+  }
+}
+
+void Objects::advance() noexcept {
+  for (uint32_t i = 0; i < view_.size(); ++i) {
+    const host::ObjectSlot& slot = rig_.objects[i];
+    if (!slot.solver || frozen(i)) continue;
+    host::Instance& instance = *slot.instance;
+    host::guarded(instance, host::Call::kAdvance, rig_.world.step,
+                  [&] { return slot.solver->advance(instance.raw, &view_[i]); });
+    if (!sound(i, host::Call::kAdvance)) put_back(i);
+  }
+}
+
+void Objects::finish() noexcept {
+  scene::World& world = rig_.world;
+  for (uint32_t i = 0; i < view_.size(); ++i) {
+    const host::ObjectSlot& slot = rig_.objects[i];
+    host::Instance& instance = *slot.instance;
+    host::guarded(instance, host::Call::kFinish, world.step,
+                  [&] { return slot.object->finish(instance.raw, &view_[i]); });
+    const bool whole = host::accept(instance, host::Call::kFinish, world.step, view_[i].signal,
+                                    slot.signal.count, kAnyNumber);
+    if (!whole) clear(world.signal, slot.signal);
+  }
+}
+
+std::span<dynamics::SelfSolver* const> Objects::self() noexcept {
+  self_now_.clear();
+  for (const auto& port : self_)
+    if (!frozen(port->object())) self_now_.push_back(port.get());
+  return self_now_;
+}
+
+void Objects::guard() noexcept {
+  for (uint32_t i = 0; i < view_.size(); ++i) {
+    if (!frozen(i)) sound(i, rig_.objects[i].solver ? host::Call::kYield : host::Call::kForces);
+    if (frozen(i)) freeze(i);
+  }
+}
+
+void Objects::freeze() noexcept {
+  for (uint32_t i = 0; i < view_.size(); ++i)
+    if (frozen(i)) freeze(i);
+}
+
+// finite and in the room; quarantined otherwise
+bool Objects::sound(uint32_t object, host::Call call) noexcept {
+  host::Instance& instance = *rig_.objects[object].instance;
+  const swage_object_step& view = view_[object];
+  const auto accept = [&](const double* data, std::size_t n, double limit) {
+    return host::accept(instance, call, view.step, data, n, limit);
+  };
+  return accept(numbers(view.X_WB), 7 * view.n_body, kMaxPosition) &&
+         accept(numbers(view.V_WB), 6 * view.n_body, kAnyNumber) &&
+         accept(view.particle_p_W, 3 * view.n_particle, kMaxPosition) &&
+         accept(view.particle_v_W, 3 * view.n_particle, kAnyNumber) &&
+         accept(view.hinge_angle, view.n_hinge, kAnyNumber) &&
+         accept(view.hinge_rate, view.n_hinge, kAnyNumber);
+}
+
+void Objects::put_back(uint32_t object) noexcept {
+  const host::ObjectSlot& slot = rig_.objects[object];
+  copy(rig_.world.X_WB, X_WB_before_, slot.body);
+  copy(rig_.world.particle_p_W, particle_before_, slot.particle, 3);
+  copy(rig_.world.hinge_angle, hinge_before_, slot.hinge);
+}
+
+void Objects::freeze(uint32_t object) noexcept {
+  const host::ObjectSlot& slot = rig_.objects[object];
+  scene::World& world = rig_.world;
+  put_back(object);
+  clear(world.V_WB, slot.body);
+  clear(world.particle_v_W, slot.particle, 3);
+  clear(world.hinge_rate, slot.hinge);
+  clear(world.hinge_torque, slot.hinge);
+}
+
+}  // namespace swage::step

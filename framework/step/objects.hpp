@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The objects of a scene between the phases: their views, their calls, and what becomes of one that misbehaves.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "host/rig.hpp"
+#include "step/hands.hpp"
+#include "step/self_port.hpp"
+
+namespace swage::step {
+
+class Objects {
+ public:
+  /// `max_contacts`: contact points of one step. [main]
+  Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts);
+
+  void reset() noexcept;                 // [rt] all of them, and the world
+  void reset(uint32_t object) noexcept;  // [rt] one of them
+  void begin() noexcept;                 // [rt] views of this step; remembers where everything was
+  void forces() noexcept;                // [rt]
+  void advance() noexcept;               // [rt] own mechanics
+  void finish() noexcept;                // [rt]
+  void freeze() noexcept;                // [rt] what is in quarantine stands where it stood
+  void guard() noexcept;                 // [rt] looks through the state that the solve has left
+
+  std::span<const swage_object_step> views() const noexcept { return view_; }
+  const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
+  std::span<dynamics::SelfSolver* const> self() noexcept;  // own mechanics that are not in quarantine
+  bool frozen(uint32_t object) const noexcept {
+    return rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;
+  }
+
+ private:
+  void put_back(uint32_t object) noexcept;
+  void freeze(uint32_t object) noexcept;
+  bool sound(uint32_t object, host::Call call) noexcept;
+
+  host::Rig& rig_;
+  const Hands& hands_;
+  std::vector<swage_object_step> view_;
+  std::vector<std::unique_ptr<SelfPort>> self_;
+  std::vector<dynamics::SelfSolver*> self_now_;
+
+  // where everything was before this step
+  std::vector<swage_pose> X_WB_before_;
+  std::vector<double> particle_before_, hinge_before_;
+  // the start
+  std::vector<double> particle_start_;
+  std::vector<uint64_t> random_start_;
+};
+
+}  // namespace swage::step

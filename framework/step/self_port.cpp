@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/self_port.hpp"
+
+#include <algorithm>
+
+#include "host/guard.hpp"
+#include "scene/view.hpp"
+#include "step/limits.hpp"
+
+namespace swage::step {
+
+SelfPort::SelfPort(host::ObjectSlot& slot, uint32_t object, const swage_object_step& view, uint32_t capacity)
+    : slot_(slot), object_(object), view_(view), local_(capacity) {}
+
+uint32_t SelfPort::local(std::span<const swage_contact_point> point) noexcept {
+  const auto n = static_cast<uint32_t>(std::min(point.size(), local_.size()));
+  for (uint32_t i = 0; i < n; ++i) {
+    local_[i] = point[i];
+    local_[i].body = scene::local(slot_.body, point[i].body);
+    local_[i].shape = scene::local(slot_.shape, point[i].shape);
+  }
+  return n;
+}
+
+bool SelfPort::compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept {
+  const uint32_t n = local(point);
+  if (n != point.size()) return false;
+  host::Instance& instance = *slot_.instance;
+  const uint64_t step = view_.step;
+  const bool given = host::guarded(instance, host::Call::kCompliance, step, [&] {
+    return slot_.solver->compliance(instance.raw, &view_, n, local_.data(), v_free, W);
+  });
+  return given && host::accept(instance, host::Call::kCompliance, step, v_free, 3 * n, kMaxSpeed) &&
+         host::accept(instance, host::Call::kCompliance, step, W, std::size_t{9} * n * n, kMaxMobility);
+}
+
+void SelfPort::yield(std::span<const swage_contact_point> point, const double* impulse) noexcept {
+  const uint32_t n = local(point);
+  host::Instance& instance = *slot_.instance;
+  host::guarded(instance, host::Call::kYield, view_.step,
+                [&] { return slot_.solver->yield(instance.raw, &view_, n, local_.data(), impulse); });
+}
+
+}  // namespace swage::step

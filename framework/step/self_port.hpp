@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// An object with mechanics of its own as the contact solve sees it: the plugin's swage.object.solver/1 behind the guard.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/self_solver.hpp"
+#include "host/rig.hpp"
+
+namespace swage::step {
+
+class SelfPort final : public dynamics::SelfSolver {
+ public:
+  /// `view`: the object's, kept up to date by the step. `capacity`: contact points of one step. [main]
+  SelfPort(host::ObjectSlot& slot, uint32_t object, const swage_object_step& view, uint32_t capacity);
+
+  uint32_t object() const noexcept override { return object_; }
+  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
+  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
+
+ private:
+  uint32_t local(std::span<const swage_contact_point> point) noexcept;
+
+  host::ObjectSlot& slot_;
+  const uint32_t object_;
+  const swage_object_step& view_;
+  std::vector<swage_contact_point> local_;  // the points in the object's own indices
+};
+
+}  // namespace swage::step

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage describe: what a plugin is and which parameters it has, from its one table.
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "host/catalogue.hpp"
+#include "host/nearest.hpp"
+#include "host/params_json.hpp"
+#include "host/schema.hpp"
+#include "host/units.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using host::Param;
+using host::PluginInfo;
+
+std::string range_text(const Param& p) {
+  switch (p.type) {
+    case SWAGE_PARAM_REAL:
+    case SWAGE_PARAM_INTEGER:
+    case SWAGE_PARAM_VECTOR:
+      return host::format_quantity(p.min, p.display_unit) + " to " +
+             host::format_quantity(p.max, p.display_unit);
+    case SWAGE_PARAM_CHOICE:
+      return host::join(p.choices);
+    case SWAGE_PARAM_BOOL:
+      return "true, false";
+    case SWAGE_PARAM_FILE:
+      return "a file";
+    default:
+      return "text";
+  }
+}
+
+// as a lesson file would write it
+std::string default_text(const Param& p) {
+  if (p.required()) return "required";
+  swage_value value{};
+  for (std::size_t i = 0; i < 4; ++i) value.number[i] = p.default_number[i];
+  value.text = {p.default_text.data(), p.default_text.size()};
+  return host::value_text(p, value);
+}
+
+void print_text(const PluginInfo& info) {
+  std::printf("%s %s (%s): %s\n  %s\n", info.id.c_str(), info.version.c_str(), host::kind_text(info.kind),
+              info.name.c_str(), info.summary.c_str());
+  std::printf("  by %s, %s; %s\n", info.author.c_str(), info.licence.c_str(), info.bundle_dir.c_str());
+  if (!info.traits.empty()) std::printf("  offers %s\n", host::join(info.traits).c_str());
+  std::string group;
+  for (const Param& p : info.params) {
+    if (p.group != group) std::printf("  [%s]\n", p.group.c_str());
+    group = p.group;
+    std::printf("  %-20s %-14s %s\n  %-20s %s%s\n", p.id.c_str(), default_text(p).c_str(),
+                range_text(p).c_str(), "", p.doc.c_str(),
+                p.live() ? " May change while the lesson runs." : "");
+  }
+}
+
+// what a plugin's README shows; compared with it by a test
+void print_markdown(const PluginInfo& info) {
+  std::printf("| Parameter | Default | Range | Meaning |\n| --- | --- | --- | --- |\n");
+  for (const Param& p : info.params)
+    std::printf("| `%s` | %s | %s | %s%s |\n", p.id.c_str(), default_text(p).c_str(), range_text(p).c_str(),
+                p.doc.c_str(), p.live() ? " Live." : "");
+}
+
+nlohmann::ordered_json to_json(const PluginInfo& info) {
+  return {{"id", info.id},
+          {"kind", host::kind_text(info.kind)},
+          {"version", info.version},
+          {"name", info.name},
+          {"summary", info.summary},
+          {"author", info.author},
+          {"licence", info.licence},
+          {"traits", info.traits},
+          {"bundle", info.bundle_dir},
+          {"params", host::table_to_json(info.params)}};
+}
+
+// plugins of the bundle or library at `path`, whatever else is installed
+std::vector<PluginInfo> in_bundle(const std::string& path, std::string& error) {
+  std::error_code ignored;
+  const bool folder = fs::is_directory(path, ignored);
+  host::Catalogue::Options options;
+  options.plugin_dirs = {folder ? path : fs::path(path).parent_path().string()};
+  options.use_environment = false;
+  options.install_dir = "/nonexistent";
+  const host::Catalogue catalogue(options);
+  std::vector<PluginInfo> out;
+  for (const PluginInfo& p : catalogue.plugins())
+    if (folder || fs::equivalent(p.library_path, path, ignored)) out.push_back(p);
+  if (!out.empty()) return out;
+  error = path + " holds no plugin that can be described.";
+  for (const auto& refused : catalogue.refused()) error += " " + refused.path + ": " + refused.reason;
+  return out;
+}
+
+}  // namespace
+
+int describe(const DescribeOptions& o) {
+  std::error_code ignored;
+  std::vector<PluginInfo> plugins;
+  const bool is_path = o.what.find('/') != std::string::npos || o.what.ends_with(".so");
+  if (is_path && fs::exists(o.what, ignored)) {
+    std::string error;
+    plugins = in_bundle(o.what, error);
+    if (plugins.empty()) return problem(error);
+  } else if (is_path) {
+    return problem("There is no " + o.what + ".");
+  } else {
+    host::Catalogue::Options options;
+    options.plugin_dirs = o.plugin_dirs;
+    const host::Catalogue catalogue(options);
+    if (o.what.empty()) plugins = catalogue.plugins();
+    const PluginInfo* one = o.what.empty() ? nullptr : catalogue.find(o.what);
+    if (one != nullptr) plugins = {*one};
+    if (!o.what.empty() && one == nullptr) return problem(catalogue.missing_text(o.what));
+  }
+
+  if (o.schema) {
+    const bool one = !o.what.empty() && plugins.size() == 1;
+    std::printf("%s\n", (one ? host::params_schema(plugins[0]) : host::lesson_schema(plugins)).c_str());
+  } else if (o.json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const PluginInfo& p : plugins) list.push_back(to_json(p));
+    print(list);
+  } else if (o.markdown) {
+    for (const PluginInfo& p : plugins) print_markdown(p);
+  } else if (o.what.empty()) {
+    for (const PluginInfo& p : plugins)
+      std::printf("%-9s %-28s %-8s %s\n", host::kind_text(p.kind), p.id.c_str(), p.version.c_str(),
+                  p.summary.c_str());
+  } else {
+    for (const PluginInfo& p : plugins) print_text(p);
+  }
+  return kPassed;
+}
+
+}  // namespace swage::tools

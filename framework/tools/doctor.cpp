@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage doctor: what this machine grants, and what to do where it does not.
+#include <dlfcn.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "host/catalogue.hpp"
+#include "host/child.hpp"
+#include "host/nearest.hpp"
+#include "record/store.hpp"
+#include "tools/places.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class State { kGood, kPoor, kBad };  // poor: Swage works, but not as well as it could
+
+struct Finding {
+  std::string name;
+  State state = State::kGood;
+  std::string text, remedy;
+};
+
+// asked of a thread of its own, so that this one stays what it is
+Finding scheduling() {
+  int refused = 0;
+  std::thread([&refused] {
+    const sched_param wanted{70};
+    refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
+  }).join();
+  if (refused == 0) return {"scheduling", State::kGood, "the step may run with SCHED_FIFO", ""};
+  return {"scheduling", State::kPoor,
+          std::string("SCHED_FIFO is not permitted (") + std::strerror(refused) +
+              "): under load some steps will come milliseconds late",
+          "Add the line  \"@audio - rtprio 80\"  to /etc/security/limits.d/swage.conf, join that group and "
+          "log in again."};
+}
+
+Finding memory() {
+  // the program with its plugins and rings needs about 200 MB
+  constexpr rlim_t kNeeded = rlim_t{256} << 20;
+  rlimit limit{};
+  getrlimit(RLIMIT_MEMLOCK, &limit);
+  const bool root = geteuid() == 0;
+  if (root || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kNeeded)
+    return {"memory", State::kGood, "memory may be locked", ""};
+  return {
+      "memory", State::kPoor,
+      format("only %llu kB may be locked: a page that is not there costs a step",
+             static_cast<unsigned long long>(limit.rlim_cur >> 10)),
+      "Add the line  \"@audio - memlock unlimited\"  to /etc/security/limits.d/swage.conf and log in again."};
+}
+
+Finding processors() {
+  const unsigned n = std::thread::hardware_concurrency();
+  if (n >= 2) return {"processors", State::kGood, format("%u", n), ""};
+  return {"processors", State::kPoor, "one processor: the window and the step share it",
+          "Use a machine with two or more, or run lessons with --headless."};
+}
+
+// as "vendor, version", "" when there is none. EGL is loaded by hand: the program must start without it
+std::string gl_text() {
+  constexpr int kVendor = 0x3053, kVersion = 0x3054;  // eglQueryString
+  void* egl = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+  if (egl == nullptr) return "";
+  const auto get_display = reinterpret_cast<void* (*)(void*)>(dlsym(egl, "eglGetDisplay"));
+  const auto initialize = reinterpret_cast<unsigned (*)(void*, int*, int*)>(dlsym(egl, "eglInitialize"));
+  const auto query = reinterpret_cast<const char* (*)(void*, int)>(dlsym(egl, "eglQueryString"));
+  if (get_display == nullptr || initialize == nullptr || query == nullptr) return "";
+  void* display = get_display(nullptr);
+  int major = 0, minor = 0;
+  if (display == nullptr || initialize(display, &major, &minor) == 0) return "";
+  return std::string(query(display, kVendor)) + ", EGL " + query(display, kVersion);
+}
+
+Finding graphics() {
+  if (!has_display())
+    return {"graphics", State::kPoor, "no display: lessons run without a window",
+            "Start it from a desktop, or under xvfb-run."};
+  // a driver that crashes must not take the doctor with it
+  const host::ChildResult child = host::run_forked(gl_text, 10);
+  if (child.ok() && !child.out.empty()) return {"graphics", State::kGood, child.out, ""};
+  return {
+      "graphics", State::kPoor,
+      child.ok() ? "no OpenGL: the window opens without the 3D view" : "the OpenGL driver crashes or hangs",
+      "Install the packages libegl1 and libgl1-mesa-dri (Debian); they also draw without a graphics card."};
+}
+
+Finding console() {
+  if (!beside("swage-console").empty()) return {"window", State::kGood, "swage-console is installed", ""};
+  return {"window", State::kPoor, "swage-console is not beside this program: lessons run without a window",
+          "Build with -DSWAGE_CONSOLE=ON (it needs Qt6 with Qt3D)."};
+}
+
+std::vector<Finding> plugins(const DoctorOptions& o) {
+  host::Catalogue::Options options;
+  options.plugin_dirs = o.plugin_dirs;
+  const host::Catalogue catalogue(options);
+  std::vector<std::string> where;
+  for (const auto& s : catalogue.searched())
+    where.push_back(s.dir + (s.exists ? format(" (%u)", s.plugins) : " (absent)"));
+  std::vector<Finding> out;
+  const auto found = static_cast<unsigned>(catalogue.plugins().size());
+  out.push_back(
+      {"plugins", found > 0 ? State::kGood : State::kBad, format("%u found in ", found) + host::join(where),
+       found > 0 ? ""
+                 : "Install Swage's plugins, or name their folder with --plugin-dir or SWAGE_PLUGIN_PATH."});
+  for (const auto& r : catalogue.refused())
+    out.push_back({"plugin " + r.id, State::kPoor, r.path + " is refused. " + r.reason,
+                   "Rebuild it against this version of Swage, or take it out of the folder."});
+  for (const auto& s : catalogue.shadowed())
+    out.push_back({"plugin " + s.id, State::kPoor, s.path + " (" + s.version + ") is hidden by " + s.by,
+                   "Take one of the two out of its folder."});
+  return out;
+}
+
+// the nearest folder that is there
+fs::path existing(fs::path path) {
+  std::error_code ignored;
+  while (!path.empty() && path.has_relative_path() && !fs::exists(path, ignored)) path = path.parent_path();
+  return path.empty() ? "." : path;
+}
+
+Finding store(const std::string& where) {
+  std::error_code ignored;
+  const bool server = where.find("://") != std::string::npos;
+  const std::string remedy = server ? "Check the server's address, and that it runs and lets you in."
+                                    : "Choose another place with --store, or make that folder yours.";
+  if (!server && !fs::exists(where, ignored)) {
+    const fs::path folder = existing(fs::absolute(where, ignored));
+    if (fs::is_directory(folder, ignored) && access(folder.c_str(), W_OK) == 0)
+      return {"store", State::kGood, where + " will be made with the first attempt", ""};
+    return {"store", State::kBad, where + " cannot be made: " + folder.string() + " is not yours to write",
+            remedy};
+  }
+  std::string error;
+  const auto opened = record::Store::open(where, error);
+  if (!opened) return {"store", State::kBad, error, remedy};
+  return {"store", State::kGood, format("%zu attempts in ", opened->attempts("").size()) + where, ""};
+}
+
+Finding disk(const std::string& where) {
+  // an hour of lessons is 250 MB; below 1 GB a course would not fit
+  constexpr uint64_t kEnough = uint64_t{1} << 30;
+  std::error_code ignored;
+  struct statvfs facts {};
+  if (where.find("://") != std::string::npos) return {"disk", State::kGood, "the store is on a server", ""};
+  const fs::path folder = existing(fs::absolute(where, ignored));
+  if (statvfs(folder.c_str(), &facts) != 0)
+    return {"disk", State::kBad, folder.string() + " cannot be asked", ""};
+  const uint64_t free = uint64_t{facts.f_bavail} * facts.f_frsize;
+  const std::string text = format("%.1f GB free for attempts", 1e-9 * static_cast<double>(free));
+  if (free >= kEnough) return {"disk", State::kGood, text, ""};
+  return {"disk", State::kPoor, text,
+          "Free space on the disk of " + folder.string() + ", or choose another with --store."};
+}
+
+const char* text(State state) {
+  return state == State::kGood ? "good" : state == State::kPoor ? "poor" : "bad";
+}
+
+}  // namespace
+
+int doctor(const DoctorOptions& o) {
+  const std::string where = store_place(o.store);
+  std::vector<Finding> findings = {scheduling(), memory(), processors(), graphics(), console()};
+  for (Finding& f : plugins(o)) findings.push_back(std::move(f));
+  findings.push_back(store(where));
+  findings.push_back(disk(where));
+
+  bool bad = false;
+  auto list = nlohmann::ordered_json::array();
+  for (const Finding& f : findings) {
+    bad |= f.state == State::kBad;
+    list.push_back({{"name", f.name}, {"state", text(f.state)}, {"text", f.text}, {"remedy", f.remedy}});
+    if (o.json) continue;
+    std::printf("%-4s  %-12s %s\n", text(f.state), f.name.c_str(), f.text.c_str());
+    if (!f.remedy.empty()) std::printf("      %-12s %s\n", "", f.remedy.c_str());
+  }
+  if (o.json) print(list);
+  return bad ? kProblem : kPassed;
+}
+
+}  // namespace swage::tools

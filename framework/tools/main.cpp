@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage: one program with verbs. Its window is swage-console.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+
+#include "host/nearest.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace {
+
+using namespace swage::tools;
+
+// everything that may stand on the command line
+struct Arguments {
+  RunOptions run;
+  ReplayOptions replay;
+  ValidateOptions validate;
+  DescribeOptions describe;
+  NewOptions make_new;
+  DoctorOptions doctor;
+  BenchOptions bench;
+  AttemptsOptions attempts;
+  std::function<int()> chosen;
+};
+
+void plugin_dirs(CLI::App* verb, std::vector<std::string>& dirs) {
+  verb->add_option("--plugin-dir", dirs, "Folder of plugins, before all others; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("run", "Run a lesson once and say how it went");
+  RunOptions& o = a.run;
+  verb->add_option("lesson", o.lesson, "Lesson file (.json)")->required();
+  verb->add_option("--device", o.device, "Hand: a name of the lesson (expert), a plugin (mouse)");
+  verb->add_option("--device-params", o.device_params, "Parameters of that device, a JSON object");
+  verb->add_flag("--headless", o.headless, "Without a window");
+  verb->add_flag("--as-fast-as-possible", o.fast, "Without a clock; gives the same numbers every time");
+  verb->add_option("--person", o.person, "Whose attempt it is")->capture_default_str();
+  verb->add_option("--store", o.store, "Attempts database, or :none: to keep nothing");
+  verb->add_option("--mode", o.mode, "practice, test or demo")
+      ->check(CLI::IsMember({"practice", "test", "demo"}));
+  verb->add_flag("--safe-mode", o.safe_mode, "Only the plugins that came with Swage");
+  verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which the attempt ends")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return std::atof(text.c_str()) > 0 ? "" : text + " is not a time above 0";
+          },
+          "SECONDS"));
+  verb->add_flag("--json", o.json, "The result as JSON");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return run(a.run); }; });
+}
+
+void add_replay(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("replay", "Step a kept attempt again and compare every hash");
+  verb->add_option("attempt", a.replay.what, "Attempt id or its beginning, \"last\", or a .swage file")
+      ->required();
+  verb->add_option("--store", a.replay.store, "Attempts database");
+  verb->add_flag("--json", a.replay.json, "The result as JSON");
+  plugin_dirs(verb, a.replay.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return replay(a.replay); }; });
+}
+
+void add_validate(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("validate", "Test plugins and check lesson files");
+  ValidateOptions& o = a.validate;
+  verb->add_option("paths", o.paths, "Bundles, libraries (.so) or lesson files (.json)")->required();
+  verb->add_option("--strictness", o.strictness, "Tests up to this level")
+      ->check(CLI::Range(1, 10))
+      ->capture_default_str();
+  verb->add_option("--only", o.only, "One test by its name");
+  verb->add_option("--seed", o.seed, "Of the random tests")->capture_default_str();
+  verb->add_flag("--in-process", o.in_process, "No child processes and no time limit: for a debugger");
+  verb->add_flag("--json", o.json, "The result as JSON");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return validate(a.validate); }; });
+}
+
+void add_describe(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("describe", "Say what a plugin is and which parameters it has");
+  DescribeOptions& o = a.describe;
+  verb->add_option("plugin", o.what, "Plugin id or path of a bundle; none: everything that is installed");
+  verb->add_flag("--schema", o.schema, "JSON Schema, for editors; without a plugin that of lesson files");
+  verb->add_flag("--markdown", o.markdown, "The table of a README");
+  verb->add_flag("--json", o.json, "As JSON");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return describe(a.describe); }; });
+}
+
+void add_new(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("new", "Start a plugin or lesson of your own");
+  NewOptions& o = a.make_new;
+  verb->add_option("kind", o.kind, "object, coupling, device or lesson")->required();
+  verb->add_option("id", o.id, "Reverse domain, lower case: org.example.clip")->required();
+  verb->add_option("--name", o.name, "Name of the class; the last word of the id unless given");
+  verb->add_option("--dir", o.dir, "Folder to make; the last word of the id unless given");
+  verb->final_callback([&] { a.chosen = [&] { return make_new(a.make_new); }; });
+}
+
+void add_doctor(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("doctor", "Say what this machine grants and what to mend");
+  verb->add_option("--store", a.doctor.store, "Attempts database");
+  verb->add_flag("--json", a.doctor.json, "As JSON");
+  plugin_dirs(verb, a.doctor.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return doctor(a.doctor); }; });
+}
+
+void add_bench(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("bench", "Measure speed and accuracy");
+  verb->add_option("which", a.bench.which, "charts, stability or bar")->required();
+  verb->prefix_command();
+  verb->final_callback([&a, verb] {
+    a.bench.rest = verb->remaining();
+    a.chosen = [&a] { return bench(a.bench); };
+  });
+}
+
+void add_attempts(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("attempts", "List, export and import what the store keeps");
+  AttemptsOptions& o = a.attempts;
+  verb->require_subcommand(1);
+  const auto common = [&](CLI::App* sub, int (*what)(const AttemptsOptions&)) {
+    sub->add_option("--store", o.store, "Attempts database");
+    sub->add_flag("--json", o.json, "As JSON");
+    sub->final_callback([&a, what] { a.chosen = [&a, what] { return what(a.attempts); }; });
+  };
+  CLI::App* list = verb->add_subcommand("list", "Newest first");
+  list->add_option("--person", o.person, "Only this person's");
+  list->add_option("--lesson", o.lesson, "Only of this lesson id");
+  common(list, list_attempts);
+  CLI::App* out = verb->add_subcommand("export", "One attempt into one file");
+  out->add_option("attempt", o.id, "Attempt id or its beginning, or \"last\"")->required();
+  out->add_option("file", o.file, "File to write; <id>.swage unless given");
+  common(out, export_attempt);
+  CLI::App* in = verb->add_subcommand("import", "Files into the store; what is there already stays");
+  in->add_option("files", o.files, "Files that were exported")->required();
+  common(in, import_attempts);
+}
+
+// CLI11 calls a wrong verb an unexpected argument; say what was meant instead
+bool wrong_verb(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> verbs;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    verbs.push_back(sub->get_name());
+  if (verbs.empty() || (argc >= 2 && argv[1][0] == '-')) return false;
+  const std::string name = app.get_name(),
+                    has = " It has: " + swage::host::join(verbs) + ". See: swage --help";
+  if (argc < 2) {
+    problem("Say what " + name + " shall do." + has);
+    return true;
+  }
+  const std::string verb = argv[1];
+  if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end())
+    return wrong_verb(*app.get_subcommand(verb), argc - 1, argv + 1);
+  problem(name + " has no verb \"" + verb + "\"." + swage::host::did_you_mean(verb, verbs) + has);
+  return true;
+}
+
+int parse_and_run(int argc, char** argv) {
+  CLI::App app("Swage: an open microsurgery trainer. Exit codes: 0 good, 1 not passed, 2 a problem.",
+               "swage");
+  app.set_version_flag("--version", "swage " SWAGE_VERSION);
+  app.require_subcommand(1);
+  Arguments a;
+  for (const auto add :
+       {add_run, add_replay, add_validate, add_describe, add_new, add_doctor, add_bench, add_attempts})
+    add(app, a);
+  if (wrong_verb(app, argc, argv)) return kProblem;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const auto chosen = app.get_subcommands();
+    return problem(std::string(error.what()) + ". See: swage " +
+                   (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help");
+  }
+  return a.chosen();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    return problem(std::string(error.what()) + " (this should not happen: please report it)");
+  }
+}

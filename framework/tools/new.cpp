@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage new: a plugin or lesson of one's own, from a template.
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "host/nearest.hpp"
+#include "tools/places.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Tokens = std::vector<std::pair<std::string, std::string>>;
+
+// "org.example.fine_clip": words of lower-case letters, digits and _, at least two
+bool is_id(const std::string& id) {
+  std::istringstream words(id);
+  std::string word;
+  int count = 0;
+  for (; std::getline(words, word, '.'); ++count) {
+    if (word.empty() || std::islower(static_cast<unsigned char>(word[0])) == 0) return false;
+    for (const char c : word)
+      if (std::islower(static_cast<unsigned char>(c)) == 0 &&
+          std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '_')
+        return false;
+  }
+  return count >= 2 && id.back() != '.';
+}
+
+// what may stand behind "class"
+bool is_class_name(const std::string& name) {
+  return !name.empty() && std::isupper(static_cast<unsigned char>(name[0])) != 0 &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+// "fine_clip" -> "FineClip"
+std::string camel(const std::string& word) {
+  std::string out;
+  bool start = true;
+  for (const char c : word) {
+    if (c != '_') out += start ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    start = c == '_';
+  }
+  return out;
+}
+
+std::string replaced(std::string text, const Tokens& tokens) {
+  for (const auto& [token, value] : tokens)
+    for (auto at = text.find(token); at != std::string::npos; at = text.find(token, at + value.size()))
+      text.replace(at, token.size(), value);
+  return text;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// every file of the template, tokens replaced in its name and its text
+bool copy(const fs::path& from, const fs::path& to, const Tokens& tokens, std::vector<std::string>& made) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(from))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const fs::path target = to / replaced(file.lexically_relative(from).string(), tokens);
+    std::error_code code;
+    fs::create_directories(target.parent_path(), code);
+    std::ofstream out(target, std::ios::binary);
+    out << replaced(read(file), tokens);
+    out.flush();
+    made.push_back(target.string());
+    if (!out) return false;
+    fs::permissions(target, fs::status(file).permissions(), code);
+  }
+  return true;
+}
+
+}  // namespace
+
+int make_new(const NewOptions& o) {
+  static const std::vector<std::string> kKinds = {"object", "coupling", "device", "lesson"};
+  if (std::find(kKinds.begin(), kKinds.end(), o.kind) == kKinds.end())
+    return problem("\"" + o.kind + "\" is no kind of plugin; there are " + host::join(kKinds) + "." +
+                   host::did_you_mean(o.kind, kKinds));
+  if (!is_id(o.id))
+    return problem(
+        "\"" + o.id +
+        "\" is not an id. Write a reverse domain in lower case, with _ inside words: org.example.clip");
+  if (o.id.starts_with("swage."))
+    return problem(
+        "Ids that begin with \"swage.\" are those of Swage itself. Take a domain of your own: org.example." +
+        o.id.substr(o.id.rfind('.') + 1));
+  if (!o.name.empty() && !is_class_name(o.name))
+    return problem("\"" + o.name +
+                   "\" cannot name a class. Write letters and digits, the first one large: FineClip");
+
+  std::vector<std::string> searched;
+  const std::string templates = template_folder(searched);
+  const fs::path from = fs::path(templates) / o.kind;
+  std::error_code ignored;
+  if (templates.empty() || !fs::is_directory(from, ignored))
+    return problem("The template of a new " + o.kind + " is not installed. Searched: " +
+                   (templates.empty() ? host::join(searched) : from.string()) +
+                   ". Install Swage's SDK again.");
+
+  const std::string file = o.id.substr(o.id.rfind('.') + 1);
+  const fs::path to = o.dir.empty() ? fs::path(file) : fs::path(o.dir);
+  if (fs::exists(to, ignored) && (!fs::is_directory(to, ignored) || !fs::is_empty(to, ignored)))
+    return problem(to.string() + " is there already and not empty. Choose another folder with --dir.");
+  const Tokens tokens = {{"@ID@", o.id}, {"@NAME@", o.name.empty() ? camel(file) : o.name}, {"@FILE@", file}};
+  std::vector<std::string> made;
+  if (!copy(from, to, tokens, made))
+    return problem(made.back() + " cannot be written. Choose a folder that you may write to with --dir.");
+
+  for (const std::string& path : made) std::printf("%s\n", path.c_str());
+  std::printf("Next: read %s\n", (to / "README.md").string().c_str());
+  return kPassed;
+}
+
+}  // namespace swage::tools

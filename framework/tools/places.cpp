@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/places.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace swage::tools {
+
+namespace fs = std::filesystem;
+
+std::string program_folder() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path().string();
+}
+
+std::string beside(const std::string& program) {
+  const std::string path = (fs::path(program_folder()) / program).string();
+  return access(path.c_str(), X_OK) == 0 ? path : "";
+}
+
+void become(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  execv(program.c_str(), argv.data());
+}
+
+bool has_display() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && value[0] != '\0';
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+std::string template_folder(std::vector<std::string>& searched) {
+  const fs::path here = program_folder();
+  std::error_code ignored;
+  const auto look = [&](const fs::path& folder) {
+    searched.push_back(folder.lexically_normal().string());
+    return fs::is_directory(folder, ignored);
+  };
+  if (look(here.parent_path() / "share/swage/plugin_template")) return searched.back();
+  // a build tree lies two or three folders below its sources
+  fs::path up = here;
+  for (int i = 0; i < 4 && up.has_relative_path(); ++i, up = up.parent_path())
+    if (look(up / "resources/plugin_template")) return searched.back();
+  return "";
+}
+
+std::string store_place(const std::string& given) {
+  return given.empty() ? record::Store::default_path() : given;
+}
+
+std::unique_ptr<record::Store> existing_store(const std::string& where, std::string& error) {
+  std::error_code ignored;
+  if (where.find("://") != std::string::npos || fs::exists(where, ignored))
+    return record::Store::open(where, error);
+  error = "There is no store " + where + ": no attempt has been kept there yet.";
+  return nullptr;
+}
+
+bool find_attempt(record::Store& store, const std::string& meant, record::AttemptRow& out,
+                  std::string& error) {
+  if (store.attempt(meant, out)) return true;
+  std::vector<record::AttemptRow> candidates;
+  for (record::AttemptRow& a : store.attempts(""))
+    if (meant == "last" || a.id.starts_with(meant)) candidates.push_back(std::move(a));
+  if (candidates.empty()) {
+    error = meant == "last" ? "The store holds no attempt yet."
+                            : "There is no attempt \"" + meant + "\". \"swage attempts list\" shows them.";
+    return false;
+  }
+  // newest first
+  if (meant != "last" && candidates.size() > 1) {
+    error =
+        "\"" + meant + "\" may be " + std::to_string(candidates.size()) + " attempts: give more of the id.";
+    return false;
+  }
+  out = candidates.front();
+  return true;
+}
+
+}  // namespace swage::tools

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How verbs speak: results on standard output, problems on standard error. [main]
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "base/problem.hpp"
+
+namespace swage::tools {
+
+/// "error: <where>: <message>"
+void tell(base::Severity severity, const std::string& where, const std::string& message);
+void tell(const base::Problems& problems);
+
+/// An error, and the exit code that goes with it: `return problem("...")`.
+int problem(const std::string& message);
+
+void print(const nlohmann::ordered_json& json);
+nlohmann::ordered_json to_json(const base::Problems& problems);
+/// NaN and infinity have no JSON: null.
+nlohmann::ordered_json number(double value);
+
+std::string format(const char* form, ...) __attribute__((format(printf, 1, 2)));
+
+}  // namespace swage::tools

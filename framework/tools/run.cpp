@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage run: one attempt at a lesson.
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "assembly/lesson_file.hpp"
+#include "host/nearest.hpp"
+#include "host/units.hpp"
+#include "session/session.hpp"
+#include "tools/places.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void on_signal(int) {
+  interrupted = 1;
+  // the second one ends the program whatever happens
+  signal(SIGINT, SIG_DFL);
+  signal(SIGTERM, SIG_DFL);
+}
+
+// the window takes over with the same wishes; returns when there is none
+void open_window(const RunOptions& o) {
+  const std::string console = beside("swage-console");
+  if (console.empty() || !has_display()) {
+    tell(base::Severity::kNote, "",
+         console.empty() ? "swage-console is not installed beside this program: running without a window."
+                         : "There is no display: running without a window.");
+    return;
+  }
+  std::vector<std::string> arguments = {o.lesson};
+  const auto pass = [&](const char* option, const std::string& value) {
+    if (!value.empty()) arguments.insert(arguments.end(), {option, value});
+  };
+  pass("--device", o.device);
+  pass("--person", o.person == "Guest" ? "" : o.person);
+  pass("--store", o.store);
+  pass("--mode", o.mode == "practice" ? "" : o.mode);
+  for (const std::string& dir : o.plugin_dirs) pass("--plugin-dir", dir);
+  become(console, arguments);
+  tell(base::Severity::kWarning, console, "It cannot be started: running without a window.");
+}
+
+// without a window nobody can move a pointer: such an attempt would never end
+bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
+  if (o.max_time_s > 0) return false;
+  const auto mouse = std::find_if(card.devices.begin(), card.devices.end(),
+                                  [](const auto& d) { return d.plugin == "swage.device.mouse"; });
+  if (mouse == card.devices.end()) return false;
+  std::vector<std::string> hands;
+  assembly::LessonFile file;
+  base::Problems ignored;
+  assembly::read_lesson_file(o.lesson, file, ignored);
+  for (const assembly::LessonDevice& device : file.devices)
+    for (const assembly::DeviceChoice& choice : device.choices)
+      if (!choice.as.empty() && choice.plugin != mouse->plugin) hands.push_back(choice.as);
+  tell(base::Severity::kError, o.lesson,
+       "\"" + mouse->name +
+           "\" is a mouse, and without a window nobody can move it. Choose another hand with --device" +
+           (hands.empty() ? "" : " (" + host::join(hands) + ")") + ", or an end with --max-time.");
+  return true;
+}
+
+void drive(session::Session& session) {
+  struct sigaction action {
+  }, old_int{}, old_term{};
+  action.sa_handler = on_signal;
+  sigaction(SIGINT, &action, &old_int);
+  sigaction(SIGTERM, &action, &old_term);
+  session.start();
+  while (!session.finished() && interrupted == 0) usleep(5'000);
+  if (interrupted != 0) tell(base::Severity::kNote, "", "Interrupted: the attempt ends as aborted.");
+  session.stop();
+  sigaction(SIGINT, &old_int, nullptr);
+  sigaction(SIGTERM, &old_term, nullptr);
+}
+
+std::string loop_text(const snapshot::LoopHealth& h, bool fast) {
+  std::string text =
+      format("%llu steps, mean %.3f ms of processor time, worst %.3f ms",
+             static_cast<unsigned long long>(h.executed), 1e3 * h.mean_step_cpu_s, 1e3 * h.worst_step_s);
+  if (!fast)
+    text += format("; %llu late, %llu overrun, %llu dropped, %s", static_cast<unsigned long long>(h.late),
+                   static_cast<unsigned long long>(h.overrun), static_cast<unsigned long long>(h.dropped),
+                   h.realtime != 0 ? "real-time scheduling" : "no real-time scheduling (see swage doctor)");
+  if (h.quarantined > 0) text += format("; %u in quarantine", h.quarantined);
+  return text;
+}
+
+// four digits, in the unit that people use at this scale
+std::string metric_text(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return "not reported";
+  const double scale = unit == "m" ? 1e3 : unit == "rad" ? 180 / M_PI : 1;
+  const char* shown = unit == "m" ? "mm" : unit == "rad" ? "deg" : unit == "1" ? "" : unit.c_str();
+  return format("%.4g%s%s", scale * value, shown[0] != '\0' ? " " : "", shown);
+}
+
+void print_text(const RunOptions& o, const snapshot::SceneCard& card, const session::Result& r,
+                const std::string& store) {
+  std::printf("%s (%s)\n", card.title.c_str(), card.lesson_id.c_str());
+  for (const auto& d : card.devices)
+    std::printf("  %s: %s %s\n", d.name.c_str(), d.plugin.c_str(), d.plugin_version.c_str());
+  std::printf("%s", judge::text(r.outcome));
+  if (!r.reason.empty()) std::printf(": %s", r.reason.c_str());
+  std::printf(", score %s of 100, after %.3f s\n", host::format_number(std::round(10 * r.score) / 10).c_str(),
+              r.simulated_s);
+  for (const auto& m : r.metrics) {
+    std::printf("  %-20s %-14s %s\n", m.id.c_str(), metric_text(m.value, m.unit).c_str(), m.doc.c_str());
+  }
+  std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
+  if (r.attempt_id.empty())
+    std::printf("not kept\n");
+  else
+    std::printf("kept as attempt %s in %s\n", r.attempt_id.c_str(), store.c_str());
+}
+
+Json loop_json(const snapshot::LoopHealth& h) {
+  return {{"executed", h.executed},
+          {"late", h.late},
+          {"overrun", h.overrun},
+          {"dropped", h.dropped},
+          {"worst_wake_s", number(h.worst_wake_s)},
+          {"worst_step_s", number(h.worst_step_s)},
+          {"mean_step_cpu_s", number(h.mean_step_cpu_s)},
+          {"realtime", h.realtime != 0},
+          {"quarantined", h.quarantined}};
+}
+
+void print_json(const snapshot::SceneCard& card, const session::Result& r, const std::string& store) {
+  Json out = {{"lesson", card.lesson_id}, {"title", card.title}};
+  out["devices"] = Json::array();
+  for (const auto& d : card.devices)
+    out["devices"].push_back({{"name", d.name}, {"plugin", d.plugin}, {"version", d.plugin_version}});
+  out["outcome"] = judge::text(r.outcome);
+  out["reason"] = r.reason;
+  out["score"] = number(r.score);
+  out["simulated_s"] = number(r.simulated_s);
+  out["steps"] = r.steps;
+  out["hash"] = format("%016llx", static_cast<unsigned long long>(r.hash));
+  out["metrics"] = Json::array();
+  for (const auto& m : r.metrics)
+    out["metrics"].push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}, {"doc", m.doc}});
+  out["loop"] = loop_json(r.health);
+  out["attempt"] = r.attempt_id.empty() ? Json(nullptr) : Json(r.attempt_id);
+  out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(store);
+  out["problems"] = to_json(r.problems);
+  print(out);
+}
+
+int refused(const RunOptions& o, const base::Problems& problems) {
+  tell(problems);
+  if (o.json) print({{"problems", to_json(problems)}});
+  return kProblem;
+}
+
+}  // namespace
+
+int run(const RunOptions& o) {
+  if (!o.headless) open_window(o);
+  session::Options options;
+  options.lesson_path = o.lesson;
+  options.plugin_dirs = o.plugin_dirs;
+  options.device = o.device;
+  options.device_params = o.device_params;
+  options.person = o.person;
+  options.store_path = o.store;
+  options.mode = o.mode;
+  options.pace = o.fast ? session::Pace::kFastest : session::Pace::kRealtime;
+  options.safe_mode = o.safe_mode;
+  options.max_time_s = o.max_time_s;
+
+  base::Problems problems;
+  const std::unique_ptr<session::Session> session = session::Session::open(options, problems);
+  if (!session || base::failed(problems)) return refused(o, problems);
+  tell(problems);
+  if (needs_window(o, session->card())) return kProblem;
+
+  drive(*session);
+  const session::Result result = session->result();
+  tell(result.problems);
+  if (o.json)
+    print_json(session->card(), result, store_place(o.store));
+  else
+    print_text(o, session->card(), result, store_place(o.store));
+  return result.outcome == judge::Outcome::kPassed ? kPassed : kNotPassed;
+}
+
+}  // namespace swage::tools

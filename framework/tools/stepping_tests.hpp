@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tests of `swage validate` that step a plugin in a scene of its own: an object alone, a coupling between two objects that
+// offer what it needs, a device with nothing to move. A lesson plugin needs its own scene: validate a lesson file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/validate.hpp"
+
+namespace swage::tools {
+
+/// `plugin_dirs`: where else to look for objects that a coupling can bind.
+std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& plugin_dirs);
+
+}  // namespace swage::tools

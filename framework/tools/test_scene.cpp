@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/test_scene.hpp"
+
+#include <algorithm>
+#include <exception>
+
+#include "host/guard.hpp"
+#include "host/instance.hpp"
+
+namespace swage::tools {
+
+namespace {
+
+assembly::PluginUse use_of(const std::string& plugin, const std::string& params, const std::string& pointer) {
+  assembly::PluginUse use;
+  use.plugin = plugin;
+  use.params = params;
+  use.pointer = pointer;
+  return use;
+}
+
+assembly::LessonObject object(const std::string& name, const std::string& plugin, const std::string& params,
+                              const swage_vec3& at) {
+  assembly::LessonObject out;
+  static_cast<assembly::PluginUse&>(out) = use_of(plugin, params, "/objects");
+  out.name = name;
+  out.X_WO.p = at;
+  return out;
+}
+
+assembly::LessonDevice device(const std::string& plugin, const std::string& params) {
+  assembly::LessonDevice out;
+  out.name = "hand";
+  out.choices.emplace_back();
+  static_cast<assembly::PluginUse&>(out.choices[0]) = use_of(plugin, params, "/devices/0");
+  return out;
+}
+
+assembly::LessonCoupling coupling(const std::string& name, const std::string& plugin,
+                                  const std::string& params) {
+  assembly::LessonCoupling out;
+  static_cast<assembly::PluginUse&>(out) = use_of(plugin, params, "/couplings");
+  out.name = name;
+  out.a = "a";
+  out.b = "b";
+  return out;
+}
+
+assembly::LessonFile empty_lesson() {
+  assembly::LessonFile f;
+  f.id = "org.example.test_scene";
+  f.title = "Test scene";
+  f.seed = 1;
+  return f;
+}
+
+// a hand that holds the instrument where it stands
+class StillHand final : public step::DevicePort {
+ public:
+  explicit StillHand(const swage_vec3& at) : at_(at) {}
+  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override {
+    sample = {};
+    sample.sequence = step + 1;
+    sample.time_s = time_s;
+    sample.pose = {at_, {1, 0, 0, 0}};
+    sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
+  }
+  void send(const step::ToolForce&) noexcept override {}
+
+ private:
+  const swage_vec3 at_;
+};
+
+template <class T>
+bool finite(const std::vector<T>& values) {
+  static_assert(sizeof(T) % sizeof(double) == 0);
+  return host::finite(reinterpret_cast<const double*>(values.data()),
+                      values.size() * sizeof(T) / sizeof(double));
+}
+
+}  // namespace
+
+std::string Stepped::fault() const {
+  const scene::World& w = engine->world();
+  for (const host::Instance* instance : host::instances(*rig))
+    if (instance->quarantined.load() != 0) return host::quarantine_text(*instance);
+  if (finite(w.X_WB) && finite(w.V_WB) && finite(w.particle_p_W) && finite(w.particle_v_W) &&
+      finite(w.hinge_angle) && finite(w.plugin_state) && finite(w.signal))
+    return "";
+  return "A number of the world is not finite in step " + std::to_string(w.step) + ".";
+}
+
+std::string Stepped::run(uint64_t steps) {
+  for (uint64_t i = 0; i < steps; ++i) {
+    engine->step();
+    if (std::string f = fault(); !f.empty()) return f;
+  }
+  return "";
+}
+
+TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue)
+    : plugin_(plugin), catalogue_(catalogue) {
+  const host::PluginInfo* mouse = catalogue.find("swage.device.mouse");
+  if (mouse != nullptr) hand_ = mouse->id;
+  const bool needs =
+      std::any_of(plugin.params.begin(), plugin.params.end(), [](const auto& p) { return p.required(); });
+  if (plugin.kind == SWAGE_KIND_LESSON) {
+    skipped_ = "A lesson needs its scene: run swage validate on a lesson file that uses it.";
+  } else if (needs) {
+    skipped_ = "It has required parameters: run swage validate on a lesson file that uses it.";
+  } else {
+    find_led();
+    if (plugin.kind == SWAGE_KIND_COUPLING) find_pair();
+  }
+}
+
+bool TestScene::assembles(const assembly::LessonFile& file, std::string& error) const {
+  base::Problems problems;
+  if (assembly::assemble(file, catalogue_, {}, problems) != nullptr) return true;
+  for (const base::Problem& p : problems)
+    if (p.severity == base::Severity::kError) error = p.message;
+  return false;
+}
+
+bool TestScene::follows(const std::string& object_plugin) const {
+  return std::find(led_.begin(), led_.end(), object_plugin) != led_.end();
+}
+
+// objects that only a hand makes whole
+void TestScene::find_led() {
+  std::string ignored;
+  if (hand_.empty()) return;
+  for (const host::PluginInfo* p : catalogue_.of_kind(SWAGE_KIND_OBJECT)) {
+    assembly::LessonFile f = empty_lesson();
+    f.objects.push_back(object("subject", p->id, "{}", {}));
+    if (assembles(f, ignored)) continue;
+    f.objects.back().follow_pose = f.objects.back().follow_closure = "hand";
+    f.devices.push_back(device(hand_, "{}"));
+    if (assembles(f, ignored)) led_.push_back(p->id);
+  }
+}
+
+// the first two objects that it can bind, perhaps with a coupling that finds their contacts for it
+void TestScene::find_pair() {
+  std::string why = "No object is installed.", last;
+  for (const host::PluginInfo* a : catalogue_.of_kind(SWAGE_KIND_OBJECT))
+    for (const host::PluginInfo* b : catalogue_.of_kind(SWAGE_KIND_OBJECT))
+      for (const std::string& finder : {std::string(), std::string("swage.coupling.contact")}) {
+        if (!finder.empty() && catalogue_.find(finder) == nullptr) continue;
+        between_[0] = a->id;
+        between_[1] = b->id;
+        finder_ = finder;
+        if (assembles(file({}), last)) return;
+        why = last;
+      }
+  skipped_ = "No two installed objects can be bound by it with their defaults. " + why;
+}
+
+assembly::LessonFile TestScene::file(const Wish& wish) const {
+  // 100 characteristic lengths: far enough to have nothing to do with each other
+  constexpr double kFar = 0.1;
+  assembly::LessonFile f = empty_lesson();
+  if (plugin_.kind == SWAGE_KIND_OBJECT) {
+    if (wish.with_neighbour)
+      f.objects.push_back(
+          object("neighbour", plugin_.id, wish.params, {wish.at.x + kFar, wish.at.y, wish.at.z}));
+    f.objects.push_back(object("subject", plugin_.id, wish.params, wish.at));
+  } else if (plugin_.kind == SWAGE_KIND_COUPLING) {
+    f.objects.push_back(object("a", between_[0], "{}", wish.at));
+    f.objects.push_back(object("b", between_[1], "{}", wish.at));
+    if (!finder_.empty()) f.couplings.push_back(coupling("finder", finder_, "{}"));
+    f.couplings.push_back(coupling("subject", plugin_.id, wish.params));
+  } else {
+    f.devices.push_back(device(plugin_.id, wish.params));
+  }
+  for (assembly::LessonObject& o : f.objects) {
+    if (!follows(o.plugin)) continue;
+    o.follow_pose = o.follow_closure = "hand";
+    if (f.devices.empty()) f.devices.push_back(device(hand_, "{}"));
+  }
+  return f;
+}
+
+bool TestScene::make(const Wish& wish, Stepped& out, std::string& error) const {
+  base::Problems problems;
+  out.engine.reset();
+  out.rig = assembly::assemble(file(wish), catalogue_, {}, problems);
+  error = out.rig ? "" : "It was refused without a reason.";
+  for (const base::Problem& p : problems)
+    if (p.severity == base::Severity::kError) error = p.message;
+  if (!out.rig) return false;
+
+  std::vector<step::DevicePort*> ports;
+  if (plugin_.kind == SWAGE_KIND_DEVICE) {
+    if ((out.rig->devices[0].device->flags & SWAGE_DEVICE_LOCKSTEP) == 0) {
+      error = "It is not lock-step: it runs on a thread of its own.";
+      return false;
+    }
+  } else if (!out.rig->devices.empty()) {
+    out.still = std::make_unique<StillHand>(wish.at);
+    ports.push_back(wish.hand != nullptr ? wish.hand : out.still.get());
+  }
+  try {
+    out.engine = std::make_unique<step::Engine>(*out.rig, step::Options{}, ports);
+  } catch (const std::exception& refused) {
+    error = refused.what();
+    return false;
+  }
+  return true;
+}
+
+}  // namespace swage::tools

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The smallest scene in which a plugin can be stepped, for the validator. [main]
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/assemble.hpp"
+#include "host/catalogue.hpp"
+#include "host/rig.hpp"
+#include "step/step.hpp"
+
+namespace swage::tools {
+
+/// A rig and the engine that steps it; in this order, because the engine goes first.
+struct Stepped {
+  std::unique_ptr<step::DevicePort> still;  // the hand, when nobody wished another
+  std::unique_ptr<host::Rig> rig;
+  std::unique_ptr<step::Engine> engine;
+
+  /// "" as long as all is well: nobody in quarantine, every number of the world finite.
+  std::string fault() const;
+  /// "" or the first fault on the way.
+  std::string run(uint64_t steps);
+};
+
+/// What a scene is to be.
+struct Wish {
+  std::string params = "{}";         // of the plugin under test, JSON object
+  swage_vec3 at{0, 0, 0};            // m, where the object stands
+  bool with_neighbour = false;       // a second instance of the object, far away and before the first
+  step::DevicePort* hand = nullptr;  // leads the objects that follow a hand; nullptr: one that rests
+};
+
+class TestScene {
+ public:
+  /// A scene for `plugin`; `catalogue` lends what it needs. Both outlive this.
+  TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue);
+
+  /// Why this plugin cannot be stepped here, or "".
+  const std::string& skipped() const { return skipped_; }
+
+  /// False: `error` has the first problem.
+  bool make(const Wish& wish, Stepped& out, std::string& error) const;
+
+  const host::PluginInfo& plugin() const { return plugin_; }
+  /// True when the object under test follows a hand.
+  bool is_led() const { return plugin_.kind == SWAGE_KIND_OBJECT && follows(plugin_.id); }
+  /// Index of the object under test in a rig made with this wish.
+  static uint32_t subject(const Wish& wish) { return wish.with_neighbour ? 1 : 0; }
+
+ private:
+  assembly::LessonFile file(const Wish& wish) const;
+  bool assembles(const assembly::LessonFile& file, std::string& error) const;
+  bool follows(const std::string& object_plugin) const;
+  void find_led();
+  void find_pair();
+
+  const host::PluginInfo& plugin_;
+  const host::Catalogue& catalogue_;
+  std::string between_[2];        // object plugins for a coupling
+  std::string finder_;            // coupling that finds contacts for one that only looks, "" for none
+  std::vector<std::string> led_;  // object plugins that follow a hand
+  std::string hand_;              // a device plugin that can lead an object, "" for none
+  std::string skipped_;
+};
+
+}  // namespace swage::tools

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage validate: is this plugin, or this lesson file, fit to be used?
+#include "host/validate.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "assembly/assemble.hpp"
+#include "host/nearest.hpp"
+#include "tools/print.hpp"
+#include "tools/stepping_tests.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using host::Mark;
+using host::ValidateResult;
+using Json = nlohmann::ordered_json;
+
+struct Report {
+  bool good = true;
+  Json json = Json::array();
+};
+
+void validate_lesson(const std::string& path, const ValidateOptions& o, Report& report) {
+  base::Problems problems;
+  assembly::LessonFile file;
+  host::Catalogue::Options options;
+  options.plugin_dirs = o.plugin_dirs;
+  const bool read = assembly::read_lesson_file(path, file, problems);
+  // every hand that the lesson offers must work, not only the first
+  std::vector<std::string> hands = {""};
+  for (const assembly::LessonDevice& device : file.devices)
+    for (const assembly::DeviceChoice& choice : device.choices)
+      if (!choice.as.empty()) hands.push_back(choice.as);
+  const host::Catalogue catalogue(options);
+  for (const std::string& hand : read ? hands : std::vector<std::string>()) {
+    base::Problems found;
+    assembly::assemble(file, catalogue, {hand, ""}, found);
+    for (base::Problem& p : found) {
+      const bool known = std::any_of(problems.begin(), problems.end(), [&](const base::Problem& q) {
+        return q.where == p.where && q.message == p.message;
+      });
+      if (!known) problems.push_back(std::move(p));
+    }
+  }
+  const bool good = !base::failed(problems);
+  tell(problems);
+  report.good &= good;
+  report.json.push_back({{"path", path}, {"good", good}, {"problems", to_json(problems)}});
+  if (!o.json) std::printf("%s: %s\n", path.c_str(), good ? "good" : "NOT good");
+}
+
+Json to_json(const ValidateResult& r) {
+  return {{"test", r.name},
+          {"level", r.level},
+          {"result", host::text(r.finding.mark)},
+          {"text", r.finding.text},
+          {"seconds", r.seconds}};
+}
+
+void validate_bundle(const std::string& path, const ValidateOptions& o,
+                     const std::vector<host::ValidateTest>& tests, Report& report) {
+  host::ValidateOptions options;
+  options.strictness = o.strictness;
+  options.only = o.only;
+  options.seed = o.seed;
+  options.in_process = o.in_process;
+  if (!o.json) std::printf("%s\n", path.c_str());
+  Json list = Json::array();
+  std::size_t count[5] = {};
+  std::string why_skipped;
+  const auto hear = [&](const ValidateResult& r) {
+    ++count[static_cast<std::size_t>(r.finding.mark)];
+    list.push_back(to_json(r));
+    if (o.json) return;
+    // many tests skip a plugin for one reason: say it once
+    const bool again = r.finding.mark == Mark::kSkipped && r.finding.text == why_skipped;
+    std::printf("  %2u %-14s %-8s %s\n", r.level, r.name.c_str(), host::text(r.finding.mark),
+                again ? "(the same)" : r.finding.text.c_str());
+    if (r.finding.mark == Mark::kSkipped) why_skipped = r.finding.text;
+    std::fflush(stdout);
+  };
+  const std::vector<ValidateResult> results = host::validate(path, tests, options, hear);
+  const bool good = !results.empty() && host::passed(results);
+  report.good &= good;
+  report.json.push_back({{"path", path}, {"good", good}, {"tests", list}});
+  const auto of = [&](Mark mark) { return count[static_cast<std::size_t>(mark)]; };
+  if (!o.json)
+    std::printf("  %s: %zu passed, %zu with a warning, %zu skipped, %zu failed\n", good ? "good" : "NOT good",
+                of(Mark::kSuccess), of(Mark::kWarning), of(Mark::kSkipped),
+                of(Mark::kFailed) + of(Mark::kCrashed));
+}
+
+}  // namespace
+
+int validate(const ValidateOptions& o) {
+  std::vector<host::ValidateTest> tests = host::host_tests();
+  for (host::ValidateTest& test : stepping_tests(o.plugin_dirs)) tests.push_back(std::move(test));
+  std::stable_sort(tests.begin(), tests.end(),
+                   [](const auto& a, const auto& b) { return a.level < b.level; });
+
+  std::vector<std::string> names;
+  for (const host::ValidateTest& test : tests) names.push_back(test.name);
+  if (!o.only.empty() && std::find(names.begin(), names.end(), o.only) == names.end())
+    return problem("There is no test \"" + o.only + "\"." + host::did_you_mean(o.only, names) +
+                   " It has: " + host::join(names) + ".");
+  std::error_code ignored;
+  for (const std::string& path : o.paths)
+    if (!fs::exists(path, ignored)) return problem("There is no " + path + ".");
+
+  Report report;
+  for (const std::string& path : o.paths) {
+    if (path.ends_with(".json"))
+      validate_lesson(path, o, report);
+    else
+      validate_bundle(path, o, tests, report);
+  }
+  if (o.json) print(report.json);
+  return report.good ? kPassed : kNotPassed;
+}
+
+}  // namespace swage::tools

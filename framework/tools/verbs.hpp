@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verbs of the program `swage`. Each is one function: options in, text (or JSON) on standard output, problems on standard
+// error, exit code out. Threads: [main].
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace swage::tools {
+
+// Exit codes of every verb.
+inline constexpr int kPassed = 0;
+inline constexpr int kNotPassed =
+    1;  // it ran, and the answer is no: lesson not passed, replay differs, plugin not valid
+inline constexpr int kProblem = 2;  // it could not be done, or was asked wrongly
+
+struct RunOptions {
+  std::string lesson, device, device_params, person = "Guest", store, mode = "practice";
+  std::vector<std::string> plugin_dirs;
+  bool headless = false, fast = false, safe_mode = false, json = false;
+  double max_time_s = 0;  // simulated; 0: until the lesson ends
+};
+int run(const RunOptions&);
+
+struct ReplayOptions {
+  std::string what;  // file, attempt id or its beginning, "last"
+  std::string store;
+  std::vector<std::string> plugin_dirs;
+  bool json = false;
+};
+int replay(const ReplayOptions&);
+
+struct ValidateOptions {
+  std::vector<std::string> paths;  // bundles, libraries and lesson files
+  std::vector<std::string> plugin_dirs;
+  std::string only;
+  uint32_t strictness = 5;
+  uint64_t seed = 1;
+  bool in_process = false, json = false;
+};
+int validate(const ValidateOptions&);
+
+struct DescribeOptions {
+  std::string what;  // plugin id or path of a bundle; "": everything installed
+  std::vector<std::string> plugin_dirs;
+  bool schema = false, markdown = false, json = false;
+};
+int describe(const DescribeOptions&);
+
+struct NewOptions {
+  std::string kind, id, name, dir;
+};
+int make_new(const NewOptions&);
+
+struct DoctorOptions {
+  std::string store;
+  std::vector<std::string> plugin_dirs;
+  bool json = false;
+};
+int doctor(const DoctorOptions&);
+
+struct BenchOptions {
+  std::string which;  // "charts", "stability", "bar"
+  std::vector<std::string> rest;
+};
+int bench(const BenchOptions&);
+
+struct AttemptsOptions {
+  std::string store, person, lesson;
+  std::string id, file;            // export
+  std::vector<std::string> files;  // import
+  bool json = false;
+};
+int list_attempts(const AttemptsOptions&);
+int export_attempt(const AttemptsOptions&);
+int import_attempts(const AttemptsOptions&);
+
+}  // namespace swage::tools

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Finding in a scene what a grasping lesson watches, with a sentence for what is missing.
+#pragma once
+
+#include <swage/lesson.hpp>
+
+#include <string>
+#include <vector>
+
+namespace swage::lessons {
+
+/// One grasp coupling, as seen by a lesson.
+struct GraspSignals {
+  Signal held, force, s, tip_reach, tilt_axis, tilt_plane, balance;
+  Event touched, taken, released;
+};
+
+/// Every instance that tells about a grasp, in the order of the lesson file.
+inline std::vector<std::string> grasp_owners(const Scene& scene) {
+  std::vector<std::string> owners;
+  for (uint32_t i = 0; i < scene->n_signal; ++i) {
+    if (view(scene->signal[i].id) == "grasp.held") owners.emplace_back(view(scene->signal[i].owner));
+  }
+  return owners;
+}
+
+inline GraspSignals find_grasp(const Scene& scene, Binder& binder, const std::string& owner) {
+  const auto signal = [&](const char* id) {
+    const Signal found = scene.find_signal(owner, id);
+    if (!found.valid())
+      binder.error("\"" + owner + "\" has no signal \"" + id + "\", which this lesson watches");
+    return found;
+  };
+  const auto event = [&](const char* id) {
+    const Event found = scene.find_event(owner, id);
+    if (!found.valid())
+      binder.error("\"" + owner + "\" has no event \"" + id + "\", which this lesson watches");
+    return found;
+  };
+  return {signal("grasp.held"),      signal("grasp.force"),     signal("grasp.s"),
+          signal("grasp.tip_reach"), signal("grasp.tilt_axis"), signal("grasp.tilt_plane"),
+          signal("grasp.balance"),   event("grasp.touched"),    event("grasp.taken"),
+          event("grasp.released")};
+}
+
+/// Index of an object that a parameter names, or kNone and a sentence.
+inline uint32_t find_object(const Scene& scene, Binder& binder, const std::string& name) {
+  const uint32_t index = scene.find_object(name);
+  if (index != kNone) return index;
+  std::string all;
+  for (const swage_scene_object& object : scene.objects()) {
+    all += (all.empty() ? "" : ", ") + std::string(view(object.name));
+  }
+  binder.error("there is no object \"" + name + "\" in the scene; it has: " + all);
+  return kNone;
+}
+
+/// The gripper that a parameter names: an object that offers the trait.
+inline Peer find_gripper(const Scene& scene, Binder& binder, const std::string& name, uint32_t& index) {
+  index = find_object(scene, binder, name);
+  if (index == kNone) return Peer();
+  const Peer peer(scene->object[index].instance);
+  if (!peer.gripper()) binder.error("\"" + name + "\" cannot grip; the lesson watches the tips of a gripper");
+  return peer;
+}
+
+}  // namespace swage::lessons

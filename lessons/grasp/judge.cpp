@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "judge.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace swage::lesson_grasp {
+namespace {
+
+// Forces are judged without what the hand cannot control: above this is noise of contact, Hz.
+constexpr double kForceBand = 20;
+// The sign for too much force stays at least this long, s, and goes when the force falls below this share of the limit.
+constexpr double kSignTime = 0.3, kSignLeaves = 0.9;
+// A further try needs jaws that were opened by this much in between, rad.
+constexpr double kReopened = 0.035;
+// Snapping of the needle is measured so long after both jaws have it, s.
+constexpr double kSnapTime = 0.1;
+
+}  // namespace
+
+Judge::Judge(const Rules& rules, double dt)
+    : rules_(rules),
+      path_(dt),
+      drop_(rules.drop_distance),
+      force_filter_(kForceBand, dt, LowPass::kCritical) {}
+
+double Judge::spot_error(double s) const {
+  return std::max({0.0, rules_.region_low - s, s - rules_.region_high});
+}
+
+Finding Judge::look(Memory& memory, const Look& look) const noexcept {
+  Finding finding;
+  if (memory.begun == 0) begin(memory, look);
+  path_.look(memory.path, look.tip_W, look.time_s);
+  count(memory, look);
+  integrate(memory, look);
+  follow_force(memory, look, finding);
+  follow_drop(memory, look, finding);
+  follow_hold(memory, look, finding);
+  decide(memory, look, finding);
+  return finding;
+}
+
+void Judge::begin(Memory& memory, const Look& look) const noexcept {
+  memory.begun = 1;
+  Eigen::Map<Vec3>(memory.start) = look.needle_W;
+  DropWatch::rest(memory.drop, look.needle_W);
+}
+
+void Judge::count(Memory& memory, const Look& look) const noexcept {
+  // a try is one closing of the jaws that touches; tries end with the first correct grasp
+  memory.least_opening = std::min(memory.least_opening, look.opening);
+  if (look.opening > memory.least_opening + kReopened) memory.tried = 0;
+  if (look.touched && memory.tried == 0 && memory.good_grasps == 0) {
+    memory.tries += 1;
+    memory.tried = 1;
+    memory.least_opening = look.opening;
+  }
+
+  if (look.touched) {
+    memory.engaged = 1;
+    const Quat& q = look.q_WN;
+    const double now[4] = {q.w(), q.x(), q.y(), q.z()};
+    std::copy(now, now + 4, memory.touch_q);
+  }
+  if (look.taken) {
+    memory.engaged = 1;
+    if (memory.good_grasps > 0) memory.regrasps += 1;
+    memory.grasps += 1;
+    memory.spot_error_sum += spot_error(look.s);
+    if (in_region(look.s)) memory.good_grasps += 1;
+    memory.snap_wait_s = kSnapTime;
+  }
+
+  // how far the needle has turned from the first touch until just after the grasp
+  if (memory.snap_wait_s <= 0) return;
+  memory.snap_wait_s -= look.dt_s;
+  if (memory.snap_wait_s > 0) return;
+  const Quat before(memory.touch_q[0], memory.touch_q[1], memory.touch_q[2], memory.touch_q[3]);
+  memory.snap_sum += toolkit::log_rotation(look.q_WN * before.conjugate()).norm();
+}
+
+void Judge::integrate(Memory& memory, const Look& look) const noexcept {
+  const double force = force_filter_.next(memory.force, look.force);
+  memory.peak = std::max(memory.peak, force);
+  if (!look.held) return;
+  memory.held_s += look.dt_s;
+  memory.force_s += force * look.dt_s;
+  memory.reach_s += look.tip_reach * look.dt_s;
+  memory.axis_s += std::abs(look.tilt_axis) * look.dt_s;
+  memory.plane_s += std::abs(look.tilt_plane) * look.dt_s;
+  memory.balance_s += look.balance * look.dt_s;
+  if (force > rules_.force_high) {
+    memory.over_s += look.dt_s;
+    memory.over_dose += (force - rules_.force_high) * look.dt_s;
+  }
+}
+
+void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  if (look.force > rules_.force_high) {
+    if (memory.hard == 0) memory.hard_until_s = look.time_s + kSignTime;
+    memory.hard = 1;
+  } else if (look.force < kSignLeaves * rules_.force_high && look.time_s >= memory.hard_until_s) {
+    memory.hard = 0;
+  }
+  finding.too_hard = memory.hard != 0;
+}
+
+void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held);
+  if (finding.dropped) {
+    memory.drops += 1;
+    memory.engaged = 0;
+  }
+  // somebody has put it back where it was at the start
+  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
+  if (memory.drop.armed == 0 && (look.needle_W - start).norm() < 0.1 * rules_.drop_distance) {
+    DropWatch::rest(memory.drop, look.needle_W);
+  }
+}
+
+void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const bool spot = in_region(look.s), tips = in_tips(look.tip_reach);
+  if (look.held && spot) finding.grade = tips ? Grade::kGood : Grade::kPointOnly;
+  if (look.held && !spot) finding.grade = tips ? Grade::kTipsOnly : Grade::kWrong;
+
+  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
+  const bool lifted = rules_.lift <= 0 || (look.needle_W - start).norm() >= rules_.lift;
+  const bool measured = look.force >= rules_.force_low && !finding.too_hard;
+  const bool good = look.held && spot && (tips || !rules_.tips_needed) && lifted && measured;
+
+  finding.hold_began = good && memory.hold_s == 0;
+  finding.hold_broke = !good && memory.hold_s > 0;
+  memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
+  memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
+  finding.stage = good ? Stage::kHold : (memory.engaged != 0 ? Stage::kGrasp : Stage::kApproach);
+}
+
+void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
+  if (memory.hold_s >= rules_.hold_time)
+    finding.end = End::kPassed;
+  else if (memory.drops > rules_.max_drops)
+    finding.end = End::kDropped;
+  else if (memory.over_s > rules_.max_over_time)
+    finding.end = End::kTooHard;
+  else if (look.time_s >= rules_.max_time)
+    finding.end = End::kOutOfTime;
+  if (finding.end == End::kRunning) return;
+  finding.stage = Stage::kDone;
+  finding.score = score(memory, look.time_s, finding.end == End::kPassed);
+}
+
+double Judge::score(const Memory& memory, double time_s, bool passed) const noexcept {
+  // an attempt that did not pass is worth at most 40: the share of the hold that was reached
+  if (!passed) return 40 * std::min(1.0, memory.best_hold_s / rules_.hold_time);
+
+  const double late = task_time(memory, time_s) / rules_.par_time - 1;
+  const double lean = 0.5 * (mean(memory, memory.axis_s) + mean(memory, memory.plane_s));  // rad
+  const double lost = 8 * std::clamp(memory.tries - 1, 0.0, 5.0) + 15 * memory.drops +
+                      40 * mean(memory, memory.over_s) +
+                      20 * std::min(1.0, lean / (0.25 * std::numbers::pi)) + 15 * std::clamp(late, 0.0, 1.0);
+  return std::clamp(100 - lost, 40.0, 100.0);
+}
+
+}  // namespace swage::lesson_grasp

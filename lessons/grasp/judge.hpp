@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What counts as a good grasp, when a hold is over, and what it is worth. Pure arithmetic on what was seen in one step; the
+// meanings and formulas are explained in grasp.md.
+#pragma once
+
+#include "common/low_pass.hpp"
+#include "common/watches.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::lesson_grasp {
+
+using lessons::DropState;
+using lessons::DropWatch;
+using lessons::LowPass;
+using lessons::LowPassState;
+using lessons::PathState;
+using lessons::PathWatch;
+using toolkit::Quat;
+using toolkit::Vec3;
+
+/// What is asked of the trainee.
+struct Rules {
+  double region_low = 0.5, region_high = 0.75;  // along the needle, 0 point .. 1 swage
+  double tip_low = -0.2e-3, tip_high = 2e-3;    // m, how far the tips may reach past the needle
+  bool tips_needed = false;
+  double force_low = 0.05, force_high = 1.0;  // N
+  double lift = 0;                            // m
+  double hold_time = 3;                       // s
+  double par_time = 20;                       // s
+  double max_time = 120;                      // s
+  double max_over_time = 2;                   // s
+  int max_drops = 2;
+  double drop_distance = 2e-3;  // m
+};
+
+/// What one step shows.
+struct Look {
+  double time_s = 0, dt_s = 1e-3;
+  bool held = false, touched = false, taken = false;  // the last two: events of this step
+  double force = 0;                                   // N
+  double s = 0;                                       // 0 point .. 1 swage
+  double tip_reach = 0;                               // m
+  double tilt_axis = 0, tilt_plane = 0;               // rad
+  double balance = 0;
+  double opening = 0;                                  // rad, between the jaws
+  Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
+  Quat q_WN = Quat::Identity();
+};
+
+/// Everything remembered from step to step: doubles only.
+struct Memory {
+  PathState path;
+  DropState drop;
+  LowPassState force;
+  double begun = 0;             // 0 or 1
+  double start[3] = {0, 0, 0};  // m, where the needle lay
+  double tries = 0, grasps = 0, good_grasps = 0, regrasps = 0, drops = 0;
+  double spot_error_sum = 0;  // along the needle, 0..1
+  double held_s = 0;          // s, the time that the following integrals span
+  double force_s = 0, reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;
+  double peak = 0;                   // N
+  double over_s = 0, over_dose = 0;  // s, N s
+  double hard = 0, hard_until_s = 0;
+  double hold_s = 0, best_hold_s = 0;
+  double touch_q[4] = {1, 0, 0, 0};      // the needle's attitude when it was touched
+  double snap_wait_s = 0, snap_sum = 0;  // s, rad
+  double engaged = 0;                    // 0 or 1: touched, and not dropped since
+  double tried = 0, least_opening = 0;   // 0 or 1: this closing of the jaws is counted; rad, least since then
+};
+
+/// How the needle is held: spot and tips right or wrong.
+enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
+enum class Stage { kApproach, kGrasp, kHold, kDone };
+enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime };
+
+/// What is to be said after one step.
+struct Finding {
+  Grade grade = Grade::kNone;
+  Stage stage = Stage::kApproach;
+  End end = End::kRunning;
+  bool too_hard = false;
+  bool dropped = false, hold_began = false, hold_broke = false;  // in this step
+  double score = 0;                                              // 0..100, once it has ended
+};
+
+class Judge {
+ public:
+  Judge() = default;
+  Judge(const Rules& rules, double dt);
+
+  /// [rt]
+  Finding look(Memory& memory, const Look& look) const noexcept;
+
+  bool in_region(double s) const { return s >= rules_.region_low && s <= rules_.region_high; }
+  bool in_tips(double reach) const { return reach >= rules_.tip_low && reach <= rules_.tip_high; }
+  /// Distance from the region along the needle, 0 inside, 0..1.
+  double spot_error(double s) const;
+  const Rules& rules() const { return rules_; }
+
+ private:
+  void begin(Memory& memory, const Look& look) const noexcept;
+  void count(Memory& memory, const Look& look) const noexcept;
+  void integrate(Memory& memory, const Look& look) const noexcept;
+  void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
+  double score(const Memory& memory, double time_s, bool passed) const noexcept;
+
+  Rules rules_;
+  PathWatch path_;
+  DropWatch drop_;
+  LowPass force_filter_;
+};
+
+/// Time since the hand set off, s.
+inline double task_time(const Memory& memory, double time_s) {
+  return memory.path.set_off_s < 0 ? 0 : time_s - memory.path.set_off_s;
+}
+/// Mean of an integral over the held time; 0 before anything was held.
+inline double mean(const Memory& memory, double integral) {
+  return memory.held_s > 0 ? integral / memory.held_s : 0;
+}
+
+}  // namespace swage::lesson_grasp

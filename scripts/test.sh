@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
+# Sets up, builds and tests everything.
+#
+#   scripts/test.sh            what CI runs: every test but the soak ones, golden hashes at -O2 and at -O0
+#   scripts/test.sh asan|tsan  the same tests under AddressSanitizer and UBSan, or ThreadSanitizer
+#   scripts/test.sh -R name    further arguments go to ctest
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=dev
+case "${1:-}" in
+  asan | tsan | clang) preset=$1; shift ;;
+esac
+
+scripts/setup.sh build test
+scripts/build.sh "$preset"
+
+echo "== tests: build/$preset"
+export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=1
+# timing-sensitive tests are few and serial; the rest shares the cores
+ctest --test-dir "build/$preset" -LE soak -j "$(nproc)" --output-on-failure "$@"
+
+if [ "$preset" = dev ] && [ $# -eq 0 ]; then
+  scripts/build.sh debug0 determinism_at_O0
+  echo "== tests: golden hashes at -O0"
+  ctest --test-dir build/debug0 -L determinism --output-on-failure
+fi

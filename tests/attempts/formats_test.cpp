@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Attempts written by earlier versions stay readable.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "attempt.hpp"
+#include "record/schema.hpp"
+
+namespace swage::record::test {
+namespace {
+
+class Formats : public testing::TestWithParam<int> {
+ protected:
+  std::string file() const {
+    return std::string(SWAGE_SOURCE_DIR) + "/tests/attempts/v" + std::to_string(GetParam()) + ".swage";
+  }
+};
+
+TEST_P(Formats, IsReadBitForBit) {
+  ASSERT_TRUE(std::ifstream(file()).good()) << file() << " is missing: README.md says how it is made";
+  Recording recording;
+  std::string error;
+  ASSERT_TRUE(read_recording(file(), "", recording, error)) << error;
+  expect_exact(recording, 300);
+  EXPECT_EQ(recording.info.person, "Ada");
+  EXPECT_EQ(recording.info.plugins, make_info().plugins);
+  ASSERT_EQ(recording.commands.size(), 1u);
+  EXPECT_EQ(recording.commands[0].number[3], 1e-300);
+  EXPECT_EQ(recording.events.size(), 3u);
+}
+
+TEST_P(Formats, IsTakenIntoAStoreOfToday) {
+  const Folder folder;
+  std::string error, id;
+  const auto store = Store::open(folder / "a.db", error);
+  ASSERT_TRUE(store->import_attempt(file(), id, error)) << error;
+  AttemptRow row;
+  ASSERT_TRUE(store->attempt(id, row));
+  EXPECT_EQ(row.state, "complete");
+  EXPECT_EQ(row.score, 87.5);
+  EXPECT_EQ(row.metrics.size(), 2u);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryVersion, Formats,
+                         testing::Range(1, static_cast<int>(schema_steps().size()) + 1));
+
+}  // namespace
+}  // namespace swage::record::test

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the host alone can catch; watchdog, sentinel and void attempts are tested with step and session.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "host/catalogue.hpp"
+#include "host/malloc_guard.hpp"
+#include "host/trial.hpp"
+
+using namespace swage::host;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::IsEmpty;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBundles = BAD_PLUGINS_DIR;
+
+std::string library(const std::string& id) { return kBundles + "/" + id + "/" + id + ".so"; }
+
+const Catalogue& catalogue() {
+  static const Catalogue* const found = [] {
+    Catalogue::Options options;
+    options.plugin_dirs = {kBundles};
+    options.install_dir = "/nowhere";
+    options.use_environment = false;
+    options.describe_limit_s = 60;  // of a busy machine; nothing here takes long
+    return new Catalogue(options);
+  }();
+  return *found;
+}
+
+std::string reason(const std::string& id) {
+  for (const auto& r : catalogue().refused())
+    if (r.id == id) return r.reason;
+  return "not refused";
+}
+
+// one instance, configured with its defaults
+std::unique_ptr<Trial> trial(const std::string& id) {
+  std::string error;
+  std::vector<PluginInfo> plugins;
+  const Library* loaded = Library::load(library(id), error);
+  if (loaded == nullptr || !describe(*loaded, plugins, error)) {
+    ADD_FAILURE() << error;
+    std::abort();
+  }
+  return std::make_unique<Trial>(*loaded, plugins[0], default_values(plugins[0].params));
+}
+
+std::string quarantine_of(const std::string& id) {
+  const auto t = trial(id);
+  EXPECT_TRUE(t->ready()) << t->error();
+  const uint64_t dropped = t->run(100);
+  EXPECT_EQ(dropped != 0, t->instance()->quarantined != 0);
+  return dropped != 0 ? quarantine_text(*t->instance()) : "";
+}
+
+}  // namespace
+
+TEST(BadPlugins, TheGoodOneIsGood) {
+  const PluginInfo* ball = catalogue().find("org.example.ball");
+  ASSERT_NE(ball, nullptr);
+  EXPECT_EQ(ball->name, "Ball");
+  EXPECT_THAT(ball->traits, ElementsAre(SWAGE_TRAIT_SOLID));
+  ASSERT_EQ(ball->params.size(), 1u);
+  EXPECT_EQ(ball->params[0].id, "radius");
+  EXPECT_EQ(quarantine_of("org.example.ball"), "");
+}
+
+TEST(BadPlugins, OneThatCrashesOnLoadStopsNobody) {
+  EXPECT_EQ(reason("org.example.bad.crashes_on_load"),
+            "It crashed while it was loaded: signal 11 (Segmentation fault).");
+}
+
+TEST(BadPlugins, OneThatHangsOnLoadIsGivenUp) {
+  Catalogue::Options options;
+  options.install_dir = kBundles + "_hanging";
+  options.use_environment = false;
+  options.describe_limit_s = 1;
+  const Catalogue found(options);
+  EXPECT_THAT(found.plugins(), IsEmpty());
+  ASSERT_EQ(found.refused().size(), 1u);
+  EXPECT_EQ(found.refused()[0].reason, "It did not finish loading within 1 s.");
+}
+
+TEST(BadPlugins, AnotherAbiIsRefusedWithASentence) {
+  EXPECT_EQ(
+      reason("org.example.bad.wrong_abi"),
+      "It was built for plugin interface 2.0; this program offers 1.0. Build it against this program's SDK.");
+  EXPECT_EQ(reason("org.example.bad.newer_abi"),
+            "It was built for plugin interface 1.1; this program offers 1.0. Update this program, or build "
+            "the plugin "
+            "for an older interface.");
+}
+
+TEST(BadPlugins, FastMathIsRefusedAndUndone) {
+#if defined(__x86_64__)
+  const char* sentence =
+      "It changes how the processor calculates when it is loaded (linked with -ffast-math?). Link it "
+      "without.";
+  EXPECT_EQ(reason("org.example.bad.fast_math"), sentence);
+  // the same in this process, whose arithmetic must not change
+  std::string error;
+  const FpuMode before = fpu_mode();
+  EXPECT_EQ(Library::load(library("org.example.bad.fast_math"), error), nullptr);
+  EXPECT_EQ(error, sentence);
+  EXPECT_EQ(fpu_mode(), before);
+  volatile double tiny = 1e-310;
+  EXPECT_GT(tiny * 0.5, 0.0);
+#endif
+}
+
+TEST(BadPlugins, ContradictingTablesAndOtherLibrariesAreRefused) {
+  EXPECT_THAT(
+      reason("org.example.bad.bad_table"),
+      testing::MatchesRegex(
+          "org.example.bad.bad_table: Parameter \"radius\": unit \"mm\" is not an SI unit of the table "
+          "\\(.*\\).\norg.example.bad.bad_table: Parameter \"radius\": the id is there twice.\n"
+          "org.example.bad.bad_table: Parameter \"radius\": the default is out of range."));
+  EXPECT_EQ(reason("org.example.bad.no_plugin"),
+            "It is not a Swage plugin: it exports no swage_plugin_entry.");
+}
+
+TEST(BadPlugins, TheFirstOfAnIdWins) {
+  ASSERT_EQ(catalogue().shadowed().size(), 1u);
+  EXPECT_EQ(catalogue().shadowed()[0].id, "org.example.ball");
+  EXPECT_EQ(catalogue().shadowed()[0].path, library("org.example.ball"));
+  EXPECT_EQ(catalogue().shadowed()[0].by, library("org.example.bad.duplicate"));
+}
+
+TEST(BadPlugins, NoParametersIsNoFault) {
+  ASSERT_NE(catalogue().find("org.example.bad.no_params"), nullptr);
+  EXPECT_THAT(catalogue().find("org.example.bad.no_params")->params, IsEmpty());
+  EXPECT_EQ(quarantine_of("org.example.bad.no_params"), "");
+}
+
+TEST(BadPlugins, WhatAStepCanDoWrong) {
+  const auto text = [](const std::string& what) {
+    return "(org.example.bad." + what + " and is in quarantine.";
+  };
+  EXPECT_EQ(quarantine_of("org.example.bad.throws"),
+            "trial " + text("throws 1.0.0) threw an exception in forces() at step 10"));
+  EXPECT_EQ(quarantine_of("org.example.bad.nan"),
+            "trial " + text("nan 1.0.0) wrote a number that is not finite in forces() at step 10"));
+  EXPECT_EQ(
+      quarantine_of("org.example.bad.huge"),
+      "trial " + text("huge 1.0.0) wrote a number beyond the limit of the scene in forces() at step 10"));
+#if defined(__x86_64__)
+  const FpuMode before = fpu_mode();
+  EXPECT_EQ(quarantine_of("org.example.bad.sets_fpu"),
+            "trial " + text("sets_fpu 1.0.0) changed how the processor calculates in forces() at step 10"));
+  EXPECT_EQ(fpu_mode(), before);
+#endif
+}
+
+TEST(BadPlugins, TheSlowOneIsLateByItsOwnTime) {
+  const auto slow = trial("org.example.bad.slow");
+  slow->instance()->watch.budget_ns = 200'000;
+  // good steps up to 9, suspicion in 10, then 20 late ones
+  EXPECT_EQ(slow->run(60), 30u);
+  EXPECT_EQ(quarantine_text(*slow->instance()),
+            "trial (org.example.bad.slow 1.0.0) was late in 20 of 100 steps by its own processor time in "
+            "forces() at "
+            "step 30 and is in quarantine.");
+}
+
+TEST(BadPlugins, TextInTheStepIsABreach) {
+  const auto talks = trial("org.example.bad.talks");
+  EXPECT_TRUE(talks->step());
+  EXPECT_EQ(talks->instance()->services->role_breaches(), 1u);
+}
+
+TEST(BadPlugins, MemoryTakenInTheStepIsCounted) {
+  if (!counts_allocations()) GTEST_SKIP() << "a sanitizer has an allocator of its own";
+  const auto clean = trial("org.example.ball"), allocates = trial("org.example.bad.allocates");
+  clean->run(10);
+  allocates->run(10);
+  EXPECT_EQ(clean->allocations(), 0u);
+  EXPECT_EQ(allocates->allocations(), 10u);
+}
+
+TEST(BadPlugins, DeclarationsBeyondTheSceneAreRefused) {
+  const auto greedy = trial("org.example.bad.greedy");
+  EXPECT_FALSE(greedy->configured());
+  ASSERT_EQ(greedy->problems().size(), 2u);
+  EXPECT_EQ(greedy->problems()[0].message, "The scene would have 65 bodies; there is room for 64.");
+  EXPECT_EQ(greedy->problems()[1].message, "state() of 2147483647 numbers is too large.");
+  EXPECT_FALSE(trial("org.example.bad.silent")->configured());
+}
+
+TEST(Catalogue, TrustsASidecarOnlyForItsOwnBinary) {
+  const std::string dir = testing::TempDir() + "swage_catalogue", bundle = dir + "/org.example.ball";
+  fs::remove_all(dir);
+  fs::create_directories(bundle);
+  fs::copy_file(library("org.example.ball"), bundle + "/org.example.ball.so");
+  Catalogue::Options options;
+  options.plugin_dirs = {dir};
+  options.install_dir = "/nowhere";
+  options.use_environment = false;
+
+  // a sidecar of this very binary is believed, and no child runs
+  Catalogue::Options no_child = options;
+  no_child.describe_program = "/bin/false";
+  std::vector<PluginInfo> plugins = {*catalogue().find("org.example.ball")};
+  plugins[0].name = "Told by the sidecar";
+  const std::string hash = content_hash(bundle + "/org.example.ball.so");
+  std::ofstream(bundle + "/plugin.json") << write_sidecar("org.example.ball.so", hash, plugins);
+  const Catalogue believed(no_child);
+  ASSERT_NE(believed.find("org.example.ball"), nullptr);
+  EXPECT_EQ(believed.find("org.example.ball")->name, "Told by the sidecar");
+  EXPECT_EQ(believed.find("org.example.ball")->library_path, bundle + "/org.example.ball.so");
+
+  // one of another binary is not: the library describes itself
+  std::ofstream(bundle + "/plugin.json") << write_sidecar("org.example.ball.so", "0000000000000000", plugins);
+  EXPECT_EQ(Catalogue(options).find("org.example.ball")->name, "Ball");
+  EXPECT_THAT(Catalogue(no_child).plugins(), IsEmpty());
+  EXPECT_EQ(Catalogue(no_child).refused()[0].reason, "It could not be described.");
+}
+
+TEST(Catalogue, SearchesInOrder) {
+  const std::string root = testing::TempDir() + "swage_order";
+  fs::remove_all(root);
+  for (const char* name : {"given", "variable", "data/swage/plugins", "install"}) {
+    const std::string bundle = root + "/" + name + "/org.example.ball";
+    fs::create_directories(bundle);
+    fs::copy_file(library("org.example.ball"), bundle + "/ball.so");
+  }
+  setenv("SWAGE_PLUGIN_PATH", (root + "/variable:/nowhere").c_str(), 1);
+  setenv("XDG_DATA_HOME", (root + "/data").c_str(), 1);
+  Catalogue::Options options;
+  options.plugin_dirs = {root + "/given"};
+  options.install_dir = root + "/install";
+  const Catalogue all(options);
+  std::vector<std::string> origins;
+  for (const auto& s : all.searched())
+    origins.push_back(s.origin + " " + s.dir.substr(root.size() * s.exists));
+  EXPECT_THAT(origins,
+              ElementsAre("--plugin-dir /given", "SWAGE_PLUGIN_PATH /variable", "SWAGE_PLUGIN_PATH /nowhere",
+                          "user /data/swage/plugins", "install /install"));
+  EXPECT_EQ(all.find("org.example.ball")->library_path, root + "/given/org.example.ball/ball.so");
+  EXPECT_FALSE(all.find("org.example.ball")->stock);
+  ASSERT_EQ(all.shadowed().size(), 3u);
+  EXPECT_EQ(all.shadowed()[0].path, root + "/variable/org.example.ball/ball.so");
+
+  // safe mode leaves strangers out
+  options.safe_mode = true;
+  const Catalogue safe(options);
+  EXPECT_EQ(safe.searched().size(), 1u);
+  EXPECT_TRUE(safe.find("org.example.ball")->stock);
+  unsetenv("SWAGE_PLUGIN_PATH");
+  unsetenv("XDG_DATA_HOME");
+}
+
+TEST(Catalogue, SaysWhyAPluginIsMissing) {
+  const std::string text = catalogue().missing_text("org.example.bal");
+  EXPECT_THAT(
+      text, testing::StartsWith("\"org.example.bal\" is not installed. Nearest: \"org.example.ball\" 1.0.0. "
+                                "Searched: " +
+                                kBundles + " ("));
+  EXPECT_THAT(text, testing::HasSubstr(" plugins), /nowhere (absent). Refused: org.example.bad.bad_table, "));
+  EXPECT_EQ(catalogue().missing_text("org.example.bad.crashes_on_load"),
+            "\"org.example.bad.crashes_on_load\" (" + library("org.example.bad.crashes_on_load") +
+                ") cannot be used. It crashed while it was loaded: signal 11 (Segmentation fault).");
+}

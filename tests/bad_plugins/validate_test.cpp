@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The validator finds in each bad plugin what is wrong with it, and nothing in a good one.
+#include "host/validate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+using namespace swage::host;
+using testing::HasSubstr;
+
+namespace {
+
+std::string bundle(const std::string& id) { return std::string(BAD_PLUGINS_DIR) + "/" + id; }
+
+std::vector<ValidateResult> results(const std::string& id, double limit_s = 20) {
+  ValidateOptions options;
+  options.strictness = 10;
+  options.limit_s = limit_s;
+  return validate(bundle(id), host_tests(), options);
+}
+
+// what one test says: "failed: ..."
+std::string says(const std::vector<ValidateResult>& all, const std::string& test) {
+  for (const ValidateResult& r : all)
+    if (r.name == test)
+      return std::string(text(r.finding.mark)) + (r.finding.text.empty() ? "" : ": " + r.finding.text);
+  return "no such test";
+}
+
+std::string says(const std::string& id, const std::string& test) { return says(results(id), test); }
+
+}  // namespace
+
+TEST(Validate, AGoodPluginPasses) {
+  const auto all = results("org.example.ball");
+  EXPECT_EQ(all.size(), host_tests().size());
+  for (const ValidateResult& r : all) {
+    if (r.name == "descriptor") continue;
+    if (r.name == "real_time" && r.finding.mark == Mark::kSkipped) continue;  // sanitizers
+    EXPECT_EQ(r.finding.mark, Mark::kSuccess) << r.name << ": " << r.finding.text;
+  }
+  EXPECT_EQ(says(all, "descriptor"),
+            "warning: There is no plugin.json beside it; each start has to ask the library itself.");
+  EXPECT_TRUE(passed(all)) << "a warning is no failure";
+}
+
+TEST(Validate, StepsOfBadPlugins) {
+  EXPECT_EQ(says("org.example.bad.nan", "threads"),
+            "failed: trial (org.example.bad.nan 1.0.0) wrote a number that is not finite in forces() at step "
+            "10 and is in "
+            "quarantine.");
+  EXPECT_THAT(says("org.example.bad.nan", "bounds"),
+              testing::StartsWith("failed: \"radius\" at min: trial (org.example"));
+  EXPECT_THAT(says("org.example.bad.throws", "threads"),
+              HasSubstr("threw an exception in forces() at step 10"));
+  EXPECT_THAT(says("org.example.bad.huge", "threads"),
+              HasSubstr("wrote a number beyond the limit of the scene"));
+  EXPECT_EQ(says("org.example.bad.talks", "threads"),
+            "failed: org.example.bad.talks called the host 300 times from a thread that may not: text in the "
+            "step, or "
+            "random numbers outside of it.");
+  EXPECT_EQ(says("org.example.bad.remembers", "state"),
+            "failed: org.example.bad.remembers gives other results after a rewind: it remembers something "
+            "outside of its "
+            "state.\norg.example.bad.remembers gives other results in a second instance: it depends on more "
+            "than parameters "
+            "and state.");
+}
+
+TEST(Validate, MemoryTakenInTheStep) {
+  const std::string said = says("org.example.bad.allocates", "real_time");
+  if (said.starts_with("skipped")) GTEST_SKIP() << said;
+  EXPECT_EQ(
+      said,
+      "failed: org.example.bad.allocates allocated memory 300 times in 300 steps; nothing on [rt] may.");
+}
+
+TEST(Validate, CrashesAreResultsAndNameTheCall) {
+  const auto all = results("org.example.bad.crashes_in_step");
+  EXPECT_EQ(says(all, "threads"),
+            "crashed: It crashed in forces() of org.example.bad.crashes_in_step at step 10: signal 11 "
+            "(Segmentation fault).");
+  EXPECT_EQ(says(all, "lifecycle"), "success") << "the other tests go on";
+  EXPECT_FALSE(passed(all));
+}
+
+TEST(Validate, HangsAreStoppedAndNamed) {
+  ValidateOptions options;
+  options.strictness = 10;
+  options.only = "threads";
+  options.limit_s = 3;
+  const auto all = validate(bundle("org.example.bad.hangs_in_step"), host_tests(), options);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(all[0].finding.text,
+            "It was not done within 3 s in forces() of org.example.bad.hangs_in_step at step 10.");
+  EXPECT_EQ(all[0].finding.mark, Mark::kCrashed);
+}
+
+TEST(Validate, WhatCannotBeLoaded) {
+  const auto wrong = results("org.example.bad.wrong_abi");
+  EXPECT_EQ(says(wrong, "load"),
+            "failed: It was built for plugin interface 2.0; this program offers 1.0. Build it against this "
+            "program's SDK.");
+  EXPECT_EQ(says(wrong, "state"), "skipped: The library cannot be loaded.");
+  EXPECT_EQ(says("org.example.bad.crashes_on_load", "load"),
+            "crashed: It crashed: signal 11 (Segmentation fault).");
+  EXPECT_EQ(says(results("../bundles_hanging/org.example.bad.hangs_on_load", 0.5), "load"),
+            "crashed: It was not done within 0.5 s.");
+#if defined(__x86_64__)
+  EXPECT_THAT(says("org.example.bad.fast_math", "load"), HasSubstr("linked with -ffast-math?"));
+#endif
+  EXPECT_EQ(
+      says("org.example.bad.no_plugin", "load"),
+      "failed: It exports more than swage_plugin_entry: answer.\nIt is not a Swage plugin: it exports no "
+      "swage_plugin_entry.");
+  EXPECT_EQ(says("org.example.bad.none", "load"),
+            "failed: It is no 64-bit ELF library.\nThere is no such file.");
+}
+
+TEST(Validate, FactoriesAndTables) {
+  EXPECT_THAT(
+      says("org.example.bad.leaks_ids", "descriptor"),
+      HasSubstr(
+          "failed: create(\"org.example.bad.leaks_idsx\") must answer NULL: there is no such plugin here."));
+  EXPECT_THAT(says("org.example.bad.bad_table", "parameters"),
+              HasSubstr("\"radius\": the id is there twice."));
+  EXPECT_EQ(says("org.example.bad.gaps", "lifecycle"),
+            "failed: The table swage.object/1 of org.example.bad.gaps has gaps.\norg.example.bad.gaps lists "
+            "the trait "
+            "\"swage.trait.graspable/1\" and does not offer it.");
+  EXPECT_EQ(says("org.example.bad.no_params", "parameters"), "success");
+  EXPECT_EQ(says("org.example.bad.silent", "lifecycle"),
+            "failed: org.example.bad.silent refuses its own defaults and does not say why.");
+  EXPECT_THAT(says("org.example.bad.silent", "bounds"), HasSubstr("refuses without a reason."));
+  EXPECT_THAT(says("org.example.bad.greedy", "threads"), HasSubstr("there is room for 64."));
+}
+
+TEST(Validate, LevelsAndNamesChooseTests) {
+  ValidateOptions options;
+  options.strictness = 2;
+  std::vector<std::string> heard;
+  validate(bundle("org.example.ball"), host_tests(), options,
+           [&](const ValidateResult& r) { heard.push_back(r.name); });
+  EXPECT_THAT(heard, testing::ElementsAre("load", "descriptor", "parameters"));
+}
+
+TEST(Validate, RoomsAboveAddTheirOwnTests) {
+  std::vector<ValidateTest> tests = {
+      {4, "own", "Whatever.",
+       [](const Subject& s) {
+         return Finding{Mark::kWarning, s.plugins.at(0).id};
+       }},
+      {4, "aborts", "Whatever.", [](const Subject&) -> Finding { std::abort(); }},
+      {4, "exits", "Whatever.", [](const Subject&) -> Finding { std::_Exit(7); }}};
+  const auto all = validate(bundle("org.example.ball"), tests, {});
+  EXPECT_EQ(says(all, "own"), "warning: org.example.ball");
+  EXPECT_EQ(says(all, "aborts"), "crashed: It crashed: signal 6 (Aborted).");
+  EXPECT_EQ(says(all, "exits"), "crashed: It ended its process with code 7.");
+}

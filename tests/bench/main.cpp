@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage-bench charts|stability|bar: what Swage reaches, what its peers reach in the same run, and where both break.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "bar.hpp"
+#include "charts.hpp"
+#include "stability.hpp"
+
+namespace swage::bench {
+namespace {
+
+/// The line under every chart's title.
+std::string machine_note() {
+  const Hiccups h = hiccups(2);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "medians of one run, methods interleaved; this machine meanwhile lost %.2g %% of the time in "
+                "gaps over 50 us, worst %.2g ms",
+                100 * h.lost_share, h.worst_us * 1e-3);
+  return text;
+}
+
+int run_charts(const std::string& out, bool quick) {
+  std::filesystem::create_directories(out);
+  const std::string note = machine_note();
+  for (const auto& [name, chart] : {std::pair{"work_precision_query", chart_queries(quick)},
+                                    std::pair{"work_precision_free", chart_free(quick)},
+                                    std::pair{"work_precision_grasp", chart_grasp(quick)}}) {
+    Scatter c = chart;
+    c.note = note;
+    write(out, name, c);
+    std::printf("%s/%s.svg\n", out.c_str(), name);
+  }
+  return 0;
+}
+
+int run_stability(const std::string& scenes, const std::string& out, bool quick, const std::string& only) {
+  if (!out.empty()) std::filesystem::create_directories(out);
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(scenes))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  int broken = 0, ran = 0;
+  const std::string note = quick ? "quick subset" : machine_note();
+  for (const std::string& file : files) {
+    const StabilityScene scene = read_scene(file, quick);
+    if (!only.empty() && scene.id.rfind(only, 0) != 0) continue;
+    StabilityResult r = run_scene(scene);
+    ++ran;
+    r.chart.note = note;
+    std::printf("%-5s %-62s %s\n", scene.id.c_str(), scene.title.c_str(),
+                !r.remarks.empty()   ? "NOT HELD"
+                : scene.open.empty() ? "held"
+                                     : ("open: " + scene.open).c_str());
+    for (const auto& line : r.chart.lines) {
+      std::printf("        %-36s", line.name.c_str());
+      for (const auto& [x, y] : line.points) std::printf(" %.3g:%.3g", x, y);
+      std::printf("%s\n", line.broke ? "  broke" : "");
+    }
+    for (const std::string& remark : r.remarks) std::printf("      ! %s\n", remark.c_str());
+    std::fflush(stdout);
+    broken += !r.remarks.empty();
+    if (!out.empty()) write(out, "stability_" + std::filesystem::path(file).stem().string(), r.chart);
+  }
+  std::printf("%d scenes, %d not held\n", ran, broken);
+  return ran == 0 || broken ? 1 : 0;
+}
+
+int run_bar(bool quick, bool as_json, const std::string& only) {
+  const Effort effort = quick ? Effort::quick() : Effort{};
+  std::vector<Line> lines;
+  const std::pair<const char*, std::vector<Line> (*)(const Effort&)> goals[] = {
+      {"G1", bar_queries}, {"G2", bar_grasp}, {"G3", bar_pinch}, {"G6", bar_free}, {"G7", bar_tunnel}};
+  for (const auto& [goal, measure] : goals)
+    if (only.empty() || only == goal)
+      for (Line& line : measure(effort)) lines.push_back(std::move(line));
+
+  int missed = 0;
+  nlohmann::json all = nlohmann::json::array();
+  for (const Line& l : lines) {
+    missed += !l.held();
+    all.push_back({{"goal", l.goal},
+                   {"name", l.name},
+                   {"unit", l.unit},
+                   {"measured", l.measured},
+                   {"low", l.low},
+                   {"high", l.high},
+                   {"available", l.available},
+                   {"held", l.held()},
+                   {"note", l.note}});
+    if (as_json) continue;
+    char bound[64];
+    if (std::isfinite(l.low))
+      std::snprintf(bound, sizeof bound, "%.4g to %.4g", l.low, l.high);
+    else
+      std::snprintf(bound, sizeof bound, "at most %.4g", l.high);
+    std::printf("%-3s %-58s %10.4g %-6s %-18s %s%s%s\n", l.goal.c_str(), l.name.c_str(), l.measured,
+                l.unit.c_str(), bound,
+                !l.available ? "NOT MEASURED"
+                : l.held()   ? "held"
+                             : "NOT HELD",
+                l.note.empty() ? "" : "  ", l.note.c_str());
+  }
+  if (as_json)
+    std::printf("%s\n", all.dump(2).c_str());
+  else
+    std::printf("%zu lines, %d not held\n", lines.size(), missed);
+  return missed ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace swage::bench
+
+int main(int argc, char** argv) {
+  using namespace swage::bench;
+  CLI::App app{"Swage against closed forms and against its peers"};
+  app.require_subcommand(1);
+  bool quick = false, as_json = false;
+  std::string out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
+  auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
+  charts->add_option("--out", out, "folder")->default_val("resources/charts");
+  charts->add_flag("--quick", quick, "fewer poses and shorter runs");
+  auto* stability =
+      app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");
+  stability->add_option("--out", out, "folder for the plots; none are written without it");
+  stability->add_option("--scenes", scenes, "folder of the scene files");
+  stability->add_option("--only", only, "scenes whose id begins so, e.g. S04");
+  stability->add_flag("--quick", quick, "the subset that the tests run");
+  auto* bar = app.add_subcommand(
+      "bar", "every promise: measured, bound, held or not; exits 1 when one does not hold");
+  bar->add_flag("--quick", quick, "shorter holds, fewer passes");
+  bar->add_flag("--json", as_json, "print JSON");
+  bar->add_option("--only", only, "one goal, e.g. G2");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (*charts) return run_charts(out, quick);
+    if (*stability) return run_stability(scenes, out, quick, only);
+    return run_bar(quick, as_json, only);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "swage-bench: %s\n", e.what());
+    return 2;
+  }
+}

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scenario.hpp"
+
+#include <limits>
+
+#include "base/rng.hpp"
+#include "reference.hpp"
+
+namespace swage::bench {
+namespace {
+
+constexpr double kGravity = 9.81;   // m/s2
+constexpr double kLostAt = 0.3e-3;  // m: three wires away from the grip
+
+bool finite(const Pose& X) { return X.p.allFinite() && X.q.coeffs().allFinite() && X.p.norm() < 1; }
+
+Slip slip_between(const Engine& e, const Pose& X_WT, const Pose& X_TN_ref) {
+  const Pose X_TN = X_WT.inverse() * e.needle();
+  const Vec3 d = X_TN * e.setup.needle.point(0) - X_TN_ref * e.setup.needle.point(0);
+  return {d.y(), d.x(), d.z(), toolkit::log_rotation(X_TN_ref.q.conjugate() * X_TN.q).norm()};
+}
+
+/// Opening angles of the two jaws for an overlap.
+struct Openings {
+  double upper, lower;
+  Openings(const Method& m, const Needle& n, double overlap)
+      : upper(closing_angle(n, 1, overlap, m.exact_arc)), lower(closing_angle(n, -1, overlap, m.exact_arc)) {}
+  void apply(Engine& e, const Pose& X_WT, bool jump) const {
+    e.set_jaws(jaw_pose(X_WT, upper), jaw_pose(X_WT, -lower), jump);
+  }
+};
+
+/// The tool of S06: 60 deg about its own axis and 5 mm along it, once a second; `size` scales both.
+Pose moved_tool(double t, double size) {
+  const double c = 0.5 * size * (1 - std::cos(2 * std::numbers::pi * t));
+  return {Vec3{5e-3 * c, 0, 0}, toolkit::exp_rotation({std::numbers::pi / 3 * c, 0, 0})};
+}
+
+Pose tool_pose(Tool tool, double amount, double t, base::Xoshiro256& rng) {
+  if (tool == Tool::kMoving) return moved_tool(t, 1);
+  if (tool == Tool::kLate) return moved_tool(std::floor(t / amount + 1e-9) * amount, 0.1);
+  const auto jitter = [&] { return amount > 0 ? amount * rng.uniform(-1, 1) : 0.0; };
+  return {Vec3{jitter(), jitter(), jitter()}, Quat::Identity()};
+}
+
+}  // namespace
+
+HoldResult hold(const Method& method, const Setup& setup, double overlap, double seconds, Tool tool,
+                double amount) {
+  const auto engine = method.make(setup);
+  Engine& e = *engine;
+  const Openings openings(method, setup.needle, overlap);
+  e.set_gravity(Vec3::Zero());
+  openings.apply(e, Pose{}, true);
+  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
+
+  // let the grasp settle before gravity acts
+  for (int i = 0; i < 200; ++i) {
+    openings.apply(e, Pose{}, false);
+    e.step();
+  }
+  const Pose reference = e.needle();
+  e.set_gravity({0, -kGravity, 0});
+
+  HoldResult r;
+  base::Xoshiro256 rng(7);
+  const int steps = static_cast<int>(std::lround(seconds / setup.dt));
+  std::vector<double> ns;
+  ns.reserve(static_cast<size_t>(steps));
+  for (int i = 0; i < steps; ++i) {
+    const double t = (i + 1) * setup.dt;
+    const Pose X_WT = tool_pose(tool, amount, t, rng);
+    openings.apply(e, X_WT, false);
+    const double start = now_ns();
+    e.step();
+    ns.push_back(now_ns() - start);
+    if (!finite(e.needle())) {
+      r.lost_at = t;
+      break;
+    }
+    const Slip s = slip_between(e, X_WT, reference);
+    r.worst = std::max(r.worst, s.distance());
+    r.end = s;
+    if (t <= 1) r.after_1s = s;
+    if (t <= 10) r.after_10s = s;
+    if (s.distance() > kLostAt || s.turn > 0.5) {
+      r.lost_at = t;
+      break;
+    }
+  }
+  r.step = times(std::move(ns));
+  return r;
+}
+
+PullResult pull(const Method& method, const Setup& base_setup, double grip, Pull direction) {
+  Setup setup = base_setup;
+  setup.upper_driven = true;
+  const auto engine = method.make(setup);
+  Engine& e = *engine;
+  const Openings openings(method, setup.needle, 0);
+  e.set_gravity(Vec3::Zero());
+  openings.apply(e, Pose{}, true);
+  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
+  for (int i = 0; i < 1000; ++i) {
+    openings.apply(e, Pose{}, false);
+    e.set_torque(grip * Jaw::kGrip * std::min(1.0, i / 500.0));
+    e.step();
+    if (!finite(e.needle())) return {};
+  }
+  const Pose reference = e.needle();
+
+  // Coulomb limits of a pinched wire: 2 mu N along it, 2 mu N r about it, mu N b / 2 about the jaws' normal
+  const double r = setup.needle.wire_radius();
+  const double width = 2 * Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - Jaw::kGrip) / Jaw::kLength;
+  const double friction = 2 * setup.friction * grip;
+  const double limit = direction == Pull::kAxial       ? friction
+                       : direction == Pull::kAboutWire ? friction * r
+                                                       : friction * width / 4;
+  const double arm = direction == Pull::kAxial       ? 1
+                     : direction == Pull::kAboutWire ? r
+                                                     : setup.needle.length() / 2;
+
+  PullResult result;
+  constexpr int kSteps = 3000;
+  constexpr double kSlipped = 20e-6;  // m
+  for (int i = 0; i < kSteps; ++i) {
+    const double load = 1.5 * limit * i / kSteps;
+    openings.apply(e, Pose{}, false);
+    e.set_torque(grip * Jaw::kGrip);
+    if (direction == Pull::kAxial) e.set_force({0, -load, 0}, e.needle() * setup.needle.point(0));
+    if (direction == Pull::kAboutWire) e.set_couple({0, load, 0});
+    if (direction == Pull::kAboutNormal) e.set_couple({0, 0, load});
+    e.step();
+    if (!finite(e.needle())) return result;
+    const Slip s = slip_between(e, Pose{}, reference);
+    // a wire that slips at one jaw alone rolls along the other: what counts is how far anything of it has come
+    const double moved = direction == Pull::kAxial ? std::abs(s.along) : std::max(s.turn * arm, s.distance());
+    if (load <= 0.5 * limit) result.creep = moved;
+    if (moved > kSlipped) {
+      result.onset = load / limit;
+      return result;
+    }
+  }
+  result.onset = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+std::vector<PinchStage> pinch(const Method& method, const Setup& base_setup, double approach) {
+  Setup setup = base_setup;
+  setup.upper_driven = true;
+  const auto engine = method.make(setup);
+  Engine& e = *engine;
+  const Openings openings(method, setup.needle, 0);
+  const double start_gap = approach > 0 ? 0.5e-3 / Jaw::kGrip : 0;
+  e.set_gravity(Vec3::Zero());
+  const Pose lower = jaw_pose(Pose{}, -openings.lower);
+  e.set_jaws(jaw_pose(Pose{}, openings.upper + start_gap), lower, true);
+  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
+  const auto step = [&](double torque) {
+    e.set_jaws(jaw_pose(Pose{}, openings.upper), lower, false);
+    e.set_torque(torque);
+    e.step();
+  };
+
+  // S08: the free jaw is pushed until it moves at the approach speed, then coasts into the needle
+  if (approach > 0) {
+    const double inertia = setup.jaw_mass * Jaw::kGrip * Jaw::kGrip;
+    constexpr int kPush = 10;
+    for (int i = 0; i < 200; ++i) step(i < kPush ? inertia * approach / Jaw::kGrip / (kPush * setup.dt) : 0);
+  }
+
+  std::vector<PinchStage> stages;
+  for (double grip = 1e-3; grip < 20; grip *= 4) {
+    PinchStage stage;
+    stage.grip = grip;
+    for (int i = 0; i < 200; ++i) {
+      const double begin = cpu_ns();
+      step(grip * Jaw::kGrip);
+      stage.ns.push_back(cpu_ns() - begin);
+      if (!finite(e.needle())) return stages;
+    }
+    const int touching = e.contacts(stage.overlap);
+    stage.overlap = -stage.overlap;
+    stage.drift = slip_between(e, Pose{}, grip_pose(setup.needle)).distance();
+    if (touching == 0 || stage.drift > kLostAt || stage.overlap > setup.needle.wire_radius()) return stages;
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot) {
+  constexpr int kPhases = 16;
+  const Needle& n = setup.needle;
+  const Solid plate(jaw(-1));
+  int through = 0;
+  for (int k = 0; k < kPhases; ++k) {
+    const auto engine = method.make(setup);
+    Engine& e = *engine;
+    const Pose open = jaw_pose(Pose{}, 0.3), fixed = jaw_pose(Pose{}, 0);
+    e.set_gravity(Vec3::Zero());
+    e.set_jaws(open, fixed, true);
+
+    // flat: the curve's plane lies parallel to the jaw; edge: the top of the arc comes first
+    const double height = 0.4e-3 + speed * setup.dt * (k + 0.37) / kPhases;
+    Pose X;
+    X.q = toolkit::exp_rotation(shot == Shot::kEdge ? Vec3{std::numbers::pi, 0, 0}
+                                                    : Vec3{0, std::numbers::pi / 2, 0});
+    const Vec3 aim{Jaw::kGrip - 1e-3, 0, height};
+    X.p = aim - X.q * n.point(0);
+    e.set_needle(X, {0, 0, -speed}, shot == Shot::kSpin ? Vec3{100, 0, 0} : Vec3::Zero());
+
+    const int steps = static_cast<int>(3e-3 / speed / setup.dt) + 60;
+    bool lost = false;
+    for (int i = 0; i < steps && !lost; ++i) {
+      e.set_jaws(open, fixed, false);
+      e.step();
+      // through: some of the wire's centre line has crossed the middle of the plate inside its outline
+      const Pose Y = e.needle();
+      lost = !Y.p.allFinite();
+      for (int j = 0; j <= 32 && !lost; ++j) {
+        const Vec3 p = Y * n.point(n.arc * (j / 32.0 - 0.5));
+        const double half = Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - p.x()) / Jaw::kLength;
+        lost = p.x() > Jaw::kHinge && std::abs(p.y()) < half && p.z() < -0.5 * Jaw::kThickness &&
+               p.z() > -2 * Jaw::kThickness;
+      }
+    }
+    through += lost;
+  }
+  return through;
+}
+
+CloseResult close_on(const Method& method, const Setup& setup, double speed) {
+  const auto engine = method.make(setup);
+  Engine& e = *engine;
+  const Openings touch(method, setup.needle, 0), grip(method, setup.needle, 1e-6);
+  const double start = 0.5e-3 / Jaw::kGrip;
+  e.set_gravity(Vec3::Zero());
+  const auto at = [&](double t) {
+    const double left = std::max(0.0, start - speed / Jaw::kGrip * t);
+    return std::pair{jaw_pose(Pose{}, left > 0 ? touch.upper + left : grip.upper),
+                     jaw_pose(Pose{}, -(left > 0 ? touch.lower + left : grip.lower))};
+  };
+  e.set_jaws(at(0).first, at(0).second, true);
+  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
+
+  CloseResult r;
+  const int steps = static_cast<int>(0.5e-3 / speed / setup.dt) + 100;
+  const Solid upper(jaw(1)), lower(jaw(-1));
+  for (int i = 1; i <= steps; ++i) {
+    const auto [X_up, X_low] = at(i * setup.dt);
+    e.set_jaws(X_up, X_low, false);
+    e.step();
+    if (!finite(e.needle())) return {true, std::numeric_limits<double>::infinity()};
+    r.fastest = std::max(r.fastest, e.velocity().norm());
+    // through: the wire's middle is on the far side of a gripping face while still inside the jaw's outline
+    const Vec3 p = e.needle() * setup.needle.point(0);
+    if ((X_up.inverse() * p).z() > setup.needle.wire_radius() ||
+        (X_low.inverse() * p).z() < -setup.needle.wire_radius())
+      r.through = true;
+  }
+  return r;
+}
+
+TopResult top(const Method& method, const Setup& base_setup, const Vec3& inertia, const Vec3& w0,
+              double seconds) {
+  Setup setup = base_setup;
+  setup.jaws = false;
+  setup.inertia = inertia;
+  const auto engine = method.make(setup);
+  Engine& e = *engine;
+  e.set_gravity(Vec3::Zero());
+  e.set_needle(Pose{}, Vec3::Zero(), w0);
+
+  const auto body_rate = [&] { return Vec3(e.needle().q.normalized().conjugate() * e.angular_velocity()); };
+  const auto energy = [&](const Vec3& w) { return 0.5 * w.dot(inertia.cwiseProduct(w)); };
+  const double E0 = energy(w0), L0 = inertia.cwiseProduct(w0).norm();
+  // the component that changes sign once in a half period: the one of the middle axis
+  Eigen::Index axis;
+  w0.cwiseAbs().maxCoeff(&axis);
+
+  TopResult r;
+  std::vector<double> ns, flips;
+  double before = w0[axis];
+  const int steps = static_cast<int>(std::lround(seconds / setup.dt));
+  for (int i = 1; i <= steps; ++i) {
+    const double begin = now_ns();
+    e.step();
+    ns.push_back(now_ns() - begin);
+    const Vec3 w = body_rate();
+    const double E = energy(w);
+    if (!std::isfinite(E) || E > 1e6 * E0) {
+      r.diverged_at = i * setup.dt;
+      r.energy = std::numeric_limits<double>::infinity();
+      break;
+    }
+    r.energy = std::max(r.energy, std::abs(E / E0 - 1));
+    r.momentum = std::max(r.momentum, std::abs(inertia.cwiseProduct(w).norm() / L0 - 1));
+    if (before * w[axis] < 0)
+      flips.push_back((i - 1 + std::abs(before) / (std::abs(before) + std::abs(w[axis]))) * setup.dt);
+    before = w[axis];
+  }
+  if (flips.size() > 2) r.period = 2 * (flips.back() - flips.front()) / static_cast<double>(flips.size() - 1);
+  r.step = times(std::move(ns));
+  return r;
+}
+
+double bounce_error(const Method& method, const Setup& base_setup, double height, double restitution,
+                    double radius) {
+  Setup setup = base_setup;
+  setup.jaws = false;
+  setup.restitution = restitution;
+  setup.ball_radius = radius;
+  constexpr int kPhases = 16;
+  double worst = 0;
+  for (int k = 0; k < kPhases; ++k) {
+    const auto engine = method.make(setup);
+    Engine& e = *engine;
+    const double h = height * (1 + 0.02 * k / kPhases);
+    e.set_gravity({0, 0, -kGravity});
+    e.set_needle({Vec3{0, 0, radius + h}, Quat::Identity()}, Vec3::Zero(), Vec3::Zero());
+    const double fall = std::sqrt(2 * h / kGravity);
+    const int steps = static_cast<int>(fall * (1 + 2.5 * restitution) / setup.dt) + 5;
+    bool rising = false;
+    double peak = -radius;
+    for (int i = 0; i < steps; ++i) {
+      e.step();
+      const double z = e.needle().p.z() - radius;
+      if (!std::isfinite(z) || z < -radius) return std::numeric_limits<double>::infinity();
+      rising = rising || e.velocity().z() > 0;
+      if (rising) peak = std::max(peak, z);
+    }
+    const double expected = restitution > 0 ? restitution * restitution * h : h;
+    worst = std::max(worst, std::abs(peak / expected - (restitution > 0 ? 1 : 0)));
+  }
+  return worst;
+}
+
+}  // namespace swage::bench

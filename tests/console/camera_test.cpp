@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/view3d/camera.hpp"
+
+#include <gtest/gtest.h>
+
+namespace swage::console {
+namespace {
+
+TEST(Camera, FramedSphereFillsThePictureAndNoMore) {
+  OrbitCamera camera;
+  camera.frame({1, 2, 3}, 4);
+  camera.jump();
+  const QSizeF size(800, 600);
+  const QPointF middle = camera.project({1, 2, 3}, size);
+  EXPECT_NEAR(middle.x(), 400, 0.01);
+  EXPECT_NEAR(middle.y(), 300, 0.01);
+  // a point of the sphere on the outline, straight above in the picture
+  const QPointF top = camera.project(QVector3D(1, 2, 3) + 4 * camera.up(), size);
+  EXPECT_GT(top.y(), 0);
+  EXPECT_LT(top.y(), 30);
+}
+
+TEST(Camera, AxesAreRightHandedAndFaceTheViewer) {
+  OrbitCamera camera;
+  for (const CameraPreset preset : {CameraPreset::kOrbit, CameraPreset::kSide, CameraPreset::kTop}) {
+    camera.look(preset);
+    camera.jump();
+    const QQuaternion q = camera.q_WC();
+    const QVector3D to_viewer = (camera.eye() - camera.focus()).normalized();
+    EXPECT_LT((q.rotatedVector({0, 0, 1}) - to_viewer).length(), 1e-4F);
+    EXPECT_LT((q.rotatedVector({0, 1, 0}) - camera.up()).length(), 1e-4F);
+    // what is to the right of the focus appears to the right
+    const QSizeF size(100, 100);
+    const QPointF right = camera.project(camera.focus() + q.rotatedVector({1, 0, 0}), size);
+    EXPECT_GT(right.x(), 50);
+    EXPECT_NEAR(right.y(), 50, 0.01);
+  }
+}
+
+TEST(Camera, GlidesToItsGoalAndRests) {
+  OrbitCamera camera;
+  camera.jump();
+  EXPECT_FALSE(camera.advance(0.016));
+  camera.look(CameraPreset::kTop);
+  int pictures = 0;
+  while (camera.advance(0.016)) ASSERT_LT(++pictures, 200);
+  EXPECT_GT(pictures, 10);
+  EXPECT_NEAR(camera.up().z(), 0, 0.01);
+}
+
+TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 5);
+  camera.jump();
+  camera.follow({0, 0, 1});
+  EXPECT_FALSE(camera.advance(1)) << "near the middle nothing moves";
+  camera.follow({0, 0, 12});
+  camera.jump();
+  const QPointF at = camera.project({0, 0, 12}, {600, 600});
+  EXPECT_GT(at.y(), 60);  // a quarter from the top, less what comes nearer to the camera
+  EXPECT_LT(at.y(), 300);
+  camera.pan(0.3F, 0);
+  const QVector3D focus = camera.focus();
+  camera.follow({0, 0, 40});
+  camera.jump();
+  EXPECT_EQ(camera.focus(), focus);
+}
+
+TEST(Camera, ScaleIsTrueAtTheFocus) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 5);
+  camera.look(CameraPreset::kTop);
+  camera.jump();
+  const QPointF a = camera.project({0, 0, 0}, {800, 600}), b = camera.project({1, 0, 0}, {800, 600});
+  EXPECT_NEAR((b.x() - a.x()) * camera.mm_per_pixel(600), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace swage::console

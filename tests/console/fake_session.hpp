@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A session without physics: a needle, two jaws that come, close and lift it on a fixed path, the four grasp
+// cues in turn, and a verdict. Its clock is the wall's, times `rate`. For tests of the console only.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "session/session.hpp"
+
+namespace swage::test {
+
+/// What the console did to a session; outlives it.
+struct FakeLog {
+  int opened = 0, started = 0, paused = 0, resumed = 0, reset = 0, marked = 0, stopped = 0;
+  std::vector<swage_pointer> pointer;
+  session::Options last;
+};
+
+struct FakeScript {
+  double rate = 1;    // simulated seconds per second
+  double end_s = 12;  // passes then; 0: never
+  bool pass = true;
+  bool with_thread = false;
+  std::string refuse;  // non-empty: open() fails with this problem
+};
+
+std::unique_ptr<session::Session> open_fake(const session::Options& options,
+                                            std::vector<base::Problem>& problems, const FakeScript& script,
+                                            std::shared_ptr<FakeLog> log);
+
+}  // namespace swage::test

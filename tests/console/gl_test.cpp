@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What needs pixels: runs under Xvfb with software OpenGL.
+#include <QProcess>
+#include <QStandardPaths>
+#include <QWheelEvent>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+using console::RunControl;
+using console::SceneView;
+
+class Gl : public WindowTest {
+ protected:
+  void open_ready() {
+    open();
+    if (!page()->view()->gl().ok) GTEST_SKIP() << "no OpenGL: " << page()->view()->gl().why.toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page()->view()->ready(); }, 15000));
+    settle();
+  }
+  // a gliding camera, and pictures that are a few frames behind
+  void settle() {
+    QTest::qWait(50);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view()->resting(); }, 20000));
+    QTest::qWait(50);
+  }
+  SceneView* view() { return page()->view(); }
+  QImage picture() { return view()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+};
+
+int count(const QImage& image, const std::function<bool(const QColor&)>& is) {
+  int n = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) n += is(image.pixelColor(x, y));
+  }
+  return n;
+}
+bool red(const QColor& c) { return c.red() > 120 && c.red() > 2.2 * c.green() && c.red() > 2.2 * c.blue(); }
+// the picture's shoulder holds highlights below white
+bool bright(const QColor& c) { return c.lightness() > 205; }
+double changed(const QImage& a, const QImage& b) {
+  int n = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x)
+      n += std::abs(a.pixelColor(x, y).lightness() - b.pixelColor(x, y).lightness()) > 12;
+  }
+  return n / double(a.width() * a.height());
+}
+
+TEST_F(Gl, NeedleIsLitAndItsRegionRed) {
+  launch.theme = "dark";
+  open_ready();
+  if (IsSkipped()) return;
+  const QImage image = view()->image();
+  ASSERT_FALSE(image.isNull());
+  // the needle: 6 mm of 0.1 mm wire at about 77 px/mm; a highlight runs along it, and a quarter of it is the region
+  EXPECT_GT(count(image, bright), 100);
+  EXPECT_GT(count(picture(), red), 300);
+  // antialiased: the edge has colours between the region's and the floor's
+  const int edge = count(
+      picture(), [](const QColor& c) { return c.red() > 70 && c.red() < 120 && c.red() > 1.4 * c.green(); });
+  EXPECT_GT(edge, 40);
+  // and it is a picture, not one colour: floor, grid, jaws, shadow
+  EXPECT_GT(count(picture(), [](const QColor& c) { return c.lightness() < 60; }), 5000);
+}
+
+TEST_F(Gl, GoodGraspColoursTheNeedle) {
+  script.rate = 10;
+  script.end_s = 0;
+  open_ready();
+  if (IsSkipped()) return;
+  const auto green = [](const QColor& c) {
+    return c.green() > 90 && c.green() > 1.8 * c.red() && c.green() > 1.8 * c.blue();
+  };
+  EXPECT_EQ(count(view()->image(), green), 0);
+  click("start");
+  ASSERT_TRUE(wait_for_time(9));
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  settle();
+  EXPECT_GT(count(view()->image(), green), 500);
+  // without cues the needle is steel again
+  click("cues");
+  settle();
+  EXPECT_EQ(count(view()->image(), green), 0);
+}
+
+TEST_F(Gl, DragTurnsWheelZoomsAndPresetsFrame) {
+  open_ready();
+  if (IsSkipped()) return;
+  const QImage before = picture();
+  const QPoint middle = view()->rect().center();
+  QTest::mousePress(view(), Qt::LeftButton, {}, middle);
+  for (int i = 1; i <= 10; ++i) QTest::mouseMove(view(), middle + QPoint(12 * i, 0));
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + QPoint(120, 0));
+  settle();
+  const QImage turned = picture();
+  EXPECT_GT(changed(before, turned), 0.02);
+  const float distance = view()->camera().distance();
+  QWheelEvent wheel(middle, view()->mapToGlobal(middle), {}, {0, 360}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(view(), &wheel);
+  settle();
+  EXPECT_LT(view()->camera().distance(), 0.8F * distance);
+  click("view_top");
+  settle();
+  EXPECT_NEAR(view()->camera().up().z(), 0, 0.01);
+  EXPECT_GT(count(picture(), red), 200);
+}
+
+TEST_F(Gl, MouseAndKeysDriveTheInstrumentWhileItRuns) {
+  script.end_s = 0;
+  open_ready();
+  if (IsSkipped()) return;
+  click("start");
+  ASSERT_TRUE(view()->instrument());
+  const QPoint middle = view()->rect().center();
+  const float yaw = view()->camera().eye().x();
+  log->pointer.clear();
+  QTest::mousePress(view(), Qt::LeftButton, {}, middle);
+  QTest::mouseMove(view(), middle + QPoint(view()->height() / 4, 0));
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, middle + QPoint(view()->height() / 4, 0));
+  ASSERT_EQ(log->pointer.size(), 3U);
+  EXPECT_EQ(log->pointer[1].buttons, 1U);
+  EXPECT_NEAR(log->pointer[1].dx, 0.25, 0.01);
+  EXPECT_EQ(log->pointer[2].buttons, 0U);
+  EXPECT_NEAR(std::hypot(log->pointer[1].camera.w, log->pointer[1].camera.x,
+                         std::hypot(log->pointer[1].camera.y, log->pointer[1].camera.z)),
+              1, 1e-5);
+  EXPECT_EQ(view()->camera().eye().x(), yaw);
+  // keys: down, up, and nothing stays down when the view loses the keyboard
+  log->pointer.clear();
+  QTest::keyPress(view(), Qt::Key_Space);
+  ASSERT_EQ(log->pointer.size(), 1U);
+  EXPECT_EQ(log->pointer[0].keys, uint64_t{1} << 40);
+  QTest::keyRelease(view(), Qt::Key_Space);
+  EXPECT_EQ(log->pointer[1].keys, 0U);
+  QTest::keyPress(view(), Qt::Key_W);
+  QFocusEvent out(QEvent::FocusOut);
+  QApplication::sendEvent(view(), &out);
+  EXPECT_EQ(log->pointer.back().keys, 0U);
+  // Ctrl+drag still turns the camera
+  log->pointer.clear();
+  QTest::mousePress(view(), Qt::LeftButton, Qt::ControlModifier, middle);
+  QMouseEvent move(QEvent::MouseMove, middle + QPoint(80, 0), view()->mapToGlobal(middle + QPoint(80, 0)),
+                   Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
+  QApplication::sendEvent(view(), &move);
+  const size_t to_instrument = log->pointer.size();
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  settle();
+  EXPECT_EQ(to_instrument, 0U);
+  EXPECT_NE(view()->camera().eye().x(), yaw);
+}
+
+TEST_F(Gl, OpensAndClosesTenTimesAlsoDuringARun) {
+  script.end_s = 0;
+  for (int i = 0; i < 10; ++i) {
+    open();
+    if (!page()->view()->gl().ok) GTEST_SKIP() << "no OpenGL";
+    if (i % 2 == 0) click("start");
+    QTest::qWait(60 + 40 * (i % 3));
+    if (i % 3 == 0) window->resize(1200 + 20 * i, 800);
+    window->close();
+    window.reset();
+  }
+  EXPECT_EQ(log->started, 5);
+  EXPECT_EQ(log->stopped, 5);
+}
+
+TEST_F(Gl, ResizingKeepsThePictureSharp) {
+  open_ready();
+  if (IsSkipped()) return;
+  for (int i = 0; i < 12; ++i) {
+    window->resize(1180 + 30 * i, 760 + 10 * i);
+    QTest::qWait(20);
+  }
+  settle();
+  EXPECT_EQ(view()->image().size(), view()->size());
+  EXPECT_GT(count(picture(), red), 200);
+}
+
+TEST_F(Gl, RealKeysFromTheDesktopArrive) {
+  const QString xdotool = QStandardPaths::findExecutable("xdotool");
+  if (xdotool.isEmpty() || QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs X11 and xdotool";
+  script.end_s = 0;
+  open_ready();
+  if (IsSkipped()) return;
+  const auto tool = [&](const QStringList& arguments) {
+    QProcess process;
+    process.start(xdotool, arguments);
+    ASSERT_TRUE(process.waitForFinished(10000));
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    QTest::qWait(150);
+  };
+  tool({"windowfocus", QString::number(window->winId())});
+  tool({"key", "F5"});
+  EXPECT_EQ(log->started, 1);
+  // a drag over the picture moves the instrument
+  const QPoint middle = view()->mapToGlobal(view()->rect().center());
+  tool({"mousemove", QString::number(middle.x()), QString::number(middle.y()), "mousedown", "1"});
+  tool({"mousemove", QString::number(middle.x() + 60), QString::number(middle.y() - 30)});
+  tool({"mouseup", "1"});
+  ASSERT_FALSE(log->pointer.empty());
+  double dx = 0, dy = 0;
+  for (const swage_pointer& p : log->pointer) dx += p.dx, dy += p.dy;
+  EXPECT_NEAR(dx * view()->height(), 60, 1.5);
+  EXPECT_NEAR(dy * view()->height(), 30, 1.5);
+  tool({"keydown", "space"});
+  EXPECT_EQ(log->pointer.back().keys, uint64_t{1} << 40);
+  tool({"keyup", "space"});
+  tool({"key", "F6"});
+  EXPECT_EQ(log->paused, 1);
+  tool({"key", "shift+F5"});
+  EXPECT_EQ(log->stopped, 1);
+}
+
+}  // namespace
+}  // namespace swage::test

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QFile>
+#include <QSortFilterProxyModel>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "console/models/attempts_model.hpp"
+#include "console/models/event_log.hpp"
+#include "console/models/lessons_model.hpp"
+#include "console/models/people_model.hpp"
+#include "console/models/reading.hpp"
+#include "console/models/words.hpp"
+#include "fake_session.hpp"
+#include "fake_store.hpp"
+
+namespace swage::console {
+namespace {
+
+using Tester = QAbstractItemModelTester;
+constexpr auto kFatal = Tester::FailureReportingMode::Fatal;
+
+void write(const QString& path, const QByteArray& text) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+TEST(Words, SayUnitsAndVerdicts) {
+  QLocale::setDefault(QLocale::c());
+  EXPECT_EQ(quantity_text(0.58, "N"), QString("0.58") + QChar(0x202f) + "N");
+  EXPECT_EQ(quantity_text(0.0012, "m"), QString("1.20") + QChar(0x202f) + "mm");
+  EXPECT_EQ(quantity_text(0.2, "rad"), QString("11.5°"));
+  EXPECT_EQ(quantity_text(3, "1"), "3");
+  EXPECT_EQ(quantity_text(0.25, "1"), "0.25");
+  EXPECT_EQ(quantity_text(std::nan(""), "N"), "–");
+  EXPECT_EQ(human_id("grasp.peak_force"), "Grasp peak force");
+  EXPECT_EQ(clock_text(62.9), "01:02");
+  EXPECT_EQ(verdict_text("failed"), "Not met yet");
+}
+
+TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
+  QTemporaryDir dir;
+  write(
+      dir.filePath("020_b.json"),
+      R"({"id": "b", "title": "Second", "summary": "two", "devices": [{"as": "mouse", "or": [{"as": "expert"}, {}]}]})");
+  write(dir.filePath("010_a.json"), R"({"id": "a", "title": "First"})");
+  write(dir.filePath("030_broken.json"), R"({"id": )");
+  write(dir.filePath("040_other.json"), R"({"poses": []})");
+  LessonsModel model;
+  Tester tester(&model, kFatal);
+  model.set_folders({dir.path()});
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.at(0).title, "First");
+  EXPECT_EQ(model.at(1).summary, "two");
+  EXPECT_EQ(model.at(1).hands, QStringList({"mouse", "expert"}));
+  EXPECT_EQ(model.at(2).title, "030_broken");
+  EXPECT_TRUE(model.at(2).problem.contains("byte"));
+
+  EXPECT_EQ(model.add_file(dir.filePath("010_a.json")), 0);
+  EXPECT_EQ(model.rowCount(), 3);
+  QTemporaryDir other;
+  write(other.filePath("mine.json"), R"({"id": "mine", "title": "Mine"})");
+  EXPECT_EQ(model.add_file(other.filePath("mine.json")), 0);
+  EXPECT_EQ(model.at(0).title, "Mine");
+  EXPECT_EQ(model.row_of("b"), 2);
+  EXPECT_EQ(model.row_of("nobody"), -1);
+}
+
+TEST(EventLog, ShowsWhatTheScriptMeans) {
+  EventLog log;
+  Tester tester(&log, kFatal);
+  judge::Script script;
+  script.events = {{"lesson", "needle.dropped", "1", "It fell."}};
+  log.add({4200, 0, 0, 0}, script, 1e-3);
+  log.add({4300, 9, 0, 0}, script, 1e-3);  // not declared: not shown
+  log.note(2.25, "Mark");
+  ASSERT_EQ(log.rowCount(), 2);
+  EXPECT_EQ(log.index(0, EventLog::kTime).data(), "00:04.2");
+  EXPECT_EQ(log.index(0, EventLog::kWhat).data(), "Needle dropped");
+  EXPECT_EQ(log.index(0, EventLog::kMeans).data(), "It fell.");
+  EXPECT_TRUE(log.at(1).by_person);
+  log.clear();
+  EXPECT_EQ(log.rowCount(), 0);
+}
+
+TEST(People, CarryTheirAttempts) {
+  PeopleModel model;
+  Tester tester(&model, kFatal);
+  test::FakeStore store(test::sample_attempts());
+  model.set_people(store.people());
+  ASSERT_EQ(model.rowCount(), 2);
+  EXPECT_EQ(model.index(0).data(), "Arun P.");
+  EXPECT_EQ(model.index(1).data(PeopleModel::kSummary), "1 attempt");
+  EXPECT_EQ(model.row_of("p2"), 1);
+}
+
+TEST(Attempts, SortByWhatTheyMeanNotByText) {
+  AttemptsModel model;
+  Tester tester(&model, kFatal);
+  test::FakeStore store(test::sample_attempts());
+  model.set_attempts(store.attempts("p1", ""));
+  ASSERT_EQ(model.rowCount(), 14);
+  QSortFilterProxyModel sorted;
+  Tester sorted_tester(&sorted, kFatal);
+  sorted.setSourceModel(&model);
+  sorted.setSortRole(AttemptsModel::kSortRole);
+  sorted.sort(AttemptsModel::kTime);
+  EXPECT_EQ(sorted.index(0, AttemptsModel::kTime).data(), "00:28");
+  EXPECT_EQ(sorted.index(13, AttemptsModel::kTime).data(), "01:10");
+  EXPECT_TRUE(sorted.index(0, AttemptsModel::kVerdict).data().toString().contains("Met"));
+  EXPECT_EQ(sorted.index(13, AttemptsModel::kReason).data(), "Failed out of time");
+}
+
+TEST(Metrics, AreOldestFirstAndLeaveOutWhatWasStopped) {
+  AttemptsModel model;
+  auto rows = test::sample_attempts();
+  rows[3].outcome = "aborted";
+  rows[4].is_void = true;
+  test::FakeStore store(rows);
+  model.set_attempts(store.attempts("p1", ""));
+  EXPECT_EQ(metric_ids(model.attempts()).mid(0, 3), QStringList({"score", "time", "grasp.tries"}));
+  const MetricSeries path = metric_series(model.attempts(), "motion.path");
+  ASSERT_EQ(path.points.size(), 12);
+  EXPECT_EQ(path.unit, "mm");
+  EXPECT_EQ(path.better, -1);
+  EXPECT_DOUBLE_EQ(path.points.first().value, 90);
+  EXPECT_LT(path.points.last().value, path.points.first().value);
+  EXPECT_TRUE(path.points.last().test);
+  EXPECT_EQ(metric_series(model.attempts(), "score").better, 1);
+  EXPECT_EQ(metric_series(model.attempts(), "org.other.thing").better, 0);
+}
+
+TEST(Reading, FindsTheNumbersOfAScene) {
+  base::Problems problems;
+  const auto session = test::open_fake({}, problems, test::FakeScript{}, std::make_shared<test::FakeLog>());
+  const Reader reader(session->card());
+  EXPECT_TRUE(reader.has_force());
+  auto s = std::make_unique<snapshot::Snapshot>();
+  s->n_signal = 2;
+  s->n_metric = 5;
+  s->n_object = 2;
+  s->signal[0] = 0.7;
+  s->signal[1] = -0.3;
+  s->metric[0] = 2;
+  s->metric[4] = 0.5;
+  s->object_cue[0] = SWAGE_NONE;
+  s->object_cue[1] = 2;  // grasp.point_only
+  s->phase = 1;
+  const Reading r = reader.read(*s);
+  EXPECT_EQ(r.force, 0.7);
+  EXPECT_EQ(r.tilt, 0.3);
+  EXPECT_EQ(r.spot, true);
+  EXPECT_EQ(r.tips, false);
+  EXPECT_EQ(r.hold, 0.5);
+  EXPECT_EQ(r.phase, "Hold it");
+  ASSERT_EQ(r.counts.size(), 2);
+  EXPECT_EQ(r.counts[0].value, "2");
+
+  // a scene that says nothing shows nothing
+  const Reading none = Reader(snapshot::SceneCard{}).read(*s);
+  EXPECT_FALSE(none.force || none.tilt || none.spot || none.tips || none.hold);
+  EXPECT_TRUE(none.counts.isEmpty());
+}
+
+}  // namespace
+}  // namespace swage::console

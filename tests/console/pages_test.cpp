@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The whole window, with keys and clicks. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QComboBox>
+#include <QDialog>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTimer>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+using console::RunControl;
+
+class Pages : public WindowTest {};
+
+TEST_F(Pages, FirstLessonRunsWithOneKeyAndNothingTyped) {
+  open();
+  EXPECT_EQ(child<QLabel>("lesson_title")->text(), QString());
+  QTest::qWait(150);  // the preview of the first lesson
+  EXPECT_EQ(child<QLabel>("lesson_title")->text(), "Grasp the needle");
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_EQ(control()->state(), RunControl::State::kRunning);
+  EXPECT_EQ(log->started, 1);
+  EXPECT_EQ(log->last.person, "Guest");
+  EXPECT_EQ(log->last.device, "mouse");
+  EXPECT_EQ(log->last.mode, "practice");
+  EXPECT_TRUE(QString::fromStdString(log->last.lesson_path).endsWith("010_grasp.json"));
+}
+
+TEST_F(Pages, TwoClicksChooseAndStart) {
+  open();
+  auto* list = child<QListView>("lessons");
+  const QRect second = list->visualRect(list->model()->index(1, 0));
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, second.center());
+  click("start");
+  ASSERT_EQ(log->started, 1);
+  EXPECT_TRUE(QString::fromStdString(log->last.lesson_path).endsWith("020_carry.json"));
+  EXPECT_FALSE(child<QPushButton>("start")->isEnabled());
+}
+
+TEST_F(Pages, KeysPauseResetMarkAndStop) {
+  script.end_s = 0;
+  open();
+  for (const char* name : {"pause", "reset", "mark", "stop"})
+    EXPECT_FALSE(child<QPushButton>(name)->isEnabled());
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  ASSERT_TRUE(wait_for_time(0.1));
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  EXPECT_EQ(control()->state(), RunControl::State::kPaused);
+  EXPECT_EQ(log->paused, 1);
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  EXPECT_EQ(log->resumed, 1);
+  QTest::keyClick(window.get(), Qt::Key_F7);
+  EXPECT_EQ(log->reset, 1);  // the needle, and not the jaws
+  QTest::keyClick(window.get(), Qt::Key_F8);
+  EXPECT_EQ(log->marked, 1);
+  EXPECT_EQ(page()->events()->at(page()->events()->rowCount() - 1).what, "Mark");
+  QTest::keyClick(window.get(), Qt::Key_F5, Qt::ShiftModifier);
+  EXPECT_EQ(log->stopped, 1);
+  EXPECT_EQ(control()->state(), RunControl::State::kFinished);
+  EXPECT_EQ(page()->result()->outcome(), "Stopped");
+  EXPECT_TRUE(child<QPushButton>("start")->isEnabled());
+}
+
+TEST_F(Pages, NumbersEventsAndResultArrive) {
+  script.rate = 20;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_time(6));
+  QTest::qWait(40);
+  EXPECT_NEAR(child<console::ForceMeter>("force_meter")->value().value_or(0), 0.6, 0.2);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return control()->state() == RunControl::State::kFinished; }, 10000));
+  EXPECT_EQ(page()->result()->outcome(), "✓ Met");
+  EXPECT_EQ(page()->result()->reason(), "Held long enough");
+  EXPECT_EQ(page()->events()->rowCount(), 3);
+  EXPECT_TRUE(page()->result()->isVisible());
+  // again, at once
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_EQ(log->started, 2);
+  EXPECT_EQ(page()->events()->rowCount(), 0);
+  EXPECT_FALSE(page()->result()->isVisible());
+}
+
+TEST_F(Pages, NotMetSaysWhy) {
+  script.rate = 200;
+  script.pass = false;
+  open();
+  click("start");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return control()->state() == RunControl::State::kFinished; }, 10000));
+  EXPECT_EQ(page()->result()->outcome(), "✗ Not met yet");
+  EXPECT_EQ(page()->result()->reason(), "The time is over");
+}
+
+TEST_F(Pages, ALessonThatCannotRunSaysWhereAndTheWindowGoesOn) {
+  script.refuse = "\"swage.jaw\" is not installed. Nearest: \"swage.jaws\".";
+  open();
+  QTest::qWait(150);
+  auto* problem = child<QLabel>("problem");
+  EXPECT_TRUE(problem->isVisible());
+  EXPECT_TRUE(problem->text().contains("swage.jaws"));
+  EXPECT_TRUE(problem->text().contains("010_grasp.json"));
+  click("start");
+  EXPECT_EQ(control()->state(), RunControl::State::kIdle);
+  script.refuse.clear();
+  click("start");
+  EXPECT_EQ(control()->state(), RunControl::State::kRunning);
+  EXPECT_FALSE(problem->isVisible());
+}
+
+TEST_F(Pages, ModesDecideDeviceStoreAndCues) {
+  open();
+  child<QAbstractButton>("demo")->click();
+  click("start");
+  EXPECT_EQ(log->last.mode, "demo");
+  EXPECT_EQ(log->last.device, "expert");
+  EXPECT_EQ(log->last.store_path, ":none:");
+  EXPECT_FALSE(page()->view()->instrument());
+  click("stop");
+  child<QAbstractButton>("test")->click();
+  EXPECT_FALSE(child<QPushButton>("cues")->isEnabled());
+  click("start");
+  EXPECT_EQ(log->last.mode, "test");
+  EXPECT_EQ(log->last.store_path, "");
+}
+
+TEST_F(Pages, NameLessonAndThemeAreRemembered) {
+  open();
+  child<QComboBox>("person")->lineEdit()->setText("Arun P.");
+  child<QListView>("lessons")->setCurrentIndex(child<QListView>("lessons")->model()->index(1, 0));
+  click("theme");
+  EXPECT_EQ(window->ui_theme(), "dark");
+  window->close();
+  window.reset();
+  open();
+  EXPECT_EQ(page()->setup()->person(), "Arun P.");
+  EXPECT_TRUE(page()->setup()->lesson().endsWith("020_carry.json"));
+  EXPECT_EQ(window->ui_theme(), "dark");
+}
+
+TEST_F(Pages, ClosingDuringARunStopsIt) {
+  script.end_s = 0;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_time(0.05));
+  window->close();
+  EXPECT_EQ(log->stopped, 1);
+  window.reset();
+}
+
+TEST_F(Pages, EveryControlHasANameAndTheKeyboardReachesAll) {
+  open();
+  int controls = 0;
+  for (QWidget* w : window->findChildren<QWidget*>()) {
+    const bool control = qobject_cast<QAbstractButton*>(w) || qobject_cast<QComboBox*>(w) ||
+                         qobject_cast<QListView*>(w) || qobject_cast<QTableView*>(w) ||
+                         qobject_cast<console::SceneView*>(w);
+    if (!control || w->objectName().startsWith("qt_") || !qobject_cast<QWidget*>(w->parent())) continue;
+    if (w->inherits("QTableCornerButton") || w->inherits("QComboBoxListView")) continue;
+    ++controls;
+    QAccessibleInterface* a = QAccessible::queryAccessibleInterface(w);
+    ASSERT_NE(a, nullptr);
+    EXPECT_FALSE(a->text(QAccessible::Name).isEmpty())
+        << w->metaObject()->className() << " " << w->objectName().toStdString();
+  }
+  EXPECT_GT(controls, 15);
+
+  // Tab goes round through every enabled control of the page; of buttons that exclude each other it stops at the one that is
+  // on, and the arrow keys go on from there
+  QSet<QWidget*> reached;
+  QWidget* at = child<QComboBox>("person");
+  at->setFocus();
+  for (int i = 0; i < 500; ++i) {
+    at = at->nextInFocusChain();
+    if (at->isVisible() && at->isEnabled() && (at->focusPolicy() & Qt::TabFocus)) reached += at;
+  }
+  for (const char* name :
+       {"lessons", "start", "device", "view_side", "cues", "scene_view", "page_0", "theme"}) {
+    EXPECT_TRUE(reached.contains(child<QWidget>(name))) << name;
+  }
+}
+
+TEST_F(Pages, HelpPausesTheRunAndListsTheKeys) {
+  script.end_s = 0;
+  open();
+  click("start");
+  bool seen = false;
+  QTimer::singleShot(100, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    for (QLabel* label : dialog->findChildren<QLabel*>()) seen |= label->text() == "F8";
+    dialog->accept();
+  });
+  QTest::keyClick(window.get(), Qt::Key_F1);
+  EXPECT_TRUE(seen);
+  EXPECT_EQ(control()->state(), RunControl::State::kPaused);
+}
+
+TEST_F(Pages, ProgressIsEmptyWithANextStep) {
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* empty = child<QLabel>("empty");
+  EXPECT_TRUE(empty->isVisible());
+  EXPECT_TRUE(empty->text().contains("after the first lesson"));
+  click("run_lesson");
+  EXPECT_TRUE(page()->isVisible());
+}
+
+TEST_F(Pages, ProgressWithoutAStoreSaysSo) {
+  with_store = false;
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(child<QLabel>("empty")->text().contains("without a store"));
+}
+
+TEST_F(Pages, AfterACrashItSaysWhatWasKept) {
+  to_recover = 1;
+  open();
+  EXPECT_TRUE(child<QLabel>("loop_health")->text().contains("1 attempt"))
+      << child<QLabel>("loop_health")->text().toStdString();
+}
+
+TEST_F(Pages, ProgressShowsAPersonsAttempts) {
+  attempts = sample_attempts();
+  open();
+  EXPECT_GE(child<QComboBox>("person")->findText("Bea L."), 0);
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  console::ProgressPage* progress = window->progress_page();
+  EXPECT_EQ(progress->attempts()->rowCount(), 14);
+  auto* metric = child<QComboBox>("metric");
+  metric->setCurrentIndex(metric->findData("force.peak"));
+  EXPECT_EQ(progress->chart()->series().points.size(), 14);
+  EXPECT_EQ(progress->chart()->series().unit, "N");
+  auto* lesson = child<QComboBox>("lesson_filter");
+  lesson->setCurrentIndex(lesson->findData("swage.series.carry"));
+  EXPECT_EQ(progress->attempts()->rowCount(), 2);
+  EXPECT_EQ(progress->chart()->series().id, "force.peak");
+  progress->select_person("Bea L.");
+  EXPECT_EQ(progress->attempts()->rowCount(), 1);
+  EXPECT_TRUE(progress->chart()->series().points.isEmpty());
+  EXPECT_FALSE(progress->chart()->grab().isNull());
+}
+
+TEST_F(Pages, WithoutOpenGlTheViewSaysSoAndTheRestWorks) {
+  open();
+  if (page()->view()->gl().ok) GTEST_SKIP() << "this machine has OpenGL";
+  QTest::qWait(150);
+  click("start");
+  ASSERT_TRUE(wait_for_time(0.2));
+  EXPECT_FALSE(page()->view()->gl().why.isEmpty());
+  EXPECT_FALSE(window->grab().isNull());
+}
+
+}  // namespace
+}  // namespace swage::test

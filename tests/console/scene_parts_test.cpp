@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/view3d/scene_parts.hpp"
+
+#include <gtest/gtest.h>
+#include <swage/abi/lesson.h>
+
+namespace swage::console {
+namespace {
+
+snapshot::CardShape block(uint32_t body, uint32_t object, swage_vec3 low, swage_vec3 high) {
+  snapshot::CardShape s;
+  s.kind = SWAGE_SHAPE_CONVEX;
+  s.flags = SWAGE_SHAPE_USUAL;
+  s.body = body;
+  s.object = object;
+  s.X_BS.q = {1, 0, 0, 0};
+  for (int i = 0; i < 8; ++i) {
+    s.vertex.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  }
+  s.face = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return s;
+}
+
+// a tray 20 x 10 mm whose inside lies at z = 0, a block on it, a needle above, jaws beside
+snapshot::SceneCard scene() {
+  snapshot::SceneCard card;
+  card.objects = {{"tray", "x", "1", {SWAGE_TRAIT_SOLID, SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
+                  {"pad", "x", "1", {SWAGE_TRAIT_SOLID}, 1, 1, 0, 0},
+                  {"needle", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 2, 1, 0, 0},
+                  {"holder", "x", "1", {SWAGE_TRAIT_GRIPPER}, 3, 1, 0, 0},
+                  {"ball", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 4, 1, 0, 0}};
+  card.shapes = {block(0, 0, {-10e-3, -5e-3, -1e-3}, {10e-3, 5e-3, 0}),
+                 block(0, 0, {9e-3, -5e-3, 0}, {10e-3, 5e-3, 1e-3}),  // a wall
+                 block(1, 1, {-1e-3, -1e-3, 0}, {1e-3, 1e-3, 1e-3}),
+                 block(3, 3, {0, -1e-3, 0}, {40e-3, 1e-3, 1e-3})};
+  snapshot::CardShape arc;
+  arc.kind = SWAGE_SHAPE_ARC;
+  arc.flags = SWAGE_SHAPE_USUAL;
+  arc.body = 2;
+  arc.object = 2;
+  arc.X_BS.q = {1, 0, 0, 0};
+  arc.radius = 0.05e-3;
+  arc.arc_radius = 2e-3;
+  arc.sweep = 2;
+  card.shapes.push_back(arc);
+  snapshot::CardShape ball;
+  ball.kind = SWAGE_SHAPE_SPHERE;
+  ball.flags = SWAGE_SHAPE_USUAL;
+  ball.body = 4;
+  ball.object = 4;
+  ball.X_BS.q = {1, 0, 0, 0};
+  ball.radius = 0.5e-3;
+  card.shapes.push_back(ball);
+  const swage_quat one{1, 0, 0, 0};
+  card.start = {{{0, 0, 0}, one},
+                {{0, 0, 0}, one},
+                {{0, 0, 2e-3}, one},
+                {{6e-3, 0, 2e-3}, one},
+                {{-8e-3, 0, 0.5e-3}, one}};
+  card.motion = {SWAGE_MOTION_FIXED, SWAGE_MOTION_FIXED, SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS,
+                 SWAGE_MOTION_DYNAMIC};
+  judge::Script::Mark region;
+  region.mark.kind = SWAGE_MARK_ARC_RANGE;
+  region.mark.object = 2;
+  region.mark.number[1] = 0.5;
+  region.meaning = "region.target";
+  card.script.marks = {region};
+  return card;
+}
+
+TEST(SceneParts, RolesFollowTraitsAndMotion) {
+  snapshot::SceneCard card = scene();
+  EXPECT_EQ(role_of(card, 0), Role::kStage) << "graspable, but it never moves";
+  EXPECT_EQ(role_of(card, 2), Role::kWork);
+  EXPECT_EQ(role_of(card, 3), Role::kTool);
+  EXPECT_EQ(role_of(card, 99), Role::kOther);
+  card.objects[3].traits.clear();
+  EXPECT_EQ(role_of(card, 3), Role::kTool) << "it follows a device";
+}
+
+TEST(SceneParts, OneMeshPerBodyAndOneSleevePerMark) {
+  const SceneParts parts = make_parts(scene());
+  ASSERT_EQ(parts.part.size(), 6U);
+  EXPECT_EQ(parts.part[0].mesh.index.size(), 2 * 36U);  // both blocks of the tray
+  EXPECT_EQ(parts.part.back().role, Role::kMark);
+  EXPECT_EQ(parts.part.back().body, 2U);
+  // nothing is drawn of shapes that are not to be drawn
+  snapshot::SceneCard card = scene();
+  for (auto& s : card.shapes) s.flags = SWAGE_SHAPE_COLLIDES;
+  EXPECT_EQ(make_parts(card).part.size(), 1U);  // the mark
+}
+
+TEST(SceneParts, GroundIsTheLargestLevelFaceBelowTheWork) {
+  const SceneParts parts = make_parts(scene());
+  EXPECT_TRUE(parts.ground.on_stage);
+  EXPECT_NEAR(parts.ground.z, 0, 1e-4);
+  EXPECT_NEAR(parts.ground.half_x, 10, 1e-3);
+  EXPECT_NEAR(parts.ground.half_y, 5, 1e-3);
+  EXPECT_EQ(parts.part[parts.ground.part].object, 0U);
+  // without a stage: right below the work
+  snapshot::SceneCard card = scene();
+  card.shapes.erase(card.shapes.begin(), card.shapes.begin() + 3);
+  EXPECT_FALSE(make_parts(card).ground.on_stage);
+  EXPECT_NEAR(make_parts(card).ground.z, 1.95, 0.01);
+}
+
+TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
+  const SceneParts parts = make_parts(scene());
+  EXPECT_EQ(parts.watched, 2);
+  EXPECT_LT((parts.work.centre() - QVector3D(0.6F, 1, 2)).length(), 0.6F);
+  // the tool's nearest point is in the picture, its far end is not
+  EXPECT_NEAR(parts.focus.high.x(), 6, 0.01);
+  // nothing marked: both things that can be taken are framed, and none is followed
+  snapshot::SceneCard card = scene();
+  card.script.marks.clear();
+  EXPECT_EQ(make_parts(card).watched, -1);
+  EXPECT_LT(make_parts(card).work.low.x(), -8);
+}
+
+}  // namespace
+}  // namespace swage::console

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Same inputs, same bits: the hash of the whole state at fixed steps of every stock lesson, equal at -O0, at -O2 and with
+// clang. When a hash changes on purpose, write the file anew with SWAGE_WRITE_GOLDEN=1 and say why in the commit.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "run_lesson.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFile = SWAGE_SOURCE_DIR "/tests/determinism/golden.json";
+constexpr uint64_t kSteps[] = {1, 500, 2000, 4000};
+
+struct Case {
+  const char* lesson;
+  const char* hand;
+};
+constexpr Case kCases[] = {
+    {"010_practice_solids", "expert"}, {"020_grasp_basic", "expert"}, {"020_grasp_basic", "clumsy"}};
+
+std::string lesson_file(const std::string& name) {
+  return SWAGE_SOURCE_DIR "/lessons/series/" + name + ".json";
+}
+
+std::string hex(uint64_t hash) {
+  char text[20];
+  std::snprintf(text, sizeof text, "%016lx", hash);
+  return text;
+}
+
+/// Hash of the state after each of kSteps.
+json trace(const Case& c) {
+  swage::stage::LessonRun run(lesson_file(c.lesson), c.hand);
+  json hashes = json::object();
+  if (!run.ready()) {
+    ADD_FAILURE() << run.problems();
+    return hashes;
+  }
+  uint64_t done = 0;
+  for (const uint64_t until : kSteps) {
+    for (; done < until; ++done) run.step();
+    hashes[std::to_string(until)] = hex(run.engine().hash());
+  }
+  return hashes;
+}
+
+TEST(Golden, StockLessonsHaveTheBitsOfTheFile) {
+  json now = json::object();
+  for (const Case& c : kCases) now[std::string(c.lesson) + "/" + c.hand] = trace(c);
+  if (std::getenv("SWAGE_WRITE_GOLDEN")) {
+    std::ofstream(kFile) << now.dump(2) << '\n';
+    GTEST_SKIP() << "golden.json was written anew";
+  }
+  std::ifstream in(kFile);
+  const json golden = json::parse(in);
+  for (const auto& [name, hashes] : golden.items()) EXPECT_EQ(now[name], hashes) << name;
+  EXPECT_EQ(now.size(), golden.size());
+}
+
+TEST(Golden, ARunRepeatsItself) { EXPECT_EQ(trace(kCases[1]), trace(kCases[1])); }
+
+TEST(Golden, AnotherSceneInTheSameProgramChangesNothing) {
+  swage::stage::LessonRun one(lesson_file("020_grasp_basic"), "expert"),
+      alone(lesson_file("020_grasp_basic"), "expert");
+  swage::stage::LessonRun other(lesson_file("010_practice_solids"), "expert");
+  ASSERT_TRUE(one.ready() && alone.ready() && other.ready());
+  for (int i = 0; i < 1000; ++i) one.step(), other.step();
+  for (int i = 0; i < 1000; ++i) alone.step();
+  EXPECT_EQ(one.engine().hash(), alone.engine().hash());
+}
+
+// the comparison can fail: another hand gives other bits
+TEST(Golden, AnotherHandGivesOtherBits) { EXPECT_NE(trace(kCases[1])["4000"], trace(kCases[2])["4000"]); }
+
+}  // namespace

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every shipped bundle has a page, and the parameter table on it is the one in the code.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "host/catalogue.hpp"
+#include "host/units.hpp"
+
+namespace swage::host {
+namespace {
+
+const std::map<std::string, std::string> kPages = {
+    {"swage.object.needle", "plugins/needle/needle.md"},
+    {"swage.object.jaws", "plugins/jaws/jaws.md"},
+    {"swage.object.solids", "plugins/solids/solids.md"},
+    {"swage.coupling.contact", "plugins/coupling_contact/coupling_contact.md"},
+    {"swage.coupling.grasp", "plugins/coupling_grasp/coupling_grasp.md"},
+    {"swage.device.scripted", "devices/scripted/scripted.md"},
+    {"swage.device.replay", "devices/replay/replay.md"},
+    {"swage.device.mouse", "devices/mouse/mouse.md"},
+    {"swage.lesson.grasp", "lessons/grasp/grasp.md"},
+    {"swage.lesson.free_practice", "lessons/free_practice/free_practice.md"},
+};
+
+std::string read(const std::string& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string range(const Param& p) {
+  switch (p.type) {
+    case SWAGE_PARAM_REAL:
+    case SWAGE_PARAM_VECTOR:
+      return format_quantity(p.min, p.display_unit) + " to " + format_quantity(p.max, p.display_unit);
+    case SWAGE_PARAM_INTEGER:
+      return format_number(p.min) + " to " + format_number(p.max);
+    case SWAGE_PARAM_CHOICE: {
+      std::string all;
+      for (const std::string& name : p.choices) all += (all.empty() ? "" : ", ") + name;
+      return all;
+    }
+    default:
+      return "";
+  }
+}
+
+std::string usual(const Param& p) {
+  const auto number = [&](int i) {
+    return format_quantity(p.default_number[static_cast<size_t>(i)], p.display_unit);
+  };
+  switch (p.type) {
+    case SWAGE_PARAM_REAL:
+      return number(0);
+    case SWAGE_PARAM_INTEGER:
+      return format_number(p.default_number[0]);
+    case SWAGE_PARAM_BOOL:
+      return p.default_number[0] != 0 ? "yes" : "no";
+    case SWAGE_PARAM_CHOICE:
+      return p.choices[static_cast<size_t>(p.default_number[0])];
+    case SWAGE_PARAM_VECTOR: {
+      std::string all = number(0);
+      for (uint32_t i = 1; i < p.dimension; ++i) all += ", " + number(static_cast<int>(i));
+      return all;
+    }
+    default:
+      return p.required() ? "must be given" : p.default_text;
+  }
+}
+
+/// The rows as they must stand on the page.
+std::string table(const ParamTable& params) {
+  std::string out = "| parameter | default | range | meaning |\n| --- | --- | --- | --- |\n";
+  for (const Param& p : params) {
+    out += "| `" + p.id + "` | " + usual(p) + " | " + range(p) + " | " + p.doc + " |\n";
+  }
+  return out;
+}
+
+TEST(Docs, EveryBundleHasAPageWithTheTableOfItsParameters) {
+  Catalogue::Options options;
+  options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
+  options.use_environment = false;
+  options.install_dir = SWAGE_BINARY_DIR "/no_such_folder";
+  const Catalogue catalogue(options);
+  for (const auto& [id, page] : kPages) {
+    const PluginInfo* plugin = catalogue.find(id);
+    ASSERT_NE(plugin, nullptr) << id;
+    const std::string text = read(std::string(SWAGE_SOURCE_DIR) + "/" + page);
+    ASSERT_FALSE(text.empty()) << page << " is missing";
+    EXPECT_NE(text.find("`" + id + "`"), std::string::npos) << page << " does not name its plugin";
+    const std::string rows = table(plugin->params);
+    EXPECT_TRUE(text.find(rows) != std::string::npos) << page << " needs this table:\n" << rows;
+    for (const char* part : {"## Model", "## Limits", "## Parameters"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << page << " has no part \"" << part << "\"";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace swage::host

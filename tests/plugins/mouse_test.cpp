@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The mouse: directions of every axis seen in the view, speeds, jaw, smoothing, and the plugin without a pointer.
+#include "mouse/mouse_hand.hpp"
+
+#include "stage.hpp"
+
+namespace swage::mouse {
+namespace {
+
+// the viewer looks along +Y with Z up: right is +X, up is +Z, towards the viewer is -Y
+const Quat kFrontView = toolkit::exp_rotation({0.5 * std::numbers::pi, 0, 0});
+
+swage_pointer still() {
+  swage_pointer p{};
+  p.camera = toolkit::raw(kFrontView);
+  return p;
+}
+
+Speeds quick() {
+  Speeds speeds;
+  speeds.smoothing = 0;
+  return speeds;
+}
+
+/// Where the hand is after holding `p` for n steps of 1 ms. Deltas count once.
+MouseHand after(swage_pointer p, int n = 1, Speeds speeds = quick()) {
+  MouseHand hand(speeds, Pose());
+  for (int i = 0; i < n; ++i) {
+    hand.step(p, 1e-3);
+    p.dx = p.dy = p.wheel = 0;
+  }
+  return hand;
+}
+
+TEST(MouseHand, DragMovesInTheViewPlaneAndTheWheelAlongTheView) {
+  swage_pointer p = still();
+  p.buttons = kLeftButton;
+  p.dx = 0.5;
+  p.dy = 0.25;
+  EXPECT_LT((after(p).pose().p - Vec3(5e-3, 0, 2.5e-3)).norm(), 1e-15);
+  p = still();
+  p.wheel = 3;  // away from the user
+  EXPECT_LT((after(p).pose().p - Vec3(0, 0.6e-3, 0)).norm(), 1e-15);
+  // without a button a movement is only a movement
+  p = still();
+  p.dx = 0.5;
+  EXPECT_EQ(after(p).pose().p, Vec3::Zero());
+}
+
+TEST(MouseHand, RightDragTurnsTheNearSideAlong) {
+  swage_pointer p = still();
+  p.buttons = kRightButton;
+  p.dx = 0.1;
+  // the near side of the tool is at -Y; it goes to the right, +X
+  EXPECT_GT((after(p).pose().q * Vec3(0, -1, 0)).x(), 0.2);
+  p.dx = 0;
+  p.dy = 0.1;
+  EXPECT_GT((after(p).pose().q * Vec3(0, -1, 0)).z(), 0.2);
+  // with control it rolls: what is up goes to the right
+  p.dy = 0;
+  p.dx = 0.1;
+  p.modifiers = kControl;
+  EXPECT_GT((after(p).pose().q * Vec3(0, 0, 1)).x(), 0.2);
+}
+
+TEST(MouseHand, KeysGiveSixAxes) {
+  const auto moved = [](uint64_t key) {
+    swage_pointer p = still();
+    p.keys = key;
+    return after(p, 1000);
+  };
+  const double way = Speeds{}.key_move;
+  EXPECT_LT((moved(letter('d')).pose().p - Vec3(way, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((moved(letter('a')).pose().p - Vec3(-way, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((moved(letter('w')).pose().p - Vec3(0, 0, way)).norm(), 1e-12);
+  EXPECT_LT((moved(letter('s')).pose().p - Vec3(0, 0, -way)).norm(), 1e-12);
+  EXPECT_LT((moved(letter('q')).pose().p - Vec3(0, way, 0)).norm(), 1e-12);
+  EXPECT_LT((moved(letter('e')).pose().p - Vec3(0, -way, 0)).norm(), 1e-12);
+  const double turn = Speeds{}.key_turn;
+  const auto turned = [&](uint64_t key) { return toolkit::log_rotation(moved(key).pose().q); };
+  EXPECT_LT((turned(kRight) - Vec3(0, 0, turn)).norm(), 1e-9);
+  EXPECT_LT((turned(kLeft) - Vec3(0, 0, -turn)).norm(), 1e-9);
+  EXPECT_LT((turned(kDown) - Vec3(turn, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((turned(kUp) - Vec3(-turn, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((turned(kPageUp) - Vec3(0, -turn, 0)).norm(), 1e-9);
+  EXPECT_LT((turned(kPageDown) - Vec3(0, turn, 0)).norm(), 1e-9);
+}
+
+TEST(MouseHand, ShiftIsFine) {
+  swage_pointer p = still();
+  p.keys = letter('d');
+  p.modifiers = kShift;
+  EXPECT_NEAR(after(p, 1000).pose().p.x(), 0.2 * Speeds{}.key_move, 1e-12);
+}
+
+TEST(MouseHand, SqueezeWhileHeldAndStay) {
+  swage_pointer p = still();
+  MouseHand hand(quick(), Pose());
+  p.keys = kSpace;
+  for (int i = 0; i < 500; ++i) hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.3, 1e-12);
+  p.keys = 0;
+  for (int i = 0; i < 500; ++i) hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.3, 1e-12);
+  p.keys = letter('b');
+  for (int i = 0; i < 1000; ++i) hand.step(p, 1e-3);
+  EXPECT_EQ(hand.closure(), 0);
+  // one hand on the mouse is enough
+  p = still();
+  p.buttons = kMiddleButton;
+  for (int i = 0; i < 500; ++i) hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.3, 1e-12);
+  p.modifiers = kControl;
+  for (int i = 0; i < 250; ++i) hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.15, 1e-12);
+  p.buttons = 0;
+  p.wheel = 1;
+  hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.17, 1e-12);
+  EXPECT_EQ(hand.pose().p, Vec3::Zero()) << "with control the wheel closes and does not move";
+}
+
+TEST(MouseHand, WithoutLatchTheJawsOpenAgain) {
+  Speeds speeds = quick();
+  speeds.latch = false;
+  MouseHand hand(speeds, Pose());
+  swage_pointer p = still();
+  p.keys = kSpace;
+  for (int i = 0; i < 500; ++i) hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.closure(), 0.3, 1e-12);
+  p.keys = 0;
+  for (int i = 0; i < 400; ++i) hand.step(p, 1e-3);
+  EXPECT_EQ(hand.closure(), 0);
+}
+
+// the report of a mouse is a step; the hand must neither step nor overshoot, and must arrive
+TEST(MouseHand, SmoothingTakesOutTheStep) {
+  MouseHand hand(Speeds{}, Pose());
+  swage_pointer p = still();
+  p.buttons = kLeftButton;
+  p.dx = 0.1;
+  double last = 0, quickest = 0;
+  for (int i = 0; i < 300; ++i) {
+    hand.step(p, 1e-3);
+    p.dx = 0;
+    const double x = hand.pose().p.x();
+    EXPECT_GE(x, last);
+    quickest = std::max(quickest, (x - last) / 1e-3);
+    last = x;
+  }
+  EXPECT_NEAR(last, 1e-3, 1e-3 * 1e-4);
+  // critically damped: at most 1/e of the step per time constant
+  EXPECT_LT(quickest, 1.05 * 1e-3 / 20e-3 / std::exp(1.0) * 1.03);
+}
+
+TEST(Mouse, RefusesAProgramWithoutAPointer) {
+  stage::Stage stage("swage.device.mouse");
+  ASSERT_EQ(stage.configure(), SWAGE_OK);
+  ASSERT_EQ(stage.activate(), SWAGE_OK);
+  EXPECT_LT(stage.table<swage_device>(SWAGE_EXT_DEVICE).open(stage.raw()), 0);
+  EXPECT_EQ(stage.reports.size(), 1u);
+  // and stands still for a host that goes on regardless
+  stage.on_rt();
+  const swage_command command{};
+  swage_sample sample{};
+  EXPECT_EQ(stage.table<swage_device>(SWAGE_EXT_DEVICE).exchange(stage.raw(), &command, &sample), SWAGE_OK);
+  EXPECT_EQ(sample.pose.p.x, -8e-3);
+}
+
+swage_pointer g_pointer;
+
+TEST(Mouse, StartsWhereItIsToldAndReadsThePointer) {
+  stage::Stage stage("swage.device.mouse");
+  const swage_host_pointer table{[](const swage_host*) -> const swage_pointer* { return &g_pointer; }};
+  stage.pointer_table = &table;
+  ASSERT_EQ(stage.configure({{"start", std::vector<double>{1e-3, 2e-3, 3e-3}},
+                             {"start_axis", std::vector<double>{0, 0, -1}},
+                             {"start_closing", std::vector<double>{1, 0, 0}},
+                             {"smoothing", 0}}),
+            SWAGE_OK);
+  ASSERT_EQ(stage.activate(), SWAGE_OK);
+  const auto& device = stage.table<swage_device>(SWAGE_EXT_DEVICE);
+  ASSERT_EQ(device.open(stage.raw()), SWAGE_OK);
+  stage.on_rt();
+
+  g_pointer = still();
+  swage_command command{};
+  swage_sample sample{};
+  ASSERT_EQ(device.exchange(stage.raw(), &command, &sample), SWAGE_OK);
+  EXPECT_EQ(sample.pose.p.z, 3e-3);
+  EXPECT_LT((toolkit::quat(sample.pose.q) * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-12);
+
+  g_pointer.buttons = kLeftButton;
+  g_pointer.dy = 0.1;
+  command.time_s = 1e-3;
+  device.exchange(stage.raw(), &command, &sample);
+  EXPECT_NEAR(sample.pose.p.z, 4e-3, 1e-15);
+  EXPECT_EQ(sample.sequence, 2u);
+}
+
+TEST(Mouse, RefusesAStartWithoutDirection) {
+  stage::Stage stage("swage.device.mouse");
+  EXPECT_LT(stage.configure({{"start_axis", std::vector<double>{0, 1, 0}}}), 0);
+  EXPECT_EQ(stage.errors.size(), 1u);
+}
+
+}  // namespace
+}  // namespace swage::mouse

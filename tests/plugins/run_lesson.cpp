@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_lesson.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace swage::stage {
+
+LessonRun::LessonRun(const std::string& path, const std::string& device) {
+  host::Catalogue::Options options;
+  options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
+  options.use_environment = false;
+  const host::Catalogue catalogue(options);
+  base::Problems problems;
+  assembly::LessonFile file;
+  if (assembly::read_lesson_file(path, file, problems)) {
+    rig_ = assembly::assemble(file, catalogue, {device, ""}, problems);
+  }
+  for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
+  if (!rig_) return;
+  for (const host::DeviceSlot& slot : rig_->devices) {
+    if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
+      problems_ += "a device did not open\n";
+  }
+  rig_->pointer.camera = {1, 0, 0, 0};
+  engine_ = std::make_unique<step::Engine>(*rig_, step::Options{});
+}
+
+void LessonRun::step() {
+  engine_->step();
+  pointer().dx = pointer().dy = pointer().wheel = 0;
+  for (const judge::Event& event : engine_->events()) happened_[rig_->script.events[event.event].id] += 1;
+}
+
+void LessonRun::run(double max_s, double after_s) {
+  double gone_s = 0;
+  while (verdict().outcome == judge::Outcome::kRunning && world().time() < max_s && gone_s < after_s) {
+    step();
+    if (engine_->hand_gone()) gone_s += world().dt;
+  }
+}
+
+std::string LessonRun::reason() const {
+  return verdict().reason == SWAGE_NONE ? "" : rig_->script.events[verdict().reason].id;
+}
+
+double LessonRun::metric(const std::string& id) const {
+  for (size_t i = 0; i < rig_->script.metrics.size(); ++i) {
+    if (rig_->script.metrics[i].id == id) return verdict().metric[i];
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double LessonRun::signal(const std::string& owner, const std::string& id) const {
+  for (size_t i = 0; i < rig_->script.signals.size(); ++i) {
+    const judge::Name& name = rig_->script.signals[i];
+    if (name.owner == owner && name.id == id) return world().signal[i];
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+int LessonRun::happened(const std::string& id) const {
+  const auto found = happened_.find(id);
+  return found == happened_.end() ? 0 : found->second;
+}
+
+std::string LessonRun::cue(const std::string& object) const {
+  for (size_t i = 0; i < rig_->objects.size(); ++i) {
+    if (rig_->objects[i].instance->name != object) continue;
+    const uint32_t cue = verdict().object_cue[i];
+    return cue == SWAGE_NONE ? "" : rig_->script.cues[cue].id;
+  }
+  return "no such object";
+}
+
+std::string LessonRun::phase() const {
+  return verdict().phase == SWAGE_NONE ? "" : rig_->script.phases[verdict().phase].id;
+}
+
+uint32_t LessonRun::body(const std::string& object) const {
+  for (const host::ObjectSlot& slot : rig_->objects) {
+    if (slot.instance->name == object) return slot.body.first;
+  }
+  return SWAGE_NONE;
+}
+
+}  // namespace swage::stage

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs a lesson file with the real host, contacts and dynamics, as fast as it goes. No threads, no clock.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/assemble.hpp"
+#include "step/step.hpp"
+
+namespace swage::stage {
+
+/// A lesson on the bench.
+class LessonRun {
+ public:
+  /// `device`: as on the command line, "" for the first choice.
+  LessonRun(const std::string& path, const std::string& device);
+
+  bool ready() const { return engine_ != nullptr; }
+  const std::string& problems() const { return problems_; }  // what was wrong, line by line
+
+  /// Until the lesson has its verdict, the hand has come to its end for `after_s`, or `max_s` are over [s, simulated].
+  void run(double max_s, double after_s = 0.5);
+  /// One step.
+  void step();
+  /// What the person does with pointer and keys, read in the next step; deltas then start again at zero.
+  swage_pointer& pointer() { return rig_->pointer; }
+
+  const judge::Verdict& verdict() const { return engine_->verdict(); }
+  std::string outcome() const { return judge::text(verdict().outcome); }
+  std::string reason() const;                  // id of an event
+  double metric(const std::string& id) const;  // NaN until reported
+  double signal(const std::string& owner, const std::string& id) const;
+  int happened(const std::string& id) const;  // how often an event was sent so far
+  std::string cue(const std::string& object) const;
+  std::string phase() const;
+  uint32_t body(const std::string& object) const;  // global index of its first body
+  const scene::World& world() const { return rig_->world; }
+  const step::Engine& engine() const { return *engine_; }
+  const host::Rig& rig() const { return *rig_; }
+
+ private:
+  std::string problems_;
+  std::unique_ptr<host::Rig> rig_;
+  std::unique_ptr<step::Engine> engine_;
+  std::map<std::string, int> happened_;
+};
+
+}  // namespace swage::stage

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The guide shows code that exists: each block is a run of lines of an instantiated template, and each quoted message
+// stands in the sources.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = SWAGE_SOURCE_DIR;
+const fs::path kGuide = kRoot / "framework/sdk/guide";
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The templates as the guide's reader has them: "object/clip.cpp" -> text.
+std::map<std::string, std::string> instantiated() {
+  const struct {
+    const char *kind, *file, *name;
+  } examples[] = {{"object", "clip", "Clip"},
+                  {"coupling", "touch", "Touch"},
+                  {"device", "circle", "Circle"},
+                  {"lesson", "reach", "Reach"}};
+  std::map<std::string, std::string> files;
+  for (const auto& e : examples) {
+    const auto fill = [&e](const std::string& text) {
+      return replaced(
+          replaced(replaced(text, "@ID@", std::string("org.example.") + e.file), "@FILE@", e.file), "@NAME@",
+          e.name);
+    };
+    for (const auto& entry : fs::directory_iterator(kRoot / "resources/plugin_template" / e.kind))
+      files[std::string(e.kind) + "/" + fill(entry.path().filename().string())] = fill(read(entry.path()));
+  }
+  return files;
+}
+
+struct Block {
+  std::string language, source, text;  // source: of the comment above it, "" for none
+  int line = 0;
+};
+
+std::vector<Block> blocks_of(const std::string& page) {
+  std::vector<Block> blocks;
+  std::istringstream in(page);
+  std::string line, above;
+  bool inside = false;
+  for (int number = 1; std::getline(in, line); ++number) {
+    const bool fence = line.starts_with("```");
+    if (fence && !inside) blocks.push_back({line.substr(3), above, "", number});
+    if (fence) inside = !inside;
+    if (inside && !fence) blocks.back().text += line + "\n";
+    const bool comment = line.starts_with("<!-- ") && line.ends_with(" -->");
+    above = comment ? line.substr(5, line.size() - 9) : "";
+  }
+  return blocks;
+}
+
+std::vector<std::string> pages() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kGuide))
+    if (entry.path().extension() == ".md") names.push_back(entry.path().filename().string());
+  return names;
+}
+
+/// What is wrong with the blocks of a page, one line each.
+std::string wrong_blocks(const std::string& page, const std::map<std::string, std::string>& files) {
+  std::string wrong;
+  for (const Block& block : blocks_of(page)) {
+    const std::string where = std::to_string(block.line) + ": ";
+    const auto file = files.find(block.source);
+    if (block.source.empty())
+      wrong += where + "code without a comment that names its file\n";
+    else if (file == files.end())
+      wrong += where + "there is no " + block.source + "\n";
+    else if (("\n" + file->second).find("\n" + block.text) == std::string::npos)
+      wrong += where + "not in " + block.source + "\n";
+  }
+  return wrong;
+}
+
+TEST(Guide, shows_code_that_the_tests_compile) {
+  const auto files = instantiated();
+  size_t blocks = 0;
+  for (const std::string& name : pages()) {
+    const std::string page = read(kGuide / name);
+    EXPECT_EQ(wrong_blocks(page, files), "") << name;
+    blocks += blocks_of(page).size();
+  }
+  EXPECT_GE(blocks, 9u);
+}
+
+TEST(Guide, code_that_has_drifted_is_found) {
+  const std::map<std::string, std::string> files{{"object/clip.cpp", "int a;\nint b;\nint c;\n"}};
+  EXPECT_EQ(wrong_blocks("<!-- object/clip.cpp -->\n```cpp\nint b;\nint c;\n```\n", files), "");
+  EXPECT_EQ(wrong_blocks("<!-- object/clip.cpp -->\n```cpp\nint a;\nint c;\n```\n", files),
+            "2: not in object/clip.cpp\n");
+  EXPECT_EQ(wrong_blocks("<!-- object/clap.cpp -->\n```cpp\nint a;\n```\n", files),
+            "2: there is no object/clap.cpp\n");
+  EXPECT_EQ(wrong_blocks("```cpp\nint a;\n```\n", files), "1: code without a comment that names its file\n");
+}
+
+/// Every "page.md" in "](page.md)".
+std::vector<std::string> links_of(const std::string& page) {
+  std::vector<std::string> links;
+  for (size_t at = 0; (at = page.find("](", at)) != std::string::npos; at += 2)
+    links.push_back(page.substr(at + 2, page.find(')', at) - at - 2));
+  return links;
+}
+
+TEST(Guide, links_lead_somewhere) {
+  size_t links = 0;
+  for (const std::string& name : pages()) {
+    for (const std::string& link : links_of(read(kGuide / name))) {
+      EXPECT_TRUE(fs::exists(kGuide / link)) << name << " -> " << link;
+      ++links;
+    }
+  }
+  EXPECT_GE(links, 9u);
+}
+
+/// All sources of the framework with adjacent string literals joined, as the compiler sees them.
+std::string all_literals() {
+  std::string all;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "framework")) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".hpp" || extension == ".cpp" || extension == ".h") all += read(entry.path());
+  }
+  std::string joined;
+  for (size_t at = 0; at < all.size(); ++at) {
+    const size_t next = all[at] == '"' ? all.find_first_not_of(" \n", at + 1) : std::string::npos;
+    if (next != std::string::npos && all[next] == '"')
+      at = next;
+    else
+      joined += all[at];
+  }
+  return joined;
+}
+
+/// What the first column of a table row quotes: "| `...` | ...".
+std::string quoted_message(const std::string& line) {
+  const size_t end = line.find("` |");
+  return line.starts_with("| `") && end != std::string::npos ? line.substr(3, end - 3) : "";
+}
+
+/// The pieces of a quoted message between what varies.
+std::vector<std::string> fixed_pieces(const std::string& message) {
+  std::vector<std::string> pieces;
+  const std::string dots = "…";
+  size_t from = 0;
+  while (true) {
+    const size_t to = message.find(dots, from);
+    const std::string piece = message.substr(from, to - from);
+    if (!piece.empty()) pieces.push_back(piece);
+    if (to == std::string::npos) return pieces;
+    from = to + dots.size();
+  }
+}
+
+TEST(Guide, quotes_messages_that_exist) {
+  const std::string sources = all_literals();
+  std::istringstream page(read(kGuide / "errors.md"));
+  size_t messages = 0;
+  for (std::string line; std::getline(page, line);) {
+    const std::string message = quoted_message(line);
+    if (message.empty()) continue;
+    ++messages;
+    for (const std::string& piece : fixed_pieces(message))
+      EXPECT_NE(sources.find(piece), std::string::npos) << "no source says: " << piece;
+  }
+  EXPECT_GE(messages, 15u);
+  EXPECT_EQ(sources.find("a message that nobody says, spelt in no source"), std::string::npos);
+}
+
+}  // namespace

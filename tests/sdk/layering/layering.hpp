@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads the sources of a tree and compares them with layers.txt: includes, SPDX lines, room READMEs.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace swage::test {
+
+/// What layers.txt says.
+struct Layers {
+  std::map<std::string, std::set<std::string>> may;    // room -> rooms, files, libraries
+  std::map<std::string, std::set<std::string>> never;  // room -> headers
+
+  /// Throws std::runtime_error with the number of a line that cannot be read.
+  static Layers read(const std::filesystem::path& file);
+};
+
+/// Each violation is one line: "framework/scene/x.hpp:12: scene may not include host (\"host/rig.hpp\")".
+/// The lines come in the order of paths.
+std::vector<std::string> include_violations(const std::filesystem::path& root, const Layers& layers);
+
+/// Source files without their SPDX line (in the first two lines, so that a script may start with #!).
+std::vector<std::string> spdx_violations(const std::filesystem::path& root);
+
+/// Rooms without a README.md, or with one of 30 lines or more.
+std::vector<std::string> readme_violations(const std::filesystem::path& root);
+
+}  // namespace swage::test

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tree keeps its layers; and a tree that breaks every rule once is caught each time, for the right reason.
+#include "layering.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace swage::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::filesystem::path kRoot = SWAGE_SOURCE_DIR;
+const std::filesystem::path kBroken = kRoot / "tests/sdk/layering/broken_tree";
+
+Layers layers() { return Layers::read(kRoot / "tests/sdk/layers.txt"); }
+
+/// One line each, so that a failure can be read.
+std::string lines(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& line : all) text += line + "\n";
+  return text;
+}
+
+TEST(Layering, includes_follow_the_table) {
+  const std::vector<std::string> found = include_violations(kRoot, layers());
+  EXPECT_TRUE(found.empty()) << lines(found);
+}
+
+TEST(Layering, sources_carry_their_licence) {
+  const std::vector<std::string> found = spdx_violations(kRoot);
+  EXPECT_TRUE(found.empty()) << lines(found);
+}
+
+TEST(BrokenTree, wrong_includes_are_found) {
+  Layers table = layers();
+  table.may["devices/pen"] = {"HD"};
+  EXPECT_THAT(
+      include_violations(kBroken, table),
+      ElementsAre(
+          "console/back_door.cpp:7: console may not include host (host/rig.hpp)",
+          "console/back_door.cpp:8: console may not include step (step/step.hpp)",
+          "framework/attic/unknown_room.cpp: layers.txt has no room \"attic\"",
+          "framework/host/qt_below_console.cpp:2: host may not include Qt (QString)",
+          "framework/host/qt_below_console.cpp:3: host may not include QtCore (QtCore/QObject)",
+          "framework/judge/wrapper_in_a_room.cpp:2: judge may not include sdk (swage/object.hpp)",
+          "framework/scene/looks_up.hpp:4: scene may not include host (host/rig.hpp)",
+          "framework/scene/looks_up.hpp:5: scene does without <thread>",
+          "framework/sdk/include/swage/abi/eigen_in_abi.h:3: sdk/abi may not include Eigen (Eigen/Core)",
+          "plugins/needle/knows_too_much.cpp:4: plugins/needle may not include another folder by .. "
+          "(../jaws/jaw.hpp)",
+          "plugins/needle/knows_too_much.cpp:5: plugins/needle may not include plugins/jaws "
+          "(plugins/jaws/jaw.hpp)",
+          "plugins/needle/knows_too_much.cpp:6: plugins/needle may not include scene (scene/world.hpp)",
+          "plugins/needle/knows_too_much.cpp:8: plugins/needle may not include plugins/jaws (jaws/jaw.hpp)"));
+}
+
+TEST(BrokenTree, a_library_is_for_those_who_were_given_it) {
+  const std::vector<std::string> found = include_violations(kBroken, layers());
+  EXPECT_THAT(found,
+              testing::Contains("devices/pen/own_library.cpp:3: devices/pen may not include HD (HD/hd.h)"));
+}
+
+TEST(BrokenTree, missing_licences_are_found) {
+  EXPECT_THAT(spdx_violations(kBroken),
+              ElementsAre("plugins/jaws/no_spdx.hpp: no SPDX line", "scripts/no_spdx.sh: no SPDX line"));
+}
+
+TEST(BrokenTree, missing_and_long_readmes_are_found) {
+  EXPECT_THAT(readme_violations(kBroken),
+              ElementsAre("console: no README.md", "devices: no README.md", "framework/attic: no README.md",
+                          "framework/judge/README.md: 30 lines; a room is told in under 30",
+                          "framework/sdk: no README.md", "plugins: no README.md"));
+}
+
+TEST(Layers, an_unreadable_line_is_told) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "swage_layers_test.txt";
+  std::ofstream(file) << "base:\nscene base\n";
+  EXPECT_THROW(Layers::read(file), std::runtime_error);
+  std::ofstream(file) << "scene always: base\n";
+  EXPECT_THROW(Layers::read(file), std::runtime_error);
+  EXPECT_THROW(Layers::read(file / "absent"), std::runtime_error);
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace swage::test

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The layout as a C compiler sees it. Compiling is the test.
+ */
+#include <stddef.h>
+#include <swage/abi/coupling.h>
+#include <swage/abi/device.h>
+#include <swage/abi/lesson.h>
+#include <swage/abi/object.h>
+
+#define SWAGE_SIZE(type, bytes) _Static_assert(sizeof(type) == bytes, #type);
+#define SWAGE_OFFSET(type, member, bytes) _Static_assert(offsetof(type, member) == bytes, #type "." #member);
+#include "layout.inc"
+
+int swage_layout_holds_in_c(void) { return 1; }

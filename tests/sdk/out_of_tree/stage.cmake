@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: Apache-2.0
+# installs the build into an empty prefix, as a package would:  cmake -D BUILD=<dir> -D STAGE=<prefix> -P stage.cmake
+file(REMOVE_RECURSE ${STAGE})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${STAGE} OUTPUT_QUIET ERROR_VARIABLE problem
+  RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the build cannot be installed; is all of it built?\n${problem}")
+endif()

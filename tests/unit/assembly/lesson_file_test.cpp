@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/lesson_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace swage;
+using assembly::LessonFile;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+struct Read {
+  LessonFile file;
+  std::vector<std::string> said;
+  explicit Read(const std::string& text) {
+    base::Problems problems;
+    const bool whole = assembly::parse_lesson(text, "a.json", file, problems);
+    EXPECT_EQ(whole, !base::failed(problems));
+    EXPECT_EQ(whole, !file.faulty);
+    for (const auto& p : problems) said.push_back(p.where + ": " + p.message);
+  }
+};
+
+// a lesson with more of it
+Read with(const std::string& more) {
+  return Read(
+      R"({"format": "swage-lesson/1", "id": "a", "title": "A", "objects": [{"name": "o", "plugin": "p.q"}],
+"lesson": {"plugin": "p.l"}, )" +
+      more + "}");
+}
+
+}  // namespace
+
+TEST(LessonFile, ReadsEverything) {
+  const Read r(R"({
+    "format": "swage-lesson/1", "id": "org.example.l", "title": "Title", "summary": "Summary.",
+    "x-note": {"anything": ["goes"]},
+    "seed": 18446744073709551615, "rate_hz": "2000 Hz", "scene_length": "2 mm",
+    "gravity": ["0 m/s2", 0, -1.6], "max_time": "90 s", "requires": {"p.q": "^1.2"},
+    "devices": [{"name": "hand", "plugin": "p.mouse", "motion_scale": 10, "force_scale": "50 %",
+                 "pose": {"p": ["1 mm", 0, 0]},
+                 "or": [{"as": "expert", "plugin": "p.script", "params": {"file": "a"}}]}],
+    "objects": [{"name": "tool", "plugin": "p.q", "follows": {"pose": "hand"}, "params": {"a": "1 mm"},
+                 "pose": {"rpy": ["90 deg", 0, "90 deg"]}},
+                {"name": "ball", "plugin": "p.r", "pose": {"q": [0.7071, 0, 0.7071, 0]}}],
+    "couplings": [{"plugin": "p.c", "between": ["tool", "ball"]}, {"plugin": "p.c", "between": ["tool", "ball"]},
+                  {"name": "c_3", "plugin": "p.c", "between": ["tool", "ball"]}],
+    "lesson": {"plugin": "p.l"}
+  })");
+  ASSERT_THAT(r.said, IsEmpty());
+  const LessonFile& f = r.file;
+  EXPECT_EQ(f.seed, 18446744073709551615u);
+  EXPECT_EQ(f.rate_hz, 2000);
+  EXPECT_EQ(f.scene_length, 2e-3);
+  EXPECT_EQ(f.gravity.z, -1.6);
+  EXPECT_EQ(f.max_time_s, 90);
+  EXPECT_EQ(f.devices[0].motion_scale, 10);
+  EXPECT_EQ(f.devices[0].force_scale, 0.5);
+  EXPECT_EQ(f.devices[0].X_WD0.p.x, 1e-3);
+  ASSERT_EQ(f.devices[0].choices.size(), 2u);
+  EXPECT_EQ(f.devices[0].choices[1].as, "expert");
+  EXPECT_EQ(f.devices[0].choices[1].pointer, "/devices/0/or/0");
+  EXPECT_EQ(f.devices[0].choices[1].params, R"({"file":"a"})");
+  EXPECT_EQ(f.objects[0].follow_pose, "hand");
+  EXPECT_EQ(f.objects[0].follow_closure, "");
+  // rolled, then yawed: x goes to y, y to z
+  const swage_quat q = f.objects[0].X_WO.q;
+  EXPECT_NEAR(q.w, 0.5, 1e-15);
+  EXPECT_NEAR(q.x, 0.5, 1e-15);
+  EXPECT_NEAR(q.y, 0.5, 1e-15);
+  EXPECT_NEAR(q.z, 0.5, 1e-15);
+  EXPECT_NEAR(f.objects[1].X_WO.q.y, std::sqrt(0.5), 1e-15) << "made unit";
+  EXPECT_EQ(f.couplings[0].name, "c");
+  EXPECT_EQ(f.couplings[1].name, "c_2");
+  EXPECT_EQ(f.couplings[2].name, "c_3");
+  EXPECT_EQ(f.where("/objects/0/params/a"), "a.json:9 #/objects/0/params/a");
+  EXPECT_EQ(f.where("/objects/0/params/missing"), "a.json:9 #/objects/0/params/missing");
+  EXPECT_EQ(f.where(""), "a.json");
+}
+
+TEST(LessonFile, HasDefaults) {
+  const Read r = with(R"("seed": 1)");
+  ASSERT_THAT(r.said, IsEmpty());
+  EXPECT_EQ(r.file.rate_hz, 1000);
+  EXPECT_EQ(r.file.scene_length, 1e-3);
+  EXPECT_EQ(r.file.gravity.z, -9.80665);
+  EXPECT_EQ(r.file.objects[0].X_WO.q.w, 1);
+}
+
+TEST(LessonFile, NumbersHaveUnitsAndRanges) {
+  EXPECT_THAT(
+      with(R"("rate_hz": 50)").said,
+      ElementsAre("a.json:2 #/rate_hz: 50 is out of range; \"rate_hz\" goes from 100 Hz to 10000 Hz."));
+  EXPECT_THAT(
+      with(R"("scene_length": "1 s")").said,
+      ElementsAre("a.json:2 #/scene_length: \"1 s\" is a time; \"scene_length\" is a length (m, mm, um)."));
+  EXPECT_THAT(with(R"("gravity": [0, 0])").said,
+              ElementsAre("a.json:2 #/gravity: \"gravity\" is a list of 3 numbers, not [0,0]."));
+  EXPECT_THAT(with(R"("gravity": [0, 0, 1e300])").said,
+              ElementsAre("a.json:2 #/gravity/2: 1e+300 is too large."));
+  EXPECT_THAT(with(R"("seed": 1.5)").said,
+              ElementsAre("a.json:2 #/seed: \"seed\" is a whole number from 0, not 1.5."));
+}
+
+TEST(LessonFile, ListsAndObjectsAreWhatTheyAre) {
+  EXPECT_THAT(with(R"("couplings": {})").said,
+              ElementsAre("a.json:2 #/couplings: \"couplings\" is a list [ ... ], not {}."));
+  EXPECT_THAT(
+      with(R"("couplings": [3])").said,
+      ElementsAre(
+          "a.json:2 #/couplings/0: This is a coupling of a lesson: an object { \"name\": value, ... }, "
+          "not 3."));
+  EXPECT_THAT(with(R"("requires": ["a"])").said,
+              ElementsAre("a.json:2 #/requires: \"requires\" is an object { \"plugin.id\": \"^1\", ... }."));
+}
+
+TEST(LessonFile, TellsWhereTheTextStopsToBeJson) {
+  EXPECT_THAT(
+      Read("{\n \"a\" 1}").said,
+      ElementsAre(
+          "a.json:2: This is not valid JSON at column 6: a comma, colon, quotation mark or bracket is "
+          "missing or too many."));
+  EXPECT_EQ(Read("").said.size(), 1u);
+  EXPECT_EQ(Read("{\"a\": 1e999}").said.size(), 1u);
+  EXPECT_THAT(Read(std::string(5 << 20, ' ')).said,
+              ElementsAre("a.json: It is larger than 4 MiB; that is no lesson."));
+  EXPECT_THAT(Read(std::string(200000, '[')).said,
+              ElementsAre("a.json: Its brackets are nested deeper than 32."));
+}
+
+TEST(LessonFile, AMissingFileIsSaid) {
+  LessonFile file;
+  base::Problems problems;
+  EXPECT_FALSE(assembly::read_lesson_file("/there/is/none.json", file, problems));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].where, "/there/is/none.json");
+  EXPECT_EQ(problems[0].message, "There is no such lesson file.");
+  EXPECT_FALSE(assembly::read_lesson_file("/tmp", file, problems)) << "a folder is no file";
+}

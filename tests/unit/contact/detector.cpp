@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/detector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference.hpp"
+#include "scene/kinematics.hpp"
+#include "solids.hpp"
+
+namespace swage::contact {
+namespace {
+
+using bench::Needle;
+
+/// Needle (body 0, object 0) between two jaws (bodies 1 and 2, object 1), gripped with 1 um overlap.
+struct Grasp {
+  explicit Grasp(const Needle& n = {}, Options options = {})
+      : needle(n), world(make(n)), detector(world, pairs(), options) {
+    detector.reserve(set);
+    for (int side : {1, -1}) {
+      const double angle = bench::closing_angle(n, side, 1e-6, true);
+      world.X_WB[side > 0 ? 1 : 2] = bench::jaw_pose(Pose(), side * angle).abi();
+    }
+    world.X_WB[0] = bench::grip_pose(n).abi();
+  }
+  static std::vector<Pair> pairs() {
+    Pair p;
+    p.object_a = 0, p.object_b = 1;
+    return {p};
+  }
+  static scene::World make(const Needle& n) {
+    scene::World w;
+    w.body.resize(3);
+    w.shape = {bench::needle_shape(n), bench::convex_shape(), bench::convex_shape()};
+    w.convex = {bench::convex(bench::jaw(1)), bench::convex(bench::jaw(-1))};
+    for (uint32_t i = 0; i < 3; ++i) {
+      w.body[i].start = Pose().abi();
+      w.shape[i].body = i, w.shape[i].object = i == 0 ? 0 : 1;
+      w.shape[i].convex = i == 0 ? scene::kNone : i - 1;
+    }
+    scene::reset(w);
+    return w;
+  }
+  void detect() { detector.detect(world, set); }
+
+  Needle needle;
+  scene::World world;
+  Detector detector;
+  ContactSet set;
+};
+
+bool same(const ContactSet& a, const ContactSet& b) {
+  if (a.contact.size() != b.contact.size()) return false;
+  for (size_t i = 0; i < a.contact.size(); ++i) {
+    const Contact &x = a.contact[i], &y = b.contact[i];
+    if (x.feature != y.feature || x.shape_b != y.shape_b || x.gap != y.gap || x.p_W != y.p_W ||
+        x.n_W != y.n_W || x.bristle_W != y.bristle_W || x.weight != y.weight)
+      return false;
+  }
+  return true;
+}
+
+TEST(Detector, FindsBothJawsInAFixedOrder) {
+  Grasp g;
+  g.detect();
+  ASSERT_GE(g.set.contact.size(), 3u);
+  ASSERT_EQ(g.set.of_pair.size(), 1u);
+  EXPECT_EQ(g.set.of_pair[0].count, g.set.contact.size());
+  EXPECT_EQ(g.set.contact.size(), g.set.candidate.size());
+  double deepest[2] = {1, 1};
+  for (size_t i = 0; i < g.set.contact.size(); ++i) {
+    const Contact& c = g.set.contact[i];
+    EXPECT_EQ(c.body_a, 0u);
+    EXPECT_EQ(c.body_b, c.shape_b);
+    if (i > 0) {
+      EXPECT_GE(c.shape_b, g.set.contact[i - 1].shape_b);
+    }
+    deepest[c.shape_b - 1] = std::min(deepest[c.shape_b - 1], c.gap);
+    EXPECT_GT((c.shape_b == 1 ? -1 : 1) * c.n_W.z(), 0.5) << "from the jaw into the needle";
+  }
+  EXPECT_NEAR(deepest[0], -1e-6, 1e-11);
+  EXPECT_NEAR(deepest[1], -1e-6, 1e-11);
+}
+
+TEST(Detector, ContactsCarryTheirBristleWhileTheTouchLasts) {
+  Grasp g;
+  g.detect();
+  for (size_t i = 0; i < g.set.contact.size(); ++i)
+    g.set.contact[i].bristle_W = Vec3(1e-9 * static_cast<double>(i + 1), 0, 0);
+  const std::vector<Contact> before = g.set.contact;
+  g.world.X_WB[0].p.y += 2e-6;
+  g.detect();
+  ASSERT_EQ(g.set.contact.size(), before.size());
+  for (size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(g.set.contact[i].feature, before[i].feature);
+    EXPECT_EQ(g.set.contact[i].bristle_W, before[i].bristle_W);
+  }
+
+  // opened and closed again: forgotten
+  const swage_pose closed = g.world.X_WB[1];
+  g.world.X_WB[1] = bench::jaw_pose(Pose(), 0.2).abi();
+  g.detect();
+  g.world.X_WB[1] = closed;
+  g.detect();
+  for (const Contact& c : g.set.contact) EXPECT_EQ(c.bristle_W.isZero(), c.shape_b == 1);
+}
+
+TEST(Detector, BristlePassesFromFaceToEdge) {
+  // a straight wire tilted more and more: its touch moves from a line on the face to the edge
+  Needle n;
+  n.straight = true;
+  Grasp g(n);
+  const Vec3 bristle(0, 3e-9, 0);
+  g.detect();
+  for (Contact& c : g.set.contact) c.bristle_W = bristle;
+  for (int i = 1; i <= 40; ++i) {
+    g.world.X_WB[0].q = toolkit::raw(toolkit::exp_rotation({1e-3 * i, 0, 0}));
+    g.detect();
+    ASSERT_FALSE(g.set.contact.empty());
+    for (const Contact& c : g.set.contact)
+      if (c.gap < 0) {
+        EXPECT_EQ(c.bristle_W, bristle) << "tilt " << i << " mrad";
+      }
+  }
+}
+
+TEST(Detector, SavedAndRestoredItGoesOnBitForBit) {
+  Grasp g, h;
+  for (int i = 0; i < 5; ++i) {
+    g.world.X_WB[0].p.y += 3e-6;
+    g.detect();
+    for (Contact& c : g.set.contact) c.bristle_W += Vec3(1e-9, 2e-9, 0);
+  }
+  std::vector<std::byte> image(g.detector.image_size());
+  scene::Writer out{std::span(image)};
+  g.detector.save(g.set, out);
+  ASSERT_TRUE(out.ok());
+  scene::Reader in{std::span<const std::byte>(image).first(out.size())};
+  ASSERT_TRUE(h.detector.restore(h.set, in));
+  h.world = g.world;
+  for (int i = 0; i < 5; ++i) {
+    g.world.X_WB[0].p.y = h.world.X_WB[0].p.y += 3e-6;
+    g.detect(), h.detect();
+    EXPECT_TRUE(same(g.set, h.set));
+  }
+
+  // an image that ends early is refused
+  scene::Reader shortened{std::span<const std::byte>(image).first(out.size() / 2)};
+  EXPECT_FALSE(h.detector.restore(h.set, shortened));
+}
+
+TEST(Detector, ContactsBeyondTheCapacityAreCounted) {
+  Options few;
+  few.capacity = 2;
+  Grasp g({}, few), all;
+  g.detect(), all.detect();
+  EXPECT_EQ(g.set.contact.size(), 2u);
+  EXPECT_EQ(g.set.dropped, all.set.contact.size() - 2);
+}
+
+TEST(Detector, ChainOfTheThesisTouchesWithItsSpheres) {
+  Options chain;
+  chain.level = Level::kThesis;
+  Grasp g({}, chain);
+  // closed to where the exact arc overlaps by 1 um, the chain does not touch everywhere; 10 um closer it does
+  g.world.X_WB[0].p.z -= 10e-6;
+  g.detect();
+  const bench::Solid lower(bench::jaw(-1));
+  const Pose X_JN = Pose(g.world.X_WB[2]).inverse() * Pose(g.world.X_WB[0]);
+  size_t touching = 0, expected = 0;
+  for (const Contact& c : g.set.contact) touching += c.shape_b == 2 && c.gap < 0;
+  for (const Vec3& p : g.needle.chain(100)) expected += lower.distance(X_JN * p) < g.needle.wire_radius();
+  EXPECT_GT(expected, 0u);
+  EXPECT_EQ(touching, expected);
+}
+
+TEST(Detector, RefusesOptionsOutOfRange) {
+  Options o;
+  o.line_points = 3;
+  EXPECT_THROW(Grasp({}, o), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace swage::contact

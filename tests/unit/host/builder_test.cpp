@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/builder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "snapshot/snapshot.hpp"
+
+using namespace swage::host;
+using swage::scene::kNone;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+constexpr swage_pose kIdentity{{0, 0, 0}, {1, 0, 0, 0}};
+constexpr swage_mass kMass{4e-7, {1e-12, 1e-12, 2e-12}};
+
+// one configure call of one instance
+struct Bench {
+  swage::scene::World world;
+  swage::judge::Script script;
+  swage::base::Problems problems;
+  Builder builder;
+  swage_builder* raw;
+
+  explicit Bench(int32_t kind = SWAGE_KIND_OBJECT, swage_pose X_WO = kIdentity)
+      : builder({kind, "thing", 0, X_WO, {}}, world, script, problems), raw(builder.abi()) {}
+
+  uint32_t body(int32_t motion = SWAGE_MOTION_FIXED, const swage_mass* mass = nullptr,
+                const char* name = "b") {
+    return raw->body(raw, motion, &kIdentity, mass, name);
+  }
+  std::vector<std::string> said() const {
+    std::vector<std::string> out;
+    for (const auto& p : problems) out.push_back(p.message);
+    return out;
+  }
+};
+
+// a cube of edge 2, its faces counter-clockwise from outside
+struct Cube {
+  double vertex[24];
+  uint32_t start[7] = {0, 4, 8, 12, 16, 20, 24};
+  uint32_t face[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+  Cube() {
+    for (int i = 0; i < 8; ++i) {
+      vertex[3 * i] = (i & 1) != 0 ? 3 : 1;  // centre at x = 2
+      vertex[3 * i + 1] = (i & 2) != 0 ? 1 : -1;
+      vertex[3 * i + 2] = (i & 4) != 0 ? 1 : -1;
+    }
+  }
+  swage_convex abi() const { return {8, 6, vertex, start, face}; }
+};
+
+}  // namespace
+
+TEST(Builder, PlacesBodiesInTheWorld) {
+  const double h = std::sqrt(0.5);
+  Bench b(SWAGE_KIND_OBJECT, {{1, 0, 0}, {h, 0, 0, h}});  // a quarter turn about z
+  const swage_pose X_OB{{0, 1, 0}, {1, 0, 0, 0}};
+  EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_DYNAMIC, &X_OB, &kMass, "tip"), 0u);
+  EXPECT_THAT(b.said(), IsEmpty());
+  const auto& info = b.world.body.at(0);
+  EXPECT_NEAR(info.start.p.x, 0, 1e-15);
+  EXPECT_NEAR(info.start.p.y, 0, 1e-15);
+  EXPECT_NEAR(info.start.q.z, h, 1e-15);
+  EXPECT_EQ(info.mass, 4e-7);
+  EXPECT_EQ(b.world.X_WB.size(), 1u);
+  EXPECT_EQ(b.world.V_WB.size(), 1u);
+  EXPECT_EQ(b.world.F_B_W.size(), 1u);
+}
+
+TEST(Builder, RefusesBodiesThatCannotBe) {
+  Bench b;
+  const swage_pose skewed{{0, 0, 0}, {1, 1, 0, 0}}, far{{INFINITY, 0, 0}, {1, 0, 0, 0}};
+  const swage_mass none{0, {1, 1, 1}}, flat{1, {1, 1, 2.1}}, hollow{1, {0, 1, 1}};
+  EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_FIXED, &skewed, nullptr, "b"), kNone);
+  EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_FIXED, &far, nullptr, "b"), kNone);
+  EXPECT_EQ(b.body(9), kNone);
+  EXPECT_EQ(b.body(SWAGE_MOTION_FIXED, &kMass), kNone);
+  EXPECT_EQ(b.body(SWAGE_MOTION_DYNAMIC), kNone);
+  EXPECT_EQ(b.body(SWAGE_MOTION_DYNAMIC, &none), kNone);
+  EXPECT_EQ(b.body(SWAGE_MOTION_DYNAMIC, &flat), kNone);
+  EXPECT_EQ(b.body(SWAGE_MOTION_DYNAMIC, &hollow), kNone);
+  EXPECT_TRUE(b.builder.failed());
+  EXPECT_THAT(
+      b.said(),
+      ElementsAre("Body \"b\": the start pose is not a position and a unit quaternion.",
+                  "Body \"b\": the start pose is not a position and a unit quaternion.",
+                  "Body \"b\": motion 9 is unknown.", "Body \"b\": only dynamic bodies have a mass.",
+                  "Body \"b\": a dynamic body needs a mass > 0 kg.",
+                  "Body \"b\": a dynamic body needs a mass > 0 kg.",
+                  "Body \"b\": no body has these moments of inertia: one exceeds the sum of the others.",
+                  "Body \"b\": a dynamic body needs moments of inertia > 0 kg m2."));
+}
+
+TEST(Builder, CapacitiesAreThoseOfTheSnapshot) {
+  Bench b;
+  for (uint32_t i = 0; i < swage::snapshot::kMaxBodies; ++i) EXPECT_EQ(b.body(), i);
+  EXPECT_EQ(b.body(), kNone);
+  std::vector<double> p(3 * 1025, 0), m(1025, 1e-9);
+  EXPECT_EQ(b.raw->particles(b.raw, 1025, p.data(), m.data(), 0), kNone);
+  EXPECT_EQ(b.raw->particles(b.raw, 1024, p.data(), m.data(), 0), 0u);
+  EXPECT_THAT(b.said(), ElementsAre("The scene would have 65 bodies; there is room for 64.",
+                                    "The scene would have 1025 particles; there is room for 1024."));
+}
+
+TEST(Builder, ShapesGetTheirFrames) {
+  Bench b;
+  b.body();
+  EXPECT_EQ(b.raw->sphere(b.raw, 0, {1, 2, 3}, 0.5, SWAGE_SHAPE_USUAL), 0u);
+  EXPECT_EQ(b.raw->capsule(b.raw, 0, {0, 0, 0}, {4, 0, 0}, 1, SWAGE_SHAPE_USUAL), 1u);
+  EXPECT_EQ(b.raw->cylinder(b.raw, 0, {0, 0, -2}, {0, 0, 2}, 1, SWAGE_SHAPE_DRAWN), 2u);
+  const swage_arc arc{kIdentity, 2.6e-3, 2.4, 5e-5};
+  EXPECT_EQ(b.raw->arc(b.raw, 0, &arc, SWAGE_SHAPE_USUAL), 3u);
+  ASSERT_THAT(b.said(), IsEmpty());
+  const auto& capsule = b.world.shape[1];
+  EXPECT_EQ(capsule.half_length, 2);
+  EXPECT_EQ(capsule.X_BS.p.x, 2);
+  EXPECT_NEAR(capsule.X_BS.q.y, std::sqrt(0.5), 1e-15) << "the z axis of S points from a to b";
+  EXPECT_EQ(capsule.bounding_radius, 3);
+  EXPECT_DOUBLE_EQ(b.world.shape[2].bounding_radius, std::sqrt(5.0));
+  EXPECT_EQ(b.world.shape[3].arc_radius, 2.6e-3);
+  EXPECT_EQ(b.world.shape[3].radius, 5e-5);
+}
+
+TEST(Builder, RefusesShapesThatCannotBe) {
+  Bench b;
+  b.body();
+  const swage_arc fat{kIdentity, 1e-3, 1, 1e-3}, round{kIdentity, 1e-3, 6.3, 1e-5};
+  EXPECT_EQ(b.raw->sphere(b.raw, 1, {0, 0, 0}, 1, 3), kNone);
+  EXPECT_EQ(b.raw->sphere(b.raw, kNone, {0, 0, 0}, 1, 3), kNone);
+  EXPECT_EQ(b.raw->sphere(b.raw, 0, {0, 0, 0}, -1, 3), kNone);
+  EXPECT_EQ(b.raw->capsule(b.raw, 0, {1, 1, 1}, {1, 1, 1}, 1, 3), kNone);
+  EXPECT_EQ(b.raw->arc(b.raw, 0, &fat, 3), kNone);
+  EXPECT_EQ(b.raw->arc(b.raw, 0, &round, 3), kNone);
+  EXPECT_EQ(b.raw->sphere(b.raw, 0, {0, 0, 0}, 1, 8), kNone);
+  EXPECT_THAT(b.said(),
+              ElementsAre("A sphere is fixed to body 1, which was not declared.",
+                          "A sphere is fixed to body NONE, which was not declared.",
+                          "A sphere needs a centre and a radius > 0 m.",
+                          "A capsule needs two different ends and a radius > 0 m.",
+                          "An arc needs 0 < wire radius < radius.",
+                          "An arc needs a sweep between 0 and 2 pi rad.", "A shape has unknown flags (8)."));
+}
+
+TEST(Builder, ConvexesAreCentredAndChecked) {
+  Bench b;
+  b.body();
+  Cube cube;
+  swage_convex convex = cube.abi();
+  ASSERT_EQ(b.raw->convex(b.raw, 0, &convex, SWAGE_SHAPE_USUAL), 0u) << b.problems[0].message;
+  const auto& shape = b.world.shape[0];
+  EXPECT_EQ(shape.X_BS.p.x, 2);
+  EXPECT_DOUBLE_EQ(shape.bounding_radius, std::sqrt(3.0));
+  EXPECT_EQ(b.world.convex[shape.convex].edge.size(), 12u);
+  EXPECT_EQ(b.world.convex[shape.convex].face.size(), 6u);
+
+  const auto refused = [&](Cube bad) {
+    const swage_convex c = bad.abi();
+    const std::size_t shapes = b.world.shape.size(), convexes = b.world.convex.size(),
+                      said = b.problems.size();
+    EXPECT_EQ(b.raw->convex(b.raw, 0, &c, SWAGE_SHAPE_USUAL), kNone);
+    EXPECT_EQ(b.world.shape.size(), shapes);
+    EXPECT_EQ(b.world.convex.size(), convexes);
+    EXPECT_EQ(b.problems.size(), said + 1);
+  };
+  Cube inward = cube, dented = cube, open = cube, wild = cube, backwards = cube;
+  std::swap(inward.face[0], inward.face[2]);
+  dented.vertex[0] = 2;
+  open.start[6] = 20;
+  wild.face[0] = 8;
+  backwards.start[3] = 4;
+  for (const Cube& bad : {inward, dented, open, wild, backwards}) refused(bad);
+  const swage_convex nothing{};
+  EXPECT_EQ(b.raw->convex(b.raw, 0, &nothing, SWAGE_SHAPE_USUAL), kNone);
+  EXPECT_EQ(b.said().back(), "A convex polyhedron needs vertices and faces.");
+}
+
+TEST(Builder, HingesJoinParentAndChild) {
+  Bench b;
+  const swage_pose X_OC{{0, 0, 5e-3}, {1, 0, 0, 0}};
+  b.body();
+  b.raw->body(b.raw, SWAGE_MOTION_HINGED, &X_OC, nullptr, "jaw");
+  const swage_hinge good{0, 1, {0, 0, 0}, {0, 1, 0}, 1e-9, -0.1, 0.3};
+  EXPECT_EQ(b.raw->hinge(b.raw, &good), 0u);
+  b.builder.finish();
+  EXPECT_THAT(b.said(), IsEmpty());
+  EXPECT_EQ(b.world.hinge[0].X_PC0.p.z, 5e-3);
+  EXPECT_EQ(b.world.body[1].hinge, 0u);
+  EXPECT_EQ(b.world.drive.size(), 1u);
+  EXPECT_EQ(b.raw->hinge(b.raw, &good), kNone);
+  EXPECT_EQ(b.said().back(), "The hinge of body \"jaw\" is there twice.");
+}
+
+TEST(Builder, RefusesHingesThatCannotBe) {
+  Bench b;
+  b.body(SWAGE_MOTION_HINGED, nullptr, "early");
+  b.body();
+  b.body(SWAGE_MOTION_HINGED, nullptr, "jaw");
+  const swage_hinge to_fixed{0, 1, {0, 0, 0}, {0, 1, 0}, 1e-9, 0, 1},
+      backwards{1, 0, {0, 0, 0}, {0, 1, 0}, 1e-9, 0, 1}, long_axis{1, 2, {0, 0, 0}, {0, 2, 0}, 1e-9, 0, 1},
+      light{1, 2, {0, 0, 0}, {0, 1, 0}, 0, 0, 1}, off{1, 2, {0, 0, 0}, {0, 1, 0}, 1e-9, 0.1, 1},
+      nowhere{7, 2, {0, 0, 0}, {0, 1, 0}, 1e-9, 0, 1};
+  for (const swage_hinge& h : {to_fixed, backwards, long_axis, light, off, nowhere})
+    EXPECT_EQ(b.raw->hinge(b.raw, &h), kNone);
+  b.builder.finish();
+  EXPECT_THAT(
+      b.said(),
+      ElementsAre("The hinge of body \"b\": the child must be declared as hinged.",
+                  "The hinge of body \"early\": the parent must be declared before the child.",
+                  "The hinge of body \"jaw\" needs an anchor and a unit axis.",
+                  "The hinge of body \"jaw\" needs an inertia > 0 kg m2.",
+                  "The hinge of body \"jaw\": angle 0 is the start pose, so min <= 0 <= max and min < max.",
+                  "A hinge is fixed to body 7, which was not declared.",
+                  "Body \"early\" is hinged, but no hinge names it as its child.",
+                  "Body \"jaw\" is hinged, but no hinge names it as its child."));
+}
+
+TEST(Builder, EachKindDeclaresItsOwn) {
+  Bench lesson(SWAGE_KIND_LESSON), coupling(SWAGE_KIND_COUPLING), device(SWAGE_KIND_DEVICE), object;
+  const auto declare = [](Bench& b, int32_t what) { return b.raw->declare(b.raw, what, "a.b", "1", "Doc."); };
+  for (const int32_t what :
+       {SWAGE_DECLARE_METRIC, SWAGE_DECLARE_CUE, SWAGE_DECLARE_EVENT, SWAGE_DECLARE_PHASE})
+    EXPECT_EQ(declare(lesson, what), 0u);
+  EXPECT_EQ(declare(lesson, SWAGE_DECLARE_SIGNAL), kNone);
+  EXPECT_EQ(declare(coupling, SWAGE_DECLARE_SIGNAL), 0u);
+  EXPECT_EQ(declare(coupling, SWAGE_DECLARE_EVENT), 0u);
+  EXPECT_EQ(declare(coupling, SWAGE_DECLARE_METRIC), kNone);
+  EXPECT_EQ(declare(object, SWAGE_DECLARE_SIGNAL), 0u);
+  EXPECT_EQ(declare(object, SWAGE_DECLARE_EVENT), kNone);
+  EXPECT_EQ(declare(device, SWAGE_DECLARE_SIGNAL), kNone);
+  EXPECT_EQ(device.raw->state(device.raw, 1), kNone);
+  EXPECT_EQ(lesson.body(), kNone);
+  EXPECT_EQ(coupling.world.signal.size(), 1u);
+  EXPECT_EQ(lesson.said().back(), "A lesson has no bodies.");
+  EXPECT_EQ(object.said().back(), "An object has no events.");
+}
+
+TEST(Builder, NamesAreCheckedAndUnitsAreSi) {
+  Bench b;
+  const auto signal = [&](const char* id, const char* unit, const char* doc) {
+    return b.raw->declare(b.raw, SWAGE_DECLARE_SIGNAL, id, unit, doc);
+  };
+  EXPECT_EQ(signal("grip.force", "N", "Force."), 0u);
+  EXPECT_EQ(signal("grip.force", "N", "Force."), kNone);
+  EXPECT_EQ(signal("Grip", "N", "Force."), kNone);
+  EXPECT_EQ(signal("grip.length", "mm", "Length."), kNone);
+  EXPECT_EQ(signal("grip.length", "m", ""), kNone);
+  EXPECT_EQ(signal(nullptr, nullptr, nullptr), kNone);
+  EXPECT_THAT(
+      b.said(),
+      ElementsAre("\"grip.force\" is declared twice.", "\"Grip\" is not a name such as \"grasp.force\".",
+                  testing::StartsWith("\"grip.length\": \"mm\" is not an SI unit of the table (m, mm,"),
+                  "\"grip.length\" has no doc.", "\"\" is not a name such as \"grasp.force\"."));
+}
+
+TEST(Builder, StateAndErrorsOfTheAuthor) {
+  Bench b;
+  EXPECT_EQ(b.raw->state(b.raw, 3), 0u);
+  EXPECT_EQ(b.raw->state(b.raw, 2), 3u);
+  EXPECT_EQ(b.world.plugin_state.size(), 5u);
+  EXPECT_FALSE(b.builder.failed());
+  b.raw->error(b.raw, "arc", "too thin");
+  EXPECT_TRUE(b.builder.failed());
+  EXPECT_EQ(b.problems[0].where, "thing");
+  EXPECT_EQ(b.problems[0].message, "too thin");
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/plugin_info.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace swage::host;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+PluginInfo clip() {
+  PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_OBJECT;
+  plugin.id = "org.example.clip";
+  plugin.version = "1.2.0";
+  plugin.name = "Clip";
+  plugin.summary = "Rigid clip.";
+  plugin.author = "Example";
+  plugin.licence = "Apache-2.0";
+  plugin.traits = {"swage.trait.solid/1"};
+  plugin.abi_major = 1;
+  return plugin;
+}
+
+}  // namespace
+
+TEST(PluginInfo, FaultsOfADescriptor) {
+  EXPECT_THAT(plugin_faults(clip()), IsEmpty());
+  PluginInfo bad = clip();
+  bad.kind = SWAGE_KIND_DEVICE;
+  bad.id = "Clip";
+  bad.version = "v1";
+  bad.summary = "";
+  EXPECT_THAT(plugin_faults(bad),
+              ElementsAre("Id \"Clip\" is not a reverse domain in lower case such as \"org.example.clip\".",
+                          "Version \"v1\" is not three numbers such as \"1.2.0\".",
+                          "Only objects offer traits.", "It has no summary."));
+}
+
+TEST(PluginInfo, IdsAreReverseDomains) {
+  for (const char* id :
+       {"clip", "org..clip", "org.clip.", ".org.clip", "org.Clip", "org.1clip", "org.my-clip", ""}) {
+    PluginInfo bad = clip();
+    bad.id = id;
+    EXPECT_EQ(plugin_faults(bad).size(), 1u) << id;
+  }
+}
+
+TEST(PluginInfo, TheSidecarSaysTheSame) {
+  std::string hash, error;
+  std::vector<PluginInfo> back;
+  const std::string text = write_sidecar("/somewhere/clip.so", "0123", {clip()});
+  ASSERT_TRUE(read_sidecar(text, hash, back, error)) << error;
+  EXPECT_EQ(hash, "0123");
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_EQ(write_sidecar("/elsewhere/clip.so", "0123", back), text);
+}
+
+TEST(PluginInfo, RefusesWhatIsNoSidecar) {
+  std::string hash, error;
+  std::vector<PluginInfo> back;
+  for (const char* text : {"", "{", "[]", "{}", R"({"format": "swage-plugin/2"})",
+                           R"({"format": "swage-plugin/1", "hash": 3, "plugins": []})"}) {
+    EXPECT_FALSE(read_sidecar(text, hash, back, error)) << text;
+    EXPECT_THAT(error, testing::StartsWith("It is not a swage-plugin/1 file: "));
+  }
+}
+
+TEST(PluginInfo, TheHashIsThatOfTheContent) {
+  const std::string a = testing::TempDir() + "hash_a", b = testing::TempDir() + "hash_b";
+  std::ofstream(a) << std::string(100'000, 'x');
+  std::ofstream(b) << std::string(100'000, 'x');
+  EXPECT_EQ(content_hash(a), content_hash(b));
+  EXPECT_EQ(content_hash(a).size(), 16u);
+  std::ofstream(b) << std::string(99'999, 'x') << 'y';
+  EXPECT_NE(content_hash(a), content_hash(b));
+  EXPECT_EQ(content_hash("/there/is/no/such/file"), "");
+}

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a bad plugin costs: its attempt, not the session, and never the record of others.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "record/store.hpp"
+#include "session/session.hpp"
+
+namespace swage::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string told(const Problems& problems) {
+  std::string out;
+  for (const Problem& p : problems) out += p.where + ": " + p.message + "\n";
+  return out;
+}
+
+// a bad ball beside a good one, both free in space
+class Misdeeds : public ::testing::Test {
+ protected:
+  Misdeeds() {
+    char name[] = "/tmp/swage-misdeeds-XXXXXX";
+    folder = mkdtemp(name);
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+    setenv("XDG_DATA_HOME", folder.c_str(), 1);
+    unsetenv("SWAGE_PLUGIN_PATH");
+    fs::create_directory(folder + "/plugins");
+    use("org.example.ball", BAD_PLUGINS_DIR);
+    use("swage.lesson.look", SWAGE_BINARY_DIR "/plugins");
+    options.lesson_path = folder + "/lesson.json";
+    options.plugin_dirs = {folder + "/plugins"};
+    options.store_path = folder + "/attempts.db";
+    options.pace = Pace::kFastest;
+    options.max_time_s = 0.2;
+  }
+  ~Misdeeds() override { fs::remove_all(folder); }
+
+  void use(const std::string& id, const std::string& from) {
+    fs::create_directory_symlink(from + "/" + id, folder + "/plugins/" + id);
+  }
+  void with(const std::string& fault) {
+    const std::string id = "org.example.bad." + fault;
+    use(id, BAD_PLUGINS_DIR);
+    std::ofstream(options.lesson_path)
+        << R"({ "format": "swage-lesson/1", "id": "test.misdeeds", "title": "Misdeeds",
+      "objects": [ { "name": "good", "plugin": "org.example.ball" },
+                   { "name": "bad", "plugin": ")"
+        << id << R"(", "pose": { "p": [0.1, 0, 0] } } ],
+      "lesson": { "plugin": "swage.lesson.look" } })";
+  }
+  void with_good_lesson() {
+    std::ofstream(options.lesson_path) << R"({ "format": "swage-lesson/1", "id": "test.good", "title": "Good",
+      "objects": [ { "name": "good", "plugin": "org.example.ball" } ],
+      "lesson": { "plugin": "swage.lesson.look" } })";
+  }
+  Result run() {
+    Problems problems;
+    auto session = Session::open(options, problems);
+    EXPECT_NE(session, nullptr) << told(problems);
+    if (!session) return {};
+    session->start();
+    session->wait();
+    return session->result();
+  }
+  // the same in a program of its own; returns how it ended, `said` is what it wrote to stderr
+  int run_in_child(std::string& said) {
+    const std::string file = folder + "/stderr";
+    const pid_t child = fork();
+    if (child == 0) {
+      if (!freopen(file.c_str(), "w", stderr)) _exit(99);
+      run();
+      _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    std::ifstream in(file);
+    said.assign(std::istreambuf_iterator<char>(in), {});
+    return status;
+  }
+  record::AttemptRow only_attempt() {
+    std::string error;
+    auto store = record::Store::open(options.store_path, error);
+    EXPECT_NE(store, nullptr) << error;
+    const auto rows = store ? store->attempts("") : std::vector<record::AttemptRow>();
+    EXPECT_EQ(rows.size(), 1u);
+    return rows.empty() ? record::AttemptRow() : rows[0];
+  }
+
+  std::string folder;
+  Options options;
+};
+
+TEST_F(Misdeeds, NonsenseVoidsTheAttemptAndNamesTheCulprit) {
+  for (const char* fault : {"nan", "throws", "huge", "sets_fpu"}) {
+    with(fault);
+    const Result result = run();
+    EXPECT_EQ(result.outcome, judge::Outcome::kVoid) << fault;
+    EXPECT_EQ(result.reason, "host.quarantined") << fault;
+    EXPECT_EQ(result.score, 0);
+    EXPECT_LT(result.steps, 20u);
+    const std::string all = told(result.problems);
+    EXPECT_NE(all.find("bad: bad (org.example.bad." + std::string(fault)), std::string::npos) << all;
+    EXPECT_EQ(all.find("good:"), std::string::npos) << all;
+  }
+}
+
+TEST_F(Misdeeds, AGoodPluginIsNotAccused) {
+  with_good_lesson();
+  const Result result = run();
+  EXPECT_EQ(result.outcome, judge::Outcome::kAborted);
+  EXPECT_EQ(result.reason, "time.limit");
+  EXPECT_EQ(result.steps, 200u);
+}
+
+// In real time the scene goes on without the culprit, so that everybody sees what is left.
+TEST_F(Misdeeds, TheOthersKeepRunning) {
+  with("nan");
+  options.pace = Pace::kRealtime;
+  const Result result = run();
+  EXPECT_EQ(result.outcome, judge::Outcome::kVoid);
+  EXPECT_EQ(result.steps, 200u);
+}
+
+// two milliseconds of its own processor time in each of one
+TEST_F(Misdeeds, AlwaysLateIsQuarantinedInRealTimeAlone) {
+  with("slow");
+  options.pace = Pace::kRealtime;
+  const Result clocked = run();
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+  EXPECT_EQ(clocked.outcome, judge::Outcome::kVoid) << told(clocked.problems);
+  EXPECT_NE(told(clocked.problems).find("was late"), std::string::npos) << told(clocked.problems);
+#endif
+  EXPECT_GT(clocked.health.own_overrun, 5u);
+  options.pace = Pace::kFastest;
+  EXPECT_EQ(run().outcome, judge::Outcome::kAborted);  // without a clock nobody is late
+}
+
+TEST_F(Misdeeds, ACrashIsRememberedAndTheRecordIsSafe) {
+  with("crashes_in_step");
+  std::string said;
+  const int status = run_in_child(said);
+  EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) != 0);
+
+  // the next start tells
+  Problems problems;
+  with_good_lesson();
+  ASSERT_NE(Session::open(options, problems), nullptr);
+  const std::string all = told(problems);
+  EXPECT_NE(all.find("forces() of \"bad\" (org.example.bad.crashes_in_step) at step 10"), std::string::npos)
+      << all;
+  EXPECT_NE(all.find("safe mode"), std::string::npos);
+  problems.clear();
+  ASSERT_NE(Session::open(options, problems), nullptr);
+  EXPECT_EQ(told(problems).find("safe mode"), std::string::npos);  // once
+}
+
+TEST_F(Misdeeds, AHangEndsTheProgramWithTheAttemptSaved) {
+  with("hangs_in_step");
+  options.pace = Pace::kRealtime;
+  std::string said;
+  const int status = run_in_child(said);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 70);
+  EXPECT_NE(said.find("forces() of \"bad\" (org.example.bad.hangs_in_step"), std::string::npos) << said;
+  EXPECT_NE(said.find("The attempt was saved"), std::string::npos);
+  const record::AttemptRow row = only_attempt();
+  EXPECT_TRUE(row.is_void);
+  EXPECT_NE(row.state, "running");
+  EXPECT_EQ(row.reason, "host.hung");
+}
+
+}  // namespace
+}  // namespace swage::session

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/watchdog.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace swage::session {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Watchdog::Settings kQuick{2, 10, 100};
+
+// waits until `done`, at most ten seconds
+template <class F>
+bool eventually(F done) {
+  for (int i = 0; i < 5000 && !done(); ++i) std::this_thread::sleep_for(2ms);
+  return done();
+}
+
+TEST(Watchdog, IsSilentWhileTheStepBeats) {
+  std::atomic<uint64_t> asked{0};
+  std::atomic<int> hung{0};
+  Watchdog dog([&] { return asked.fetch_add(1); }, [&] { ++hung; }, kQuick);
+  dog.start();
+  ASSERT_TRUE(eventually([&] { return asked.load() > 100; }));
+  dog.stop();
+  EXPECT_EQ(dog.stalls(), 0u);
+  EXPECT_EQ(hung.load(), 0);
+}
+
+TEST(Watchdog, SeesAStallAndItsEnd) {
+  std::atomic<uint64_t> beat{0};
+  std::atomic<bool> beating{false};
+  Watchdog dog([&] { return beating ? ++beat : beat.load(); }, [] {}, {2, 10, 1000000});
+  dog.start();
+  EXPECT_TRUE(eventually([&] { return dog.stalled(); }));
+  beating = true;
+  EXPECT_TRUE(eventually([&] { return !dog.stalled(); }));
+  EXPECT_EQ(dog.stalls(), 1u);
+}
+
+TEST(Watchdog, AccusesOnceAfterALongSilence) {
+  std::atomic<int> hung{0};
+  std::atomic<int> looks{0};
+  Watchdog dog(
+      [&] {
+        ++looks;
+        return uint64_t{7};
+      },
+      [&] { ++hung; }, kQuick);
+  dog.start();
+  ASSERT_TRUE(eventually([&] { return hung.load() > 0; }));
+  EXPECT_GE(looks.load(), 100 / 2);  // not before as many looks as the silence is long
+  std::this_thread::sleep_for(50ms);
+  dog.stop();
+  EXPECT_EQ(hung.load(), 1);
+}
+
+}  // namespace
+}  // namespace swage::session

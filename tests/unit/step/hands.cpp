@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/hands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "fake_scene.hpp"
+#include "step/limits.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::step {
+namespace {
+
+using toolkit::Pose;
+using toolkit::Quat;
+using toolkit::Vec3;
+
+constexpr double kDt = 1e-3;
+
+// a device that stands at one pose
+void stand(Fake& device, swage_pose X, uint32_t valid = SWAGE_VALID_POSE) {
+  device.exchange = [X, valid](const swage_command*, swage_sample* s) {
+    s->pose = X;
+    s->valid = valid;
+    ++s->sequence;
+    return swage_result{SWAGE_OK};
+  };
+}
+
+swage_pose at(double x, double y, double z) { return {{x, y, z}, {1, 0, 0, 0}}; }
+
+TEST(Hands, ToolsFollowWithTheTwistThatLeadsThere) {
+  FakeScene s;
+  stand(s.device_, at(1e-4, 0, 0));
+  s.run(1);
+  EXPECT_DOUBLE_EQ(s.tool().p.x, 1e-4);
+  EXPECT_DOUBLE_EQ(s.rig.world.V_WB[0].v.x, 0.1);
+  s.run(1);
+  EXPECT_DOUBLE_EQ(s.tool().p.x, 1e-4);
+  EXPECT_EQ(s.rig.world.V_WB[0].v.x, 0);
+}
+
+// a jump of 10 mm: never faster than the limit, never past the goal, there in the time the limit takes
+TEST(Hands, AJumpBecomesASweep) {
+  FakeScene s;
+  stand(s.device_, at(10e-3, 0, 0));
+  const double most = kMaxToolSpeed * s.rig.world.length;
+  double last = 0;
+  for (int i = 0; i < static_cast<int>(10e-3 / (most * kDt)) + 1; ++i) {
+    s.run(1);
+    EXPECT_LE(s.rig.world.V_WB[0].v.x, most * (1 + 1e-12));
+    EXPECT_GE(s.tool().p.x, last);
+    last = s.tool().p.x;
+  }
+  EXPECT_DOUBLE_EQ(s.tool().p.x, 10e-3);
+}
+
+TEST(Hands, TurnsAreLimitedAndTakeTheShortWay) {
+  FakeScene s;
+  const double angle = 3.0;
+  stand(s.device_,
+        {{0, 0, 0}, {-std::cos(angle / 2), 0, 0, -std::sin(angle / 2)}});  // the other sign of the same turn
+  for (int i = 0; i < 100; ++i) {
+    s.run(1);
+    ASSERT_LE(s.rig.world.V_WB[0].w.z, kMaxToolTurn * (1 + 1e-9));
+    ASSERT_GE(s.rig.world.V_WB[0].w.z, 0);
+  }
+  EXPECT_NEAR(2 * std::atan2(s.tool().q.z, s.tool().q.w), angle, 1e-12);
+}
+
+// a drift of 1e-9 rad per step: arc cosines lose it in rounding
+TEST(Hands, SlowTurnsAreNotLost) {
+  FakeScene s;
+  int n = 0;
+  s.device_.exchange = [&n](const swage_command*, swage_sample* out) {
+    const double angle = 1e-9 * ++n;
+    out->pose.q = {std::cos(angle / 2), std::sin(angle / 2), 0, 0};
+    out->valid = SWAGE_VALID_POSE;
+    return swage_result{SWAGE_OK};
+  };
+  for (int i = 0; i < 10; ++i) {
+    s.run(1);
+    ASSERT_NEAR(s.rig.world.V_WB[0].w.x, 1e-6, 1e-12);
+  }
+}
+
+TEST(Hands, HandSpaceIsScaledAndTurned) {
+  FakeScene s;
+  s.device_.device.flags = SWAGE_DEVICE_LOCKSTEP;
+  s.rig.devices[0].motion_scale = 10;
+  // device +y up to world +z: a quarter turn about x
+  const double h = std::sqrt(0.5);
+  s.rig.devices[0].X_WD0 = {{0, 0, 1e-3}, {h, h, 0, 0}};
+  stand(s.device_, at(0, 2e-3, 0));
+  s.run(1);
+  EXPECT_NEAR(s.tool().p.y, 0, 1e-18);
+  EXPECT_NEAR(s.tool().p.z, 1e-3 * kMaxToolSpeed * kDt, 1e-15);  // on its way
+  s.run(20);
+  EXPECT_NEAR(s.tool().p.z, 1e-3 + 0.2e-3, 1e-15);
+}
+
+TEST(Hands, WithoutAValidPoseNothingMoves) {
+  FakeScene s;
+  stand(s.device_, at(1, 1, 1), SWAGE_VALID_CLOSURE);
+  s.run(5);
+  EXPECT_EQ(s.tool().p.x, 0);
+}
+
+TEST(Hands, ClosureAndGripReachTheObject) {
+  FakeScene s;
+  s.device_.exchange = [](const swage_command*, swage_sample* out) {
+    out->closure = 1.5;
+    out->grip_force = 0.4;
+    out->buttons = 5;
+    out->pose.q.w = 1;
+    out->valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP | SWAGE_VALID_BUTTONS;
+    return swage_result{SWAGE_OK};
+  };
+  const swage_input* seen = nullptr;
+  s.tool_.forces = [&](const swage_object_step* step) {
+    seen = step->input;
+    return swage_result{SWAGE_OK};
+  };
+  s.run(1);
+  ASSERT_NE(seen, nullptr);
+  EXPECT_EQ(seen->closure, 1);
+  EXPECT_EQ(seen->grip_force, 0.4);
+  EXPECT_EQ(seen->buttons, 5u);
+  EXPECT_EQ(seen->valid, SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP | SWAGE_VALID_BUTTONS);
+  s.ball_.forces = [&](const swage_object_step* step) {
+    seen = step->input;
+    return swage_result{SWAGE_OK};
+  };
+  s.run(1);
+  EXPECT_EQ(seen, nullptr);  // nobody leads the ball
+}
+
+TEST(Hands, ASampleThatIsNotANumberCostsTheDevice) {
+  FakeScene s;
+  stand(s.device_, at(1e-4, 0, 0));
+  s.run(2);
+  stand(s.device_, at(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+  s.run(2);
+  EXPECT_EQ(s.rig.devices[0].instance->misdeed.load(), host::Misdeed::kNotFinite);
+  EXPECT_EQ(s.tool().p.x, 1e-4);
+  EXPECT_TRUE(s.engine().hand_gone());
+}
+
+TEST(Hands, AScriptSaysWhenItIsOver) {
+  FakeScene s;
+  stand(s.device_, at(0, 0, 0));
+  s.run(1);
+  EXPECT_FALSE(s.engine().hand_gone());
+  stand(s.device_, at(0, 0, 0), SWAGE_VALID_POSE | SWAGE_VALID_DONE);
+  s.run(1);
+  EXPECT_TRUE(s.engine().hand_gone());
+}
+
+// a port that keeps what it was sent
+class Keeper final : public DevicePort {
+ public:
+  void read(uint64_t, double, swage_sample& sample) noexcept override {
+    sample.pose.q.w = 1;
+    sample.valid = SWAGE_VALID_POSE;
+  }
+  void send(const ToolForce& f) noexcept override { last = f; }
+  ToolForce last;
+};
+
+TEST(Hands, FeelTheContactForcesInTheirOwnSpace) {
+  FakeScene s;
+  s.device_.device.flags = SWAGE_DEVICE_FORCE;
+  s.rig.devices[0].motion_scale = 10;
+  s.rig.devices[0].force_scale = 100;
+  const double h = std::sqrt(0.5);
+  s.rig.devices[0].X_WD0 = {{0, 0, 1e-3}, {h, h, 0, 0}};  // device +y is world +z
+  Keeper keeper;
+  Hands hands(s.rig, {&keeper});
+  scene::World& w = s.rig.world;
+  w.X_WB = {{{0, 0, 2e-3}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}}};
+  w.V_WB.resize(2);
+  contact::ContactSet set;
+  contact::Contact c;
+  c.body_a = 0;
+  c.body_b = 1;
+  c.p_W = {1e-3, 0, 2e-3};
+  c.f_a_W = {0, 0, 0.02};
+  set.contact.push_back(c);
+  std::swap(c.body_a, c.body_b);  // the same force, seen from the other side
+  c.f_a_W = {0, 0, -0.01};
+  set.contact.push_back(c);
+  hands.send(set);
+  EXPECT_NEAR(keeper.last.force.y, 3.0, 1e-12);
+  EXPECT_NEAR(keeper.last.force.z, 0, 1e-12);
+  // torque: r = 1 mm x, f = 30 mN z: -30 uN m about y in W, which is device -z... times both scales
+  EXPECT_NEAR(keeper.last.torque.z, 0.03e-3 * 100 * 10, 1e-12);
+  EXPECT_NEAR(keeper.last.anchor.p.y, 10e-3, 1e-15);  // 1 mm in the scene is 10 mm at the hand
+}
+
+}  // namespace
+}  // namespace swage::step

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program.hpp"
+
+namespace swage::tools::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Describe = Program;
+
+const std::string kNeedle = "swage.object.needle";
+
+TEST_F(Describe, ListsWhatIsInstalled) {
+  const Said said = swage({"describe"});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, HasSubstr("object    swage.object.needle"));
+  EXPECT_THAT(said.out, HasSubstr("coupling  swage.coupling.grasp"));
+  EXPECT_THAT(said.out, HasSubstr("device    swage.device.mouse"));
+  EXPECT_THAT(said.out, HasSubstr("lesson    swage.lesson.grasp"));
+}
+
+TEST_F(Describe, TellsAPluginAndItsParameters) {
+  const Said said = swage({"describe", kNeedle});
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, HasSubstr("swage.object.needle 1.0.0 (object): Suture needle\n"));
+  EXPECT_THAT(said.out, HasSubstr("offers swage.trait.solid/1, swage.trait.graspable/1"));
+  EXPECT_THAT(said.out, HasSubstr("wire_diameter        \"100 um\"       20 um to 1000 um"));
+  EXPECT_THAT(said.out, Not(HasSubstr("swage.object.jaws")));
+}
+
+TEST_F(Describe, AsMarkdownJsonAndSchema) {
+  const Said table = swage({"describe", kNeedle, "--markdown"});
+  EXPECT_THAT(table.out,
+              testing::StartsWith("| Parameter | Default | Range | Meaning |\n| --- | --- | --- | --- |\n"));
+  EXPECT_THAT(table.out, HasSubstr("\n| `wire_diameter` | \"100 um\" | 20 um to 1000 um | "));
+
+  const nlohmann::json list = swage({"describe", kNeedle, "--json"}).json();
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0]["kind"], "object");
+  EXPECT_EQ(list[0]["params"].size(), 5u);
+  EXPECT_GT(swage({"describe", "--json"}).json().size(), 9u);
+
+  const nlohmann::json one = swage({"describe", kNeedle, "--schema"}).json();
+  EXPECT_TRUE(one["properties"].contains("wire_diameter"));
+  const nlohmann::json whole = swage({"describe", "--schema"}).json();
+  EXPECT_EQ(whole["$id"], "swage-lesson/1");
+  EXPECT_TRUE(whole["properties"].contains("objects"));
+}
+
+TEST_F(Describe, TakesABundleOrALibrary) {
+  const std::string bundle = std::string(SWAGE_BINARY_DIR) + "/plugins/" + kNeedle;
+  for (const std::string& what : {bundle, bundle + "/" + kNeedle + ".so"}) {
+    const Said said = swage({"describe", what});
+    EXPECT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, HasSubstr("Suture needle"));
+  }
+  write("broken.so", "this is no library");
+  const Said said = swage({"describe", path("broken.so")});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("broken.so holds no plugin that can be described."));
+}
+
+TEST_F(Describe, AnUnknownPluginGetsItsNearestName) {
+  const Said said = swage({"describe", "swage.object.nedle"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(
+      said.err,
+      HasSubstr("error: \"swage.object.nedle\" is not installed. Nearest: \"swage.object.needle\" 1.0.0. "
+                "Searched: "));
+  EXPECT_EQ(swage({"describe", "./no/such/bundle"}).code, 2);
+}
+
+}  // namespace
+}  // namespace swage::tools::test

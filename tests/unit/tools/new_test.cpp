@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+
+#include "program.hpp"
+
+namespace swage::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using New = Program;
+
+std::string slurp(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST_F(New, EveryKindLosesItsTokens) {
+  for (const std::string kind : {"object", "coupling", "device", "lesson"}) {
+    const fs::path folder = path(kind);
+    const Said said = swage({"new", kind, "org.example.fine_clip", "--dir", folder.string()});
+    ASSERT_EQ(said.code, 0) << said.err;
+    EXPECT_THAT(said.out, HasSubstr("Next: read " + (folder / "README.md").string()));
+    EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"),
+                HasSubstr("org.example.fine_clip"));
+    EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"), HasSubstr("FineClip"));
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("@")));
+      if (!entry.is_regular_file()) continue;
+      for (const char* token : {"@ID@", "@NAME@", "@FILE@"})
+        EXPECT_THAT(slurp(entry.path()), Not(HasSubstr(token))) << entry.path();
+    }
+  }
+}
+
+TEST_F(New, TheClassMayHaveAnotherName) {
+  ASSERT_EQ(swage({"new", "object", "org.example.clip", "--dir", path("c"), "--name", "Aneurysm"}).code, 0);
+  EXPECT_THAT(slurp(path("c/clip.hpp")), HasSubstr("class Aneurysm "));
+}
+
+TEST_F(New, SaysWhatIsWrong) {
+  const auto expect = [&](const std::vector<std::string>& arguments, const std::string& sentence) {
+    const Said said = swage(arguments);
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr(sentence));
+  };
+  expect({"new", "objekt", "org.example.clip"},
+         "\"objekt\" is no kind of plugin; there are object, coupling, device, lesson. Did you mean "
+         "\"object\"?");
+  for (const char* id :
+       {"clip", "org.Example.clip", "org..clip", "org.example.", "org.example.9clip", "org.ex-ample.clip"})
+    expect({"new", "object", id}, "is not an id. Write a reverse domain in lower case");
+  expect({"new", "object", "swage.object.clip"}, "Take a domain of your own: org.example.clip");
+  expect({"new", "object", "org.example.clip", "--name", "my clip"}, "cannot name a class");
+  write("there", "something");
+  expect({"new", "object", "org.example.clip", "--dir", path("there")}, "is there already and not empty");
+  expect({"new", "object", "org.example.clip", "--dir", "/proc/clip"}, "cannot be written. Choose a folder");
+}
+
+}  // namespace
+}  // namespace swage::tools::test

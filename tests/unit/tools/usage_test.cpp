@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is asked wrongly is answered with code 2, one sentence on standard error and the way to the help.
+#include "program.hpp"
+
+namespace swage::tools::test {
+namespace {
+
+using testing::HasSubstr;
+using Usage = Program;
+
+void expect_refused(const std::vector<std::string>& arguments, const std::string& sentence) {
+  const Said said = swage(arguments);
+  EXPECT_EQ(said.code, 2) << sentence;
+  EXPECT_EQ(said.out, "") << sentence;
+  EXPECT_THAT(said.err, HasSubstr("error: " + sentence));
+}
+
+TEST_F(Usage, VerbsAreNamed) {
+  expect_refused({}, "Say what swage shall do. It has: run, replay, validate,");
+  expect_refused({"runn", "x.json"},
+                 "swage has no verb \"runn\". Did you mean \"run\"? It has: run, replay,");
+  expect_refused({"attempts"}, "Say what attempts shall do. It has: list, export, import.");
+  expect_refused({"attempts", "exprot"}, "attempts has no verb \"exprot\". Did you mean \"export\"?");
+}
+
+TEST_F(Usage, ArgumentsAreChecked) {
+  expect_refused({"run"}, "lesson is required. See: swage run --help");
+  expect_refused({"run", "a.json", "b.json"},
+                 "The following argument was not expected: b.json. See: swage run --help");
+  expect_refused({"run", "a.json", "--mode", "hard"}, "--mode: hard not in {practice,test,demo}");
+  expect_refused({"run", "a.json", "--max-time", "-3"}, "--max-time: -3 is not a time above 0");
+  expect_refused({"run", "a.json", "--fast"}, "The following argument was not expected: --fast");
+  expect_refused({"replay"}, "attempt is required");
+  expect_refused({"validate"}, "paths is required");
+  expect_refused({"validate", "x", "--strictness", "11"}, "--strictness: Value 11 not in range 1 to 10");
+  expect_refused({"describe", "--pretty"}, "The following argument was not expected: --pretty");
+  expect_refused({"new", "object"}, "id is required");
+  expect_refused({"bench"}, "which is required");
+}
+
+TEST_F(Usage, HelpAndVersionAreAnswers) {
+  for (const char* verb : {"run", "replay", "validate", "describe", "new", "doctor", "bench", "attempts"}) {
+    const Said said = swage({verb, "--help"});
+    EXPECT_EQ(said.code, 0);
+    EXPECT_THAT(said.out, HasSubstr(std::string("swage ") + verb));
+  }
+  EXPECT_THAT(swage({"--help"}).out, HasSubstr("Exit codes: 0 good, 1 not passed, 2 a problem."));
+  EXPECT_EQ(swage({"--version"}).out, "swage 1.0.0\n");
+}
+
+TEST_F(Usage, BenchSaysWhatItNeeds) {
+  expect_refused({"bench", "chart"},
+                 "swage bench knows charts, stability, bar, not \"chart\". Did you mean \"charts\"?");
+}
+
+}  // namespace
+}  // namespace swage::tools::test
