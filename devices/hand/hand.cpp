@@ -127,23 +127,46 @@ Quat read_orientation(const Reader& reader, const Json& key, const Quat& before,
   }
 }
 
+/// Turns the pose before about a line in the world.
+void read_turn(const Reader& reader, const Json& turn, Key& key, const std::string& where) {
+  if (!turn.is_object() || turn.size() != 3 || !turn.contains("about") || !turn.contains("axis") ||
+      !turn.contains("angle")) {
+    reader.fail(where, R"(a turn is {"about": [x, y, z], "axis": [x, y, z], "angle": "90 deg"})");
+  }
+  const Vec3 axis = reader.vec3(turn["axis"], Measure::kNumber, where + "/axis");
+  if (!(axis.norm() > 0)) reader.fail(where + "/axis", "the axis has no direction");
+  key.turns = true;
+  key.about_W = reader.vec3(turn["about"], Measure::kLength, where + "/about");
+  key.turn_W = reader.number(turn["angle"], Measure::kAngle, where + "/angle") * axis.normalized();
+  const Quat q = toolkit::exp_rotation(key.turn_W);
+  key.X_WT = {key.about_W + q * (key.X_WT.p - key.about_W), (q * key.X_WT.q).normalized()};
+}
+
 Key read_key(const Reader& reader, const Json& value, const Key& before, bool first,
              const std::string& where) {
-  constexpr std::array kKnown = {"t", "p", "q", "rpy", "axis", "closing", "closure", "grip", "doc"};
+  constexpr std::array kKnown = {"t", "p", "q", "rpy", "axis", "closing", "turn", "closure", "grip", "doc"};
   if (!value.is_object()) reader.fail(where, "a key is an object like {\"t\": 1.5, \"closure\": 0.6}");
   for (const auto& item : value.items()) {
     if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end()) {
       reader.fail(where + "/" + item.key(),
-                  "unknown; a key has t, p, q or rpy or axis and closing, closure, grip, doc");
+                  "unknown; a key has t, p, q or rpy or axis and closing, turn, closure, grip, doc");
     }
   }
   if (!value.contains("t")) reader.fail(where, "\"t\", the time, is missing");
   if (first && !value.contains("p")) reader.fail(where, "the first key needs \"p\", the place");
 
   Key key = before;
+  key.turns = false;
   key.t = reader.number(value["t"], Measure::kTime, where + "/t");
   if (value.contains("p")) key.X_WT.p = reader.vec3(value["p"], Measure::kLength, where + "/p");
   key.X_WT.q = read_orientation(reader, value, before.X_WT.q, where);
+  if (value.contains("turn")) {
+    if (first) reader.fail(where + "/turn", "the first key stands; it cannot turn from anywhere");
+    for (const char* pose : {"p", "q", "rpy", "axis", "closing"})
+      if (value.contains(pose))
+        reader.fail(where, std::string("give \"turn\" or \"") + pose + "\", not both");
+    read_turn(reader, value["turn"], key, where + "/turn");
+  }
   if (value.contains("closure")) {
     key.closure = reader.number(value["closure"], Measure::kNumber, where + "/closure");
   }
@@ -255,14 +278,22 @@ Moment Hand::at(double t, Between between) const noexcept {
   const double u = smooth ? x * x * x * (10 + x * (-15 + 6 * x)) : x;
   const double rate = (smooth ? 30 * x * x * (1 - x) * (1 - x) : 1.0) / span;
 
+  m.closure = k0.closure + u * (k1.closure - k0.closure);
+  m.grip = k0.grip + u * (k1.grip - k0.grip);
+  if (k1.turns) {
+    const Quat q = toolkit::exp_rotation(u * k1.turn_W);
+    const Vec3 arm = q * (k0.X_WT.p - k1.about_W);
+    m.X_WT = {k1.about_W + arm, q * k0.X_WT.q};
+    m.w_W = rate * k1.turn_W;
+    m.v_W = m.w_W.cross(arm);
+    return m;
+  }
   const Vec3 way = k1.X_WT.p - k0.X_WT.p;
   const Vec3 turn = toolkit::log_rotation(k0.X_WT.q.conjugate() * k1.X_WT.q);
   m.X_WT.p = k0.X_WT.p + u * way;
   m.X_WT.q = k0.X_WT.q * toolkit::exp_rotation(u * turn);
   m.v_W = rate * way;
   m.w_W = rate * (k0.X_WT.q * turn);
-  m.closure = k0.closure + u * (k1.closure - k0.closure);
-  m.grip = k0.grip + u * (k1.grip - k0.grip);
   return m;
 }
 

@@ -16,6 +16,9 @@
 //   "q": [w, x, y, z]      "rpy": [roll, pitch, yaw] about the fixed x, y, z axes in this order
 //   "axis" and "closing": the directions of T's x (hinge to tip) and z (right to left jaw); z is made square
 //   to x
+// Instead of a pose a key may turn the tool about a line in the world, on a circle and not on its chord, as a
+// needle is driven along its own arc:
+//   "turn": { "about": [x, y, z], "axis": [x, y, z], "angle": "90 deg" }
 #pragma once
 
 #include <string>
@@ -33,8 +36,11 @@ using toolkit::Vec3;
 struct Key {
   double t = 0;  // s
   Pose X_WT;
-  double closure = 0;  // 0 open .. 1 closed
-  double grip = 0;     // N at the handle, when the file has it
+  double closure = 0;           // 0 open .. 1 closed
+  double grip = 0;              // N at the handle, when the file has it
+  bool turns = false;           // gets here on a circle from the key before:
+  Vec3 about_W = Vec3::Zero();  // m, a point of the line
+  Vec3 turn_W = Vec3::Zero();   // rad, rotation vector
 };
 
 /// What the hand does at one moment.

@@ -67,9 +67,17 @@ TEST(HandFile, SaysWhatIsWrongAndWhere) {
             "hand.json #/keys/0: \"axis\" and \"closing\" are given together");
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0], "closing": [2, 0, 0]})"),
             "hand.json #/keys/0: the axis and the closing direction must be two different directions");
-  EXPECT_EQ(
-      message(R"({"t": 0, "p": [0, 0, 0], "closed": 1})"),
-      "hand.json #/keys/0/closed: unknown; a key has t, p, q or rpy or axis and closing, closure, grip, doc");
+  EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "closed": 1})"),
+            "hand.json #/keys/0/closed: unknown; a key has t, p, q or rpy or axis and closing, turn, "
+            "closure, grip, doc");
+  EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0]}, {"t": 1, "p": [0, 0, 0],
+                        "turn": {"about": [0, 0, 0], "axis": [0, 0, 1], "angle": 1}})"),
+            "hand.json #/keys/1: give \"turn\" or \"p\", not both");
+  EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0]}, {"t": 1, "turn": {"about": [0, 0, 0], "angle": 1}})"),
+            "hand.json #/keys/1/turn: a turn is {\"about\": [x, y, z], \"axis\": [x, y, z], \"angle\": \"90 "
+            "deg\"}");
+  EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "turn": {}})"),
+            "hand.json #/keys/0/turn: the first key stands; it cannot turn from anywhere");
   EXPECT_THROW(parse_hand("{}", "x"), std::runtime_error);
   EXPECT_THROW(parse_hand("{", "x"), std::runtime_error);
   EXPECT_THROW(load_hand("/no/such/file.json"), std::runtime_error);
@@ -102,11 +110,29 @@ TEST(Motion, RestsInEveryKeyAndMovesAsTheFormulaSays) {
   EXPECT_NEAR(at(2).closure, 0.5, 1e-12);
 }
 
+// the whole point of a turn: it keeps its distance from the line all the way, and three quarters of a circle are no shortcut
+TEST(Motion, ATurnStaysOnItsCircle) {
+  const Hand hand = keys(R"({"t": 0, "p": ["3 mm", "1 mm", 0], "rpy": [0, 0, 0]},
+      {"t": 1, "turn": {"about": ["1 mm", "1 mm", "5 mm"], "axis": [0, 0, 2], "angle": "270 deg"}, "closure": 0.5})");
+  for (const double t : {0.2, 0.5, 0.8}) {
+    const Moment m = hand.at(t, Between::kMinimumJerk);
+    EXPECT_NEAR((m.X_WT.p - Vec3(1e-3, 1e-3, 0)).norm(), 2e-3, 1e-15);
+    EXPECT_NEAR(m.v_W.norm(), 2e-3 * m.w_W.norm(), 1e-15);
+  }
+  const Moment half = hand.at(0.5, Between::kMinimumJerk), end = hand.at(1, Between::kMinimumJerk);
+  EXPECT_LT((half.X_WT.q * Vec3::UnitX() - Vec3(std::cos(2.356194490192345), std::sin(2.356194490192345), 0))
+                .norm(),
+            1e-12);
+  EXPECT_LT((end.X_WT.p - Vec3(1e-3, -1e-3, 0)).norm(), 1e-15);
+  EXPECT_EQ(end.closure, 0.5);
+}
+
 TEST(Motion, VelocitiesAreDerivatives) {
   const Hand hand = keys(R"({"t": 0, "p": [0, 0, 0], "rpy": [0.1, 0.2, 0.3]},
-                            {"t": 2, "p": ["4 mm", "-3 mm", "1 mm"], "rpy": [-1, 0.4, 2]})");
+                            {"t": 2, "p": ["4 mm", "-3 mm", "1 mm"], "rpy": [-1, 0.4, 2]},
+                            {"t": 3, "turn": {"about": ["1 mm", 0, 0], "axis": [1, 2, -1], "angle": "100 deg"}})");
   const double h = 1e-6;
-  for (const double t : {0.3, 0.9, 1.7}) {
+  for (const double t : {0.3, 0.9, 1.7, 2.2, 2.6}) {
     const Moment a = hand.at(t - h, Between::kMinimumJerk), b = hand.at(t + h, Between::kMinimumJerk);
     const Moment m = hand.at(t, Between::kMinimumJerk);
     EXPECT_LT((m.v_W - (b.X_WT.p - a.X_WT.p) / (2 * h)).norm(), 1e-9);
