@@ -188,10 +188,38 @@ std::vector<PinchStage> pinch(const Method& method, const Setup& base_setup, dou
   return stages;
 }
 
+namespace {
+
+/// Whether some of the wire's centre line crosses the middle sheet of the lower jaw, which lies at rest in W, on the way
+/// from one pose to the next. A wire that swings round the jaw's side and comes to lie below it has not gone through.
+bool crosses_plate(const Needle& n, const Pose& from, const Pose& to) {
+  constexpr int kParts = 8, kPlaces = 32;
+  const Vec3 turn = toolkit::log_rotation(to.q * from.q.conjugate());
+  const auto at = [&](double t) {
+    return Pose(from.p + t * (to.p - from.p), toolkit::exp_rotation(t * turn) * from.q);
+  };
+  for (int j = 0; j <= kPlaces; ++j) {
+    const Vec3 on_wire = n.point(n.arc * (static_cast<double>(j) / kPlaces - 0.5));
+    Vec3 before = at(0) * on_wire;
+    for (int i = 1; i <= kParts; ++i) {
+      const Vec3 now = at(static_cast<double>(i) / kParts) * on_wire;
+      const double over = before.z() + 0.5 * Jaw::kThickness, under = now.z() + 0.5 * Jaw::kThickness;
+      if (over * under <= 0 && over != under) {
+        const Vec3 p = before + over / (over - under) * (now - before);
+        const double half = Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - p.x()) / Jaw::kLength;
+        if (p.x() > Jaw::kHinge && std::abs(p.y()) < half) return true;
+      }
+      before = now;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot) {
   constexpr int kPhases = 16;
   const Needle& n = setup.needle;
-  const Solid plate(jaw(-1));
   int through = 0;
   for (int k = 0; k < kPhases; ++k) {
     const auto engine = method.make(setup);
@@ -214,15 +242,9 @@ int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot)
     for (int i = 0; i < steps && !lost; ++i) {
       e.set_jaws(open, fixed, false);
       e.step();
-      // through: some of the wire's centre line has crossed the middle of the plate inside its outline
       const Pose Y = e.needle();
-      lost = !Y.p.allFinite();
-      for (int j = 0; j <= 32 && !lost; ++j) {
-        const Vec3 p = Y * n.point(n.arc * (j / 32.0 - 0.5));
-        const double half = Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - p.x()) / Jaw::kLength;
-        lost = p.x() > Jaw::kHinge && std::abs(p.y()) < half && p.z() < -0.5 * Jaw::kThickness &&
-               p.z() > -2 * Jaw::kThickness;
-      }
+      lost = !Y.p.allFinite() || crosses_plate(n, X, Y);
+      X = Y;
     }
     through += lost;
   }
