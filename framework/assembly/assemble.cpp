@@ -55,6 +55,7 @@ std::unique_ptr<Rig> Assembler::run() {
   // a scene that is not whole would only give the lesson things to complain about
   if (file_.faulty || !good()) return nullptr;
   bind_lesson();
+  bind_sights();
   fill_card();
   if (!good() || !host::activate(*rig_, problems_)) return nullptr;
   return std::move(rig_);

@@ -58,6 +58,7 @@ class Assembler {
   bool offers(const LessonCoupling& use, const host::ObjectSlot& object, const char* const* needs,
               const std::string& side);
   void bind_lesson();
+  void bind_sights();
   void fill_card();
 
   void error(const std::string& pointer, const std::string& message);

@@ -198,6 +198,32 @@ void Assembler::bind_lesson() {
   }
 }
 
+// hands that see look at the same scene as the lesson, and at its marks
+void Assembler::bind_sights() {
+  std::vector<swage_scene_mark> marks;
+  for (const judge::Script::Mark& m : rig_->script.marks)
+    marks.push_back({m.mark.kind, m.mark.object, view(m.meaning), {m.mark.number[0], m.mark.number[1]}});
+  const swage_sight_card card{sizeof(swage_sight_card), static_cast<uint32_t>(marks.size()),
+                              &rig_->bound.card, marks.data()};
+  for (std::size_t i = 0; i < rig_->devices.size(); ++i) {
+    const host::DeviceSlot& slot = rig_->devices[i];
+    if (slot.sight == nullptr) continue;
+    const std::string pointer = "/devices/" + std::to_string(i);
+    swage_result result = SWAGE_OK;
+    const std::size_t before = problems_.size();
+    const bool kept = host::guarded(*slot.instance, Call::kBind, 0, [&] {
+      result = slot.sight->bind(slot.instance->raw, &card);
+      return result == SWAGE_ERROR ? SWAGE_OK : result;
+    });
+    take_reports(*slot.instance, pointer);
+    if (!kept) {
+      error(pointer, host::quarantine_text(*slot.instance));
+    } else if (result < 0 && problems_.size() == before) {
+      error(pointer, "\"" + slot.instance->plugin_id + "\" refused to look at this scene without a reason.");
+    }
+  }
+}
+
 void Assembler::fill_card() {
   const host::Rig& rig = *rig_;
   snapshot::SceneCard& card = rig_->card;

@@ -97,6 +97,7 @@ void Assembler::add_devices() {
         make(*choice, SWAGE_KIND_DEVICE, use.name, kNone, {}, given ? "--device-params" : "", builder);
     if (!slot.instance) continue;
     slot.device = table<swage_device>(*slot.instance, SWAGE_EXT_DEVICE, *choice);
+    slot.sight = table<swage_device_sight>(*slot.instance, SWAGE_EXT_SIGHT, *choice, false);
     if (slot.device == nullptr) continue;
     // scripted hands and replays speak in world coordinates
     const bool world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;

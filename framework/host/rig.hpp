@@ -8,6 +8,7 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
+#include <swage/abi/sight.h>
 
 #include <memory>
 #include <string>
@@ -50,9 +51,10 @@ struct CouplingSlot {
 struct DeviceSlot {
   std::unique_ptr<Instance> instance;
   const swage_device* device = nullptr;
-  double motion_scale = 1;  // hand movement over scene movement: 10 under a x10 microscope
-  double force_scale = 0;   // N at the hand per N in the scene; 0: no force is sent
-  swage_pose X_WD0{};       // device frame in the world; identity for SWAGE_DEVICE_WORLD
+  const swage_device_sight* sight = nullptr;  // of a device that sees the scene
+  double motion_scale = 1;                    // hand movement over scene movement: 10 under a x10 microscope
+  double force_scale = 0;                     // N at the hand per N in the scene; 0: no force is sent
+  swage_pose X_WD0{};                         // device frame in the world; identity for SWAGE_DEVICE_WORLD
 };
 
 struct LessonSlot {

@@ -6,6 +6,7 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
+#include <swage/abi/sight.h>
 
 #include <string>
 
@@ -17,6 +18,7 @@ inline bool complete(const swage_object& t) { return t.forces && t.finish && t.r
 inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
 inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }
+inline bool complete(const swage_device_sight& t) { return t.bind && t.look; }
 inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }
 
 /// The table `id` of an instance. nullptr: it is not offered, or it has gaps; `error` then has a sentence,

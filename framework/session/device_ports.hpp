@@ -78,6 +78,7 @@ class StepPort final : public Port {
  public:
   /// `forces`: false where nobody could release the hand if the step hung, i.e. in real time. [main]
   StepPort(host::DeviceSlot& slot, double dt, bool forces);
+  void look(uint64_t step, const swage_sight& sight) noexcept override { step::show(slot_, step, sight); }
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
   void send(const step::ToolForce& force) noexcept override { wanted_ = force; }
   swage_vec3 force() const noexcept override { return given_; }

@@ -5,6 +5,13 @@
 
 namespace swage::step {
 
+void show(host::DeviceSlot& slot, uint64_t step, const swage_sight& sight) noexcept {
+  if (slot.sight == nullptr) return;
+  host::Instance& instance = *slot.instance;
+  host::guarded(instance, host::Call::kExchange, step,
+                [&] { return slot.sight->look(instance.raw, &sight); });
+}
+
 void LockstepPort::read(uint64_t step, double time_s, swage_sample& sample) noexcept {
   swage_command command{};
   command.time_s = time_s;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/abi/device.h>
+#include <swage/abi/sight.h>
 
 #include <cstdint>
 
@@ -25,16 +26,22 @@ struct ToolForce {
 class DevicePort {
  public:
   virtual ~DevicePort() = default;
+  /// Shows the scene to a device that sees; once per step, before read(). Replays are blind. [rt]
+  virtual void look(uint64_t, const swage_sight&) noexcept {}
   /// Newest sample; leaves `sample` as it is when there is none. [rt]
   virtual void read(uint64_t step, double time_s, swage_sample& sample) noexcept = 0;
   /// What the hand should feel, before any guard. [rt]
   virtual void send(const ToolForce& force) noexcept = 0;
 };
 
+/// Lets a device see, if it can. [rt]
+void show(host::DeviceSlot& slot, uint64_t step, const swage_sight& sight) noexcept;
+
 /// A LOCKSTEP device without forces: asked in the step, so that a run is bit-reproducible.
 class LockstepPort final : public DevicePort {
  public:
   explicit LockstepPort(host::DeviceSlot& slot) : slot_(slot) {}
+  void look(uint64_t step, const swage_sight& sight) noexcept override { show(slot_, step, sight); }
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
   void send(const ToolForce&) noexcept override {}
 

@@ -110,6 +110,16 @@ bool Hands::gone() const noexcept {
   return ended || (!sample_.empty() && !left);
 }
 
+bool Hands::see() const noexcept {
+  return std::any_of(rig_.devices.begin(), rig_.devices.end(),
+                     [](const host::DeviceSlot& slot) { return slot.sight != nullptr; });
+}
+
+void Hands::look(const swage_sight& sight) noexcept {
+  for (uint32_t i = 0; i < port_.size(); ++i)
+    if (usable(i)) port_[i]->look(rig_.world.step, sight);
+}
+
 void Hands::read() noexcept {
   scene::World& world = rig_.world;
   for (uint32_t i = 0; i < sample_.size(); ++i) {

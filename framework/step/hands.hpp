@@ -21,6 +21,8 @@ class Hands {
   Hands(host::Rig& rig, std::vector<DevicePort*> ports);
 
   void reset() noexcept;                                    // [rt]
+  bool see() const noexcept;                                // a device sees the scene
+  void look(const swage_sight& sight) noexcept;             // [rt] shows it to those
   void read() noexcept;                                     // [rt] newest sample of every device
   void follow() noexcept;                                   // [rt] tools after their hands
   void send(const contact::ContactSet& contacts) noexcept;  // [rt] what the tools feel

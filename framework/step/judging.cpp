@@ -91,10 +91,15 @@ void Judging::observe() noexcept {
   if (rig_.lesson.lesson) ask_lesson();
 }
 
-void Judging::ask_lesson() noexcept {
-  const host::LessonSlot& slot = rig_.lesson;
+swage_sight Judging::sight() noexcept {
+  refresh_view();
+  const std::vector<swage_vec3>& mark = referee_.verdict().mark_p_W;
+  return {sizeof(swage_sight), static_cast<uint32_t>(mark.size()), &view_, mark.data()};
+}
+
+void Judging::refresh_view() noexcept {
   const scene::World& world = rig_.world;
-  swage_view view{};
+  swage_view& view = view_;
   view.struct_size = sizeof view;
   view.n_body = static_cast<uint32_t>(world.X_WB.size());
   view.n_particle = static_cast<uint32_t>(world.particle_mass.size());
@@ -110,12 +115,17 @@ void Judging::ask_lesson() noexcept {
   view.object_step = objects_.views().data();
   view.n_event = static_cast<uint32_t>(seen_.size());
   view.n_object = static_cast<uint32_t>(rig_.objects.size());
+}
 
+void Judging::ask_lesson() noexcept {
+  const host::LessonSlot& slot = rig_.lesson;
+  const scene::World& world = rig_.world;
+  refresh_view();
   const swage_verdict* verdict = referee_.begin(world.step);
   double* state = rig_.world.plugin_state.data() + slot.state.first;
   host::Instance& instance = *slot.instance;
   host::guarded(instance, host::Call::kObserve, world.step,
-                [&] { return slot.lesson->observe(instance.raw, &view, verdict, state); });
+                [&] { return slot.lesson->observe(instance.raw, &view_, verdict, state); });
   for (const judge::Event& e : referee_.events()) events_.emit_own(e.event, e.value);
   if (referee_.mistakes() > 0)
     host::quarantine(instance, host::Misdeed::kError, host::Call::kObserve, world.step);

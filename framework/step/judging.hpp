@@ -3,6 +3,8 @@
 // The lesson looks at the step; who is in quarantine is noticed and told.
 #pragma once
 
+#include <swage/abi/sight.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +25,8 @@ class Judging {
   void observe() noexcept;            // [rt]
   void notice_quarantine() noexcept;  // [rt] tells of instances that have just been put there
 
+  swage_sight sight() noexcept;  // [rt] the scene as it is, for hands that see; valid until the next call
+
   const judge::Verdict& verdict() const noexcept { return referee_.verdict(); }
   std::size_t image_size() const;                // [main]
   void save(scene::Writer& out) const noexcept;  // [main or rt] the verdict so far
@@ -33,12 +37,14 @@ class Judging {
 
  private:
   void ask_lesson() noexcept;
+  void refresh_view() noexcept;
 
   host::Rig& rig_;
   const Objects& objects_;
   Events& events_;
   judge::Referee referee_;
   std::vector<swage_view_event> seen_;
+  swage_view view_{};
   std::vector<host::Instance*> instance_;  // in the order of evaluation
   std::vector<uint8_t> known_bad_;
   uint32_t bad_count_ = 0;

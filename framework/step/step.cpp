@@ -93,6 +93,7 @@ void Engine::done(Phase phase) noexcept {
 
 void Engine::read() noexcept {
   objects_.begin();
+  if (hands_.see()) hands_.look(judging_.sight());
   hands_.read();
   done(Phase::kRead);
 }

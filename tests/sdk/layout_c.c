@@ -6,6 +6,7 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
+#include <swage/abi/sight.h>
 #include <swage/abi/object.h>
 
 #define SWAGE_SIZE(type, bytes) _Static_assert(sizeof(type) == bytes, #type);

@@ -5,6 +5,7 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
+#include <swage/abi/sight.h>
 #include <swage/abi/object.h>
 
 #include <cstddef>

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Numbers with units out of a hand's or a plan's file; messages name file and key. [main]
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "toolkit/math.hpp"
+
+namespace swage::hand {
+
+using Json = nlohmann::json;
+using toolkit::Vec3;
+
+// what a number in the file measures
+enum class Measure { kNumber, kLength, kTime, kAngle, kForce };
+
+struct Unit {
+  const char* name;
+  Measure measure;
+  double si;
+};
+inline constexpr Unit kUnits[] = {{"m", Measure::kLength, 1},
+                                  {"mm", Measure::kLength, 1e-3},
+                                  {"um", Measure::kLength, 1e-6},
+                                  {"s", Measure::kTime, 1},
+                                  {"ms", Measure::kTime, 1e-3},
+                                  {"rad", Measure::kAngle, 1},
+                                  {"deg", Measure::kAngle, 0.017453292519943295},
+                                  {"N", Measure::kForce, 1},
+                                  {"mN", Measure::kForce, 1e-3}};
+
+/// Where we are in the file, for messages.
+class Reader {
+ public:
+  explicit Reader(std::string name) : name_(std::move(name)) {}
+
+  [[noreturn]] void fail(const std::string& where, const std::string& what) const {
+    throw std::runtime_error(name_ + " #" + where + ": " + what);
+  }
+
+  double number(const Json& value, Measure measure, const std::string& where) const {
+    if (value.is_number()) return finite(value.get<double>(), where);
+    if (!value.is_string()) fail(where, "a number or a text like \"2.6 mm\" is needed here");
+    const std::string text = value.get<std::string>();
+    char* end = nullptr;
+    const double amount = std::strtod(text.c_str(), &end);
+    const std::string unit =
+        std::string(end).substr(std::string_view(end).find_first_not_of(' ') == std::string::npos
+                                    ? 0
+                                    : std::string_view(end).find_first_not_of(' '));
+    for (const Unit& u : kUnits) {
+      if (end != text.c_str() && unit == u.name && u.measure == measure) return finite(amount * u.si, where);
+    }
+    fail(where, "\"" + text + "\" is not " + expected(measure));
+  }
+
+  Vec3 vec3(const Json& value, Measure measure, const std::string& where) const {
+    if (!value.is_array() || value.size() != 3) fail(where, "three numbers are needed here");
+    Vec3 out;
+    for (int i = 0; i < 3; ++i) {
+      out[i] = number(value[static_cast<size_t>(i)], measure, where + "/" + std::to_string(i));
+    }
+    return out;
+  }
+
+ private:
+  double finite(double value, const std::string& where) const {
+    if (!std::isfinite(value)) fail(where, "the number is not finite");
+    return value;
+  }
+  static const char* expected(Measure measure) {
+    switch (measure) {
+      case Measure::kLength:
+        return "a length (m, mm, um)";
+      case Measure::kTime:
+        return "a time (s, ms)";
+      case Measure::kAngle:
+        return "an angle (rad, deg)";
+      case Measure::kForce:
+        return "a force (N, mN)";
+      case Measure::kNumber:
+        break;
+    }
+    return "a pure number";
+  }
+  std::string name_;
+};
+
+}  // namespace swage::hand
