@@ -20,6 +20,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.coupling.contact", "plugins/coupling_contact/coupling_contact.md"},
     {"swage.coupling.grasp", "plugins/coupling_grasp/coupling_grasp.md"},
     {"swage.device.scripted", "devices/scripted/scripted.md"},
+    {"swage.device.skilled", "devices/skilled/skilled.md"},
     {"swage.device.replay", "devices/replay/replay.md"},
     {"swage.device.mouse", "devices/mouse/mouse.md"},
     {"swage.lesson.grasp", "lessons/grasp/grasp.md"},

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan.hpp"
+
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "hand/hand.hpp"
+#include "hand/reader.hpp"
+
+namespace swage::skilled {
+namespace {
+
+using hand::Json;
+using hand::Measure;
+using hand::Reader;
+
+struct Form {
+  Verb verb;
+  std::set<std::string> keys;  // besides act, time, doc
+  std::set<std::string> needed;
+};
+
+const std::map<std::string, Form>& forms() {
+  static const std::map<std::string, Form> all = {
+      {"wait", {Verb::kWait, {}, {}}},
+      {"reach", {Verb::kReach, {"s", "past", "back", "from", "tilt"}, {"s", "from"}}},
+      {"close", {Verb::kClose, {"force", "closure"}, {}}},
+      {"open", {Verb::kOpen, {"closure"}, {"closure"}}},
+      {"back", {Verb::kBack, {"by"}, {"by"}}},
+      {"move", {Verb::kMove, {"by"}, {"by"}}},
+      {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
+      {"aim", {Verb::kAim, {"mark", "into", "across", "hover"}, {"mark", "into", "across"}}},
+      {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
+  };
+  return all;
+}
+
+Vec3 direction(const Reader& reader, const Json& value, const std::string& where) {
+  const Vec3 v = reader.vec3(value, Measure::kNumber, where);
+  if (!(v.norm() > 0)) reader.fail(where, "the direction has no length");
+  return v.normalized();
+}
+
+std::string word(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.is_string() || value.get<std::string>().empty()) reader.fail(where, "a name is needed here");
+  return value.get<std::string>();
+}
+
+void check_keys(const Reader& reader, const Json& value, const Form& form, const std::string& where) {
+  for (const auto& item : value.items()) {
+    const std::string& key = item.key();
+    if (key == "act" || key == "time" || key == "doc" || form.keys.contains(key)) continue;
+    std::string all = "time";
+    for (const std::string& known : form.keys) all += ", " + known;
+    reader.fail(where + "/" + key, "unknown here; this act has: " + all);
+  }
+  for (const std::string& key : form.needed)
+    if (!value.contains(key)) reader.fail(where, "\"" + key + "\" is missing");
+}
+
+Act read_act(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.is_object() || !value.contains("act"))
+    reader.fail(where, R"(an act is an object like {"act": "wait"})");
+  const std::string name = word(reader, value["act"], where + "/act");
+  const auto found = forms().find(name);
+  if (found == forms().end()) {
+    std::string all;
+    for (const auto& [known, form] : forms()) all += (all.empty() ? "" : ", ") + known;
+    reader.fail(where + "/act", "there is no act \"" + name + "\"; there is: " + all);
+  }
+  check_keys(reader, value, found->second, where);
+
+  Act act;
+  act.verb = found->second.verb;
+  const auto number = [&](const char* key, Measure measure, double& out) {
+    if (value.contains(key)) out = reader.number(value[key], measure, where + "/" + key);
+  };
+  number("time", Measure::kTime, act.time);
+  number("s", Measure::kNumber, act.s);
+  number("past", Measure::kLength, act.past);
+  number("back", Measure::kLength, act.back);
+  number("tilt", Measure::kAngle, act.tilt);
+  number("force", Measure::kForce, act.force);
+  number("closure", Measure::kNumber, act.closure);
+  number("hover", Measure::kLength, act.hover);
+  number("angle", Measure::kAngle, act.angle);
+  if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
+  if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
+  if (value.contains("from")) act.from = direction(reader, value["from"], where + "/from");
+  if (value.contains("across")) act.across = direction(reader, value["across"], where + "/across");
+  if (value.contains("mark")) act.mark = word(reader, value["mark"], where + "/mark");
+  if (value.contains("into") && value["into"].is_string())
+    act.tissue = word(reader, value["into"], where + "/into");
+  if (value.contains("into") && !value["into"].is_string())
+    act.into = direction(reader, value["into"], where + "/into");
+
+  if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
+  if (act.closure < 0 || act.closure > 1)
+    reader.fail(where + "/closure", "closure goes from 0 (open) to 1 (closed)");
+  if (act.s < 0 || act.s > 1) reader.fail(where + "/s", "s goes from 0 (point) to 1 (swage)");
+  return act;
+}
+
+}  // namespace
+
+Plan parse_plan(const std::string& text, const std::string& name) {
+  const Reader reader(name);
+  Json file;
+  try {
+    file = Json::parse(text);
+  } catch (const Json::parse_error& problem) {
+    reader.fail("", std::string("not JSON: ") + problem.what());
+  }
+  if (!file.is_object() || file.value("format", "") != "swage-plan/1")
+    reader.fail("/format", "\"swage-plan/1\" is needed here");
+  for (const auto& item : file.items()) {
+    static const std::set<std::string> known = {"format", "title", "doc", "start", "acts"};
+    if (!known.contains(item.key()))
+      reader.fail("/" + item.key(), "unknown; a plan has format, title, doc, start, acts");
+  }
+  if (!file.contains("start") || !file.contains("acts") || !file["acts"].is_array() || file["acts"].empty())
+    reader.fail("", "a plan needs \"start\", a pose, and \"acts\", a list of at least one");
+
+  Plan plan;
+  plan.title = file.value("title", "");
+  const Json& start = file["start"];
+  for (const char* key : {"p", "axis", "closing"})
+    if (!start.is_object() || !start.contains(key))
+      reader.fail("/start", "a start has p, axis, closing and closure");
+  plan.start.p = reader.vec3(start["p"], Measure::kLength, "/start/p");
+  try {
+    plan.start.q = hand::orientation(reader.vec3(start["axis"], Measure::kNumber, "/start/axis"),
+                                     reader.vec3(start["closing"], Measure::kNumber, "/start/closing"));
+  } catch (const std::invalid_argument& problem) {
+    reader.fail("/start", problem.what());
+  }
+  if (start.contains("closure"))
+    plan.closure = reader.number(start["closure"], Measure::kNumber, "/start/closure");
+  for (size_t i = 0; i < file["acts"].size(); ++i)
+    plan.acts.push_back(read_act(reader, file["acts"][i], "/acts/" + std::to_string(i)));
+  return plan;
+}
+
+Plan load_plan(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::stringstream text;
+  text << file.rdbuf();
+  return parse_plan(text.str(), path);
+}
+
+}  // namespace swage::skilled

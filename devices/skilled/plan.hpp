@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a skilled hand is to do: acts one after another, in the words of a surgeon and not in poses. Format "swage-plan/1":
+//
+//   { "format": "swage-plan/1", "title": "...",
+//     "start": { "p": ["8 mm", "0 mm", "4 mm"], "axis": [-1, 0, 0], "closing": [0, 0, 1], "closure": 0.15 },
+//     "acts": [ { "act": "reach", "s": 0.62, "past": "0.4 mm", "back": "3 mm", "from": [1, 0, 0], "time": "1.5 s" },
+//               { "act": "close", "force": "0.6 N", "time": "1 s" }, ... ] }
+//
+//   wait   time
+//   reach  s, past, back, from, tilt, time: open jaws square around the wire at s (0 point .. 1 swage), coming along the normal
+//          of the needle's plane from the side `from`; the tips reach `past` it, or stay `back` before it
+//   close  force or closure, time: closes until the grip has the force; takes at least `time`
+//   open   closure, time
+//   back   by, time: straight back along the jaws
+//   move   by, time: a way in the world
+//   bring  mark, s, time: what is held at s to where the mark is
+//   aim    mark, into, across, hover, time: the point before the mark, so that turning about the needle's own centre leads it
+//          in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane; hover along
+//          the arc
+//   drive  angle, time: along its own arc, about its centre
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toolkit/math.hpp"
+
+namespace swage::skilled {
+
+using toolkit::Pose;
+using toolkit::Vec3;
+
+enum class Verb : int { kWait, kReach, kClose, kOpen, kBack, kMove, kBring, kAim, kDrive };
+
+struct Act {
+  Verb verb = Verb::kWait;
+  double time = 1;              // s
+  double s = 0.6;               // 0 point .. 1 swage
+  double past = 0, back = 0;    // m
+  Vec3 from = Vec3::UnitX();    // unit, W
+  double tilt = 0;              // rad, of the jaws about the wire, from square
+  double force = 0;             // N; 0: to the closure
+  double closure = 1;           // 0..1
+  double by = 0;                // m
+  Vec3 way = Vec3::Zero();      // m, W
+  std::string mark;             // meaning
+  std::string tissue;           // name of an object, or "" for `into`
+  Vec3 into = -Vec3::UnitZ();   // unit, W
+  Vec3 across = Vec3::UnitY();  // W
+  double hover = 0;             // m, along the arc
+  double angle = 0;             // rad
+};
+
+struct Plan {
+  std::string title;
+  Pose start;
+  double closure = 0;
+  std::vector<Act> acts;
+};
+
+/// Throws std::runtime_error naming file and key. [main]
+Plan load_plan(const std::string& path);
+Plan parse_plan(const std::string& text, const std::string& name);
+
+}  // namespace swage::skilled

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skilled.hpp"
+
+#include <cmath>
+#include <exception>
+#include <numbers>
+
+namespace swage::skilled {
+
+using toolkit::Mat3;
+using toolkit::vec;
+
+namespace {
+
+constexpr double kAside = 0.2;  // of the needle's length: how far apart the two places are that tell its arc
+
+/// Share of the way and its rate on the path of least jerk.
+double least_jerk(double x) { return x * x * x * (10 + x * (-15 + 6 * x)); }
+
+Pose between(const Pose& a, const Pose& b, double u) {
+  const Vec3 turn = toolkit::log_rotation(a.q.conjugate() * b.q);
+  return {a.p + u * (b.p - a.p), a.q * toolkit::exp_rotation(u * turn)};
+}
+
+Place place(const swage_graspable_place& raw) {
+  return {raw.s, raw.length, vec(raw.p_W), vec(raw.tangent_W), vec(raw.normal_W)};
+}
+
+Mat3 frame(const Vec3& x, const Vec3& z) {
+  Mat3 R;
+  R.col(0) = x;
+  R.col(2) = z;
+  R.col(1) = z.cross(x);
+  return R;
+}
+
+}  // namespace
+
+void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
+  params_ = params;
+  if (params.tremor_band.low >= params.tremor_band.high)
+    builder.error("tremor_band", "the lowest frequency must be below the highest");
+  try {
+    plan_ = load_plan(params.file);
+  } catch (const std::exception& problem) {
+    builder.error("file", problem.what());
+  }
+  seeks_.assign(plan_.acts.size(), {});
+}
+
+void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) {
+  gripper_ = scene.find_object(params_.gripper);
+  needle_ = scene.find_object(params_.needle);
+  if (gripper_ == kNone) return refuse("there is no object \"" + params_.gripper + "\" (parameter gripper)");
+  if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
+  needle_peer_ = Peer(scene->object[needle_].instance);
+  if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
+  for (uint32_t i = 0; i < scene->n_signal && !force_.valid(); ++i)
+    if (view(scene->signal[i].id) == "grasp.force") force_ = Signal(i);
+
+  for (size_t i = 0; i < plan_.acts.size(); ++i) {
+    const Act& act = plan_.acts[i];
+    const std::string where = "act " + std::to_string(i + 1) + " of " + params_.file;
+    if (act.force > 0 && !force_.valid())
+      return refuse(
+          where +
+          " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
+    for (uint32_t m = 0; m < marks.size() && !act.mark.empty(); ++m)
+      if (view(marks[m].meaning) == act.mark && marks[m].kind == SWAGE_MARK_POINT) seeks_[i].mark = m;
+    if (!act.mark.empty() && seeks_[i].mark == kNone)
+      return refuse(where + " looks for the point \"" + act.mark + "\", which this lesson does not show");
+    if (act.tissue.empty()) continue;
+    seeks_[i].tissue = scene.find_object(act.tissue);
+    if (seeks_[i].tissue == kNone)
+      return refuse(where + " aims into \"" + act.tissue + "\", which is not there");
+    seeks_[i].tissue_peer = Peer(scene->object[seeks_[i].tissue].instance);
+    if (!seeks_[i].tissue_peer.has("swage.trait.pierceable/1"))
+      return refuse(where + ": \"" + act.tissue + "\" cannot be pierced");
+  }
+}
+
+void Skilled::look(const Sight& sight) {
+  const View scene = sight.view();
+  const Step needle = scene.object(needle_);
+  seen_.wire_good = false;
+  // two places on the needle: the one nearest to the jaws and one towards its middle
+  if (const auto a = needle_peer_.locate(needle, toolkit::raw(now_.p))) {
+    const double aside = (a->s < 0.5 ? kAside : -kAside) * a->length;
+    const Vec3 further = vec(a->p_W) + aside * vec(a->tangent_W);
+    if (const auto b = needle_peer_.locate(needle, toolkit::raw(further))) {
+      seen_.wire = Wire::through(place(*a), place(*b));
+      seen_.wire_good = true;
+    }
+  }
+  seen_.force = force_.valid() ? scene.signal(force_) : 0;
+  if (act_ >= plan_.acts.size()) return;
+  const Seeks& seeks = seeks_[act_];
+  if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
+  seen_.into_W = plan_.acts[act_].into;
+}
+
+// a new attempt begins at time 0
+void Skilled::restart() {
+  act_ = 0;
+  act_began_s_ = 0;
+  from_ = goal_ = now_ = plan_.start;
+  from_closure_ = closure_ = plan_.closure;
+  fresh_ = true;
+  if (drawn_) return;
+  tremor_.draw(params_.tremor, params_.tremor_band.low, params_.tremor_band.high,
+               [this] { return random(); });
+  drawn_ = true;
+}
+
+/// Box and Muller; 1 - random() is never 0.
+double Skilled::normal() {
+  const double r = std::sqrt(-2 * std::log(1 - random()));
+  return r * std::cos(2 * std::numbers::pi * random());
+}
+
+void Skilled::begin_act(double time_s) {
+  from_ = goal_ = now_;
+  from_closure_ = closure_;
+  act_began_s_ = time_s;
+  turn_W_.setZero();
+  fresh_ = true;
+}
+
+/// The jaws square around the wire: their axis along the normal of its plane, closing along its radius.
+Pose Skilled::reach_goal(const Act& act) const {
+  const Place p = seen_.wire.place(act.s + missed_m_ / seen_.wire.at.length);
+  const Vec3 x = p.normal_W.dot(act.from) > 0 ? Vec3(-p.normal_W) : p.normal_W;
+  Vec3 z = x.cross(p.tangent_W);
+  // whichever jaw is nearer to where it is now
+  if (z.dot(from_.q * Vec3::UnitZ()) < 0) z = -z;
+  const Quat lean = toolkit::exp_rotation(act.tilt * p.tangent_W);
+  const Mat3 R = frame(lean * x, lean * z);
+  return {p.p_W + (act.past - act.back) * R.col(0), Quat(R).normalized()};
+}
+
+/// The tool where the needle it holds has its point at the mark, leading in; then back along the arc by the hover.
+Pose Skilled::aim_goal(const Act& act) const {
+  const Wire& wire = seen_.wire;
+  const Place point = wire.place(0);
+  const Vec3 forward = -point.tangent_W;
+  const Vec3 into = seen_.into_W;
+  const Vec3 flat = act.across - act.across.dot(into) * into;
+  // the plane's normal is found from whichever side needs the smaller turn
+  Vec3 across = flat.normalized();
+  if (across.dot(wire.axis_W) < 0) across = -across;
+  const Mat3 R = frame(into, across) * frame(forward, wire.axis_W).transpose();
+  const Quat q = toolkit::exp_rotation(params_.lean * across) * Quat(R);
+  const Vec3 target = seen_.mark_W + missed_W_ - missed_W_.dot(into) * into;
+  const Pose held{target + q * (from_.p - point.p_W), (q * from_.q).normalized()};
+  const Vec3 centre = target + q * (wire.centre_W - point.p_W);
+  return turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));
+}
+
+void Skilled::set_goal(const Act& act) {
+  const Wire& wire = seen_.wire;
+  switch (act.verb) {
+    case Verb::kReach:
+      if (fresh_) missed_m_ = params_.spot_error * normal();
+      if (seen_.wire_good) goal_ = reach_goal(act);
+      return;  // and again in every step: it may swing
+    case Verb::kBack:
+      goal_.p = from_.p - act.by * (from_.q * Vec3::UnitX());
+      break;
+    case Verb::kMove:
+      goal_.p = from_.p + act.way;
+      break;
+    case Verb::kBring:
+      if (seen_.wire_good) goal_.p = from_.p + seen_.mark_W - wire.place(act.s).p_W;
+      break;
+    case Verb::kAim:
+      for (int k = 0; k < 3; ++k) missed_W_[k] = params_.aim_error / std::numbers::sqrt2 * normal();
+      if (seen_.wire_good) goal_ = aim_goal(act);
+      break;
+    case Verb::kDrive: {
+      if (!seen_.wire_good) break;
+      const Vec3 out = (wire.place(0).p_W - wire.centre_W).normalized();
+      turn_centre_W_ = wire.centre_W - params_.pivot_error * out;
+      turn_W_ = -act.angle * wire.axis_W;  // the axis leads to the swage, the point goes the other way
+      break;
+    }
+    case Verb::kWait:
+    case Verb::kClose:
+    case Verb::kOpen:
+      break;
+  }
+}
+
+void Skilled::follow_act(const Act& act, double share, double rate, double dt) {
+  if (fresh_ || act.verb == Verb::kReach) set_goal(act);
+  fresh_ = false;
+  const double u = least_jerk(share);
+  now_ = act.verb == Verb::kDrive ? turned(from_, turn_centre_W_, u * turn_W_) : between(from_, goal_, u);
+  if (act.verb == Verb::kOpen || (act.verb == Verb::kClose && act.force <= 0))
+    closure_ = from_closure_ + u * (act.closure - from_closure_);
+  if (act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force)
+    closure_ = std::min(1.0, closure_ + rate * dt * (1 - from_closure_));
+}
+
+void Skilled::exchange(const swage_command& command, swage_sample& sample) {
+  const double t = command.time_s;
+  if (t <= last_s_ || last_s_ < 0) restart();
+  const double dt = last_s_ < 0 ? 0 : std::max(0.0, t - last_s_);
+  last_s_ = t;
+  if (act_ < plan_.acts.size()) {
+    const Act& act = plan_.acts[act_];
+    const double time = act.time / params_.speed;
+    const double share = std::min(1.0, (t - act_began_s_) / time);
+    follow_act(act, share, 1 / time, dt);
+    // closing to a force ends with the force, or with closed jaws
+    const bool closing = act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force && closure_ < 1;
+    if (share >= 1 && !closing) {
+      ++act_;
+      begin_act(t);
+    }
+  }
+
+  Vec3 shake, shake_rate;
+  tremor_.at(t, shake, shake_rate);
+  sample.sequence += 1;
+  sample.time_s = t;
+  sample.pose.p = toolkit::raw(Vec3(now_.p + shake));
+  sample.pose.q = toolkit::raw(now_.q);
+  sample.closure = closure_;
+  sample.buttons = 0;
+  sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
+  if (act_ >= plan_.acts.size()) sample.valid |= SWAGE_VALID_DONE;
+}
+
+}  // namespace swage::skilled
+
+SWAGE_EXPORT(swage::skilled::Skilled)

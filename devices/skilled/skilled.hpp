@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.device.skilled: a hand with eyes that carries out a plan on the scene as it is. See skilled.md.
+#pragma once
+
+#include <swage/sight.hpp>
+
+#include <string>
+#include <vector>
+
+#include "hand/tremor.hpp"
+#include "plan.hpp"
+#include "wire.hpp"
+
+namespace swage::skilled {
+
+inline constexpr double kMaxLean = 1.4835298641951802;  // 85 deg
+
+struct SkilledParams {
+  std::string file;
+  std::string gripper = "holder", needle = "needle";
+  double speed = 1;
+  double tremor = 0;               // m
+  Interval tremor_band = {8, 12};  // Hz
+  double spot_error = 0;           // m
+  double aim_error = 0;            // m
+  double lean = 0;                 // rad
+  double pivot_error = 0;          // m
+};
+
+class Skilled final : public SeeingDevice<SkilledParams> {
+ public:
+  static constexpr auto id = "swage.device.skilled";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Skilled hand";
+  static constexpr auto summary =
+      "Carries out a plan (reach, close, aim, drive ...) on the scene as it is; sees where needle and target "
+      "are. "
+      "Human flaws can be added.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+
+  static constexpr std::array fields = {
+      file<&SkilledParams::file>("file", "Plan", "File of acts, format swage-plan/1.").required(),
+      text<&SkilledParams::gripper>("gripper", "Gripper", "The object that this hand leads."),
+      text<&SkilledParams::needle>("needle", "Needle", "What it grasps: anything graspable."),
+      real<&SkilledParams::speed>("speed", "Speed", "1", "1", 0.05, 20,
+                                  "1 takes the times of the plan, 2 half of them."),
+      real<&SkilledParams::tremor>(
+          "tremor", "Tremor", "m", "um", 0, 2e-3,
+          "Root mean square of the shaking, as a length in the scene. Eye surgeons at work: "
+          "about 38 um.")
+          .group("Flaws"),
+      interval<&SkilledParams::tremor_band>("tremor_band", "Tremor band", "Hz", "Hz", 0.1, 100,
+                                            "Lowest and highest frequency of the shaking.")
+          .group("Flaws"),
+      real<&SkilledParams::spot_error>(
+          "spot_error", "Spot error", "m", "um", 0, 5e-3,
+          "Root mean square of a distance along the needle by which each grasp misses its "
+          "place; drawn anew for each.")
+          .group("Flaws"),
+      real<&SkilledParams::aim_error>(
+          "aim_error", "Aim error", "m", "um", 0, 5e-3,
+          "Root mean square of the distance by which the point misses its mark, across the "
+          "way in; drawn anew for each aim.")
+          .group("Flaws"),
+      real<&SkilledParams::lean>(
+          "lean", "Lean", "rad", "deg", -kMaxLean, kMaxLean,
+          "Every aim is off by this angle, in the plane of the needle: how wrongly it judges angles.")
+          .group("Flaws"),
+      real<&SkilledParams::pivot_error>(
+          "pivot_error", "Pivot error", "m", "um", -5e-3, 5e-3,
+          "It drives the needle about a centre that is this much too far from the needle: "
+          "how wrongly it judges the curve.")
+          .group("Flaws"),
+  };
+
+  void build(const SkilledParams& params, DeviceBuilder& builder) override;
+  void bind(const Scene& scene, std::span<const swage_scene_mark> marks) override;
+  void look(const Sight& sight) SWAGE_RT override;
+  void exchange(const swage_command& command, swage_sample& sample) override;
+
+ private:
+  /// What an act looks for, by index.
+  struct Seeks {
+    uint32_t mark = kNone, tissue = kNone;
+    Peer tissue_peer;
+  };
+  /// What is seen in this step.
+  struct Seen {
+    Wire wire;
+    bool wire_good = false;
+    double force = 0;              // N
+    Vec3 mark_W = Vec3::Zero();    // m, of the act under way
+    Vec3 into_W = -Vec3::UnitZ();  // unit
+  };
+
+  void restart();
+  void begin_act(double time_s);
+  void set_goal(const Act& act);
+  Pose reach_goal(const Act& act) const;
+  Pose aim_goal(const Act& act) const;
+  void follow_act(const Act& act, double share, double rate, double dt);
+  double normal();
+
+  SkilledParams params_;
+  Plan plan_;
+  std::vector<Seeks> seeks_;
+  hand::Tremor tremor_;
+  uint32_t gripper_ = kNone, needle_ = kNone;
+  Peer needle_peer_;
+  Signal force_;
+
+  Seen seen_;
+  size_t act_ = 0;
+  double last_s_ = -1, act_began_s_ = 0;  // s, simulated
+  bool drawn_ = false, fresh_ = true;     // fresh: the act under way has not set its goal yet
+  Pose from_, goal_, now_;                // X_WT
+  double from_closure_ = 0, closure_ = 0;
+  Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
+  double missed_m_ = 0;           // along the needle, of this reach
+  Vec3 missed_W_ = Vec3::Zero();  // m, of this aim
+};
+
+}  // namespace swage::skilled

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The hand with eyes: what a plan may say, and that each act ends where its word says.
+#include <swage/abi/sight.h>
+
+#include <cstdio>
+#include <deque>
+#include <fstream>
+
+#include "devices/skilled/plan.hpp"
+#include "devices/skilled/wire.hpp"
+#include "stage.hpp"
+
+namespace swage::skilled {
+namespace {
+
+using stage::Stage;
+using toolkit::raw;
+using toolkit::vec;
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string message(const std::string& acts) {
+  try {
+    parse_plan(
+        R"({"format": "swage-plan/1", "start": {"p": [0, 0, 0], "axis": [1, 0, 0], "closing": [0, 0, 1]}, "acts": [)" +
+            acts + "]}",
+        "plan.json");
+  } catch (const std::runtime_error& problem) {
+    return problem.what();
+  }
+  return "nothing was wrong";
+}
+
+TEST(Plan, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
+  EXPECT_EQ(message(R"({"act": "jump"})"),
+            "plan.json #/acts/0/act: there is no act \"jump\"; there is: aim, back, bring, close, drive, "
+            "move, open, reach, "
+            "wait");
+  EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
+  EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
+            "plan.json #/acts/0/angle: \"3 mm\" is not an angle (rad, deg)");
+  EXPECT_EQ(message(R"({"act": "wait", "s": 0.5})"),
+            "plan.json #/acts/0/s: unknown here; this act has: time");
+  EXPECT_EQ(message(R"({"act": "wait", "time": 0})"), "plan.json #/acts/0/time: an act takes some time");
+  EXPECT_EQ(message(R"({"act": "reach", "s": 2, "from": [1, 0, 0]})"),
+            "plan.json #/acts/0/s: s goes from 0 (point) to 1 (swage)");
+  EXPECT_EQ(message(R"({"act": "reach", "s": 0.5, "from": [0, 0, 0]})"),
+            "plan.json #/acts/0/from: the direction has no length");
+  EXPECT_THROW(parse_plan("[]", "x"), std::runtime_error);
+  EXPECT_THROW(load_plan("/no/such/plan.json"), std::runtime_error);
+}
+
+/// A half circle of radius 2 mm in the plane z = 0, centre in the origin; s runs from the point at +x over +y to -x.
+struct Half {
+  static constexpr double kRadius = 2e-3;
+  static Place at(double s) {
+    const double a = kPi * s;
+    return {s, kPi * kRadius, kRadius * Vec3(std::cos(a), std::sin(a), 0), Vec3(-std::sin(a), std::cos(a), 0),
+            Vec3::UnitZ()};
+  }
+};
+
+TEST(Wire, ItsCircleIsFoundFromTwoPlaces) {
+  for (const double normal : {1.0, -1.0}) {
+    Place a = Half::at(0.4), b = Half::at(0.6);
+    a.normal_W *= normal;
+    const Wire wire = Wire::through(a, b);
+    EXPECT_NEAR(wire.radius(), Half::kRadius, 1e-15);
+    EXPECT_LT(wire.centre_W.norm(), 1e-15);
+    EXPECT_LT((wire.axis_W - Vec3::UnitZ()).norm(), 1e-12);
+    for (const double s : {0.0, 0.3, 1.0}) {
+      EXPECT_LT((wire.place(s).p_W - Half::at(s).p_W).norm(), 1e-15);
+      EXPECT_LT((wire.place(s).tangent_W - Half::at(s).tangent_W).norm(), 1e-12);
+    }
+  }
+  // a straight thing is a very large circle, not a division by zero
+  const Wire straight = Wire::through({0.5, 0.01, Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ()},
+                                      {0.7, 0.01, Vec3(2e-3, 0, 0), Vec3::UnitX(), Vec3::UnitZ()});
+  EXPECT_NEAR(straight.place(0).p_W.x(), -5e-3, 1e-6);
+}
+
+/// The device in front of a half circle that moves as the jaws hold it: rigidly with the hand once it is held.
+class SkilledHand : public ::testing::Test {
+ protected:
+  void make(const std::string& acts, stage::Params params = {}) {
+    path_ = ::testing::TempDir() + "swage_plan_" +
+            ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+    std::ofstream(path_)
+        << R"({"format": "swage-plan/1", "start": {"p": ["8 mm", 0, "5 mm"], "axis": [0, 0, -1], "closing": [0, 1, 0]}, "acts": [)"
+        << acts << "]}";
+    params.insert_or_assign("file", path_);
+    stage_ = std::make_unique<Stage>("swage.device.skilled");
+    ASSERT_EQ(stage_->configure(params), SWAGE_OK);
+    needle_.self = this;
+    needle_.get_extension = [](swage_instance*, const char* id) -> const void* {
+      static const swage_graspable table{locate};
+      return std::strcmp(id, SWAGE_TRAIT_GRASPABLE) == 0 ? &table : nullptr;
+    };
+    objects_ = {{text("holder"), text("x"), 0, 0, 0, 0, &gripper_},
+                {text("needle"), text("x"), 0, 0, 0, 0, &needle_}};
+    gripper_.get_extension = [](swage_instance*, const char*) -> const void* { return nullptr; };
+  }
+  void TearDown() override { std::remove(path_.c_str()); }
+
+  swage_result bind(bool with_force = true) {
+    const swage_scene_signal force{text("grasp"), text("grasp.force"), text("N")};
+    const swage_scene_card scene{
+        sizeof(swage_scene_card), 2, with_force ? 1u : 0u, 0, objects_.data(), &force, nullptr, 1e-3};
+    const swage_scene_mark mark{SWAGE_MARK_POINT, SWAGE_NONE, text("target.point"), {1e-4, 0}};
+    const swage_sight_card card{sizeof(swage_sight_card), 1, &scene, &mark};
+    const swage_result result = stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).bind(stage_->raw(), &card);
+    EXPECT_EQ(stage_->activate(), SWAGE_OK);
+    stage_->on_rt();
+    return result;
+  }
+
+  /// One millisecond: it looks, answers, and the world follows.
+  void step() {
+    swage_object_step objects[2] = {};
+    swage_view view{};
+    view.n_signal = 1;
+    view.signal = &force_;
+    view.n_object = 2;
+    view.object_step = objects;
+    const swage_sight sight{sizeof(swage_sight), 1, &view, &mark_};
+    ASSERT_EQ(stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).look(stage_->raw(), &sight), SWAGE_OK);
+    swage_command command{};
+    command.time_s = 1e-3 * n_++;
+    ASSERT_EQ(stage_->table<swage_device>(SWAGE_EXT_DEVICE).exchange(stage_->raw(), &command, &sample_),
+              SWAGE_OK);
+    const Pose X_WT(sample_.pose);
+    if (held_) X_WN_ = X_WT * X_TN_;
+    X_WT_ = X_WT;
+    // the jaws begin to bear the wire at closure 0.5, and have 0.6 N at 0.7
+    force_ = held_ ? std::max(0.0, (sample_.closure - 0.5) * 3) : 0;
+    if (!held_ && sample_.closure > 0.5) X_TN_ = X_WT.inverse() * X_WN_, held_ = true;
+  }
+  void run() {
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 60000;) step();
+  }
+  Place needle_at(double s) const {
+    Place p = Half::at(s);
+    p.p_W = X_WN_ * p.p_W;
+    p.tangent_W = X_WN_.q * p.tangent_W;
+    p.normal_W = X_WN_.q * p.normal_W;
+    return p;
+  }
+
+  static swage_result locate(swage_instance* i, const swage_object_step*, swage_vec3 p,
+                             swage_graspable_place* out) {
+    const auto& self = *static_cast<SkilledHand*>(i->self);
+    const Vec3 p_N = self.X_WN_.inverse() * vec(p);
+    const double s = std::clamp(std::atan2(p_N.y(), p_N.x()) / kPi, 0.0, 1.0);
+    const Place at = self.needle_at(s);
+    *out = {s, at.length, raw(at.p_W), raw(at.tangent_W), raw(at.normal_W)};
+    return SWAGE_OK;
+  }
+  static swage_str text(const char* t) { return {t, std::strlen(t)}; }
+
+  std::string path_;
+  std::unique_ptr<Stage> stage_;
+  swage_instance needle_{}, gripper_{};
+  std::vector<swage_scene_object> objects_;
+  Pose X_WN_{Vec3(1e-3, 0, 0), toolkit::exp_rotation({0.3, -0.2, 0.5})}, X_TN_, X_WT_;
+  swage_vec3 mark_{-4e-3, 1e-3, 2e-3};
+  double force_ = 0;
+  bool held_ = false;
+  int n_ = 0;
+  swage_sample sample_{};
+};
+
+const std::string kGrasp = R"({"act": "reach", "s": 0.6, "back": "3 mm", "from": [0, 0, 1], "time": "0.5 s"},
+    {"act": "reach", "s": 0.6, "past": "0.4 mm", "from": [0, 0, 1], "time": "0.5 s"},
+    {"act": "close", "force": "0.6 N", "time": "0.5 s"})";
+
+TEST_F(SkilledHand, ReachesSquareAndClosesToTheForce) {
+  make(kGrasp);
+  ASSERT_EQ(bind(), SWAGE_OK);
+  run();
+  const Place spot = needle_at(0.6);
+  EXPECT_LT((X_WT_ * Vec3(-0.4e-3, 0, 0) - spot.p_W).norm(), 1e-9);
+  EXPECT_NEAR((X_WT_.q * Vec3::UnitX()).dot(spot.normal_W), -1,
+              1e-9);  // along the normal of its plane, from +z
+  EXPECT_NEAR(std::abs((X_WT_.q * Vec3::UnitY()).dot(spot.tangent_W)), 1, 1e-9);  // closing along its radius
+  EXPECT_NEAR(force_, 0.6, 0.01);
+}
+
+TEST_F(SkilledHand, AimsAndDrivesTheNeedleThroughTheMarkAlongItself) {
+  make(
+      kGrasp +
+      R"(, {"act": "aim", "mark": "target.point", "into": [0, 0.6, -0.8], "across": [1, 0, 0], "hover": "0.5 mm",
+                      "time": "1 s"}, {"act": "drive", "angle": "60 deg", "time": "1 s"})");
+  ASSERT_EQ(bind(), SWAGE_OK);
+  const Vec3 mark = vec(mark_), into(0, 0.6, -0.8);
+  double nearest = 1, square = 0, off_circle = 0;
+  Vec3 centre = Vec3::Zero();
+  bool driving = false;
+  for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0;) {
+    step();
+    if (n_ == 2600) centre = X_WN_ * Vec3::Zero(), driving = true;
+    if (!driving) continue;
+    // the needle stays on its own circle all the way, and passes the mark along the direction
+    off_circle = std::max(off_circle, (X_WN_ * Vec3::Zero() - centre).norm());
+    const Place point = needle_at(0);
+    if ((point.p_W - mark).norm() < nearest)
+      nearest = (point.p_W - mark).norm(), square = -point.tangent_W.dot(into);
+  }
+  EXPECT_LT(off_circle, 1e-9);
+  EXPECT_LT(nearest, 5e-6);  // within half the way of one step
+  EXPECT_GT(square, 0.9999);
+  EXPECT_NEAR(std::abs(needle_at(0).normal_W.x()), 1, 1e-9);
+}
+
+TEST_F(SkilledHand, FlawsAreWhatTheySay) {
+  make(
+      kGrasp +
+          R"(, {"act": "aim", "mark": "target.point", "into": [0, 0, -1], "across": [1, 0, 0], "time": "1 s"})",
+      {{"lean", 0.2}});
+  ASSERT_EQ(bind(), SWAGE_OK);
+  run();
+  EXPECT_NEAR(std::acos(needle_at(0).tangent_W.z()), 0.2, 1e-9);
+  EXPECT_LT((needle_at(0).p_W - vec(mark_)).norm(), 1e-9);
+}
+
+TEST_F(SkilledHand, SaysWhatItCannotFind) {
+  make(R"({"act": "bring", "mark": "other.point", "s": 0.5})");
+  EXPECT_LT(bind(), 0);
+  make(kGrasp);
+  EXPECT_LT(bind(false), 0);
+  make(R"({"act": "aim", "mark": "target.point", "into": "skin", "across": [1, 0, 0]})");
+  EXPECT_LT(bind(), 0);
+}
+
+TEST_F(SkilledHand, ANewAttemptBeginsAtTheBeginning) {
+  make(kGrasp);
+  ASSERT_EQ(bind(), SWAGE_OK);
+  run();
+  n_ = 0;
+  held_ = false;
+  step();
+  EXPECT_LT((X_WT_.p - Vec3(8e-3, 0, 5e-3)).norm(), 1e-12);
+  EXPECT_EQ(sample_.valid & SWAGE_VALID_DONE, 0u);
+}
+
+}  // namespace
+}  // namespace swage::skilled
