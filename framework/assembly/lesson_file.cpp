@@ -268,6 +268,11 @@ bool parse_lesson(const std::string& text, const std::string& path, LessonFile& 
 }
 
 bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems) {
+  return read_lesson_file(path, {}, out, problems);
+}
+
+bool read_lesson_file(const std::string& path, std::span<const Setting> settings, LessonFile& out,
+                      base::Problems& problems) {
   std::error_code failed;
   std::ifstream file(path, std::ios::binary);
   if (!file || !std::filesystem::is_regular_file(path, failed)) {
@@ -279,7 +284,10 @@ bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& 
   }
   std::ostringstream text;
   text << file.rdbuf();
-  return parse_lesson(text.str(), path, out, problems);
+  const std::string changed = with_settings(text.str(), settings, path, problems);
+  const bool good = parse_lesson(changed.empty() ? text.str() : changed, path, out, problems);
+  out.faulty = out.faulty || (changed.empty() && !settings.empty());
+  return good && !out.faulty;
 }
 
 }  // namespace swage::assembly

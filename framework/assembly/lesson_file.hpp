@@ -8,10 +8,12 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "assembly/settings.hpp"
 #include "base/problem.hpp"
 
 namespace swage::assembly {
@@ -74,6 +76,9 @@ struct LessonFile {
 /// other. Reports everything that is wrong. False when something is an error; `out` then holds what could be
 /// read.
 bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems);
+/// The same with other values: settings.hpp.
+bool read_lesson_file(const std::string& path, std::span<const Setting> settings, LessonFile& out,
+                      base::Problems& problems);
 bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
                   base::Problems& problems);
 

@@ -18,7 +18,12 @@ std::unique_ptr<Session> Session::open(const Options& options, Problems& problem
 
   assembly::LessonFile file;
   // a faulty file is assembled all the same, as far as it goes: one run tells everything that is wrong with it
-  assembly::read_lesson_file(options.lesson_path, file, problems);
+  std::vector<assembly::Setting> settings(options.settings.size());
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    if (!assembly::parse_setting(options.settings[i], settings[i]))
+      problems.push_back({base::Severity::kError, "--set",
+                          "\"" + options.settings[i] + "\" is no setting; it looks like needle.arc=2/8"});
+  assembly::read_lesson_file(options.lesson_path, settings, file, problems);
   host::Catalogue::Options search;
   search.plugin_dirs = options.plugin_dirs;
   search.safe_mode = options.safe_mode;

@@ -33,6 +33,8 @@ struct Options {
   std::string device;  // which hand: an "as" name of the lesson file ("expert"), a plugin id, or its last
                        // word ("mouse"); "" takes the lesson's first choice
   std::string device_params;  // JSON object for it, "" for defaults
+  std::vector<std::string>
+      settings;  // other values than the file's: "needle.arc=2/8", "seed=7"; kept with the attempt
   std::string person = "Guest";
   std::string store_path;         // attempts database; "" for the user's own, ":none:" to keep nothing
   std::string mode = "practice";  // "practice", "test", "demo"

@@ -39,6 +39,9 @@ void add_run(CLI::App& app, Arguments& a) {
   verb->add_option("lesson", o.lesson, "Lesson file (.json)")->required();
   verb->add_option("--device", o.device, "Hand: a name of the lesson (expert), a plugin (mouse)");
   verb->add_option("--device-params", o.device_params, "Parameters of that device, a JSON object");
+  verb->add_option("--set", o.settings,
+                   "Another value than the file's: needle.arc=2/8, seed=7; may be repeated")
+      ->allow_extra_args(false);
   verb->add_flag("--headless", o.headless, "Without a window");
   verb->add_flag("--as-fast-as-possible", o.fast, "Without a clock; gives the same numbers every time");
   verb->add_option("--person", o.person, "Whose attempt it is")->capture_default_str();

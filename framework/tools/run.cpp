@@ -175,6 +175,7 @@ int run(const RunOptions& o) {
   options.plugin_dirs = o.plugin_dirs;
   options.device = o.device;
   options.device_params = o.device_params;
+  options.settings = o.settings;
   options.person = o.person;
   options.store_path = o.store;
   options.mode = o.mode;

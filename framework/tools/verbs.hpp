@@ -19,6 +19,7 @@ inline constexpr int kProblem = 2;  // it could not be done, or was asked wrongl
 struct RunOptions {
   std::string lesson, device, device_params, person = "Guest", store, mode = "practice";
   std::vector<std::string> plugin_dirs;
+  std::vector<std::string> settings;  // "needle.arc=2/8"
   bool headless = false, fast = false, safe_mode = false, json = false;
   double max_time_s = 0;  // simulated; 0: until the lesson ends
 };

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One lesson, many variants: values set from outside end in the text that is assembled and recorded.
+#include "assembly/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace swage::assembly {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kLesson = R"({
+  "seed": 1,
+  "devices": [ { "name": "hand", "plugin": "swage.device.mouse", "or": [
+      { "as": "expert", "plugin": "x", "params": { "tremor": 0 } }, { "as": "novice", "plugin": "x", "params": { "tremor": 1 } } ] } ],
+  "objects": [ { "name": "needle", "plugin": "swage.object.needle", "params": { "arc": "3/8" } }, { "name": "tray", "plugin": "y" } ],
+  "couplings": [ { "plugin": "swage.coupling.grasp" } ],
+  "lesson": { "plugin": "z", "params": {} } })";
+
+Json with(const std::vector<std::string>& texts, base::Problems& problems) {
+  std::vector<Setting> settings(texts.size());
+  for (size_t i = 0; i < texts.size(); ++i) EXPECT_TRUE(parse_setting(texts[i], settings[i]));
+  const std::string text = with_settings(kLesson, settings, "l.json", problems);
+  return text.empty() ? Json() : Json::parse(text);
+}
+
+TEST(Settings, GoWhereTheirNameSays) {
+  base::Problems problems;
+  const Json file = with({"needle.arc=2/8", "tray.size=[\"1 mm\", 2, 3]", "lesson.drive=0.4",
+                          "grasp.balance=0.2", "seed=7", "hand.tremor=\"15 um\"", "hand.start=[0, 0, 0]"},
+                         problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(file["objects"][0]["params"]["arc"], "2/8");
+  EXPECT_EQ(file["objects"][1]["params"]["size"], Json({"1 mm", 2, 3}));
+  EXPECT_EQ(file["lesson"]["params"]["drive"], 0.4);
+  EXPECT_EQ(file["couplings"][0]["params"]["balance"], 0.2);
+  EXPECT_EQ(file["seed"], 7);
+  // alternatives that know a parameter get it, and only they
+  EXPECT_EQ(file["devices"][0]["or"][0]["params"]["tremor"], "15 um");
+  EXPECT_EQ(file["devices"][0]["or"][1]["params"]["tremor"], "15 um");
+  EXPECT_EQ(file["devices"][0]["params"], Json({{"start", {0, 0, 0}}}));
+}
+
+TEST(Settings, NoneLeaveTheTextAsItIs) {
+  base::Problems problems;
+  EXPECT_EQ(with_settings(kLesson, {}, "l.json", problems), kLesson);
+}
+
+TEST(Settings, AreRefusedWithASentence) {
+  Setting setting;
+  EXPECT_FALSE(parse_setting("needle.arc", setting));
+  EXPECT_FALSE(parse_setting("=3", setting));
+  base::Problems problems;
+  EXPECT_TRUE(with({"needel.arc=2/8"}, problems).is_null());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].message,
+            "There is no \"needel\" to set \"needel.arc\". Did you mean \"needle\"? There is: needle, tray, "
+            "grasp, hand, lesson.");
+  problems.clear();
+  EXPECT_EQ(with_settings("[]", std::vector<Setting>{{"seed", "1"}}, "l.json", problems), "");
+  EXPECT_EQ(problems.size(), 1u);
+}
+
+}  // namespace
+}  // namespace swage::assembly
