@@ -17,6 +17,7 @@
 
 #include "record/recorder.hpp"
 #include "record/store.hpp"
+#include "session/playback.hpp"
 
 namespace swage::session {
 namespace {
@@ -136,6 +137,51 @@ TEST_F(SessionTest, ARecordedAttemptReplaysBitForBit) {
   ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
   EXPECT_FALSE(again.identical);
   EXPECT_EQ(again.first_difference, when);
+}
+
+// winding to any step, forwards or backwards, gives the state that was recorded there
+TEST_F(SessionTest, ARecordedAttemptCanBeWoundToAnyStep) {
+  options.store_path = folder + "/attempts.db";
+  options.max_time_s = 2.5;
+  const Result result = run();
+  const record::Recording attempt = recording(result.attempt_id);
+  Problems problems;
+  const auto playback = Playback::open(attempt, options.plugin_dirs, problems);
+  ASSERT_NE(playback, nullptr) << told(problems);
+  EXPECT_EQ(playback->count(), result.steps);
+  EXPECT_EQ(playback->card().objects.size(), open()->card().objects.size());
+  for (const uint64_t target : {0u, 1u, 700u, 2400u, 1000u, 999u, 3u, 2499u, 0u, 1501u}) {
+    // in small portions, as a window does
+    int portions = 0;
+    while (!playback->toward(target, 250)) ++portions;
+    EXPECT_LE(portions, 11) << target;
+    ASSERT_EQ(playback->at(), target);
+    if (target == 0) continue;
+    EXPECT_EQ(playback->engine().hash(), attempt.hash[target - 1]) << target;
+    snapshot::Snapshot shown;
+    playback->fill(shown);
+    EXPECT_EQ(shown.step, target);
+  }
+  EXPECT_EQ(playback->first_difference(), playback->count());
+  // beyond the end is the end
+  while (!playback->toward(1'000'000, 1000)) {
+  }
+  EXPECT_EQ(playback->at(), result.steps);
+  EXPECT_FALSE(playback->step());
+}
+
+TEST_F(SessionTest, APlaybackKnowsWhereItLeavesTheAttempt) {
+  options.store_path = folder + "/attempts.db";
+  options.max_time_s = 1;
+  record::Recording attempt = recording(run().attempt_id);
+  attempt.sample[600].pose.p.y += 1e-9;
+  attempt.step[900] = 950;  // 50 steps were not recorded
+  Problems problems;
+  const auto playback = Playback::open(attempt, options.plugin_dirs, problems);
+  ASSERT_NE(playback, nullptr) << told(problems);
+  EXPECT_EQ(playback->count(), 900u);
+  playback->toward(900, 900);
+  EXPECT_EQ(playback->first_difference(), 600u);
 }
 
 TEST_F(SessionTest, ReplaySaysWhatItCannotDo) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A recorded attempt to look at: the scene is stepped again on the recorded samples and commands, and can be wound back.
+// Threads: [main]; nothing here has a clock.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/problem.hpp"
+#include "host/rig.hpp"
+#include "record/recorder.hpp"
+#include "snapshot/snapshot.hpp"
+#include "step/step.hpp"
+
+namespace swage::session {
+
+class Playback {
+ public:
+  /// Builds the scene from the recording's own descriptor. nullptr and `problems` when it cannot be built (a plugin is
+  /// missing). `recording` outlives the playback.
+  static std::unique_ptr<Playback> open(const record::Recording& recording,
+                                        const std::vector<std::string>& plugin_dirs,
+                                        base::Problems& problems);
+  ~Playback();
+
+  const snapshot::SceneCard& card() const { return rig_->card; }
+  const host::Rig& rig() const { return *rig_; }
+  const step::Engine& engine() const { return *engine_; }
+
+  /// Steps made so far: what is shown is the state after so many. 0 is the start.
+  uint64_t at() const { return at_; }
+  /// Steps that can be shown: all, or those up to the first that was not recorded.
+  uint64_t count() const { return count_; }
+
+  /// One step forward. False at the end.
+  bool step();
+  /// Towards the state after `target` steps, at most `most` steps of work, so that a window stays awake; true when there.
+  /// Backwards starts from the last kept state before the target.
+  bool toward(uint64_t target, uint64_t most);
+  void fill(snapshot::Snapshot& out) const { engine_->fill(out); }
+
+  /// The first step whose hash is not the recorded one; count() when none was found so far. Another version of a plugin
+  /// gives other bits: what is seen from there on is like the attempt, but is not the attempt.
+  uint64_t first_difference() const { return first_difference_; }
+
+ private:
+  class Port;
+  struct Kept {
+    uint64_t at = 0;
+    std::vector<std::byte> image;
+  };
+  Playback(const record::Recording& recording, std::vector<std::string> plugin_dirs);
+  bool build(base::Problems& problems);
+  void push_commands();
+  void back_to(uint64_t target);
+  bool live_change_between(uint64_t from, uint64_t to) const;
+
+  const record::Recording& recording_;
+  const std::vector<std::string> plugin_dirs_;
+  std::unique_ptr<host::Rig> rig_;
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::unique_ptr<step::Engine> engine_;
+  std::vector<Kept> kept_;
+  uint64_t at_ = 0, count_ = 0, first_difference_ = 0;
+  std::size_t command_ = 0;
+};
+
+}  // namespace swage::session
