@@ -18,6 +18,7 @@ using namespace swage::tools;
 // everything that may stand on the command line
 struct Arguments {
   RunOptions run;
+  StudyOptions study;
   ReplayOptions replay;
   ValidateOptions validate;
   DescribeOptions describe;
@@ -58,6 +59,16 @@ void add_run(CLI::App& app, Arguments& a) {
   verb->add_flag("--json", o.json, "The result as JSON");
   plugin_dirs(verb, o.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return run(a.run); }; });
+}
+
+void add_study(CLI::App& app, Arguments& a) {
+  CLI::App* verb =
+      app.add_subcommand("study", "Run a lesson over a matrix of variants and hands, and draw the figures");
+  verb->add_option("study", a.study.file, "Study file (.json)")->required();
+  verb->add_option("--out", a.study.out, "Folder for figures (SVG) and all attempts (CSV)");
+  verb->add_option("--store", a.study.store, "Attempts database that keeps them; none unless given");
+  plugin_dirs(verb, a.study.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return study(a.study); }; });
 }
 
 void add_replay(CLI::App& app, Arguments& a) {
@@ -171,8 +182,8 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", "swage " SWAGE_VERSION);
   app.require_subcommand(1);
   Arguments a;
-  for (const auto add :
-       {add_run, add_replay, add_validate, add_describe, add_new, add_doctor, add_bench, add_attempts})
+  for (const auto add : {add_run, add_study, add_replay, add_validate, add_describe, add_new, add_doctor,
+                         add_bench, add_attempts})
     add(app, a);
   if (wrong_verb(app, argc, argv)) return kProblem;
   try {

@@ -25,6 +25,13 @@ struct RunOptions {
 };
 int run(const RunOptions&);
 
+struct StudyOptions {
+  std::string file, out;  // out: folder for figures and table, "" for none
+  std::string store = ":none:";
+  std::vector<std::string> plugin_dirs;
+};
+int study(const StudyOptions&);
+
 struct ReplayOptions {
   std::string what;  // file, attempt id or its beginning, "last"
   std::string store;

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage study: a lesson over a matrix of variants and hands, as fast as it goes.
+#include "tools/study.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "session/session.hpp"
+#include "tools/print.hpp"
+#include "tools/verbs.hpp"
+
+namespace swage::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Takes a study apart; what is wrong is said with its place.
+class Reader {
+ public:
+  Reader(std::string path, base::Problems& problems) : path_(std::move(path)), problems_(problems) {}
+
+  void read(const Json& file, Study& out) {
+    if (!file.is_object() || file.value("format", "") != "swage-study/1")
+      return error("/format", "\"swage-study/1\" is needed here");
+    for (const auto& item : file.items())
+      only(item.key(), "",
+           {"format", "title", "doc", "lesson", "repeats", "seed", "factors", "hands", "figures"});
+    out.title = text(file, "title", "");
+    out.lesson = (std::filesystem::path(path_).parent_path() / text(file, "lesson", "")).lexically_normal();
+    out.repeats = whole(file, "repeats", 1);
+    out.seed = whole(file, "seed", 1);
+    each(file, "factors",
+         [&](const Json& f, const std::string& at) { out.factors.push_back(factor(f, at)); });
+    each(file, "hands", [&](const Json& h, const std::string& at) {
+      out.hands.push_back(
+          {text(h, "name", at), text(h, "device", at), h.contains("params") ? h["params"].dump() : ""});
+    });
+    each(file, "figures", [&](const Json& f, const std::string& at) {
+      out.figures.push_back({text(f, "metric", at), text(f, "title", at), f.value("unit", ""),
+                             text(f, "file", at), f.value("scale", 1.0)});
+    });
+    if (out.factors.empty() || out.factors.size() > 2)
+      error("/factors", "one or two factors are needed here");
+    if (out.hands.empty()) error("/hands", "at least one hand is needed here");
+  }
+
+ private:
+  void error(const std::string& pointer, const std::string& message) {
+    problems_.push_back({base::Severity::kError, path_ + " #" + pointer, message});
+  }
+  void only(const std::string& key, const std::string& at, std::initializer_list<const char*> known) {
+    for (const char* k : known)
+      if (key == k) return;
+    error(at + "/" + key, "unknown here");
+  }
+  std::string text(const Json& from, const char* key, const std::string& at) {
+    if (from.is_object() && from.contains(key) && from[key].is_string()) return from[key];
+    error(at + "/" + key, "a text is needed here");
+    return "";
+  }
+  uint64_t whole(const Json& from, const char* key, uint64_t usual) {
+    if (!from.contains(key)) return usual;
+    if (from[key].is_number_unsigned() && from[key] > 0) return from[key];
+    error(std::string("/") + key, "a whole number above 0 is needed here");
+    return usual;
+  }
+  template <class Do>
+  void each(const Json& from, const char* key, Do&& what) {
+    if (!from.contains(key)) return;
+    if (!from[key].is_array()) return error(std::string("/") + key, "a list is needed here");
+    for (std::size_t i = 0; i < from[key].size(); ++i)
+      what(from[key][i], std::string("/") + key + "/" + std::to_string(i));
+  }
+  StudyFactor factor(const Json& from, const std::string& at) {
+    StudyFactor out;
+    out.name = text(from, "name", at);
+    if (!from.is_object() || !from.contains("levels") || !from["levels"].is_array() ||
+        from["levels"].empty()) {
+      error(at + "/levels", "a list of levels is needed here");
+      return out;
+    }
+    for (const Json& l : from["levels"]) {
+      StudyLevel level{text(l, "name", at + "/levels"), {}};
+      if (l.is_object() && l.contains("set"))
+        for (const auto& item : l["set"].items())
+          level.settings.push_back(item.key() + "=" + item.value().dump());
+      out.levels.push_back(std::move(level));
+    }
+    return out;
+  }
+
+  std::string path_;
+  base::Problems& problems_;
+};
+
+bool run_one(const Study& study, const StudyOptions& o, StudyRow& row, base::Problems& problems) {
+  session::Options options;
+  options.lesson_path = study.lesson;
+  options.plugin_dirs = o.plugin_dirs;
+  options.device = study.hands[row.hand].device;
+  options.device_params = study.hands[row.hand].params;
+  options.person = study.hands[row.hand].name;
+  options.store_path = o.store;
+  options.mode = "test";
+  options.pace = session::Pace::kFastest;
+  const std::size_t skipped = 2 - study.factors.size();
+  for (std::size_t i = 0; i < study.factors.size(); ++i)
+    for (const std::string& setting : study.factors[i].levels[row.level[skipped + i]].settings)
+      options.settings.push_back(setting);
+  options.settings.push_back("seed=" + std::to_string(row.seed));
+
+  const std::unique_ptr<session::Session> session = session::Session::open(options, problems);
+  if (!session || base::failed(problems)) return false;
+  session->start();
+  session->wait();
+  const session::Result result = session->result();
+  row.passed = result.outcome == judge::Outcome::kPassed;
+  row.reason = result.reason;
+  row.score = result.score;
+  for (const auto& metric : result.metrics) row.metric[metric.id] = metric.value;
+  return true;
+}
+
+void print_figure(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows) {
+  std::printf("\n%s%s\n%-28s", figure.title.c_str(),
+              figure.unit.empty() ? "" : (" (" + figure.unit + ")").c_str(), "");
+  for (const StudyHand& hand : study.hands) std::printf(" %18s", hand.name.c_str());
+  std::printf("\n");
+  const std::size_t outer = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;
+  const std::vector<StudyLevel>& inner = study.factors.back().levels;
+  for (std::size_t a = 0; a < outer; ++a) {
+    for (std::size_t b = 0; b < inner.size(); ++b) {
+      const std::string before = study.factors.size() > 1 ? study.factors[0].levels[a].name + ", " : "";
+      std::printf("%-28s", (before + inner[b].name).c_str());
+      for (std::size_t hand = 0; hand < study.hands.size(); ++hand) {
+        std::size_t passed = 0, of = 0;
+        const double mean = figure.scale * cell_mean(rows, a, b, hand, figure.metric, &passed, &of);
+        std::printf(" %10.4g (%zu of %zu)", mean, passed, of);
+      }
+      std::printf("\n");
+    }
+  }
+}
+
+bool write(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  return file.good();
+}
+
+}  // namespace
+
+bool read_study(const std::string& path, Study& out, base::Problems& problems) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (!file) {
+    problems.push_back({base::Severity::kError, path, "There is no such study file."});
+    return false;
+  }
+  const Json json = Json::parse(text.str(), nullptr, false);
+  if (json.is_discarded())
+    problems.push_back({base::Severity::kError, path, "It is not JSON."});
+  else
+    Reader(path, problems).read(json, out);
+  return !base::failed(problems);
+}
+
+int study(const StudyOptions& o) {
+  base::Problems problems;
+  Study study;
+  if (!read_study(o.file, study, problems)) return tell(problems), kProblem;
+
+  std::vector<StudyRow> rows;
+  const std::size_t outer = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;
+  const std::size_t inner = study.factors.back().levels.size();
+  const std::size_t all = outer * inner * study.hands.size() * study.repeats;
+  for (std::size_t i = 0; i < all; ++i) {
+    StudyRow row;
+    row.seed = study.seed + i % study.repeats;
+    row.hand = i / study.repeats % study.hands.size();
+    row.level[1] = i / (study.repeats * study.hands.size()) % inner;
+    row.level[0] = i / (study.repeats * study.hands.size() * inner);
+    std::fprintf(stderr, "\r%zu of %zu", i + 1, all);
+    problems.clear();
+    if (!run_one(study, o, row, problems)) {
+      std::fprintf(stderr, "\n");
+      return tell(problems), kProblem;
+    }
+    rows.push_back(std::move(row));
+  }
+  std::fprintf(stderr, "\n");
+
+  std::printf("%s\nmean over attempts (passed of all)\n", study.title.c_str());
+  for (const StudyFigure& figure : study.figures) print_figure(study, figure, rows);
+  if (o.out.empty()) return kPassed;
+  std::error_code ignored;
+  std::filesystem::create_directories(o.out, ignored);
+  const std::string folder = o.out + "/";
+  bool written = write(folder + "attempts.csv", study_csv(study, rows));
+  for (const StudyFigure& figure : study.figures)
+    written = write(folder + figure.file, study_svg(study, figure, rows)) && written;
+  return written ? kPassed : problem("\"" + o.out + "\" cannot be written.");
+}
+
+}  // namespace swage::tools

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Figures and tables of a study.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tools/print.hpp"
+#include "tools/study.hpp"
+
+namespace swage::tools {
+namespace {
+
+constexpr double kWidth = 900, kHeight = 480, kLeft = 80, kRight = 30, kTop = 84, kBottom = 80;
+
+// distinct for colour-blind readers (Okabe and Ito), and each hand has a mark of its own
+struct Style {
+  const char* colour;
+  const char* path;  // around 0 0, about 12 wide
+};
+constexpr Style kStyles[] = {{"#0072b2", "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0Z"},
+                             {"#d55e00", "M0 -6L6 5L-6 5Z"},
+                             {"#009e73", "M-5 -5H5V5H-5Z"},
+                             {"#cc79a7", "M0 -7L7 0L0 7L-7 0Z"},
+                             {"#555555", "M0 6L6 -5L-6 -5Z"}};
+const Style& style(std::size_t hand) { return kStyles[hand % std::size(kStyles)]; }
+
+std::string escape(const std::string& s) {
+  std::string out;
+  for (const char c : s)
+    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
+  return out;
+}
+
+/// The least of 1, 2, 5 times a power of ten that is not below x.
+double round_up(double x) {
+  const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
+  for (const double k : {1.0, 2.0, 5.0})
+    if (k * power >= x) return k * power;
+  return 10 * power;
+}
+
+class Figure {
+ public:
+  Figure(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows)
+      : study_(study), figure_(figure), rows_(rows) {
+    double most = 0;
+    for (const StudyRow& row : rows) {
+      const double v = value(row);
+      if (std::isfinite(v)) most = std::max(most, v);
+    }
+    tick_ = round_up(std::max(most, 1e-12) / 6);
+    top_ = tick_ * std::ceil(std::max(most, 1e-12) / tick_);
+    inner_ = study.factors.back().levels.size();
+    outer_ = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;
+  }
+
+  std::string draw() {
+    o_ << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
+       << "' font-family='DejaVu Sans, Arial, sans-serif' font-size='13' fill='#222'>\n<rect width='100%' "
+          "height='100%' "
+          "fill='white'/>\n";
+    text(kLeft, 28, figure_.title, "font-size='17' font-weight='bold'");
+    axes();
+    legend();
+    for (const StudyRow& row : rows_) dot(row);
+    for (std::size_t i = 0; i < outer_ * inner_; ++i)
+      for (std::size_t hand = 0; hand < study_.hands.size(); ++hand) mean(i / inner_, i % inner_, hand);
+    o_ << "</svg>\n";
+    return o_.str();
+  }
+
+ private:
+  double value(const StudyRow& row) const {
+    const auto found = row.metric.find(figure_.metric);
+    return found == row.metric.end() ? NAN : figure_.scale * found->second;
+  }
+  // cells in groups: the first factor makes the groups, the second the places in them
+  double cell_width() const {
+    return (kWidth - kLeft - kRight) / (static_cast<double>(outer_) * (static_cast<double>(inner_) + 0.6));
+  }
+  double cell_x(std::size_t outer, std::size_t inner) const {
+    return kLeft + cell_width() * ((static_cast<double>(inner_) + 0.6) * static_cast<double>(outer) +
+                                   static_cast<double>(inner) + 0.8);
+  }
+  double hand_x(std::size_t outer, std::size_t inner, std::size_t hand) const {
+    const double n = static_cast<double>(study_.hands.size());
+    return cell_x(outer, inner) + cell_width() * 0.7 * ((static_cast<double>(hand) + 0.5) / n - 0.5);
+  }
+  double y(double v) const { return kHeight - kBottom - v / top_ * (kHeight - kTop - kBottom); }
+
+  void text(double x, double y, const std::string& s, const std::string& extra) {
+    o_ << "<text x='" << format("%.1f", x) << "' y='" << format("%.1f", y) << "' " << extra << ">"
+       << escape(s) << "</text>\n";
+  }
+  void axes() {
+    for (double v = 0; v <= top_ * 1.0001; v += tick_) {
+      o_ << format("<path d='M%.1f %.1fH%.1f' stroke='#e3e3e3'/>\n", kLeft, y(v), kWidth - kRight);
+      text(kLeft - 8, y(v) + 4, format("%.4g", v), "text-anchor='end'");
+    }
+    o_ << format("<path d='M%.1f %.1fV%.1fH%.1f' fill='none' stroke='#888'/>\n", kLeft, kTop,
+                 kHeight - kBottom, kWidth - kRight);
+    o_ << format("<g transform='translate(22 %.1f) rotate(-90)'>", 0.5 * (kTop + kHeight - kBottom));
+    text(0, 0, figure_.metric + (figure_.unit.empty() ? "" : " (" + figure_.unit + ")"),
+         "text-anchor='middle'");
+    o_ << "</g>\n";
+    for (std::size_t a = 0; a < outer_; ++a) {
+      for (std::size_t b = 0; b < inner_; ++b)
+        text(cell_x(a, b), kHeight - kBottom + 20, study_.factors.back().levels[b].name,
+             "text-anchor='middle'");
+      if (study_.factors.size() > 1)
+        text(0.5 * (cell_x(a, 0) + cell_x(a, inner_ - 1)), kHeight - kBottom + 42,
+             study_.factors[0].name + " " + study_.factors[0].levels[a].name,
+             "text-anchor='middle' font-weight='bold'");
+    }
+    text(0.5 * (kLeft + kWidth - kRight), kHeight - 12, study_.factors.back().name, "text-anchor='middle'");
+  }
+  void legend() {
+    double x = kLeft;
+    for (std::size_t hand = 0; hand < study_.hands.size(); ++hand) {
+      o_ << format("<path transform='translate(%.1f 52)' d='%s' fill='%s'/>\n", x + 6, style(hand).path,
+                   style(hand).colour);
+      text(x + 18, 57, study_.hands[hand].name, "");
+      x += 40 + 8.5 * static_cast<double>(study_.hands[hand].name.size());
+    }
+    text(x + 10, 57, "filled: passed, hollow: not; bar: mean", "fill='#666'");
+  }
+  void dot(const StudyRow& row) {
+    const double v = value(row);
+    if (!std::isfinite(v)) return;
+    // repeats side by side, so that equal values do not hide each other
+    const double spread = (static_cast<double>((row.seed - study_.seed) % 7) - 3) * 0.01 * cell_width();
+    o_ << format(
+        "<path transform='translate(%.1f %.1f)' d='%s' fill='%s' stroke='%s' stroke-width='1.5' "
+        "fill-opacity='%s'/>\n",
+        hand_x(row.level[0], row.level[1], row.hand) + spread, y(v), style(row.hand).path,
+        style(row.hand).colour, style(row.hand).colour, row.passed ? "0.75" : "0");
+  }
+  void mean(std::size_t outer, std::size_t inner, std::size_t hand) {
+    const double v = figure_.scale * cell_mean(rows_, outer, inner, hand, figure_.metric);
+    if (!std::isfinite(v)) return;
+    const double x = hand_x(outer, inner, hand), w = 0.1 * cell_width();
+    o_ << format("<path d='M%.1f %.1fH%.1f' stroke='%s' stroke-width='3'/>\n", x - w, y(v), x + w,
+                 style(hand).colour);
+  }
+
+  const Study& study_;
+  const StudyFigure& figure_;
+  const std::vector<StudyRow>& rows_;
+  std::size_t inner_ = 1, outer_ = 1;
+  double tick_ = 1, top_ = 1;
+  std::ostringstream o_;
+};
+
+}  // namespace
+
+double cell_mean(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
+                 const std::string& metric, std::size_t* passed, std::size_t* of) {
+  double sum = 0;
+  std::size_t n = 0, good = 0, all = 0;
+  for (const StudyRow& row : rows) {
+    if (row.level[0] != level0 || row.level[1] != level1 || row.hand != hand) continue;
+    ++all;
+    good += row.passed;
+    const auto found = row.metric.find(metric);
+    if (found == row.metric.end() || !std::isfinite(found->second)) continue;
+    sum += found->second;
+    ++n;
+  }
+  if (passed) *passed = good;
+  if (of) *of = all;
+  return n > 0 ? sum / static_cast<double>(n) : NAN;
+}
+
+std::string study_csv(const Study& study, const std::vector<StudyRow>& rows) {
+  std::string out;
+  for (const StudyFactor& factor : study.factors) out += factor.name + ",";
+  out += "hand,seed,passed,reason,score";
+  std::map<std::string, double> all;
+  for (const StudyRow& row : rows) all.insert(row.metric.begin(), row.metric.end());
+  for (const auto& [id, value] : all) out += "," + id;
+  out += "\n";
+  for (const StudyRow& row : rows) {
+    const std::size_t skipped = 2 - study.factors.size();
+    for (std::size_t i = 0; i < study.factors.size(); ++i)
+      out += study.factors[i].levels[row.level[skipped + i]].name + ",";
+    out += study.hands[row.hand].name +
+           format(",%llu,%d,", static_cast<unsigned long long>(row.seed), row.passed) + row.reason +
+           format(",%.17g", row.score);
+    for (const auto& [id, value] : all) {
+      const auto found = row.metric.find(id);
+      out +=
+          found != row.metric.end() && std::isfinite(found->second) ? format(",%.17g", found->second) : ",";
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+std::string study_svg(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows) {
+  return Figure(study, figure, rows).draw();
+}
+
+}  // namespace swage::tools

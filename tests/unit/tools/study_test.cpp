@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage study: a matrix of attempts, its table and figures.
+#include <fstream>
+#include <sstream>
+
+#include "program.hpp"
+
+namespace swage::tools::test {
+namespace {
+
+using testing::HasSubstr;
+
+class Study : public Program {
+ protected:
+  void SetUp() override {
+    write("drop.json", R"({
+      "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",
+      "requires": { "swage.object.solids": "^1", "swage.lesson.look": "^1", "swage.device.mouse": "^1" },
+      "devices": [ { "name": "hand", "plugin": "swage.device.mouse" } ],
+      "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
+      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.01 s" } } })");
+  }
+  std::string study(const std::string& levels, const std::string& more = "") const {
+    write("study.json",
+          R"({ "format": "swage-study/1", "title": "How long", "lesson": "drop.json", "repeats": 2, )" +
+              more + R"( "factors": [ { "name": "Duration", "levels": [ )" + levels + R"( ] } ],
+        "hands": [ { "name": "nobody", "device": "mouse" } ],
+        "figures": [ { "metric": "time.task", "title": "Time", "unit": "ms", "scale": 1000, "file": "time.svg" } ] })");
+    return path("study.json");
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(path(name));
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+};
+
+TEST_F(Study, RunsTheMatrixAndWritesTableAndFigures) {
+  const std::string file = study(R"({ "name": "short", "set": { "lesson.duration": "0.02 s" } },
+                                    { "name": "long", "set": { "lesson.duration": "0.04 s" } })");
+  const Said said = swage({"study", file, "--out", path("figures")});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, HasSubstr("How long\n"));
+  EXPECT_THAT(said.out, testing::ContainsRegex("short +2[0-9](\\.[0-9]+)? \\(2 of 2\\)"));
+  EXPECT_THAT(said.out, testing::ContainsRegex("long +4[0-9](\\.[0-9]+)? \\(2 of 2\\)"));
+
+  std::istringstream csv(read("figures/attempts.csv"));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "Duration,hand,seed,passed,reason,score,time.task");
+  int rows = 0;
+  while (std::getline(csv, line)) ++rows;
+  EXPECT_EQ(rows, 4);
+  const std::string svg = read("figures/time.svg");
+  EXPECT_THAT(svg, HasSubstr("<svg"));
+  EXPECT_THAT(svg, HasSubstr(">nobody<"));
+  EXPECT_THAT(svg, HasSubstr(">long<"));
+}
+
+TEST_F(Study, SaysWhatIsWrong) {
+  EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr("There is no such study file."));
+  write("study.json", "{");
+  EXPECT_THAT(swage({"study", path("study.json")}).err, HasSubstr("It is not JSON."));
+  write("study.json", R"({ "format": "swage-lesson/1" })");
+  EXPECT_THAT(swage({"study", path("study.json")}).err,
+              HasSubstr("#/format: \"swage-study/1\" is needed here"));
+  const Said unknown = swage({"study", study("", R"("sead": 3,)")});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("#/sead: unknown here"));
+  EXPECT_THAT(unknown.err, HasSubstr("#/factors/0/levels: a list of levels is needed here"));
+  // what only the lesson can refuse is refused with its sentence
+  const Said level = swage({"study", study(R"({ "name": "x", "set": { "ball.weight": 3 } })")});
+  EXPECT_EQ(level.code, 2);
+  EXPECT_THAT(level.err, HasSubstr("swage.object.solids has no such parameter."));
+}
+
+}  // namespace
+}  // namespace swage::tools::test
