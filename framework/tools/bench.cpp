@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage bench: hands over to the benchmark program, which not every installation has.
+// swage bench: hands over to the benchmark program beside this one, which only a developer build has.
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -20,7 +20,12 @@ int bench(const BenchOptions& o) {
   const std::string program = beside("swage-bench");
   if (program.empty())
     return problem("The program swage-bench is not beside this one (" + program_folder() +
-                   "). It is built with -DSWAGE_BENCH=ON: ninja swage-bench.");
+                   "). It measures Swage against its peers and is part of a developer build, not of an "
+                   "installation: in the "
+                   "sources, scripts/setup.sh build test peer && scripts/build.sh dev swage-bench, then "
+                   "build/dev/bin/swage "
+                   "bench " +
+                   o.which + ".");
   std::vector<std::string> arguments = {o.which};
   arguments.insert(arguments.end(), o.rest.begin(), o.rest.end());
   become(program, arguments);

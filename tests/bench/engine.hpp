@@ -4,6 +4,7 @@
 // converts inside.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -55,6 +56,11 @@ class Engine {
   virtual void step() = 0;
   virtual Pose upper() const = 0;                   // of the upper jaw
   virtual int contacts(double& deepest) const = 0;  // deepest gap, m, negative when overlapping
+  /// Which contacts there are, as a number that differs when they differ; engines that name none give their count.
+  virtual uint64_t contact_set() const {
+    double deepest;
+    return static_cast<uint64_t>(contacts(deepest));
+  }
 };
 
 /// A method with settings, by the name that charts show.

@@ -70,45 +70,50 @@ int run_stability(const std::string& scenes, const std::string& out, bool quick,
   return ran == 0 || broken ? 1 : 0;
 }
 
+void print(const Line& l) {
+  char bound[64];
+  if (std::isfinite(l.low) && l.low < l.high)
+    std::snprintf(bound, sizeof bound, "%.4g to %.4g", l.low, l.high);
+  else
+    std::snprintf(bound, sizeof bound, "%s %.4g", std::isfinite(l.low) ? "exactly" : "at most", l.high);
+  std::printf("%-4s %-66s %10.4g %-4s %-18s %s%s%s\n", l.goal.c_str(), l.name.c_str(), l.measured,
+              l.unit.c_str(), bound,
+              !l.available ? "NOT MEASURED"
+              : l.held()   ? "held"
+                           : "NOT HELD",
+              l.note.empty() ? "" : "  ", l.note.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::json as_object(const Line& l) {
+  return {{"goal", l.goal},           {"name", l.name},   {"unit", l.unit},
+          {"measured", l.measured},   {"low", l.low},     {"high", l.high},
+          {"available", l.available}, {"held", l.held()}, {"note", l.note}};
+}
+
+std::string goal_names() {
+  std::string all;
+  for (const Goal& g : goals()) all += (all.empty() ? "" : ", ") + std::string(g.name);
+  return all;
+}
+
 int run_bar(bool quick, bool as_json, const std::string& only) {
   const Effort effort = quick ? Effort::quick() : Effort{};
-  std::vector<Line> lines;
-  const std::pair<const char*, std::vector<Line> (*)(const Effort&)> goals[] = {
-      {"G1", bar_queries}, {"G2", bar_grasp}, {"G3", bar_pinch}, {"G6", bar_free}, {"G7", bar_tunnel}};
-  for (const auto& [goal, measure] : goals)
-    if (only.empty() || only == goal)
-      for (Line& line : measure(effort)) lines.push_back(std::move(line));
-
-  int missed = 0;
   nlohmann::json all = nlohmann::json::array();
-  for (const Line& l : lines) {
-    missed += !l.held();
-    all.push_back({{"goal", l.goal},
-                   {"name", l.name},
-                   {"unit", l.unit},
-                   {"measured", l.measured},
-                   {"low", l.low},
-                   {"high", l.high},
-                   {"available", l.available},
-                   {"held", l.held()},
-                   {"note", l.note}});
-    if (as_json) continue;
-    char bound[64];
-    if (std::isfinite(l.low))
-      std::snprintf(bound, sizeof bound, "%.4g to %.4g", l.low, l.high);
-    else
-      std::snprintf(bound, sizeof bound, "at most %.4g", l.high);
-    std::printf("%-3s %-58s %10.4g %-6s %-18s %s%s%s\n", l.goal.c_str(), l.name.c_str(), l.measured,
-                l.unit.c_str(), bound,
-                !l.available ? "NOT MEASURED"
-                : l.held()   ? "held"
-                             : "NOT HELD",
-                l.note.empty() ? "" : "  ", l.note.c_str());
+  int missed = 0;
+  for (const Goal& goal : goals()) {
+    if (!std::string(goal.name).starts_with(only)) continue;
+    for (const Line& line : goal.measure(effort)) {
+      missed += !line.held();
+      all.push_back(as_object(line));
+      if (!as_json) print(line);
+    }
   }
+  if (all.empty()) throw std::runtime_error("no goal \"" + only + "\"; there are " + goal_names());
   if (as_json)
     std::printf("%s\n", all.dump(2).c_str());
   else
-    std::printf("%zu lines, %d not held\n", lines.size(), missed);
+    std::printf("%zu lines, %d not held\n", all.size(), missed);
   return missed ? 1 : 0;
 }
 
@@ -134,7 +139,7 @@ int main(int argc, char** argv) {
       "bar", "every promise: measured, bound, held or not; exits 1 when one does not hold");
   bar->add_flag("--quick", quick, "shorter holds, fewer passes");
   bar->add_flag("--json", as_json, "print JSON");
-  bar->add_option("--only", only, "one goal, e.g. G2");
+  bar->add_option("--only", only, "goals whose name begins so: " + goal_names());
   CLI11_PARSE(app, argc, argv);
   try {
     if (*charts) return run_charts(out, quick);

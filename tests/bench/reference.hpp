@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "scene.hpp"
 
@@ -54,33 +55,51 @@ struct Solid {
   }
 };
 
-/// Gap between the exact arc of the needle and a jaw: samples, then golden section around every local
-/// minimum.
-inline double arc_gap(const Needle& n, const Solid& s, const Pose& X_WN, const Pose& X_WJ) {
-  constexpr int kSamples = 512;
-  const Pose X_JN = X_WJ.inverse() * X_WN;
-  const auto distance = [&](double u) { return s.distance(X_JN * n.point(n.arc * (u - 0.5))); };
-  std::vector<double> d;
-  for (int i = 0; i <= kSamples; ++i) d.push_back(distance(static_cast<double>(i) / kSamples));
-  double best = *std::min_element(d.begin(), d.end());
-  const double reach = n.length() / kSamples;
-  for (int i = 0; i <= kSamples; ++i) {
-    const auto at = static_cast<size_t>(i);
-    if (d[at] > best + reach || (i > 0 && d[at - 1] < d[at]) || (i < kSamples && d[at + 1] < d[at])) continue;
-    double a = std::max(0, i - 1) / static_cast<double>(kSamples),
-           b = std::min(kSamples, i + 1) / static_cast<double>(kSamples);
-    for (int k = 0; k < 64; ++k) {
-      const double c = b - 0.6180339887498949 * (b - a), e = a + 0.6180339887498949 * (b - a);
-      (distance(c) < distance(e) ? b : a) = distance(c) < distance(e) ? e : c;
+/// Least distance of the needle's centre line to a jaw, minus the wire's radius, to 1e-12 m. The distance changes by at
+/// most the way walked along the wire, so of the intervals between samples only those that can hold the minimum are
+/// halved, down to 25 um; a golden section between the neighbours of each local minimum ends the search.
+inline double exact_gap(const Needle& n, const Solid& s, const Pose& X_JN) {
+  const auto distance = [&](double theta) { return s.distance(X_JN * n.point(theta)); };
+  std::vector<std::pair<double, double>> sample, finer;  // angle, distance
+  for (int i = 0; i <= 8; ++i)
+    sample.emplace_back(n.arc * (i / 8.0 - 0.5), distance(n.arc * (i / 8.0 - 0.5)));
+  double best = 1e9;
+  for (const auto& [theta, d] : sample) best = std::min(best, d);
+  for (double width = n.length() / 8; width > 25e-6; width /= 2) {
+    finer.assign(1, sample[0]);
+    for (size_t i = 1; i < sample.size(); ++i) {
+      const auto& [a, f_a] = sample[i - 1];
+      const auto& [b, f_b] = sample[i];
+      const bool whole = n.radius() * (b - a) < 1.5 * width;  // wider ones were dropped before
+      if (whole && 0.5 * (f_a + f_b - width) <= best) {
+        finer.emplace_back(0.5 * (a + b), distance(0.5 * (a + b)));
+        best = std::min(best, finer.back().second);
+      }
+      finer.push_back(sample[i]);
     }
-    best = std::min(best, distance(0.5 * (a + b)));
+    sample.swap(finer);
+  }
+
+  const double g = 0.6180339887498949;
+  for (size_t i = 0; i < sample.size(); ++i) {
+    const size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, sample.size() - 1);
+    if (sample[i].second > sample[before].second || sample[i].second > sample[after].second) continue;
+    if (sample[i].second > best + 25e-6) continue;
+    double a = sample[before].first, b = sample[after].first;
+    double c = b - g * (b - a), d = a + g * (b - a), f_c = distance(c), f_d = distance(d);
+    for (int k = 0; k < 40; ++k) {
+      if (f_c < f_d)
+        b = d, d = c, f_d = f_c, c = b - g * (b - a), f_c = distance(c);
+      else
+        a = c, c = d, f_c = f_d, d = a + g * (b - a), f_d = distance(d);
+    }
+    best = std::min({best, f_c, f_d});
   }
   return best - n.wire_radius();
 }
 
 /// Gap between the thesis's chain of 100 spheres and a jaw.
-inline double chain_gap(const Needle& n, const Solid& s, const Pose& X_WN, const Pose& X_WJ) {
-  const Pose X_JN = X_WJ.inverse() * X_WN;
+inline double chain_gap(const Needle& n, const Solid& s, const Pose& X_JN) {
   double best = std::numeric_limits<double>::infinity();
   for (const Vec3& c : n.chain(100)) best = std::min(best, s.distance(X_JN * c));
   return best - n.wire_radius();
@@ -93,8 +112,8 @@ inline double closing_angle(const Needle& n, int side, double overlap, bool exac
   double closed = -0.02, open = 0.1;
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (closed + open);
-    const Pose X_WJ = jaw_pose(Pose{}, side * middle);
-    const double gap = exact_arc ? arc_gap(n, s, X_WN, X_WJ) : chain_gap(n, s, X_WN, X_WJ);
+    const Pose X_JN = jaw_pose(Pose{}, side * middle).inverse() * X_WN;
+    const double gap = exact_arc ? exact_gap(n, s, X_JN) : chain_gap(n, s, X_JN);
     (gap < -overlap ? closed : open) = middle;
   }
   return 0.5 * (closed + open);

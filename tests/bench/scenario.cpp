@@ -4,32 +4,12 @@
 #include <limits>
 
 #include "base/rng.hpp"
-#include "reference.hpp"
+#include "grip.hpp"
 
 namespace swage::bench {
 namespace {
 
-constexpr double kGravity = 9.81;   // m/s2
-constexpr double kLostAt = 0.3e-3;  // m: three wires away from the grip
-
-bool finite(const Pose& X) { return X.p.allFinite() && X.q.coeffs().allFinite() && X.p.norm() < 1; }
-
-Slip slip_between(const Engine& e, const Pose& X_WT, const Pose& X_TN_ref) {
-  const Pose X_TN = X_WT.inverse() * e.needle();
-  const Vec3 d = X_TN * e.setup.needle.point(0) - X_TN_ref * e.setup.needle.point(0);
-  return {d.y(), d.x(), d.z(), toolkit::log_rotation(X_TN_ref.q.conjugate() * X_TN.q).norm()};
-}
-
-/// Opening angles of the two jaws for an overlap.
-struct Openings {
-  double upper, lower;
-  Openings(const Method& m, const Needle& n, double overlap)
-      : upper(closing_angle(n, 1, overlap, m.exact_arc)), lower(closing_angle(n, -1, overlap, m.exact_arc)) {}
-  void apply(Engine& e, const Pose& X_WT, bool jump) const {
-    e.set_jaws(jaw_pose(X_WT, upper), jaw_pose(X_WT, -lower), jump);
-  }
-};
-
+constexpr double kGravity = 9.81;  // m/s2
 /// The tool of S06: 60 deg about its own axis and 5 mm along it, once a second; `size` scales both.
 Pose moved_tool(double t, double size) {
   const double c = 0.5 * size * (1 - std::cos(2 * std::numbers::pi * t));
@@ -90,102 +70,6 @@ HoldResult hold(const Method& method, const Setup& setup, double overlap, double
   }
   r.step = times(std::move(ns));
   return r;
-}
-
-PullResult pull(const Method& method, const Setup& base_setup, double grip, Pull direction) {
-  Setup setup = base_setup;
-  setup.upper_driven = true;
-  const auto engine = method.make(setup);
-  Engine& e = *engine;
-  const Openings openings(method, setup.needle, 0);
-  e.set_gravity(Vec3::Zero());
-  openings.apply(e, Pose{}, true);
-  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
-  for (int i = 0; i < 1000; ++i) {
-    openings.apply(e, Pose{}, false);
-    e.set_torque(grip * Jaw::kGrip * std::min(1.0, i / 500.0));
-    e.step();
-    if (!finite(e.needle())) return {};
-  }
-  const Pose reference = e.needle();
-
-  // Coulomb limits of a pinched wire: 2 mu N along it, 2 mu N r about it, mu N b / 2 about the jaws' normal
-  const double r = setup.needle.wire_radius();
-  const double width = 2 * Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - Jaw::kGrip) / Jaw::kLength;
-  const double friction = 2 * setup.friction * grip;
-  const double limit = direction == Pull::kAxial       ? friction
-                       : direction == Pull::kAboutWire ? friction * r
-                                                       : friction * width / 4;
-  const double arm = direction == Pull::kAxial       ? 1
-                     : direction == Pull::kAboutWire ? r
-                                                     : setup.needle.length() / 2;
-
-  PullResult result;
-  constexpr int kSteps = 3000;
-  constexpr double kSlipped = 20e-6;  // m
-  for (int i = 0; i < kSteps; ++i) {
-    const double load = 1.5 * limit * i / kSteps;
-    openings.apply(e, Pose{}, false);
-    e.set_torque(grip * Jaw::kGrip);
-    if (direction == Pull::kAxial) e.set_force({0, -load, 0}, e.needle() * setup.needle.point(0));
-    if (direction == Pull::kAboutWire) e.set_couple({0, load, 0});
-    if (direction == Pull::kAboutNormal) e.set_couple({0, 0, load});
-    e.step();
-    if (!finite(e.needle())) return result;
-    const Slip s = slip_between(e, Pose{}, reference);
-    // a wire that slips at one jaw alone rolls along the other: what counts is how far anything of it has come
-    const double moved = direction == Pull::kAxial ? std::abs(s.along) : std::max(s.turn * arm, s.distance());
-    if (load <= 0.5 * limit) result.creep = moved;
-    if (moved > kSlipped) {
-      result.onset = load / limit;
-      return result;
-    }
-  }
-  result.onset = std::numeric_limits<double>::infinity();
-  return result;
-}
-
-std::vector<PinchStage> pinch(const Method& method, const Setup& base_setup, double approach) {
-  Setup setup = base_setup;
-  setup.upper_driven = true;
-  const auto engine = method.make(setup);
-  Engine& e = *engine;
-  const Openings openings(method, setup.needle, 0);
-  const double start_gap = approach > 0 ? 0.5e-3 / Jaw::kGrip : 0;
-  e.set_gravity(Vec3::Zero());
-  const Pose lower = jaw_pose(Pose{}, -openings.lower);
-  e.set_jaws(jaw_pose(Pose{}, openings.upper + start_gap), lower, true);
-  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
-  const auto step = [&](double torque) {
-    e.set_jaws(jaw_pose(Pose{}, openings.upper), lower, false);
-    e.set_torque(torque);
-    e.step();
-  };
-
-  // S08: the free jaw is pushed until it moves at the approach speed, then coasts into the needle
-  if (approach > 0) {
-    const double inertia = setup.jaw_mass * Jaw::kGrip * Jaw::kGrip;
-    constexpr int kPush = 10;
-    for (int i = 0; i < 200; ++i) step(i < kPush ? inertia * approach / Jaw::kGrip / (kPush * setup.dt) : 0);
-  }
-
-  std::vector<PinchStage> stages;
-  for (double grip = 1e-3; grip < 20; grip *= 4) {
-    PinchStage stage;
-    stage.grip = grip;
-    for (int i = 0; i < 200; ++i) {
-      const double begin = cpu_ns();
-      step(grip * Jaw::kGrip);
-      stage.ns.push_back(cpu_ns() - begin);
-      if (!finite(e.needle())) return stages;
-    }
-    const int touching = e.contacts(stage.overlap);
-    stage.overlap = -stage.overlap;
-    stage.drift = slip_between(e, Pose{}, grip_pose(setup.needle)).distance();
-    if (touching == 0 || stage.drift > kLostAt || stage.overlap > setup.needle.wire_radius()) return stages;
-    stages.push_back(std::move(stage));
-  }
-  return stages;
 }
 
 namespace {

@@ -37,10 +37,11 @@ HoldResult hold(const Method&, const Setup&, double overlap, double seconds, Too
 /// Directions of pulling against the pinch.
 enum class Pull { kAxial, kAboutWire, kAboutNormal };
 struct PullResult {
-  double onset = 0;  // load at first slip over the Coulomb limit; 0: lost before
+  double onset = 0;  // load at first slip over the Coulomb limit (coulomb.hpp); 0: lost before
   double creep = 0;  // m (or m at the wire's end) at half the limit
 };
-/// The upper jaw pinches with `grip` [N]; a load ramps to 1.5 times the Coulomb limit. S09, S10.
+/// The upper jaw pinches with `grip` [N]; a load ramps to 1.5 times the Coulomb limit between faces that stand as these
+/// do. S09, S10.
 PullResult pull(const Method&, const Setup&, double grip, Pull direction);
 
 struct PinchStage {
@@ -76,8 +77,11 @@ TopResult top(const Method&, const Setup&, const Vec3& inertia, const Vec3& w0, 
 double bounce_error(const Method&, const Setup&, double height, double restitution, double radius);
 
 /// How far the scene, grasped and moved for half a second with `units_per_metre`, differs from the engine's own units: largest
-/// distance over the needle's length, or infinity when the set of touching moments differs. S01.
+/// distance over the needle's length, or infinity when the contacts of a step differ. S01.
 double unit_error(const Method&, double units_per_metre);
+
+/// Processor time of each of `count` steps of the same scene [ns]. Table 6-2.
+std::vector<double> loops(const Method&, int count);
 
 /// The coefficient of friction at which a needle gripped with its plane `off_flat` [rad] begins to roll flat, over the one that
 /// statics gives: (sagitta / wire diameter) cos(off_flat). S11.

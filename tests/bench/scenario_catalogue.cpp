@@ -13,8 +13,9 @@ constexpr double kLost = std::numeric_limits<double>::infinity();
 
 /// A grasp that closes in 0.1 s to 1 um overlap and then moves: what it leaves behind at every step.
 struct Trace {
-  std::vector<Vec3> place;  // m, of mid-arc
-  std::vector<bool> touching;
+  std::vector<Vec3> place;         // m, of mid-arc
+  std::vector<uint64_t> contacts;  // Engine::contact_set()
+  std::vector<double> ns;          // processor time of each step
 };
 
 Trace grasp_and_move(const Method& m, const Setup& setup, double seconds) {
@@ -40,10 +41,11 @@ Trace grasp_and_move(const Method& m, const Setup& setup, double seconds) {
   const int steps = static_cast<int>(std::lround(seconds / setup.dt));
   for (int i = 1; i <= steps; ++i) {
     const auto [up, low] = jaws_at(i * setup.dt);
+    const double begin = cpu_ns();
     e.set_jaws(up, low, false);
     e.step();
-    double deepest;
-    trace.touching.push_back(e.contacts(deepest) > 0);
+    trace.ns.push_back(cpu_ns() - begin);
+    trace.contacts.push_back(e.contact_set());
     trace.place.push_back(e.needle() * n.point(0));
   }
   return trace;
@@ -75,9 +77,11 @@ double unit_error(const Method& m, double units_per_metre) {
   Setup own, other;
   other.unit = units_per_metre;
   const Trace a = grasp_and_move(m, own, 0.5), b = grasp_and_move(m, other, 0.5);
-  if (a.touching != b.touching) return kLost;
+  if (a.contacts != b.contacts) return kLost;
   return largest_distance(a, b) / own.needle.length();
 }
+
+std::vector<double> loops(const Method& m, int count) { return grasp_and_move(m, {}, count * Setup{}.dt).ns; }
 
 double repeat_error(const Method& m, double seconds) {
   const Trace a = grasp_and_move(m, {}, seconds);

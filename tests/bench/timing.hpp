@@ -42,6 +42,16 @@ inline Times times(std::vector<double> ns) {
   return t;
 }
 
+/// What one reading of now_ns() costs.
+inline double clock_ns() {
+  std::vector<double> ns;
+  for (int i = 0; i < 10000; ++i) {
+    const double a = now_ns();
+    ns.push_back(now_ns() - a);
+  }
+  return times(ns).median;
+}
+
 /// Keeps the compiler from dropping a result.
 template <class T>
 inline void keep(const T& value) {

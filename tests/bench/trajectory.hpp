@@ -26,50 +26,8 @@ inline Jaw tetra_jaw(int side) {
   return j;
 }
 
-/// Least distance of the needle's centre line to a jaw, minus the wire's radius, to 1e-12 m. The distance changes by at
-/// most the way walked along the wire, so of the intervals between samples only those that can hold the minimum are
-/// halved, down to 25 um; a golden section between the neighbours of each local minimum ends the search.
-inline double exact_gap(const Needle& n, const Solid& s, const Pose& X_JN) {
-  const auto distance = [&](double theta) { return s.distance(X_JN * n.point(theta)); };
-  std::vector<std::pair<double, double>> sample, finer;  // angle, distance
-  for (int i = 0; i <= 8; ++i)
-    sample.emplace_back(n.arc * (i / 8.0 - 0.5), distance(n.arc * (i / 8.0 - 0.5)));
-  double best = 1e9;
-  for (const auto& [theta, d] : sample) best = std::min(best, d);
-  for (double width = n.length() / 8; width > 25e-6; width /= 2) {
-    finer.assign(1, sample[0]);
-    for (size_t i = 1; i < sample.size(); ++i) {
-      const auto& [a, f_a] = sample[i - 1];
-      const auto& [b, f_b] = sample[i];
-      const bool whole = n.radius() * (b - a) < 1.5 * width;  // wider ones were dropped before
-      if (whole && 0.5 * (f_a + f_b - width) <= best) {
-        finer.emplace_back(0.5 * (a + b), distance(0.5 * (a + b)));
-        best = std::min(best, finer.back().second);
-      }
-      finer.push_back(sample[i]);
-    }
-    sample.swap(finer);
-  }
-
-  const double g = 0.6180339887498949;
-  for (size_t i = 0; i < sample.size(); ++i) {
-    const size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, sample.size() - 1);
-    if (sample[i].second > sample[before].second || sample[i].second > sample[after].second) continue;
-    if (sample[i].second > best + 25e-6) continue;
-    double a = sample[before].first, b = sample[after].first;
-    double c = b - g * (b - a), d = a + g * (b - a), f_c = distance(c), f_d = distance(d);
-    for (int k = 0; k < 40; ++k) {
-      if (f_c < f_d)
-        b = d, d = c, f_d = f_c, c = b - g * (b - a), f_c = distance(c);
-      else
-        a = c, c = d, f_c = f_d, d = a + g * (b - a), f_d = distance(d);
-    }
-    best = std::min({best, f_c, f_d});
-  }
-  return best - n.wire_radius();
-}
-
 enum class Phase { kFar, kNear, kTouching, kGrasped };
+inline constexpr int kPhases = 4;
 
 struct TrajectoryPose {
   Pose X_WN;

@@ -4,18 +4,10 @@
 // are larger than the needle.
 #include <ode/ode.h>
 
-#include "engine.hpp"
+#include "peers/units.hpp"
 
 namespace swage::bench {
 namespace {
-
-/// Units inside the engine, per SI unit.
-struct Units {
-  double length = 1e3, mass = 1e6;
-  double force() const { return mass * length; }
-  double torque() const { return mass * length * length; }
-};
-Units units_of(const Setup& s) { return s.unit > 0 ? Units{s.unit, s.unit * s.unit} : Units{}; }
 
 struct Options {
   bool exact = true;     // dWorldStep (Lemke) instead of QuickStep
