@@ -50,7 +50,7 @@ Line ratio(const char* goal, std::string name, double ours, double theirs, doubl
 struct Effort {
   double hold_seconds = 60;  // of S04 to S06
   int passes = 5;            // of timing runs, interleaved with the peers
-  static Effort quick() { return {2, 2}; }
+  static Effort quick() { return {2, 3}; }
 };
 
 /// A group of lines of the bar, by the name that --only takes.

@@ -53,6 +53,7 @@ PullResult pull(const Method& method, const Setup& base_setup, double grip, Pull
   }
   const Pose reference = e.needle();
   const Load load = load_of(setup, grip, direction, half_wedge(e, jaw_pose(Pose{}, -openings.lower)));
+  if (!(load.limit > 0)) return {};  // nothing between the jaws
 
   PullResult result;
   constexpr int kSteps = 3000;
