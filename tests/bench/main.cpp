@@ -57,7 +57,7 @@ int run_stability(const std::string& scenes, const std::string& out, bool quick,
                 : scene.open.empty() ? "held"
                                      : ("open: " + scene.open).c_str());
     for (const auto& line : r.chart.lines) {
-      std::printf("        %-36s", line.name.c_str());
+      std::printf("        %-38s", line.name.c_str());
       for (const auto& [x, y] : line.points) std::printf(" %.3g:%.3g", x, y);
       std::printf("%s\n", line.broke ? "  broke" : "");
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stability.hpp"
 
+#include "queries.hpp"
+
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -146,6 +148,7 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.file = file, s.id = j.at("id"), s.title = j.at("title"), s.scenario = j.at("scenario");
     s.seconds = quick ? j.value("quick_seconds", 1.0) : j.value("seconds", 1.0);
     s.straight = j.value("needle", "") == "straight";
+    s.poses = quick ? j.value("quick_poses", 500) : j.value("poses", 10000);
     s.jaw_mass = in_si(j, "jaw", s.jaw_mass);
     s.approach = in_si(j, "approach", 0);
     s.restitution = j.value("restitution", 0.0);
@@ -175,22 +178,70 @@ StabilityScene read_scene(const std::string& file, bool quick) {
   return s;
 }
 
+namespace {
+
+bool is_default(const Sweep::Line& line) {
+  return line.family == "swage" && (line.name == "swage" || line.name == "swage, exact arc");
+}
+bool must_fail(const StabilityScene& s, const std::string& name) {
+  return std::find(s.must_fail.begin(), s.must_fail.end(), name) != s.must_fail.end();
+}
+
+/// Our default, whoever is expected to fail, and the best peers.
+std::vector<Sweep::Line> method_lines(const StabilityScene& s) {
+  const bool on_hinge = s.scenario == "pinch" || s.scenario == "flip" || s.scenario == "drag" ||
+                        s.scenario.rfind("pull", 0) == 0;
+  std::vector<Sweep::Line> lines;
+  for (const Method& m : all_methods()) {
+    const bool best_peer =
+        m.name == "ODE exact, soft contacts" || (m.name == "MuJoCo tuned, welded tool" && !on_hinge);
+    if (m.name == "swage" || must_fail(s, m.name) || best_peer) lines.push_back(run_line(s, m));
+  }
+  return lines;
+}
+
+/// Every query; the sweep's values are wire diameters (S02) or overlaps (S03).
+std::vector<Sweep::Line> query_lines(const StabilityScene& s) {
+  std::vector<Sweep::Line> lines;
+  for (const Query& q : all_queries(Needle{})) lines.push_back({q.family, q.name, {}, false});
+  for (double value : s.values) {
+    std::vector<double> measured;
+    if (s.scenario == "query_overlap") {
+      measured = overlap_errors(value);
+    } else {
+      Needle n;
+      n.wire_diameter = value;
+      for (const QueryFigures& f : measure_queries(n, 1, s.poses))
+        measured.push_back(static_cast<double>(f.missed + f.invented) / (f.overlapping + f.apart));
+    }
+    for (size_t q = 0; q < lines.size(); ++q) {
+      if (lines[q].broke) continue;
+      lines[q].points.push_back({value * s.value_scale, measured[q] * s.measure_scale});
+      lines[q].broke = !std::isfinite(measured[q]);
+    }
+  }
+  return lines;
+}
+
+/// Whether a method of that name can be here: ours always, a peer's when it is compiled in.
+bool known_family(const std::string& name) {
+  const auto starts = [&](const char* family) { return name.rfind(family, 0) == 0; };
+  return starts("swage") || (starts("ODE") && !ode_methods().empty()) ||
+         (starts("MuJoCo") && !mujoco_methods().empty()) || (starts("Bullet") && !bullet_methods().empty()) ||
+         (starts("FCL") && !fcl_queries(Needle{}).empty());
+}
+
+}  // namespace
+
 StabilityResult run_scene(const StabilityScene& s) {
   StabilityResult r;
   r.chart = s.chart;
+  r.chart.lines = s.scenario.rfind("query", 0) == 0 ? query_lines(s) : method_lines(s);
   bool rivals = false;  // is any method here that is expected to fail? peers may not be installed
-  for (const Method& m : all_methods()) {
-    // a method takes part when it is our default or when the scene expects it to fail
-    const bool ours = m.name == "swage";
-    const bool expected = std::find(s.must_fail.begin(), s.must_fail.end(), m.name) != s.must_fail.end();
-    const bool best_peer = m.name == "ODE exact, soft contacts" || m.name == "MuJoCo tuned, welded tool";
-    const bool on_hinge = s.scenario == "pinch" || s.scenario == "flip" || s.scenario == "drag" ||
-                          s.scenario.rfind("pull", 0) == 0;
+  for (const Sweep::Line& line : r.chart.lines) {
+    const bool failed = exceeds(s, line), expected = must_fail(s, line.name);
     rivals = rivals || expected;
-    if (!ours && !expected && !(best_peer && !(on_hinge && m.name == "MuJoCo tuned, welded tool"))) continue;
-    Sweep::Line line = run_line(s, m);
-    const bool failed = exceeds(s, line);
-    if (ours) {
+    if (is_default(line)) {
       r.ours_passed = !failed;
       if (failed && s.open.empty())
         r.remarks.push_back(s.id + ": our default goes beyond the pass mark in the range a lesson can reach");
@@ -199,10 +250,13 @@ StabilityResult run_scene(const StabilityScene& s) {
     } else if (failed) {
       r.someone_failed = true;
     } else if (expected) {
-      r.remarks.push_back(s.id + ": " + m.name + " was expected to fail and did not");
+      r.remarks.push_back(s.id + ": " + line.name + " was expected to fail and did not");
     }
-    r.chart.lines.push_back(std::move(line));
   }
+  for (const std::string& name : s.must_fail)
+    if (known_family(name) && std::none_of(r.chart.lines.begin(), r.chart.lines.end(),
+                                           [&](const auto& l) { return l.name == name; }))
+      r.remarks.push_back(s.id + ": must_fail names no method: " + name);
   if (rivals && !r.someone_failed)
     r.remarks.push_back(s.id + ": no method fails here, so nothing shows that the scene can be failed");
   return r;

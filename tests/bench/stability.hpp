@@ -18,6 +18,7 @@ struct StabilityScene {
   std::string file, id, title, scenario;
   double seconds = 1;
   bool straight = false;
+  int poses = 10000;  // of a trajectory
   double jaw_mass = 5e-3, approach = 0, restitution = 0, radius = 50e-6;
   std::vector<double> values;          // of the swept parameter, SI; a pinch sweeps by itself
   double value_scale = 1;              // display units per SI unit, of the sweep

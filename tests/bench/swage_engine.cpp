@@ -128,6 +128,37 @@ Gaps gaps_of(BothJaws& both, const TrajectoryPose& p) {
   return g;
 }
 
+/// The chain of spheres under its tree, as the detector has it.
+struct ChainQuery {
+  scene::World world;
+  contact::Detector detector;
+  contact::ContactSet set;
+
+  explicit ChainQuery(const Needle& n)
+      : world(make_world(of(n))),
+        detector(world, {contact::Pair{kNeedleObject, kJawsObject, {}}}, options()) {
+    detector.reserve(set);
+  }
+  static Setup of(const Needle& n) {
+    Setup s;
+    s.needle = n;
+    return s;
+  }
+  static contact::Options options() {
+    contact::Options o;
+    o.level = contact::Level::kThesis;
+    return o;
+  }
+  Gaps run(const Pose& X_WN, const Pose& upper, const Pose& lower) {
+    world.X_WB[kNeedle] = X_WN.abi(), world.X_WB[kUpper] = upper.abi(), world.X_WB[kLower] = lower.abi();
+    detector.detect(world, set);
+    Gaps g;
+    for (const contact::Contact& c : set.contact)
+      g.gap[c.shape_b - 1] = std::min(g.gap[c.shape_b - 1], c.gap), ++g.contacts;
+    return g;
+  }
+};
+
 }  // namespace
 
 std::vector<Method> swage_methods() {
@@ -159,9 +190,13 @@ std::vector<Method> swage_methods() {
 
 std::vector<Query> swage_queries(const Needle& needle) {
   auto both = std::make_shared<BothJaws>(needle);
-  return {{"swage, exact arc", "swage", true, [both](const Pose& n, const Pose& u, const Pose& l) {
+  auto chain = std::make_shared<ChainQuery>(needle);
+  return {{"swage, exact arc", "swage", true,
+           [both](const Pose& n, const Pose& u, const Pose& l) {
              return gaps_of(*both, {n, {u, l}, Phase::kFar});
-           }}};
+           }},
+          {"swage, chain of spheres of the thesis", "thesis", false,
+           [chain](const Pose& n, const Pose& u, const Pose& l) { return chain->run(n, u, l); }}};
 }
 
 }  // namespace swage::bench
