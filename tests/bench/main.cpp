@@ -125,9 +125,9 @@ int main(int argc, char** argv) {
   CLI::App app{"Swage against closed forms and against its peers"};
   app.require_subcommand(1);
   bool quick = false, as_json = false;
-  std::string out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
+  std::string charts_out = "resources/charts", out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
   auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
-  charts->add_option("--out", out, "folder")->default_val("resources/charts");
+  charts->add_option("--out", charts_out, "folder")->capture_default_str();
   charts->add_flag("--quick", quick, "fewer poses and shorter runs");
   auto* stability =
       app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
   bar->add_option("--only", only, "goals whose name begins so: " + goal_names());
   CLI11_PARSE(app, argc, argv);
   try {
-    if (*charts) return run_charts(out, quick);
+    if (*charts) return run_charts(charts_out, quick);
     if (*stability) return run_stability(scenes, out, quick, only);
     return run_bar(quick, as_json, only);
   } catch (const std::exception& e) {
