@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The law of one compliant contact with exact Coulomb friction, as a function of gap and tangential displacement.
+// The law of one compliant contact with exact Coulomb friction, as a function of gap and tangential
+// displacement.
 //
 //     f_n = k max(0, -g)
 //     f_t = -k_t s            while k_t |s| <= mu f_n      (stick: an elastic bristle, no creep)
@@ -10,10 +11,12 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 namespace swage::dynamics {
 
-/// Tangential over normal stiffness of two elastic bodies of one material, Mindlin: 2 (1 - nu) / (2 - nu), nu = 0.3.
+/// Tangential over normal stiffness of two elastic bodies of one material, Mindlin: 2 (1 - nu) / (2 - nu), nu =
+/// 0.3.
 inline constexpr double kTangentRatio = 0.82;
 
 /// Gap and tangential displacement at the end of the step, in the contact's own axes n, t1, t2 [m].
@@ -78,6 +81,68 @@ inline Tangent tangent(const Surface& s, const Displacement& d, const Force& f, 
     t.n2 = -s.mu * s.k * e2;
   }
   return t;
+}
+
+// --- Coulomb's law piece by piece: each piece continued beyond its own range, and where it ends
+
+enum class Piece : uint8_t { kOpen, kStick, kSlip };
+
+inline Piece piece(const Surface& s, const Displacement& d) {
+  if (!(d.g < 0)) return Piece::kOpen;
+  return s.kt * std::sqrt(d.s1 * d.s1 + d.s2 * d.s2) <= s.mu * s.k * -d.g ? Piece::kStick : Piece::kSlip;
+}
+
+inline Force force_on(Piece piece, const Surface& s, const Displacement& d) {
+  if (piece == Piece::kOpen) return {};
+  const double fn = -s.k * d.g;
+  if (piece == Piece::kStick) return {fn, -s.kt * d.s1, -s.kt * d.s2, false};
+  const double length = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2), back = length > 0 ? s.mu * fn / length : 0.0;
+  return {fn, -back * d.s1, -back * d.s2, true};
+}
+
+inline Tangent tangent_on(Piece piece, const Surface& s, const Displacement& d) {
+  Tangent t;
+  if (piece == Piece::kOpen) return t;
+  t.nn = s.k;
+  if (piece == Piece::kStick) {
+    t.t11 = t.t22 = s.kt;
+    return t;
+  }
+  const double length = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2);
+  if (!(length > 0)) return t;
+  const double e1 = d.s1 / length, e2 = d.s2 / length, across = s.mu * s.k * -d.g / length;
+  t.t11 = across * e2 * e2, t.t12 = -across * e1 * e2, t.t22 = across * e1 * e1;
+  t.n1 = -s.mu * s.k * e1, t.n2 = -s.mu * s.k * e2;
+  return t;
+}
+
+/// Where the way d + t e, t > 0, leaves a piece: infinite where it never does.
+struct Kink {
+  double t = HUGE_VAL;
+  Piece next = Piece::kOpen;
+};
+
+inline Kink kink(Piece piece, const Surface& s, const Displacement& d, const Displacement& e) {
+  Kink kink;
+  if (piece == Piece::kOpen) {
+    if (e.g < 0) kink = {std::fmax(0.0, -d.g / e.g), Piece::kSlip};
+    return kink;
+  }
+  if (e.g > 0) kink = {std::fmax(0.0, -d.g / e.g), Piece::kOpen};
+
+  // (k_t |s|)^2 = (mu k g)^2, a quadratic a t^2 + 2 b t + c = 0; stick ends where it rises through 0, slip where
+  // it falls
+  const double kt2 = s.kt * s.kt, cone = s.mu * s.mu * s.k * s.k;
+  const double a = kt2 * (e.s1 * e.s1 + e.s2 * e.s2) - cone * e.g * e.g;
+  const double b = kt2 * (d.s1 * e.s1 + d.s2 * e.s2) - cone * d.g * e.g;
+  const double c = kt2 * (d.s1 * d.s1 + d.s2 * d.s2) - cone * d.g * d.g;
+  const double square = b * b - a * c;
+  if (!(square > 0)) return kink;
+  const double rising = piece == Piece::kStick ? 1 : -1, root = rising * std::sqrt(square);
+  // the root with slope a t + b = root, without cancellation
+  const double t = b * root > 0 ? -c / (b + root) : (root - b) / a;
+  if (t > -1e-12 && t < kink.t) kink = {std::fmax(0.0, t), rising > 0 ? Piece::kSlip : Piece::kStick};
+  return kink;
 }
 
 /// Energy of the same contact with a constant limit [J]: convex and once differentiable, its gradient is -force.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kGeometry =
     0.01;  // by how much a contact may be elsewhere than its linear model says, in tolerances: 1 pm
-constexpr uint32_t kFreePasses = 3;  // before friction limits are held
+constexpr uint32_t kFreePasses = 4;  // before friction limits are held
+constexpr double kLeastShare = 0.1;  // of the way that a pass asks for
 constexpr uint32_t kPasses = 12;     // geometry evaluations before an island is left at its best
 
 /// Two unit vectors across n, without a branch that could flip between builds (Duff et al., JCGT 6 (2017) 1).
@@ -31,6 +32,7 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
     : options_(options), place_(world), solver_(options.max_unknowns) {
   const size_t movers = place_.movers();
   known_.resize(options.max_contacts), row_.resize(options.max_contacts);
+  move_.resize(options.max_unknowns);
   J_.resize(size_t{3} * options.max_contacts * std::max(12u, options.max_unknowns / 2));
   island_.reserve(movers + 1);
   parent_.assign(movers, 0), island_of_.assign(movers, kNone);
@@ -48,17 +50,17 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
     if (regroup) find_islands(contacts, stats);
     bool done = true;
     for (Group& group : island_) {
-      if (!group.done) solve_island(contacts, group, stats);
-      done = done && group.done;
+      if (!group.done && !group.stuck) solve_island(contacts, group, stats);
+      done = done && (group.done || group.stuck);
     }
     if (done) break;
     regroup = refresh(contacts);
     ++stats.refreshed;
   }
   for (const Group& group : island_) {
-    if (group.done) continue;
-    calm(contacts, group);
+    if (group.done && group.limits_hold) continue;
     ++stats.not_converged;
+    if (!group.done) calm(contacts, group);
   }
   write_back(motion, contacts);
 }
@@ -98,7 +100,8 @@ void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& s
   }
 }
 
-/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there.
+/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is
+/// there.
 void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   std::fill(touched_.begin(), touched_.end(), uint8_t{0});
   for (uint32_t i = 0; i < n_; ++i)
@@ -118,7 +121,8 @@ void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; what contacts make it
+/// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; what contacts
+/// make it
 /// give is added to the gap.
 void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept {
   contact::Contact& c = contacts.contact[i];
@@ -131,7 +135,8 @@ void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept 
   if (k.b.point != kNone) c.gap -= c.n_W.dot(place_.self().extra(place_.mover(k.b.mover).index, k.b.point));
 }
 
-/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said they
+/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said
+/// they
 /// would be. True when a contact has begun to overlap that took no part.
 bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   for (Group& group : island_)
@@ -145,7 +150,10 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
     evaluate(contacts, i);
     if (k.active) {
       Row& row = row_[k.row];
-      const Vec3 said = row.u.g * row.n + row.u.s1 * row.t1 + row.u.s2 * row.t2;
+      const double share = island_[island_of_[first_mover(k)]].share;
+      const Vec3 said = (row.at.g + share * row.asked.g) * row.n +
+                        (row.at.s1 + share * row.asked.s1) * row.t1 +
+                        (row.at.s2 + share * row.asked.s2) * row.t2;
       look(c, k, row);
       const double off = (row.at.g * row.n + row.at.s1 * row.t1 + row.at.s2 * row.t2 - said).norm();
       for (Group* group : moved)
@@ -156,8 +164,16 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
         if (group) group->off = HUGE_VAL;
     }
   }
-  for (Group& group : island_)
-    group.done = group.done || (group.converged && group.off <= kGeometry * tolerance_);
+  for (Group& group : island_) {
+    if (group.done) continue;
+    group.done = group.converged && group.share == 1 && group.off <= kGeometry * tolerance_;
+    // two surfaces that meet at the edge of a feature can send each other to and fro: no later pass is better
+    if (group.passes > kFreePasses && !(group.off < 0.5 * group.off_before[1])) {
+      group.stuck = true;
+      group.done = group.done || (group.converged && group.off <= tolerance_);
+    }
+    group.off_before[1] = group.off_before[0], group.off_before[0] = group.off;
+  }
   return found;
 }
 
@@ -168,78 +184,7 @@ ContactSolve::Group* ContactSolve::moving_group(const Side& side) noexcept {
   return group.done ? nullptr : &group;
 }
 
-// --- islands
-
-uint32_t ContactSolve::root(uint32_t mover) noexcept {
-  while (parent_[mover] != mover) mover = parent_[mover] = parent_[parent_[mover]];
-  return mover;
-}
-
-uint32_t ContactSolve::first_mover(const Known& k) const noexcept {
-  return place_.moves(k.a.mover) ? k.a.mover : place_.moves(k.b.mover) ? k.b.mover : kNone;
-}
-
-/// Movers linked by active contacts; islands in the order of their first contact.
-void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stats) noexcept {
-  for (uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i, island_of_[i] = kNone;
-  for (uint32_t i = 0; i < n_; ++i) {
-    const Known& k = known_[i];
-    if (!k.active || !place_.moves(k.a.mover) || !place_.moves(k.b.mover)) continue;
-    const uint32_t a = root(k.a.mover), b = root(k.b.mover);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  island_.clear();
-  for (uint32_t i = 0; i < n_; ++i) {
-    const uint32_t m = first_mover(known_[i]);
-    if (!known_[i].active || m == kNone) continue;
-    const uint32_t r = root(m);
-    if (island_of_[r] != kNone) continue;
-    island_of_[r] = static_cast<uint32_t>(island_.size());
-    island_.push_back({});
-  }
-  for (uint32_t m = 0; m < parent_.size(); ++m) island_of_[m] = island_of_[root(m)];
-  for (uint32_t i = 0; i < island_.size(); ++i) fill_island(contacts, i, stats);
-}
-
-/// Movers in the order in which contacts name them; a contact's row in the contacts' order.
-void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept {
-  Group& group = island_[island];
-  if (island > 0) {
-    const Group& before = island_[island - 1];
-    group.first_mover = before.first_mover + before.movers;
-    group.first_row = before.first_row + before.rows;
-  }
-  for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    const uint32_t m = first_mover(k);
-    if (!k.active || m == kNone || island_of_[m] != island) continue;
-    if (place_.moves(k.a.mover)) add_mover(group, k.a.mover);
-    if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
-    k.row = group.first_row + group.rows++;
-    row_[k.row].contact = i;
-    look(contacts.contact[i], k, row_[k.row]);
-  }
-  if (group.unknowns <= options_.max_unknowns) return;
-
-  // too large to be solved together: stands as predicted, and says so
-  stats.dropped += group.rows;
-  ++stats.not_converged;
-  group.rows = group.unknowns = 0;
-  group.done = true;
-}
-
-void ContactSolve::add_mover(Group& group, uint32_t mover) noexcept {
-  const auto first = member_.begin() + group.first_mover, last = first + group.movers;
-  if (std::find(first, last, mover) != last) return;
-  Mover& m = place_.mover(mover);
-  m.offset = group.unknowns;
-  group.unknowns += m.size;
-  member_[group.first_mover + group.movers] = mover;
-  member_mover_[group.first_mover + group.movers] = &m;
-  ++group.movers;
-  solved_[mover] = 1;
-}
+// --- one pass
 
 void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept {
   J_used_ = 0;
@@ -247,20 +192,21 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   for (Row& row : rows) row.J = jacobian(contacts.contact[row.contact], known_[row.contact], row);
 
   const Island problem{{member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns};
-  const From from = group.passes == 0            ? From::kPrediction
-                    : group.passes < kFreePasses ? From::kEarlierPass
-                                                 : From::kHeldLimits;
+  const Limits limits = group.passes < kFreePasses ? Limits::kCoulomb : Limits::kHeld;
   ++group.passes;
-  const Outcome outcome = solver_.solve(problem, tolerance_, from);
+  const Outcome outcome = solver_.solve(problem, tolerance_, limits);
+  relax(group);
+  for (uint32_t i = 0; i < group.unknowns; ++i) move_[i] = group.share * solver_.d()[i];
   for (uint32_t i = 0; i < group.movers; ++i) {
     const uint32_t m = member_[group.first_mover + i];
-    place_.move(m, solver_.d().data() + place_.mover(m).offset);
+    place_.move(m, move_.data() + place_.mover(m).offset);
   }
   for (const Row& row : rows)
     contacts.contact[row.contact].f_a_W = row.f.fn * row.n + row.f.f1 * row.t1 + row.f.f2 * row.t2;
 
   // nothing moved that could be seen: the geometry is what it was
   group.converged = outcome.converged;
+  group.limits_hold = outcome.limits_hold;
   group.done = outcome.converged && outcome.moved <= kGeometry * tolerance_;
   if (group.done)
     for (Row& row : rows) row.at = row.u;
@@ -268,6 +214,25 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   stats.newton += outcome.newton;
   stats.fallbacks += outcome.fell_back;
   stats.rounds += outcome.rounds;
+}
+
+/// How much of the way that the linear problem asks for is gone: what Aitken's rule makes of this way and the one
+/// before, seen
+/// at the contacts. Where normals turn with what moves, passes that went all the way would jump to and fro.
+void ContactSolve::relax(Group& group) noexcept {
+  double along = 0, change = 0;
+  for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r) {
+    Row& row = row_[r];
+    const double now[3] = {row.u.g - row.at.g, row.u.s1 - row.at.s1, row.u.s2 - row.at.s2};
+    const double before[3] = {row.asked.g, row.asked.s1, row.asked.s2};
+    for (int i = 0; i < 3; ++i) {
+      along += before[i] * (now[i] - before[i]);
+      change += (now[i] - before[i]) * (now[i] - before[i]);
+    }
+    row.asked = {now[0], now[1], now[2]};
+  }
+  if (group.passes > 1 && change > 0)
+    group.share = std::clamp(-group.share * along / change, kLeastShare, 1.0);
 }
 
 /// The contact at the present poses: axes, law, gap and tangential displacement.
@@ -317,8 +282,8 @@ Vec3 ContactSolve::carried_bristle(const contact::Contact& c, const Known& k) co
 
 // --- the end of the step
 
-/// An island that did not converge must not gain energy: nothing in it leaves faster than it came or than twice what
-/// pushes it.
+/// An island that did not converge must not gain energy: nothing in it leaves faster than the loads on it can
+/// make it in a step, or than twice what pushes it.
 void ContactSolve::calm(const contact::ContactSet& contacts, const Group& group) noexcept {
   double fastest = 0;
   for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r) {
@@ -328,7 +293,10 @@ void ContactSolve::calm(const contact::ContactSet& contacts, const Group& group)
       if (!place_.moves(s->mover) || place_.mover(s->mover).kind == Mover::Kind::kHinge)
         fastest = std::max(fastest, place_.speed(*s, p));
   }
-  for (uint32_t i = 0; i < group.movers; ++i) place_.slow_down(member_[group.first_mover + i], 2 * fastest);
+  for (uint32_t i = 0; i < group.movers; ++i) {
+    const uint32_t m = member_[group.first_mover + i];
+    place_.slow_down(m, std::max(2 * fastest, place_.gain(m)));
+  }
 }
 
 void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noexcept {

@@ -6,6 +6,7 @@
 // Threads: built on [main]; solve() is [rt] and neither allocates nor throws.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,7 +41,10 @@ class ContactSolve {
     uint32_t unknowns = 0;
     double off = 0;  // m, by which its contacts are elsewhere than the linear problem said
     uint32_t passes = 0;
-    bool converged = false, done = false;
+    double share = 1;  // of the way that the last linear problem asked for
+    bool converged = false, limits_hold = true, done = false;
+    bool stuck = false;                           // passes bring it no nearer
+    double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };
 
   void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
@@ -57,6 +61,7 @@ class ContactSolve {
   void fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept;
   void add_mover(Group& group, uint32_t mover) noexcept;
   void solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept;
+  void relax(Group& group) noexcept;
   void look(const contact::Contact& c, const Known& k, Row& row) noexcept;
   const double* jacobian(const contact::Contact& c, const Known& k, Row& row) noexcept;
   Vec3 carried_bristle(const contact::Contact& c, const Known& k) const noexcept;
@@ -76,6 +81,7 @@ class ContactSolve {
   std::vector<Known> known_;  // per contact
   std::vector<Row> row_;      // island by island
   std::vector<double> J_;     // of the rows of one island
+  std::vector<double> move_;  // of the movers of one island
   size_t J_used_ = 0;
   std::vector<Group> island_;
   std::vector<uint32_t> parent_;     // union-find, per mover

@@ -40,6 +40,19 @@ inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
   return true;
 }
 
+/// Sign of the determinant from the factors of lu_factor: -1, 0 or 1.
+inline int determinant_sign(size_t n, const double* LU, const uint32_t* row) noexcept {
+  int sign = 1;
+  for (size_t i = 0; i < n; ++i) {
+    const double pivot = LU[i * n + i];
+    if (pivot == 0) return 0;
+    if (pivot < 0) sign = -sign;
+    for (size_t j = i + 1; j < n; ++j)
+      if (row[j] < row[i]) sign = -sign;
+  }
+  return sign;
+}
+
 /// x = A^-1 b with the factors of lu_factor. x and b must not overlap.
 inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const double* b, double* x) noexcept {
   for (size_t i = 0; i < n; ++i) {

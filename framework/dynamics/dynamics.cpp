@@ -32,6 +32,8 @@ void Dynamics::free_motion(scene::World& world) noexcept {
 
 void Dynamics::solve(scene::World& world, contact::ContactSet& contacts,
                      std::span<SelfSolver* const> self) noexcept {
+  std::fill(world.hinge_torque.begin(), world.hinge_torque.end(), 0.0);
+  if (contacts.contact.empty()) return core_->motion.go_free(world);
   if (core_->options.response == Response::kImpulse) {
     respond_by_impulses(world, core_->motion, contacts);
   } else {
@@ -39,7 +41,6 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts,
   }
 
   // what contacts put on each hinge, about its axis
-  for (size_t i = 0; i < world.hinge.size(); ++i) world.hinge_torque[i] = 0;
   for (const contact::Contact& c : contacts.contact) {
     if (c.f_a_W.isZero(0)) continue;
     for (const bool is_a : {true, false}) {

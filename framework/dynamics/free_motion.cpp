@@ -131,6 +131,22 @@ void taylor_kicked(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   renormalise(x.q);
   x.L += x.q.conjugate() * (0.5 * h * t_W);
 }
+/// Half the torque before, half after; angular velocity before the quaternion is of unit length again (euler_top.hpp).
+void elliptic(const RigidMass& m, const Vec3& t_W, double h, RigidState& s) {
+  const EulerTop& e = m.euler;
+  const bool torque = !t_W.isZero(0);
+  Vec3 L = m.I.cwiseProduct(s.q_WB.conjugate() * s.w_W);
+  if (torque) L += s.q_WB.conjugate() * (0.5 * h * t_W);
+  TopState t{s.q_WB.w(), s.q_WB.vec()[e.i],       s.q_WB.vec()[e.j], s.q_WB.vec()[e.k],
+             1,          {L[e.i], L[e.j], L[e.k]}};
+  euler_top(e, h, t);
+  const Triple w = t.turned({e.w_x * t.L.x, e.w_y * t.L.y, e.w_z * t.L.z});
+  s.w_W[e.i] = w.x, s.w_W[e.j] = w.y, s.w_W[e.k] = w.z;
+  t.normalise();
+  s.q_WB.w() = t.w;
+  s.q_WB.vec()[e.i] = t.x, s.q_WB.vec()[e.j] = t.y, s.q_WB.vec()[e.k] = t.z;
+  if (torque) s.w_W += s.q_WB * m.inv_I.cwiseProduct(s.q_WB.conjugate() * (0.5 * h * t_W));
+}
 void split(FreeMotion method, const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   x.L += x.q.conjugate() * (0.5 * h * t_W);
   Top t{x.q.w(), x.q.vec()[m.i], x.q.vec()[m.j], x.q.vec()[m.k], x.L[m.i], x.L[m.j], x.L[m.k]};
@@ -178,7 +194,7 @@ void runge_kutta4(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
 }  // namespace
 
 RigidMass::RigidMass(double mass_kg, const Vec3& principal)
-    : mass(mass_kg), I(principal), inv_I(principal.cwiseInverse()) {
+    : mass(mass_kg), I(principal), inv_I(principal.cwiseInverse()), euler(inv_I) {
   // pair the two axes whose 1/I differ least: j, k; i is the axis of the top
   double closest = HUGE_VAL;
   for (int a = 0; a < 3; ++a) {
@@ -210,6 +226,7 @@ void move_free(FreeMotion method, const RigidMass& m, const Vec3& f_W, const Vec
   }
 
   // rotation
+  if (method == FreeMotion::kElliptic) return elliptic(m, t_W, h, s);
   Spin x{s.q_WB, m.I.cwiseProduct(s.q_WB.conjugate() * s.w_W)};
   switch (method) {
     case FreeMotion::kThesis: {
@@ -238,6 +255,8 @@ void move_free(FreeMotion method, const RigidMass& m, const Vec3& f_W, const Vec
       break;
     case FreeMotion::kTaylor:
       taylor_kicked(m, t_W, h, x);
+      break;
+    case FreeMotion::kElliptic:
       break;
   }
   s.q_WB = x.q;

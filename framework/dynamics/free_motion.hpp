@@ -7,6 +7,7 @@
 // functions.
 #pragma once
 
+#include "dynamics/euler_top.hpp"
 #include "dynamics/options.hpp"
 #include "toolkit/math.hpp"
 
@@ -33,6 +34,8 @@ struct RigidMass {
   int i = 0, j = 1, k = 2;
   double top = 0;   // 1/I[i] - 1/I[j]
   double rest = 0;  // 1/I[k] - 1/I[j]
+
+  EulerTop euler;
 
   RigidMass() = default;
   RigidMass(double mass_kg, const Vec3& principal);

@@ -5,63 +5,19 @@
 #include <cmath>
 
 #include "dynamics/dense.hpp"
+#include "dynamics/row.hpp"
 
 namespace swage::dynamics {
 namespace {
 
-constexpr uint32_t kNewtonSteps = 8;    // of Coulomb's Newton before the convex path is taken
-constexpr uint32_t kHalvings = 3;       // of one of them
-constexpr double kDecrease = 1e-3;      // fraction of the predicted decrease that a step must bring
-constexpr double kFlat = 0.1;           // slope that ends a line search, of the slope at its start
-constexpr uint32_t kSearch = 60;        // evaluations of one line search
-constexpr uint32_t kConvexSteps = 12;   // Newton steps of one convex problem
-constexpr uint32_t kTrescaRounds = 10;  // convex problems before an island is left at its best iterate
-constexpr double kNeverSlips = 1e300;   // N
-
-/// u + J d.
-Displacement displaced(const Row& row, const double* d) {
-  const uint32_t columns = row.size_a + row.size_b;
-  const double *J0 = row.J, *J1 = J0 + columns, *J2 = J1 + columns;
-  const double *da = d + row.offset_a, *db = d + row.offset_b;
-  Displacement u = row.at;
-  for (uint32_t i = 0; i < row.size_a; ++i) {
-    u.g += J0[i] * da[i];
-    u.s1 += J1[i] * da[i];
-    u.s2 += J2[i] * da[i];
-  }
-  for (uint32_t i = 0; i < row.size_b; ++i) {
-    u.g += J0[row.size_a + i] * db[i];
-    u.s1 += J1[row.size_a + i] * db[i];
-    u.s2 += J2[row.size_a + i] * db[i];
-  }
-  return u;
-}
-
-/// F -= J' f.
-void add_force(const Row& row, double* F) {
-  const uint32_t columns = row.size_a + row.size_b;
-  const double *J0 = row.J, *J1 = J0 + columns, *J2 = J1 + columns;
-  double *Fa = F + row.offset_a, *Fb = F + row.offset_b;
-  for (uint32_t i = 0; i < row.size_a; ++i) Fa[i] -= J0[i] * row.f.fn + J1[i] * row.f.f1 + J2[i] * row.f.f2;
-  for (uint32_t j = 0, i = row.size_a; i < columns; ++i, ++j)
-    Fb[j] -= J0[i] * row.f.fn + J1[i] * row.f.f1 + J2[i] * row.f.f2;
-}
-
-/// H += J' D J.
-void add_stiffness(const Row& row, const Tangent& D, size_t n, double* H) {
-  const uint32_t columns = row.size_a + row.size_b;
-  const double *J0 = row.J, *J1 = J0 + columns, *J2 = J1 + columns;
-  for (uint32_t j = 0; j < columns; ++j) {
-    const double k0 = D.nn * J0[j];
-    const double k1 = D.n1 * J0[j] + D.t11 * J1[j] + D.t12 * J2[j];
-    const double k2 = D.n2 * J0[j] + D.t12 * J1[j] + D.t22 * J2[j];
-    double* column = H + (j < row.size_a ? row.offset_a + j : row.offset_b + j - row.size_a);
-    double *Ha = column + row.offset_a * n, *Hb = column + row.offset_b * n;
-    for (uint32_t i = 0; i < row.size_a; ++i) Ha[i * n] += J0[i] * k0 + J1[i] * k1 + J2[i] * k2;
-    for (uint32_t b = 0, i = row.size_a; i < columns; ++i, ++b)
-      Hb[b * n] += J0[i] * k0 + J1[i] * k1 + J2[i] * k2;
-  }
-}
+constexpr uint32_t kNewtonSteps = 8;   // of Coulomb's Newton before the convex path is taken
+constexpr uint32_t kHalvings = 3;      // of one of them
+constexpr double kDecrease = 1e-3;     // fraction of the predicted decrease that a step must bring
+constexpr double kFlat = 0.1;          // slope that ends a line search, of the slope at its start
+constexpr uint32_t kSearch = 30;       // evaluations of one line search
+constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
+constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
+constexpr double kNeverSlips = 1e300;  // N
 
 }  // namespace
 
@@ -102,6 +58,11 @@ bool IslandSolver::direction(const Island& island, Friction friction) noexcept {
     const Tangent D = tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
     add_stiffness(row, D, size_, H_.data());
   }
+  return solve_linear();
+}
+
+/// H step = -F.
+bool IslandSolver::solve_linear() noexcept {
   for (size_t i = 0; i < size_; ++i) negative_F_[i] = -F_[i];
   if (!lu_factor(size_, H_.data(), pivot_.data())) return false;
   ++newton_;
@@ -152,18 +113,34 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   return false;
 }
 
-/// Slope of the energy along the step, at a fraction of it: rises monotonically, because the energy is convex.
+/// How every row moves along the step.
+void IslandSolver::aim(const Island& island) noexcept {
+  for (Row& row : island.rows) {
+    row.way = displaced(row, step_.data());
+    row.way.g -= row.at.g, row.way.s1 -= row.at.s1, row.way.s2 -= row.at.s2;
+  }
+}
+
+/// Slope of the energy along the step, at a fraction of it from d: rises monotonically, because the energy is convex.
 double IslandSolver::slope(const Island& island, double fraction) noexcept {
   advance(fraction);
-  evaluate(island, trial_.data(), Friction::kTresca);
   double sum = 0;
+  for (const Mover* mover : island.movers)
+    mover->residual(trial_.data() + mover->offset, F_.data() + mover->offset);
   for (size_t i = 0; i < size_; ++i) sum += F_[i] * step_[i];
+  for (const Row& row : island.rows) {
+    const Displacement& w = row.way;
+    const Displacement u{row.u.g + fraction * w.g, row.u.s1 + fraction * w.s1, row.u.s2 + fraction * w.s2};
+    const Force f = force_with_limit(row.surface, u, normal_force(row.surface, u.g), row.limit);
+    sum -= f.fn * w.g + f.f1 * w.s1 + f.f2 * w.s2;
+  }
   return sum;
 }
 
 /// The fraction of the step at which the energy is least, well enough: the slope there is a tenth of what it was. Regula
 /// falsi on the slope, which is piecewise smooth with steep kinks where a contact begins to slip.
 double IslandSolver::search(const Island& island) noexcept {
+  aim(island);
   const double start = slope(island, 0), good = kFlat * std::abs(start);
   double low = 0, high = 1, at_low = start, at_high = slope(island, 1);
   if (at_high <= good) return 1;  // the whole step still descends, or all but
@@ -179,7 +156,6 @@ double IslandSolver::search(const Island& island) noexcept {
       high = fraction, at_high = at;
     }
   }
-  slope(island, low);
   return low;
 }
 
@@ -194,57 +170,75 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
     if (far <= tolerance) {
       advance(1);
       d_.swap(trial_);
+      evaluate(island, d_.data(), Friction::kTresca);
       return true;
     }
     // a short piece of a long step may only have met a kink; two are the end
     const double fraction = search(island);
+    advance(fraction);
     d_.swap(trial_);
+    evaluate(island, d_.data(), Friction::kTresca);
     still = fraction * far <= tolerance ? still + 1 : 0;
     if (still == 2) return true;
   }
   return false;
 }
 
-Outcome IslandSolver::solve(const Island& island, double tolerance, From from) noexcept {
+Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limits) noexcept {
   size_ = island.size;
   newton_ = 0;
   std::fill_n(d_.begin(), size_, 0.0);
   Outcome outcome;
-  if (from == From::kHeldLimits) {
+  if (limits == Limits::kHeld) {
     outcome.rounds = 1;
     outcome.fell_back = true;
-    outcome.converged = minimise(island, tolerance) && limits_hold(island);
+    outcome.converged = minimise(island, tolerance);
+    outcome.limits_hold = limits_hold(island);
   } else {
     outcome.converged = newton(island, tolerance);
-    if (!outcome.converged) follow_limits(island, tolerance, from, outcome);
-    evaluate(island, d_.data(), Friction::kCoulomb);
+    if (!outcome.converged) fall_back(island, tolerance, outcome);
   }
   outcome.newton = newton_;
   outcome.moved = length(island, d_.data());
   return outcome;
 }
 
-/// Limits from the normal forces, least energy, new limits ... until they stay.
-void IslandSolver::follow_limits(const Island& island, double tolerance, From from,
-                                 Outcome& outcome) noexcept {
+/// Along the path, from here, then from where nothing slips: a contact that must slip then slips the right way. Where neither
+/// ends, with limits held.
+void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
   outcome.fell_back = true;
   std::fill_n(d_.begin(), size_, 0.0);
-  if (from == From::kPrediction) {
-    // from where nothing slips: a contact that must slip then slips the right way
-    evaluate(island, d_.data(), Friction::kCoulomb);
-    for (Row& row : island.rows) row.limit = row.limit > 0 ? kNeverSlips : 0;
-    minimise(island, tolerance);
+  outcome.converged = follow_path(island, tolerance);
+  if (!outcome.converged) {
+    std::fill_n(d_.begin(), size_, 0.0);
+    stick_all(island, tolerance);
     std::copy_n(d_.begin(), size_, before_.begin());
-    outcome.converged = newton(island, tolerance);
-    if (!outcome.converged) std::copy_n(before_.begin(), size_, d_.begin());
+    outcome.converged = follow_path(island, tolerance);
   }
-  while (!outcome.converged && outcome.rounds < kTrescaRounds) {
-    ++outcome.rounds;
-    std::copy_n(d_.begin(), size_, before_.begin());
+  if (outcome.converged) {
     evaluate(island, d_.data(), Friction::kCoulomb);
+    return;
+  }
+  std::copy_n(before_.begin(), size_, d_.begin());
+  evaluate(island, d_.data(), Friction::kCoulomb);
+  outcome.converged = hold_limits(island, tolerance, outcome);
+  outcome.limits_hold = limits_hold(island);
+}
+
+/// Least energy where nothing slips.
+void IslandSolver::stick_all(const Island& island, double tolerance) noexcept {
+  evaluate(island, d_.data(), Friction::kCoulomb);
+  for (Row& row : island.rows) row.limit = row.limit > 0 ? kNeverSlips : 0;
+  minimise(island, tolerance);
+}
+
+/// Limits from the normal forces, least energy, new limits ... a few times.
+bool IslandSolver::hold_limits(const Island& island, double tolerance, Outcome& outcome) noexcept {
+  while (true) {
+    ++outcome.rounds;
     const bool least = minimise(island, tolerance);
-    for (size_t i = 0; i < size_; ++i) step_[i] = d_[i] - before_[i];
-    outcome.converged = least && length(island, step_.data()) <= tolerance;
+    if (outcome.rounds == kTrescaRounds || !least || limits_hold(island)) return least;
+    for (Row& row : island.rows) row.limit = row.surface.mu * row.f.fn;
   }
 }
 

@@ -4,8 +4,9 @@
 //
 //     F(d) = A (x + d - x_hat) - sum over contacts of J' f(u + J d) = 0.
 //
-// f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F, made safe by a line search; where that
-// stalls, a sequence of convex problems with the friction limits held (Tresca), whose energy only falls. README.md.
+// f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F with a line search; where that stalls, its
+// path is followed from piece to piece of the law; where that does not end, a convex problem with the friction limits held
+// (Tresca). README.md.
 //
 // Threads: the solver is built on [main]; solve() is [rt] and neither allocates nor throws.
 #pragma once
@@ -35,6 +36,9 @@ struct Row {
   Displacement u;
   Force f;
   double limit = 0;  // N, of friction
+  Piece piece = Piece::kOpen;
+  Displacement way;    // along the Newton step
+  Displacement asked;  // from `at` to `u`, in the last pass
 };
 
 struct Island {
@@ -45,18 +49,18 @@ struct Island {
 
 /// How a solve ended.
 struct Outcome {
-  bool converged = false;
-  bool fell_back = false;  // Newton alone did not do it
-  uint32_t newton = 0;     // linear systems solved
-  uint32_t rounds = 0;     // convex problems solved
-  double moved = 0;        // m, from the pose of the linearisation
+  bool converged = false;   // the last correction was below the tolerance
+  bool limits_hold = true;  // and every friction limit is mu f_n, to one in a thousand of the largest
+  bool fell_back = false;   // Newton alone did not do it
+  uint32_t newton = 0;      // linear systems solved
+  uint32_t rounds = 0;      // convex problems solved
+  double moved = 0;         // m, from the pose of the linearisation
 };
 
-/// Where a solve begins.
-enum class From : uint8_t {
-  kPrediction,   // poses are predicted: friction is asked first where nothing would slip
-  kEarlierPass,  // poses are the end of an earlier pass
-  kHeldLimits,  // the same, and friction limits stay as that pass left them: convex, so passes cannot jump to and fro
+/// How friction limits are found.
+enum class Limits : uint8_t {
+  kCoulomb,  // mu f_n
+  kHeld,     // as the last pass left them: convex, so passes cannot jump to and fro
 };
 
 class IslandSolver {
@@ -64,8 +68,8 @@ class IslandSolver {
   explicit IslandSolver(uint32_t max_unknowns);
 
   /// Solves for d, to be added to the movers' unknowns (d() below), and fills u, f, limit of every row.
-  /// Converged: the last correction was below `tolerance` [m].
-  Outcome solve(const Island& island, double tolerance, From from) noexcept;
+  /// tolerance: m.
+  Outcome solve(const Island& island, double tolerance, Limits limits) noexcept;
 
   std::span<const double> d() const { return {d_.data(), size_}; }
 
@@ -75,12 +79,23 @@ class IslandSolver {
   void evaluate(const Island& island, const double* d, Friction friction) noexcept;
   double merit(const Island& island) const noexcept;
   bool direction(const Island& island, Friction friction) noexcept;
+  bool solve_linear() noexcept;
   double length(const Island& island, const double* step) const noexcept;
   void advance(double fraction) noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
-  void follow_limits(const Island& island, double tolerance, From from, Outcome& outcome) noexcept;
+  void fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept;
+  void stick_all(const Island& island, double tolerance) noexcept;
+  bool hold_limits(const Island& island, double tolerance, Outcome& outcome) noexcept;
+
+  // island_path.cpp
+  bool follow_path(const Island& island, double tolerance) noexcept;
+  void evaluate_pieces(const Island& island, const double* d) noexcept;
+  bool direction_on_pieces(const Island& island) noexcept;
+  uint32_t first_kink(const Island& island, uint32_t passed, double& fraction, Piece& next) const noexcept;
+  bool whole_step(const Island& island, double far, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
   bool minimise(const Island& island, double tolerance) noexcept;
+  void aim(const Island& island) noexcept;
   double slope(const Island& island, double fraction) noexcept;
   double search(const Island& island) noexcept;
 

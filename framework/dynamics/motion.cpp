@@ -54,6 +54,28 @@ void Motion::predict(scene::World& world, FreeMotion method) noexcept {
   for (uint32_t i = 0; i < world.particle_mass.size(); ++i) predict_particle(world, i);
 }
 
+void Motion::go_free(scene::World& world) noexcept {
+  for (uint32_t i = 0; i < held_body.size(); ++i) {
+    if (!held_body[i]) continue;
+    world.X_WB[i] = X_free[i].abi();
+    world.V_WB[i] = {raw(v_free[i]), raw(w_free[i])};
+    held_body[i] = 0;
+  }
+  for (uint32_t i = 0; i < held_hinge.size(); ++i) {
+    if (!held_hinge[i]) continue;
+    place_hinge(world, *this, i, q_free[i]);
+    held_hinge[i] = 0;
+  }
+  for (uint32_t i = 0; i < held_particle.size(); ++i) {
+    if (!held_particle[i]) continue;
+    for (uint32_t k = 0; k < 3; ++k) {
+      world.particle_p_W[3 * i + k] = p_free[i][k];
+      world.particle_v_W[3 * i + k] = v_free_p[i][k];
+    }
+    held_particle[i] = 0;
+  }
+}
+
 void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method) noexcept {
   const swage_twist V0 = world.V_WB[body];
   X0[body] = Pose(world.X_WB[body]);

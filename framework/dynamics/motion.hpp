@@ -35,6 +35,8 @@ struct Motion {
   explicit Motion(const scene::World& world);
   /// Predicts all of the above and writes the predicted poses to the world. [rt]
   void predict(scene::World& world, FreeMotion method) noexcept;
+  /// Nothing touches anything: what was predicted to stay held goes where it goes by itself. [rt]
+  void go_free(scene::World& world) noexcept;
 
  private:
   void predict_body(scene::World& world, uint32_t body, FreeMotion method) noexcept;

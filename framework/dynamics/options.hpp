@@ -15,6 +15,7 @@ enum class FreeMotion : uint8_t {
   kSplitting2,  // symmetric splitting into exact rotations: order 2, |L| exact, energy bounded for all times
   kSplitting4,  // its composition of order 4
   kTaylor,      // Taylor series of Euler's equations (order 8) and Magnus series of the attitude (order 5)
+  kElliptic,  // Jacobi's closed form: energy and angular momentum exact for any step, angle about it to order 6
 };
 
 /// What happens where bodies touch.
@@ -24,7 +25,7 @@ enum class Response : uint8_t {
 };
 
 struct Options {
-  FreeMotion free_motion = FreeMotion::kSplitting4;
+  FreeMotion free_motion = FreeMotion::kElliptic;
   Response response = Response::kCompliant;
   uint32_t max_contacts = 256;  // per step; more are counted in Stats::dropped
   uint32_t max_unknowns = 120;  // per island; the solve is dense

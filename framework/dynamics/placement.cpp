@@ -254,6 +254,16 @@ bool Placement::let_go(uint32_t mover) noexcept {
   return true;
 }
 
+double Placement::gain(uint32_t mover) const noexcept {
+  const Mover& m = mover_[mover];
+  const uint32_t i = m.index;
+  if (m.kind == Mover::Kind::kBody)
+    return h_ * (vec(world_->F_B_W[i].f) / motion_->mass[i].mass + vec(world_->gravity)).norm();
+  return m.kind == Mover::Kind::kParticle
+             ? 2 * (motion_->v_free_p[i] - (motion_->p_free[i] - motion_->p0[i]) / h_).norm()
+             : 0.0;
+}
+
 void Placement::slow_down(uint32_t mover, double speed) noexcept {
   Mover& m = mover_[mover];
   if (m.kind == Mover::Kind::kBody) {

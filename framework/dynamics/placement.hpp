@@ -57,6 +57,8 @@ class Placement {
   bool let_go(uint32_t mover) noexcept;
   /// Shortens its way over the step to at most `speed` [m/s]; what the fallback of the fallback is.
   void slow_down(uint32_t mover, double speed) noexcept;
+  /// Speed that the loads on it give a body's centre, or a particle, in this step where nothing touches it [m/s].
+  double gain(uint32_t mover) const noexcept;
   /// Speed of the material point at p_W over the step [m/s].
   double speed(const Side& side, const Vec3& p_W) const noexcept {
     return displacement(side, p_W).norm() / h_;

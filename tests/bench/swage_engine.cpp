@@ -63,7 +63,7 @@ class Swage final : public Engine {
   void set_couple(const Vec3& t) override { couple_ += t * u_ * u_; }
 
   void step() override {
-    for (uint32_t k = 0; k < 2; ++k)
+    for (uint32_t k = 0; setup.jaws && k < 2; ++k)
       if (world_.body[kUpper + k].motion == SWAGE_MOTION_FOLLOWS)
         scene::follow(world_, kUpper + k, target_[k]);
     // a drive asked to go far beyond its limit gives a constant torque
@@ -185,6 +185,7 @@ std::vector<Method> swage_methods() {
       {"swage, RK4", "swage", with(free(dynamics::FreeMotion::kRungeKutta4)), true},
       {"swage, splitting of order 2", "swage", with(free(dynamics::FreeMotion::kSplitting2)), true},
       {"swage, splitting of order 4", "swage", with(free(dynamics::FreeMotion::kSplitting4)), true},
+      {"swage, Taylor series", "swage", with(free(dynamics::FreeMotion::kTaylor)), true},
   };
 }
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Newton's path through the pieces of Coulomb's law. On one piece of every contact F is smooth, almost linear,
+// and its Newton
+// direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact comes to the end of its piece the
+// path bends into
+// the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can turn F inside out, so that the
+// determinant of its
+// derivative changes sign there; the path then leads back up for a while, to where it changes again. Stepping
+// over the bends, as a
+// line search does, jumps to and fro between the pieces instead.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/dense.hpp"
+#include "dynamics/island.hpp"
+#include "dynamics/row.hpp"
+
+namespace swage::dynamics {
+namespace {
+
+constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so 5 to 20
+constexpr uint32_t kHalvings = 6;    // of a step on one piece, where the direction of slip turns
+constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
+
+}  // namespace
+
+/// Forces of the pieces and the residual F at d.
+void IslandSolver::evaluate_pieces(const Island& island, const double* d) noexcept {
+  for (const Mover* mover : island.movers) mover->residual(d + mover->offset, F_.data() + mover->offset);
+  for (Row& row : island.rows) {
+    row.u = displaced(row, d);
+    row.f = force_on(row.piece, row.surface, row.u);
+    if (row.piece != Piece::kOpen) add_force(row, F_.data());
+  }
+}
+
+/// The direction of the path: Newton's, and against it where F is inside out.
+bool IslandSolver::direction_on_pieces(const Island& island) noexcept {
+  std::fill_n(H_.begin(), size_ * size_, 0.0);
+  for (const Mover* mover : island.movers) mover->add_stiffness(d_.data() + mover->offset, size_, H_.data());
+  for (const Row& row : island.rows)
+    if (row.piece != Piece::kOpen)
+      add_stiffness(row, tangent_on(row.piece, row.surface, row.u), size_, H_.data());
+  return solve_linear();
+}
+
+/// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just
+/// did.
+uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, double& fraction,
+                                  Piece& next) const noexcept {
+  uint32_t hit = UINT32_MAX;
+  for (uint32_t i = 0; i < island.rows.size(); ++i) {
+    const Row& row = island.rows[i];
+    const Kink k = kink(row.piece, row.surface, row.u, row.way);
+    if (!(k.t < fraction) || (i == passed && k.t < kPassed)) continue;
+    hit = i, fraction = k.t, next = k.next;
+  }
+  return hit;
+}
+
+/// A step to where F would vanish, shorter where F does not fall. True when it was the whole.
+bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
+  const double now = merit(island);
+  double fraction = 1;
+  for (uint32_t k = 0;; ++k, fraction *= 0.5) {
+    advance(fraction);
+    evaluate_pieces(island, trial_.data());
+    if (far <= tolerance || k == kHalvings || merit(island) <= now) break;
+  }
+  d_.swap(trial_);
+  return fraction == 1;
+}
+
+bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept {
+  for (Row& row : island.rows) row.piece = piece(row.surface, displaced(row, d_.data()));
+  evaluate_pieces(island, d_.data());
+  uint32_t passed = UINT32_MAX;
+  for (uint32_t i = 0; i < kPathSteps; ++i) {
+    if (!direction_on_pieces(island)) return false;
+    const bool down = determinant_sign(size_, H_.data(), pivot_.data()) > 0;
+    if (!down)
+      for (size_t k = 0; k < size_; ++k) step_[k] = -step_[k];
+    const double far = length(island, step_.data());
+    if (!std::isfinite(far)) return false;
+
+    double fraction = down ? 1 : HUGE_VAL;
+    Piece next = Piece::kOpen;
+    aim(island);
+    passed = first_kink(island, passed, fraction, next);
+    if (passed != UINT32_MAX) {
+      advance(fraction);
+      d_.swap(trial_);
+      island.rows[passed].piece = next;
+      evaluate_pieces(island, d_.data());
+    } else if (!down) {
+      return false;  // leads nowhere
+    } else if (whole_step(island, far, tolerance) && far <= tolerance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace swage::dynamics
