@@ -34,10 +34,12 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->world.length = file_.scene_length;
   rig_->world.gravity = file_.gravity;
   rig_->seed = file_.seed;
+  rig_->mirror = file_.mirror;
   rig_->max_time_s = file_.max_time_s;
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;
 
+  resolve_mode();
   add_objects();
   add_couplings();
   resolve_override();
@@ -59,6 +61,15 @@ std::unique_ptr<Rig> Assembler::run() {
   fill_card();
   if (!good() || !host::activate(*rig_, problems_)) return nullptr;
   return std::move(rig_);
+}
+
+void Assembler::resolve_mode() {
+  const std::string mode = overrides_.mode.empty() ? file_.mode : overrides_.mode;
+  if (std::find(std::begin(kModes), std::end(kModes), mode) == std::end(kModes))
+    error("", "There is no mode \"" + mode + "\". There is: practice, test, demo.");
+  rig_->card.mode = mode;
+  rig_->card.cues = mode == "test" ? 0 : file_.cues;
+  hand_ = mode == "demo" && overrides_.device.empty() ? "expert" : overrides_.device;
 }
 
 void Assembler::error(const std::string& pointer, const std::string& message) {

@@ -17,6 +17,7 @@ struct Overrides {
   std::string
       device;  // an "as" name ("expert"), a plugin id, or its last word ("mouse"); "": the first choice
   std::string device_params;  // JSON object for the device chosen by name or id, "" for what the file says
+  std::string mode = {};  // "practice", "test", "demo" (whose hand is the expert's); "": what the file says
 };
 
 /// Creates, configures, places, binds and activates everything. Everything that is wrong is reported in one

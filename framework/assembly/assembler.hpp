@@ -42,6 +42,7 @@ class Assembler {
     return found;
   }
 
+  void resolve_mode();
   void add_objects();
   void add_couplings();
   void add_devices();
@@ -59,6 +60,7 @@ class Assembler {
               const std::string& side);
   void bind_lesson();
   void bind_sights();
+  void fill_metrics();
   void fill_card();
 
   void error(const std::string& pointer, const std::string& message);
@@ -71,6 +73,7 @@ class Assembler {
   base::Problems& problems_;
   std::unique_ptr<host::Rig> rig_;
   std::set<std::string> used_;  // plugin ids that the file names
+  std::string hand_;            // which device was asked for, "" for the first choice
   // index of the override's own choice, and the device it goes to
   DeviceChoice substitute_;
   std::size_t substitute_for_ = ~std::size_t{0};

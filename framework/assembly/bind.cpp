@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
 #include "snapshot/snapshot.hpp"
+#include "toolkit/mirror.hpp"
 
 namespace swage::assembly {
 
@@ -224,8 +225,39 @@ void Assembler::bind_sights() {
   }
 }
 
+namespace {
+
+// what is shown for the left hand: poses and places reflected, shapes with their bodies
+void mirror(snapshot::SceneCard& card) {
+  using toolkit::mirrored;
+  for (swage_pose& X_WB : card.start) X_WB = mirrored(X_WB);
+  for (judge::Script::Mark& mark : card.script.marks) mark.mark.p_W = mirrored(mark.mark.p_W);
+  for (snapshot::CardShape& shape : card.shapes) {
+    shape.X_BS = toolkit::mirrored_shape(shape.X_BS);
+    for (swage_vec3& v : shape.vertex) v.z = -v.z;
+    for (std::vector<uint32_t>& face : shape.face) std::reverse(face.begin(), face.end());
+  }
+}
+
+}  // namespace
+
+void Assembler::fill_metrics() {
+  const host::PluginInfo* plugin = catalogue_.find(file_.lesson.plugin);
+  for (const judge::Name& metric : rig_->script.metrics) {
+    snapshot::CardMetric& row = rig_->card.metrics.emplace_back();
+    if (plugin == nullptr) continue;
+    for (const host::MetricInfo& m : plugin->metrics)
+      if (m.id == metric.id) row = {m.better, m.evidence, m.code, m.formula};
+  }
+  rig_->card.cue_channels.assign(rig_->script.cues.size(), kAllChannels);
+  for (std::size_t i = 0; plugin != nullptr && i < rig_->script.cues.size(); ++i)
+    for (const host::CueInfo& c : plugin->cues)
+      if (c.id == rig_->script.cues[i].id) rig_->card.cue_channels[i] = c.channels;
+}
+
 void Assembler::fill_card() {
   const host::Rig& rig = *rig_;
+  fill_metrics();
   snapshot::SceneCard& card = rig_->card;
   card.lesson_id = file_.id;
   card.title = file_.title;
@@ -254,6 +286,7 @@ void Assembler::fill_card() {
     }
     card.shapes.push_back(std::move(shape));
   }
+  if (rig.mirror) mirror(card);
 }
 
 }  // namespace swage::assembly

@@ -24,7 +24,7 @@ bool matches(const DeviceChoice& choice, const std::string& wanted) {
 }  // namespace
 
 void Assembler::resolve_override() {
-  const std::string& wanted = overrides_.device;
+  const std::string& wanted = hand_;
   if (wanted.empty()) return;
   if (file_.devices.empty()) {
     if (!file_.faulty)
@@ -64,9 +64,9 @@ void Assembler::resolve_override() {
 const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t index) {
   if (index == substitute_for_) return &substitute_;
   // further hands take part in the choice when they know the name
-  if (!overrides_.device.empty()) {
+  if (!hand_.empty()) {
     for (const DeviceChoice& choice : device.choices)
-      if (matches(choice, overrides_.device)) return &choice;
+      if (matches(choice, hand_)) return &choice;
   }
   const DeviceChoice& first = device.choices[0];
   if (catalogue_.find(first.plugin) != nullptr) return &first;

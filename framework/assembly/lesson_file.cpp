@@ -20,6 +20,7 @@ constexpr const char* kFormat = "swage-lesson/1";
 constexpr std::size_t kMaxBytes = std::size_t{4}
                                   << 20;  // a lesson has some kilobytes; a mesh is a file of its own
 constexpr uint32_t kMaxNesting = 32;
+constexpr const char* kChannels[] = {"colour", "shape", "sound", "force"};  // bits SWAGE_CHANNEL_*
 
 class LessonParser {
  public:
@@ -38,6 +39,8 @@ class LessonParser {
     out_.scene_length = top.quantity("scene_length", "m", 1e-3, 1e-6, 10);
     out_.gravity = top.vector("gravity", "m/s2", {0, 0, -9.80665});
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
+    out_.mirror = top.flag("mirror", false);
+    read_modes(top);
     read_requirements(top);
     top.each("devices", [this](const Json& j, const std::string& p) { read_device(j, p); });
     if (top.need("objects") != nullptr)
@@ -60,6 +63,20 @@ class LessonParser {
     teller_.error(top.at("format"),
                   "\"" + format + "\" cannot be read; this program reads \"" + kFormat + "\".");
     return false;
+  }
+
+  void read_modes(ObjectReader& top) {
+    if (top.find("mode") != nullptr) out_.mode = top.choice("mode", kModes);
+    if (top.find("cues") == nullptr) return;
+    out_.cues = 0;
+    top.each("cues", [&](const Json& json, const std::string& pointer) {
+      const std::string word = json.is_string() ? json.get<std::string>() : "";
+      const auto found = std::find(std::begin(kChannels), std::end(kChannels), word);
+      if (found == std::end(kChannels))
+        return teller_.error(
+            pointer, short_dump(json) + " is no channel of cues; there is colour, shape, sound, force.");
+      out_.cues |= 1u << (found - std::begin(kChannels));
+    });
   }
 
   void read_requirements(ObjectReader& top) {

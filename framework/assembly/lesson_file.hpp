@@ -48,6 +48,10 @@ struct LessonCoupling : PluginUse {
   std::string a, b;  // names of objects
 };
 
+/// Practice shows cues, a test does not and counts, a demo is the expert's hand and is not kept.
+inline constexpr const char* kModes[] = {"practice", "test", "demo"};
+inline constexpr uint32_t kAllChannels = 15;
+
 struct LessonFile {
   std::string path;  // as given; "" for text that has no file
   std::string text;  // as read, byte for byte
@@ -57,7 +61,10 @@ struct LessonFile {
   double rate_hz = 1000;
   double scene_length = 1e-3;  // m
   swage_vec3 gravity{0, 0, -9.80665};
-  double max_time_s = 0;                                          // simulated; 0: no limit
+  double max_time_s = 0;          // simulated; 0: no limit
+  bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
+  std::string mode = "practice";  // one of kModes, unless the run says otherwise
+  uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use while they are shown
   std::vector<std::pair<std::string, std::string>> requirements;  // plugin id, version range
   std::vector<LessonDevice> devices;
   std::vector<LessonObject> objects;

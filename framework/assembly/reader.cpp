@@ -65,6 +65,23 @@ std::string ObjectReader::text(const std::string& key, bool required) {
   return value->get<std::string>();
 }
 
+bool ObjectReader::flag(const std::string& key, bool fallback) {
+  const Json* value = find(key);
+  if (value == nullptr) return fallback;
+  if (value->is_boolean()) return value->get<bool>();
+  teller_.error(at(key), "\"" + key + "\" is true or false, not " + short_dump(*value) + ".");
+  return fallback;
+}
+
+std::string ObjectReader::choice(const std::string& key, std::span<const char* const> words) {
+  const std::string word = text(key, false);
+  if (std::find(words.begin(), words.end(), word) != words.end()) return word;
+  const std::vector<std::string> all(words.begin(), words.end());
+  teller_.error(at(key), "\"" + word + "\" is not known for \"" + key + "\"." +
+                             host::did_you_mean(word, all) + " There is: " + host::join(all) + ".");
+  return words.front();
+}
+
 std::string ObjectReader::name(const std::string& key, bool required) {
   const std::string name = text(key, required);
   if (!name.empty() && !is_instance_name(name)) {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ class ObjectReader {
   const Json* need(const std::string& key);
 
   std::string text(const std::string& key, bool required);
+  /// true or false.
+  bool flag(const std::string& key, bool fallback);
+  /// One of a few words; the first one when it is none of them.
+  std::string choice(const std::string& key, std::span<const char* const> words);
   /// A snake_case name of an instance.
   std::string name(const std::string& key, bool required);
   /// A number in the SI unit or a text with unit, within [min, max].

@@ -4,6 +4,7 @@
 // swage-describe.
 #pragma once
 
+#include <swage/abi/lesson_card.h>
 #include <swage/abi/plugin.h>
 
 #include <string>
@@ -15,11 +16,23 @@ namespace swage::host {
 
 class Library;
 
+/// A row of a lesson's card (abi/lesson_card.h).
+struct MetricInfo {
+  std::string id, unit, doc, formula, code;
+  int32_t better = 0, evidence = 0;  // SWAGE_BETTER_*, SWAGE_EVIDENCE_*
+};
+struct CueInfo {
+  std::string id, doc;
+  uint32_t channels = 0;  // SWAGE_CHANNEL_*
+};
+
 struct PluginInfo {
   int32_t kind = 0;  // SWAGE_KIND_*
   std::string id, version, name, summary, author, licence;
   std::vector<std::string> traits;
   ParamTable params;
+  std::vector<MetricInfo> metrics;  // of a lesson; empty when it has no card
+  std::vector<CueInfo> cues;
   std::string bundle_dir, library_path;
   std::string build_info;  // compiler and flags, for reports only
   uint32_t abi_major = 0, abi_minor = 0;
@@ -27,6 +40,10 @@ struct PluginInfo {
 };
 
 const char* kind_text(int32_t kind);  // "object", "coupling", "device", "lesson"
+
+const char* better_text(int32_t better);       // "", "lower", "higher", "inside"
+std::string evidence_text(int32_t evidence);   // "", "A" to "D"
+std::string channels_text(uint32_t channels);  // "colour, shape, sound, force"
 
 /// Reads every descriptor and table of a loaded library. False: `error` says what is malformed.
 bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error);

@@ -83,12 +83,14 @@ struct Rig {
   snapshot::SceneCard card;
   BoundScene bound;
   uint64_t seed = 0;
+  bool mirror = false;          // hands, pointer, card and snapshot are reflected (toolkit/mirror.hpp)
   std::string descriptor_text;  // the lesson file as read, kept for the record
   std::string descriptor_path;
 
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
-  swage_pointer pointer{};  // what swage.host.pointer/1 reads; the step writes it before the plugins run
-  Shared shared;            // of the instances' services; points into this rig
+  swage_pointer pointer{};  // what the person does, in the picture as it is shown
+  swage_pointer seen{};  // what swage.host.pointer/1 reads: the same, or its mirror image; the step writes it
+  Shared shared;         // of the instances' services; points into this rig
 
   Rig();
   Rig(const Rig&) = delete;

@@ -53,7 +53,7 @@ bool Playback::build(base::Problems& problems) {
   host::Catalogue::Options search;
   search.plugin_dirs = plugin_dirs_;
   const host::Catalogue catalogue(search);
-  rig_ = assembly::assemble(file, catalogue, {info.device, ""}, problems);
+  rig_ = assembly::assemble(file, catalogue, {info.device, "", info.mode}, problems);
   if (!rig_) return false;
 
   // other versions may well give other bits: told, not refused

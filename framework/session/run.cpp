@@ -126,12 +126,13 @@ void Run::open_devices(Problems& problems) {
 }
 
 void Run::open_record(Problems& problems) {
-  if (options_.store_path == ":none:") return;
+  // a demonstration is nobody's attempt
+  if (options_.store_path == ":none:" || rig_->card.mode == "demo") return;
   record::AttemptInfo info;
   info.person = options_.person;
   info.lesson_id = rig_->card.lesson_id;
   info.lesson_title = rig_->card.title;
-  info.mode = options_.mode;
+  info.mode = rig_->card.mode;
   info.descriptor_text = rig_->descriptor_text;
   info.descriptor_path = rig_->descriptor_path;
   for (const host::Instance* i : host::instances(*rig_))

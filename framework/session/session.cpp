@@ -28,7 +28,8 @@ std::unique_ptr<Session> Session::open(const Options& options, Problems& problem
   search.plugin_dirs = options.plugin_dirs;
   search.safe_mode = options.safe_mode;
   host::Catalogue catalogue(search);
-  auto rig = assembly::assemble(file, catalogue, {options.device, options.device_params}, problems);
+  auto rig =
+      assembly::assemble(file, catalogue, {options.device, options.device_params, options.mode}, problems);
   if (!rig) return nullptr;
 
   auto run = std::make_unique<Run>(options, std::move(catalogue), std::move(rig));

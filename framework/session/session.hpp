@@ -36,8 +36,9 @@ struct Options {
   std::vector<std::string>
       settings;  // other values than the file's: "needle.arc=2/8", "seed=7"; kept with the attempt
   std::string person = "Guest";
-  std::string store_path;         // attempts database; "" for the user's own, ":none:" to keep nothing
-  std::string mode = "practice";  // "practice", "test", "demo"
+  std::string store_path;  // attempts database; "" for the user's own, ":none:" to keep nothing
+  std::string
+      mode;  // "practice", "test" (no cues), "demo" (the expert's hand, not kept); "": what the file says
   Pace pace = Pace::kRealtime;
   bool start_paused = false;
   bool safe_mode = false;  // stock plugins only

@@ -33,8 +33,16 @@ struct CardDevice {
   std::string name, plugin, plugin_version;
 };
 
+/// What a lesson's card says about a metric of the script; zeros where it says nothing.
+struct CardMetric {
+  int32_t better = 0, evidence = 0;  // SWAGE_BETTER_*, SWAGE_EVIDENCE_* of abi/lesson_card.h
+  std::string code, formula;
+};
+
 struct SceneCard {
   std::string lesson_id, title, lesson_plugin;
+  std::string mode;   // "practice", "test", "demo"
+  uint32_t cues = 0;  // SWAGE_CHANNEL_* that cues may use; 0: a test is taken without help
   double length = 0;  // m, characteristic
   double dt = 0;      // s
   uint64_t seed = 0;
@@ -45,6 +53,8 @@ struct SceneCard {
   std::vector<int32_t>
       motion;  // SWAGE_MOTION_* of every body: what stands still is stage, what moves is watched
   judge::Script script;
+  std::vector<CardMetric> metrics;     // one per metric of the script
+  std::vector<uint32_t> cue_channels;  // of each cue of the script: SWAGE_CHANNEL_* that suit it
 };
 
 }  // namespace swage::snapshot

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "host/guard.hpp"
 #include "scene/kinematics.hpp"
 #include "step/limits.hpp"
 #include "toolkit/math.hpp"
+#include "toolkit/mirror.hpp"
 
 namespace swage::step {
 
@@ -32,6 +34,20 @@ bool normalise(swage_quat& q) {
 Vec3 limited(const Vec3& a, double longest) {
   const double length = std::sqrt(a.x() * a.x() + a.y() * a.y() + a.z() * a.z());
   return length > longest ? Vec3(a * (longest / length)) : a;
+}
+
+// what the person does, as the other hand would do it (abi/device.h)
+swage_pointer other_hand(const swage_pointer& p) {
+  constexpr std::pair<uint32_t, uint32_t> kPairs[] = {
+      {0, 3}, {25, 23}, {36, 37}, {44, 45}};  // A-D, Z-X, left-right, pgup-pgdn
+  swage_pointer out = p;
+  out.dx = -p.dx;
+  out.camera = toolkit::mirrored_view(p.camera);
+  for (const auto& [a, b] : kPairs) {
+    const uint64_t differ = (p.keys >> a ^ p.keys >> b) & 1;
+    out.keys ^= differ << a | differ << b;
+  }
+  return out;
 }
 
 }  // namespace
@@ -122,6 +138,7 @@ void Hands::look(const swage_sight& sight) noexcept {
 
 void Hands::read() noexcept {
   scene::World& world = rig_.world;
+  rig_.seen = rig_.mirror ? other_hand(rig_.pointer) : rig_.pointer;
   for (uint32_t i = 0; i < sample_.size(); ++i) {
     if (!usable(i)) continue;
     const swage_sample last = sample_[i];
@@ -154,6 +171,7 @@ void Hands::place(uint32_t device) noexcept {
     const double k = 1 / slot.motion_scale;
     const Pose X_WD0(slot.X_WD0), X_D0H(Vec3(k * toolkit::vec(pose.p)), toolkit::quat(pose.q));
     pose = (X_WD0 * X_D0H).abi();
+    if (rig_.mirror) pose = toolkit::mirrored(pose);
   }
   X_WD_[device] = pose;
   seen_[device] = 1;
@@ -244,10 +262,21 @@ Hands::Felt Hands::felt(uint32_t device, const contact::ContactSet& contacts) co
   return out;
 }
 
+Hands::Felt Hands::mirrored(const Felt& tool) noexcept {
+  using toolkit::raw, toolkit::vec;
+  Felt out;
+  out.X_WT = Pose(toolkit::mirrored(tool.X_WT.abi()));
+  out.V_WT = {toolkit::mirrored(tool.V_WT.v), toolkit::mirrored_axial(tool.V_WT.w)};
+  out.f_W = vec(toolkit::mirrored(raw(tool.f_W)));
+  out.t_W = vec(toolkit::mirrored_axial(raw(tool.t_W)));
+  return out;
+}
+
 // into hand space: forces by the force scale, movements by the motion scale
-ToolForce Hands::to_hand(uint32_t device, const Felt& felt) const noexcept {
+ToolForce Hands::to_hand(uint32_t device, const Felt& tool) const noexcept {
   const host::DeviceSlot& slot = rig_.devices[device];
   const bool in_world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
+  const Felt felt = rig_.mirror && !in_world ? mirrored(tool) : tool;
   const Quat q_D0W = in_world ? Quat::Identity() : toolkit::quat(slot.X_WD0.q).conjugate();
   const Vec3 origin = in_world ? Vec3(Vec3::Zero()) : toolkit::vec(slot.X_WD0.p);
   const double s = in_world ? 1 : slot.motion_scale;

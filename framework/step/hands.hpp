@@ -47,7 +47,8 @@ class Hands {
     toolkit::Vec3 f_W = toolkit::Vec3::Zero(), t_W = toolkit::Vec3::Zero();  // N, N m about the tool's origin
   };
   Felt felt(uint32_t device, const contact::ContactSet& contacts) const noexcept;
-  ToolForce to_hand(uint32_t device, const Felt& felt) const noexcept;
+  static Felt mirrored(const Felt& tool) noexcept;
+  ToolForce to_hand(uint32_t device, const Felt& tool) const noexcept;
 
   host::Rig& rig_;
   std::vector<std::unique_ptr<DevicePort>> own_;

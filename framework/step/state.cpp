@@ -5,6 +5,7 @@
 
 #include "step/step.hpp"
 #include "toolkit/math.hpp"
+#include "toolkit/mirror.hpp"
 
 namespace swage::step {
 
@@ -68,6 +69,21 @@ uint64_t Engine::object_hash(uint32_t object) const noexcept {
   return hash.hash();
 }
 
+namespace {
+
+// what is shown of a lesson for the left hand
+void mirror(snapshot::Snapshot& out) {
+  using toolkit::mirrored;
+  for (uint32_t i = 0; i < out.n_body; ++i) out.X_WB[i] = mirrored(out.X_WB[i]);
+  for (uint32_t i = 0; i < out.n_particle; ++i) out.particle_p_W[3 * i] *= -1;
+  for (uint32_t i = 0; i < out.n_mark; ++i) out.mark_p_W[i] = mirrored(out.mark_p_W[i]);
+  for (uint32_t i = 0; i < out.n_device; ++i) out.device[i].X_WD = mirrored(out.device[i].X_WD);
+  for (uint32_t i = 0; i < out.n_contact; ++i)
+    out.contact[i] = {mirrored(out.contact[i].p_W), mirrored(out.contact[i].f_W)};
+}
+
+}  // namespace
+
 void Engine::fill(snapshot::Snapshot& out) const noexcept {
   using namespace snapshot;
   const scene::World& w = rig_.world;
@@ -109,6 +125,7 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
     const contact::Contact& c = contacts_.contact[i];
     out.contact[i] = {toolkit::raw(c.p_W), toolkit::raw(c.f_a_W)};
   }
+  if (rig_.mirror) mirror(out);
 }
 
 }  // namespace swage::step

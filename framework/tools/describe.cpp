@@ -47,6 +47,35 @@ std::string default_text(const Param& p) {
   return host::value_text(p, value);
 }
 
+// what a lesson measures and signals
+void print_card(const PluginInfo& info) {
+  if (!info.metrics.empty()) std::printf("  [Metrics]\n");
+  for (const host::MetricInfo& m : info.metrics) {
+    const std::string better = host::better_text(m.better), evidence = host::evidence_text(m.evidence);
+    std::printf("  %-20s %-5s %-17s %s%s%s\n  %-20s %s\n", m.id.c_str(), m.unit.c_str(),
+                better.empty() ? "describes" : (better + " is better").c_str(), m.doc.c_str(),
+                m.code.empty() ? "" : (" " + m.code + ".").c_str(),
+                evidence.empty() ? "" : (" Evidence " + evidence + ".").c_str(), "", m.formula.c_str());
+  }
+  if (!info.cues.empty()) std::printf("  [Cues]\n");
+  for (const host::CueInfo& c : info.cues)
+    std::printf("  %-20s %s (%s)\n", c.id.c_str(), c.doc.c_str(), host::channels_text(c.channels).c_str());
+}
+
+// what a lesson's page shows beside its parameters; compared with it by a test
+void print_card_markdown(const PluginInfo& info) {
+  if (!info.metrics.empty())
+    std::printf(
+        "\n| metric | unit | better | evidence | what | formula |\n| --- | --- | --- | --- | --- | --- |\n");
+  for (const host::MetricInfo& m : info.metrics)
+    std::printf("| `%s` | %s | %s | %s | %s%s | %s |\n", m.id.c_str(), m.unit.c_str(),
+                host::better_text(m.better), host::evidence_text(m.evidence).c_str(), m.doc.c_str(),
+                m.code.empty() ? "" : (" " + m.code).c_str(), m.formula.c_str());
+  if (!info.cues.empty()) std::printf("\n| cue | when | channels |\n| --- | --- | --- |\n");
+  for (const host::CueInfo& c : info.cues)
+    std::printf("| `%s` | %s | %s |\n", c.id.c_str(), c.doc.c_str(), host::channels_text(c.channels).c_str());
+}
+
 void print_text(const PluginInfo& info) {
   std::printf("%s %s (%s): %s\n  %s\n", info.id.c_str(), info.version.c_str(), host::kind_text(info.kind),
               info.name.c_str(), info.summary.c_str());
@@ -60,6 +89,7 @@ void print_text(const PluginInfo& info) {
                 range_text(p).c_str(), "", p.doc.c_str(),
                 p.live() ? " May change while the lesson runs." : "");
   }
+  print_card(info);
 }
 
 // what a plugin's README shows; compared with it by a test
@@ -68,19 +98,31 @@ void print_markdown(const PluginInfo& info) {
   for (const Param& p : info.params)
     std::printf("| `%s` | %s | %s | %s%s |\n", p.id.c_str(), default_text(p).c_str(), range_text(p).c_str(),
                 p.doc.c_str(), p.live() ? " Live." : "");
+  print_card_markdown(info);
 }
 
 nlohmann::ordered_json to_json(const PluginInfo& info) {
-  return {{"id", info.id},
-          {"kind", host::kind_text(info.kind)},
-          {"version", info.version},
-          {"name", info.name},
-          {"summary", info.summary},
-          {"author", info.author},
-          {"licence", info.licence},
-          {"traits", info.traits},
-          {"bundle", info.bundle_dir},
-          {"params", host::table_to_json(info.params)}};
+  nlohmann::ordered_json out = {{"id", info.id},
+                                {"kind", host::kind_text(info.kind)},
+                                {"version", info.version},
+                                {"name", info.name},
+                                {"summary", info.summary},
+                                {"author", info.author},
+                                {"licence", info.licence},
+                                {"traits", info.traits},
+                                {"bundle", info.bundle_dir},
+                                {"params", host::table_to_json(info.params)}};
+  for (const host::MetricInfo& m : info.metrics)
+    out["metrics"].push_back({{"id", m.id},
+                              {"unit", m.unit},
+                              {"better", host::better_text(m.better)},
+                              {"evidence", host::evidence_text(m.evidence)},
+                              {"code", m.code},
+                              {"doc", m.doc},
+                              {"formula", m.formula}});
+  for (const host::CueInfo& c : info.cues)
+    out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", host::channels_text(c.channels)}});
+  return out;
 }
 
 // plugins of the bundle or library at `path`, whatever else is installed

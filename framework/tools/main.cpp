@@ -23,6 +23,7 @@ struct Arguments {
   ValidateOptions validate;
   DescribeOptions describe;
   NewOptions make_new;
+  AuditOptions audit;
   DoctorOptions doctor;
   BenchOptions bench;
   AttemptsOptions attempts;
@@ -47,7 +48,7 @@ void add_run(CLI::App& app, Arguments& a) {
   verb->add_flag("--as-fast-as-possible", o.fast, "Without a clock; gives the same numbers every time");
   verb->add_option("--person", o.person, "Whose attempt it is")->capture_default_str();
   verb->add_option("--store", o.store, "Attempts database, or :none: to keep nothing");
-  verb->add_option("--mode", o.mode, "practice, test or demo")
+  verb->add_option("--mode", o.mode, "practice, test (no cues) or demo (the expert's hand, not kept)")
       ->check(CLI::IsMember({"practice", "test", "demo"}));
   verb->add_flag("--safe-mode", o.safe_mode, "Only the plugins that came with Swage");
   verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which the attempt ends")
@@ -79,6 +80,23 @@ void add_replay(CLI::App& app, Arguments& a) {
   verb->add_flag("--json", a.replay.json, "The result as JSON");
   plugin_dirs(verb, a.replay.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return replay(a.replay); }; });
+}
+
+void add_audit(CLI::App& app, Arguments& a) {
+  CLI::App* verb =
+      app.add_subcommand("audit", "Play lessons at every level of detail and say which is enough");
+  AuditOptions& o = a.audit;
+  verb->add_option("lessons", o.lessons, "Lesson files (.json)")->required();
+  verb->add_option("--device", o.device, "Hand that plays them")->capture_default_str();
+  verb->add_option("--tolerance", o.tolerance, "Relative difference that still counts as equal")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1.0));
+  verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which a run ends")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 86400.0));
+  verb->add_flag("--json", o.json, "The result as JSON");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return audit(a.audit); }; });
 }
 
 void add_validate(CLI::App& app, Arguments& a) {
@@ -182,8 +200,8 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", "swage " SWAGE_VERSION);
   app.require_subcommand(1);
   Arguments a;
-  for (const auto add : {add_run, add_study, add_replay, add_validate, add_describe, add_new, add_doctor,
-                         add_bench, add_attempts})
+  for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_new,
+                         add_doctor, add_bench, add_attempts})
     add(app, a);
   if (wrong_verb(app, argc, argv)) return kProblem;
   try {

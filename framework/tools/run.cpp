@@ -48,7 +48,7 @@ void open_window(const RunOptions& o) {
   pass("--device", o.device);
   pass("--person", o.person == "Guest" ? "" : o.person);
   pass("--store", o.store);
-  pass("--mode", o.mode == "practice" ? "" : o.mode);
+  pass("--mode", o.mode);
   for (const std::string& dir : o.plugin_dirs) pass("--plugin-dir", dir);
   become(console, arguments);
   tell(base::Severity::kWarning, console, "It cannot be started: running without a window.");

@@ -17,7 +17,7 @@ inline constexpr int kNotPassed =
 inline constexpr int kProblem = 2;  // it could not be done, or was asked wrongly
 
 struct RunOptions {
-  std::string lesson, device, device_params, person = "Guest", store, mode = "practice";
+  std::string lesson, device, device_params, person = "Guest", store, mode;
   std::vector<std::string> plugin_dirs;
   std::vector<std::string> settings;  // "needle.arc=2/8"
   bool headless = false, fast = false, safe_mode = false, json = false;
@@ -49,6 +49,15 @@ struct ValidateOptions {
   bool in_process = false, json = false;
 };
 int validate(const ValidateOptions&);
+
+struct AuditOptions {
+  std::vector<std::string> lessons, plugin_dirs;
+  std::string device = "expert";
+  double tolerance = 0.05;  // relative
+  double max_time_s = 120;  // simulated
+  bool json = false;
+};
+int audit(const AuditOptions&);
 
 struct DescribeOptions {
   std::string what;  // plugin id or path of a bundle; "": everything installed

@@ -5,8 +5,9 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
-#include <swage/abi/sight.h>
+#include <swage/abi/lesson_card.h>
 #include <swage/abi/object.h>
+#include <swage/abi/sight.h>
 
 #include <cstddef>
 #include <filesystem>

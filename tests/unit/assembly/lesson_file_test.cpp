@@ -141,3 +141,23 @@ TEST(LessonFile, AMissingFileIsSaid) {
   EXPECT_EQ(problems[0].message, "There is no such lesson file.");
   EXPECT_FALSE(assembly::read_lesson_file("/tmp", file, problems)) << "a folder is no file";
 }
+
+TEST(LessonFile, MirrorModeAndCues) {
+  const Read usual = with(R"("seed": 1)");
+  EXPECT_FALSE(usual.file.mirror);
+  EXPECT_EQ(usual.file.mode, "practice");
+  EXPECT_EQ(usual.file.cues, 15u);
+  const Read r = with(R"("mirror": true, "mode": "test", "cues": ["shape", "sound"])");
+  ASSERT_THAT(r.said, IsEmpty());
+  EXPECT_TRUE(r.file.mirror);
+  EXPECT_EQ(r.file.mode, "test");
+  EXPECT_EQ(r.file.cues, 6u);
+  EXPECT_EQ(with(R"("cues": [])").file.cues, 0u);
+  EXPECT_THAT(
+      with(R"("mirror": 1, "mode": "tset", "cues": ["smell"])").said,
+      ElementsAre(
+          "a.json:2 #/mirror: \"mirror\" is true or false, not 1.",
+          "a.json:2 #/mode: \"tset\" is not known for \"mode\". Did you mean \"test\"? There is: "
+          "practice, test, demo.",
+          "a.json:2 #/cues/0: \"smell\" is no channel of cues; there is colour, shape, sound, force."));
+}

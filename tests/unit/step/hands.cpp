@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "fake_scene.hpp"
 #include "step/limits.hpp"
@@ -99,6 +100,46 @@ TEST(Hands, HandSpaceIsScaledAndTurned) {
   EXPECT_NEAR(s.tool().p.z, 1e-3 * kMaxToolSpeed * kDt, 1e-15);  // on its way
   s.run(20);
   EXPECT_NEAR(s.tool().p.z, 1e-3 + 0.2e-3, 1e-15);
+}
+
+// lesson for the left hand: what the hand does is reflected in x = 0, its own left and right with it
+TEST(Hands, AMirroredHandDoesTheMirrorImage) {
+  FakeScene s;
+  s.rig.mirror = true;
+  s.device_.device.flags = SWAGE_DEVICE_LOCKSTEP;
+  swage_pose hand = at(1e-3, 2e-3, 3e-3);
+  hand.q = toolkit::raw(toolkit::exp_rotation({0.3, -0.2, 0.5}));
+  stand(s.device_, hand);
+  s.run(200);
+  EXPECT_NEAR(s.tool().p.x, -1e-3, 1e-15);
+  EXPECT_NEAR(s.tool().p.y, 2e-3, 1e-15);
+  const Quat q = toolkit::quat(s.tool().q), q0 = toolkit::quat(hand.q);
+  const auto reflected = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+  EXPECT_LT((q * Vec3::UnitX() - reflected(q0 * Vec3::UnitX())).norm(), 1e-12);
+  EXPECT_LT((q * Vec3::UnitZ() - reflected(q0 * Vec3::UnitZ())).norm(), 1e-12);
+  EXPECT_LT((q * Vec3::UnitY() + reflected(q0 * Vec3::UnitY())).norm(), 1e-12);
+  // and the picture shows the hand where it is
+  auto shown = std::make_unique<snapshot::Snapshot>();
+  s.engine().fill(*shown);
+  EXPECT_NEAR(shown->X_WB[0].p.x, 1e-3, 1e-15);
+  EXPECT_LT((toolkit::quat(shown->X_WB[0].q).toRotationMatrix() - q0.toRotationMatrix()).norm(), 1e-12);
+}
+
+TEST(Hands, AMirroredPointerIsTheOtherHands) {
+  FakeScene s;
+  s.rig.mirror = true;
+  s.rig.pointer.dx = 0.1;
+  s.rig.pointer.dy = 0.2;
+  s.rig.pointer.keys = uint64_t{1} << 0 | uint64_t{1} << 22 | uint64_t{1} << 37;  // A, W, right
+  s.rig.pointer.camera = toolkit::raw(toolkit::exp_rotation({0.4, 0.3, 0.2}));
+  s.run(2);  // twice: the picture is not turned again
+  EXPECT_EQ(s.rig.seen.dx, -0.1);
+  EXPECT_EQ(s.rig.seen.dy, 0.2);
+  EXPECT_EQ(s.rig.seen.keys, uint64_t{1} << 3 | uint64_t{1} << 22 | uint64_t{1} << 36);
+  const Quat c = toolkit::quat(s.rig.pointer.camera), m = toolkit::quat(s.rig.seen.camera);
+  const auto reflected = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
+  EXPECT_LT((m * Vec3::UnitX() + reflected(c * Vec3::UnitX())).norm(), 1e-12);
+  EXPECT_LT((m * Vec3::UnitY() - reflected(c * Vec3::UnitY())).norm(), 1e-12);
 }
 
 TEST(Hands, WithoutAValidPoseNothingMoves) {
@@ -197,6 +238,32 @@ TEST(Hands, FeelTheContactForcesInTheirOwnSpace) {
   // torque: r = 1 mm x, f = 30 mN z: -30 uN m about y in W, which is device -z... times both scales
   EXPECT_NEAR(keeper.last.torque.z, 0.03e-3 * 100 * 10, 1e-12);
   EXPECT_NEAR(keeper.last.anchor.p.y, 10e-3, 1e-15);  // 1 mm in the scene is 10 mm at the hand
+}
+
+TEST(Hands, AMirroredHandFeelsTheMirrorImage) {
+  FakeScene s;
+  s.device_.device.flags = SWAGE_DEVICE_FORCE;
+  s.rig.devices[0].force_scale = 1;
+  s.rig.mirror = true;
+  Keeper keeper;
+  Hands hands(s.rig, {&keeper});
+  scene::World& w = s.rig.world;
+  w.X_WB = {{{1e-3, 0, 0}, {1, 0, 0, 0}}, {{0, 0, 0}, {1, 0, 0, 0}}};
+  w.V_WB.resize(2);
+  contact::ContactSet set;
+  contact::Contact c;
+  c.body_a = 0;
+  c.body_b = 1;
+  c.p_W = {1e-3, 2e-3, 0};
+  c.f_a_W = {0.3, 0, 0.1};
+  set.contact.push_back(c);
+  hands.send(set);
+  EXPECT_EQ(keeper.last.force.x, -0.3);
+  EXPECT_EQ(keeper.last.force.z, 0.1);
+  // t = r x f = (2e-4, 0, -6e-4) N m in the scene; seen in a mirror couples about its normal stay, the others turn round
+  EXPECT_NEAR(keeper.last.torque.x, 2e-4, 1e-15);
+  EXPECT_NEAR(keeper.last.torque.z, 6e-4, 1e-15);
+  EXPECT_EQ(keeper.last.anchor.p.x, -1e-3);
 }
 
 }  // namespace

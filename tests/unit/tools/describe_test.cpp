@@ -28,6 +28,17 @@ TEST_F(Describe, TellsAPluginAndItsParameters) {
   EXPECT_THAT(said.out, Not(HasSubstr("swage.object.jaws")));
 }
 
+TEST_F(Describe, TellsWhatALessonMeasuresAndSignals) {
+  const Said said = swage({"describe", "swage.lesson.grasp"});
+  EXPECT_THAT(said.out, HasSubstr("grasp.tries          1     lower is better   Closings of the jaws"));
+  EXPECT_THAT(said.out, HasSubstr("M06. Evidence C."));
+  EXPECT_THAT(said.out, HasSubstr("grip.too_hard        The grip force is above the limit. (colour, shape, sound, force)"));
+  const nlohmann::json list = swage({"describe", "swage.lesson.grasp", "--json"}).json();
+  EXPECT_EQ(list[0]["metrics"][0]["id"], "time.task");
+  EXPECT_EQ(list[0]["metrics"][0]["evidence"], "A");
+  EXPECT_FALSE(swage({"describe", kNeedle, "--json"}).json()[0].contains("metrics"));
+}
+
 TEST_F(Describe, AsMarkdownJsonAndSchema) {
   const Said table = swage({"describe", kNeedle, "--markdown"});
   EXPECT_THAT(table.out,

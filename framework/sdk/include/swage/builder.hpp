@@ -7,6 +7,7 @@
 // configure fails.
 #pragma once
 
+#include <swage/abi/lesson_card.h>
 #include <swage/common.hpp>
 
 #include <span>
@@ -158,6 +159,9 @@ class LessonBuilder : public Builder {
     return Metric(declare(SWAGE_DECLARE_METRIC, id, unit, doc));
   }
   Cue cue(const char* id, const char* doc) { return Cue(declare(SWAGE_DECLARE_CUE, id, "1", doc)); }
+  /// The same from the lesson's card (static constexpr arrays `metrics` and `cues` of the class).
+  Metric metric(const swage_metric_info& m) { return metric(m.id, m.unit, m.doc); }
+  Cue cue(const swage_cue_info& c) { return cue(c.id, c.doc); }
   Event event(const char* id, const char* doc) { return Event(declare(SWAGE_DECLARE_EVENT, id, "1", doc)); }
   Phase phase(const char* id, const char* doc) { return Phase(declare(SWAGE_DECLARE_PHASE, id, "1", doc)); }
 };

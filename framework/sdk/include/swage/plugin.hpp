@@ -8,6 +8,7 @@
 #include <swage/detail/glue.hpp>
 
 #include <array>
+#include <iterator>
 
 #define SWAGE_DETAIL_TEXT_(x) #x
 #define SWAGE_DETAIL_TEXT(x) SWAGE_DETAIL_TEXT_(x)
@@ -138,11 +139,40 @@ struct Library {
     }
     return rows;
   }
+  /// A lesson's card: the arrays `metrics` and `cues` of its class, where it has them.
+  static const swage_metric_info* metrics(const char* id, uint32_t* n) noexcept {
+    const swage_metric_info* rows = nullptr;
+    *n = 0;
+    const auto fill = [&]<class T>() {
+      if constexpr (requires { T::metrics; }) {
+        rows = std::data(T::metrics);
+        *n = static_cast<uint32_t>(std::size(T::metrics));
+      }
+      return true;
+    };
+    static_cast<void>(((same(id, Plugins::id) ? fill.template operator()<Plugins>() : false) || ...));
+    return rows;
+  }
+  static const swage_cue_info* cues(const char* id, uint32_t* n) noexcept {
+    const swage_cue_info* rows = nullptr;
+    *n = 0;
+    const auto fill = [&]<class T>() {
+      if constexpr (requires { T::cues; }) {
+        rows = std::data(T::cues);
+        *n = static_cast<uint32_t>(std::size(T::cues));
+      }
+      return true;
+    };
+    static_cast<void>(((same(id, Plugins::id) ? fill.template operator()<Plugins>() : false) || ...));
+    return rows;
+  }
   static const void* get_factory(const char* id) noexcept {
     static constexpr swage_factory instances{count, descriptor, create_one};
     static constexpr swage_param_factory params{table};
+    static constexpr swage_lesson_card_factory card{metrics, cues};
     if (same(id, SWAGE_FACTORY_INSTANCES)) return &instances;
     if (same(id, SWAGE_FACTORY_PARAMS)) return &params;
+    if (same(id, SWAGE_FACTORY_LESSON_CARD)) return &card;
     return nullptr;
   }
 };

@@ -58,7 +58,8 @@ typedef struct swage_device {
 } swage_device;
 
 /* Host extension: what the person does with pointer and keyboard over the view. It arrives through the recorded command
- * ring, so that a mouse is as repeatable as any other device. Deltas since the last step. */
+ * ring, so that a mouse is as repeatable as any other device. Deltas since the last step. In a lesson that is mirrored for
+ * the left hand the plugin sees the mirror image: camera, dx, and the keys A-D, Z-X, left-right, pgup-pgdn exchanged. */
 #define SWAGE_HOST_POINTER "swage.host.pointer/1"
 #define SWAGE_KEY_COUNT 64u
 typedef struct swage_pointer {
