@@ -2,6 +2,7 @@
 #include "free_practice.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace swage::lesson_free_practice {
 namespace {
@@ -31,7 +32,7 @@ void FreePractice::build(const PracticeParams& params, LessonBuilder& builder) {
   if (static_cast<size_t>(params.goal) > n) builder.error("goal", "there are not so many things");
 
   builder.state<PracticeMemory>();
-  held_ = builder.cue("grasp.good", "Held by both jaws.");
+  held_ = builder.cue(kCues[0]);
   practice_ = builder.phase("practice", "Take the things and put them down.");
   done_ = builder.phase("done", "The attempt is over.");
   dropped_ =
@@ -39,12 +40,9 @@ void FreePractice::build(const PracticeParams& params, LessonBuilder& builder) {
   grasped_ =
       builder.event("thing.grasped", "A thing has been held long enough for the first time; value: which.");
   out_of_time_ = builder.event("failed.out_of_time", "The time was over before the goal was reached.");
-  metric_.time = builder.metric("time.task", "s", "Time since the hand set off (M01).");
-  metric_.touches = builder.metric("practice.touches", "1", "How often a thing was touched.");
-  metric_.grasps = builder.metric("practice.grasps", "1", "How often a thing was taken by both jaws.");
-  metric_.drops = builder.metric("practice.drops", "1", "How often a thing fell or was pushed away (M07).");
-  metric_.different = builder.metric("practice.different", "1", "How many different things have been held.");
-  metric_.path = builder.metric("motion.path", "m", "Way of the tips, below 6 Hz (M22).");
+  Metric* const order[] = {&metric_.time,  &metric_.touches,   &metric_.grasps,
+                           &metric_.drops, &metric_.different, &metric_.path};
+  for (size_t i = 0; i < std::size(kMetrics); ++i) *order[i] = builder.metric(kMetrics[i]);
 }
 
 void FreePractice::bind(const Scene& scene, Binder& binder) {
@@ -117,10 +115,12 @@ void FreePractice::observe(const View& view, const Verdict& verdict, std::span<d
   if (!reached && !over) return;
   const double share =
       different / static_cast<double>(params_.goal > 0 ? params_.goal : static_cast<int>(things_.size()));
-  const double score = 100 * std::min(1.0, share);
+  constexpr double kDropCosts = 10, kLeast = 40;
+  const double whole = 100 * std::min(1.0, share);
+  const double score = std::max(std::min(whole, kLeast), whole - kDropCosts * memory.drops);
   if (reached || params_.goal == 0) return verdict.pass(score);
   verdict.event(out_of_time_);
-  verdict.fail(out_of_time_, 0.4 * score);
+  verdict.fail(out_of_time_, 0.4 * whole);
 }
 
 void FreePractice::report(const PracticeMemory& memory, double different, double time_s,

@@ -2,6 +2,7 @@
 #include "grasp_lesson.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace swage::lesson_grasp {
 
@@ -16,60 +17,32 @@ void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
   ordered("tip_zone", params.tip_zone);
   ordered("force", params.force);
   builder.state<Memory>();
-  declare_cues(builder);
-  declare_metrics(builder);
+  declare(builder);
 }
 
-void GraspLesson::declare_cues(LessonBuilder& builder) {
+void GraspLesson::declare(LessonBuilder& builder) {
   const auto index = [](auto value) { return static_cast<size_t>(value); };
-  cue_[index(Grade::kWrong)] = builder.cue("grasp.wrong", "Held at the wrong place, and not with the tips.");
-  cue_[index(Grade::kTipsOnly)] =
-      builder.cue("grasp.tips_only", "Held with the tips, but at the wrong place.");
-  cue_[index(Grade::kPointOnly)] =
-      builder.cue("grasp.point_only", "Held at the right place, but not with the tips.");
-  cue_[index(Grade::kGood)] = builder.cue("grasp.good", "Held at the right place and with the tips.");
-  too_hard_ = builder.cue("grip.too_hard", "The grip force is above the limit.");
+  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
+  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
 
   phase_[index(Stage::kApproach)] = builder.phase("approach", "Bring the open jaws to the needle.");
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region.");
+  phase_[index(Stage::kCarry)] = builder.phase("carry", "Bring the needle to the target.");
   phase_[index(Stage::kHold)] = builder.phase("hold", "Hold it with measured force.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
   hold_began_ = builder.event("hold.began", "All that is asked of a hold is fulfilled from here on.");
   hold_broke_ = builder.event("hold.broke", "Something that is asked of a hold is no longer fulfilled.");
-  failed_[index(End::kDropped)] = builder.event("failed.dropped", "The needle was dropped too often.");
-  failed_[index(End::kTooHard)] =
-      builder.event("failed.too_hard", "The needle was held too hard for too long.");
-  failed_[index(End::kOutOfTime)] =
-      builder.event("failed.out_of_time", "The time was over before the hold was.");
-}
-
-void GraspLesson::declare_metrics(LessonBuilder& b) {
-  metric_.time = b.metric("time.task", "s", "Time since the hand set off (M01).");
-  metric_.tries =
-      b.metric("grasp.tries", "1", "Closings of the jaws that touch, up to the first correct grasp (M06).");
-  metric_.drops = b.metric("grasp.drops", "1", "How often the needle was dropped or knocked away (M07).");
-  metric_.regrasps = b.metric("grasp.regrasps", "1", "Grasps after the first correct one (M08).");
-  metric_.spot_error =
-      b.metric("grasp.spot_error", "1", "Mean distance from the region, share of the needle (M09).");
-  metric_.in_zone = b.metric("grasp.in_zone", "1", "Share of grasps that were in the region (M10).");
-  metric_.tip_reach =
-      b.metric("grasp.tip_reach", "m", "Mean reach of the tips past the needle while held (M11).");
-  metric_.tilt_axis =
-      b.metric("grasp.tilt_axis", "rad", "Mean lean of the needle against the jaw axis (M12).");
-  metric_.tilt_plane =
-      b.metric("grasp.tilt_plane", "rad", "Mean lean of its plane against the jaw faces (M12).");
-  metric_.balance =
-      b.metric("grasp.balance", "1", "Mean difference of the jaws, share of the harder one (M13).");
-  metric_.snap =
-      b.metric("grasp.snap", "rad", "Mean turn of the needle from touch to 0.1 s after the grasp (M14).");
-  metric_.force = b.metric("force.mean", "N", "Mean grip force while held, below 20 Hz (M15).");
-  metric_.peak = b.metric("force.peak", "N", "Greatest grip force, below 20 Hz (M16).");
-  metric_.over_time = b.metric("force.over_time", "1", "Share of the held time above the limit (M18).");
-  metric_.over_dose = b.metric("force.over_dose", "N*s", "Excess over the limit, summed over time (M19).");
-  metric_.path = b.metric("motion.path", "m", "Way of the tips, below 6 Hz (M22).");
-  metric_.hold = b.metric("hold.progress", "1", "Share of the hold that is done, 0 after a break.");
+  const auto failure = [&](End end, const char* event, const char* doc) {
+    failed_[index(end)] = builder.event(event, doc);
+  };
+  failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
+  failure(End::kTooHard, "failed.too_hard", "The needle was held too hard for too long.");
+  failure(End::kOutOfTime, "failed.out_of_time", "The time was over before the hold was.");
+  failure(End::kWrongGrasp, "failed.wrong_grasp", "The needle was held at the wrong place for too long.");
+  failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
+  failure(End::kLeftTarget, "failed.left_target", "The needle left the target during the hold.");
 }
 
 void GraspLesson::bind(const Scene& scene, Binder& binder) {
@@ -85,6 +58,13 @@ void GraspLesson::bind(const Scene& scene, Binder& binder) {
   if (needle.n_body == 0) return binder.error("\"" + params_.needle + "\" has no body that could be taken");
   needle_body_ = needle.first_body;
   region_ = binder.mark_arc(needle_object_, params_.region.low, params_.region.high, "region.target");
+  bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
+  put_back_ = scene.find_event("swage", "host.reset");
+  if (!params_.carry) return;
+  needle_ = Peer(needle.instance);
+  if (!needle_.graspable())
+    binder.error("\"" + params_.needle + "\" cannot be asked where it is nearest to the target");
+  target_ = binder.mark_point(params_.target_centre, params_.target_radius, "target.point");
 }
 
 void GraspLesson::activate(double dt_s) {
@@ -104,10 +84,19 @@ void GraspLesson::activate(double dt_s) {
   rules.max_over_time = p.max_over_time;
   rules.max_drops = p.max_drops;
   rules.drop_distance = p.drop_distance;
+  rules.max_wrong_time = p.max_wrong_time;
+  rules.lost_distance = p.lost_distance;
+  rules.target = {p.carry, p.target_radius, p.leave};
   judge_ = Judge(rules, dt_s);
 }
 
-bool GraspLesson::read(const View& view, Look& look) const {
+void GraspLesson::draw(TargetState& target) {
+  const Vec3 centre = vec(params_.target_centre), spread = vec(params_.target_spread);
+  for (int i = 0; i < 3; ++i) target.p_W[i] = centre[i] + spread[i] * (2 * random() - 1);
+  target.drawn = 1;
+}
+
+bool GraspLesson::read(const View& view, Look& look, TargetState& target) {
   const auto jaws = gripper_.describe(view.object(gripper_object_));
   if (!jaws) return false;
   look.time_s = view.time();
@@ -125,23 +114,41 @@ bool GraspLesson::read(const View& view, Look& look) const {
   look.tip_W = vec(jaws->tip_W);
   look.needle_W = vec(view.pose(needle_body_).p);
   look.q_WN = toolkit::quat(view.pose(needle_body_).q);
+  if (bending_.valid()) look.bending = view.signal(bending_);
+  for (const swage_view_event& event : view.events())
+    if (event.event == put_back_ && event.value == needle_object_) look.reset = true;
+  if (!params_.carry) return true;
+
+  if (target.drawn == 0) draw(target);
+  const Vec3 target_W = Eigen::Map<const Vec3>(target.p_W);
+  const auto nearest = needle_.locate(view.object(needle_object_), toolkit::raw(target_W));
+  if (!nearest) return false;
+  look.target_distance = (vec(nearest->p_W) - target_W).norm();
   return true;
 }
 
 void GraspLesson::observe(const View& view, const Verdict& verdict, std::span<double> state) {
   Look look;
-  if (!read(view, look)) return discard();
   auto& memory = as<Memory>(state);
+  if (!read(view, look, memory.target)) return discard();
   const Finding finding = judge_.look(memory, look);
   report(memory, look.time_s, verdict);
-  say(finding, verdict);
+  say(finding, memory.target, verdict);
 }
 
-void GraspLesson::say(const Finding& finding, const Verdict& verdict) const {
-  // signs
-  const Cue held = cue_[static_cast<size_t>(finding.grade)];
-  held.valid() ? verdict.cue(needle_object_, held) : verdict.clear_cue(needle_object_);
-  finding.too_hard ? verdict.cue(gripper_object_, too_hard_) : verdict.clear_cue(gripper_object_);
+void GraspLesson::say(const Finding& finding, const TargetState& target, const Verdict& verdict) const {
+  // signs: the grades but the first are the first cues
+  const auto sign = [&](Sign s) { return cue_[static_cast<size_t>(s)]; };
+  if (finding.grade != Grade::kNone)
+    verdict.cue(needle_object_, cue_[static_cast<size_t>(finding.grade) - 1]);
+  else
+    verdict.clear_cue(needle_object_);
+  finding.too_hard ? verdict.cue(gripper_object_, sign(Sign::kTooHard)) : verdict.clear_cue(gripper_object_);
+  if (params_.carry) {
+    const swage_vec3 p_W{target.p_W[0], target.p_W[1], target.p_W[2]};
+    const Cue near = finding.near_target ? sign(Sign::kNear) : Cue();
+    verdict.mark(target_, finding.end == End::kPassed ? sign(Sign::kDone) : near, &p_W);
+  }
 
   // what happened
   if (finding.dropped) verdict.event(dropped_);
@@ -158,24 +165,43 @@ void GraspLesson::say(const Finding& finding, const Verdict& verdict) const {
 }
 
 void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) {
+    verdict.metric(metric_[static_cast<size_t>(measure)], value);
+  };
+  const auto phase = [&](Stage stage) { return m.phase_s[static_cast<size_t>(stage)]; };
   const double grasps = std::max(1.0, m.grasps);
-  verdict.metric(metric_.time, task_time(m, time_s));
-  verdict.metric(metric_.tries, m.tries);
-  verdict.metric(metric_.drops, m.drops);
-  verdict.metric(metric_.regrasps, m.regrasps);
-  verdict.metric(metric_.spot_error, m.spot_error_sum / grasps);
-  verdict.metric(metric_.in_zone, m.good_grasps / grasps);
-  verdict.metric(metric_.tip_reach, mean(m, m.reach_s));
-  verdict.metric(metric_.tilt_axis, mean(m, m.axis_s));
-  verdict.metric(metric_.tilt_plane, mean(m, m.plane_s));
-  verdict.metric(metric_.balance, mean(m, m.balance_s));
-  verdict.metric(metric_.snap, m.snap_sum / grasps);
-  verdict.metric(metric_.force, mean(m, m.force_s));
-  verdict.metric(metric_.peak, m.peak);
-  verdict.metric(metric_.over_time, mean(m, m.over_s));
-  verdict.metric(metric_.over_dose, m.over_dose);
-  verdict.metric(metric_.path, m.path.length);
-  verdict.metric(metric_.hold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
+  tell(Measure::kTime, task_time(m, time_s));
+  tell(Measure::kApproach, phase(Stage::kApproach));
+  tell(Measure::kCarry, phase(Stage::kCarry));
+  tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
+  tell(Measure::kSuccess, m.passed);
+  tell(Measure::kTries, m.tries);
+  tell(Measure::kDrops, m.drops);
+  tell(Measure::kRegrasps, m.regrasps);
+  tell(Measure::kResets, m.resets);
+  tell(Measure::kSpotError, m.spot_error_sum / grasps);
+  tell(Measure::kInZone, m.good_grasps / grasps);
+  tell(Measure::kTipReach, mean(m, m.reach_s));
+  tell(Measure::kTiltAxis, mean(m, m.axis_s));
+  tell(Measure::kTiltPlane, mean(m, m.plane_s));
+  tell(Measure::kBalance, mean(m, m.balance_s));
+  tell(Measure::kSnap, m.snap_sum / grasps);
+  tell(Measure::kForce, mean(m, m.force_s));
+  tell(Measure::kPeak, judge_.peak_force(m));
+  tell(Measure::kSteadiness, lessons::deviation(m.spread));
+  tell(Measure::kOverTime, mean(m, m.over_s));
+  tell(Measure::kOverDose, m.over_dose);
+  tell(Measure::kSlipRisk, m.carried_s > 0 ? m.timid_s / m.carried_s : 0);
+  if (bending_.valid()) tell(Measure::kBending, m.bending);
+  tell(Measure::kPath, m.path.length);
+  tell(Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
+  tell(Measure::kTremor, lessons::TremorWatch::rms(m.tremor));
+  tell(Measure::kHoldBreaks, m.target.breaks);
+  if (!params_.carry) return;
+  tell(Measure::kHoldError, hold_error(m.target));
+  tell(Measure::kInTarget, in_target(m.target));
+  tell(Measure::kSettling,
+       m.target.first_s < 0 ? 0 : std::max(0.0, m.target.hold_began_s - m.target.first_s));
 }
 
 }  // namespace swage::lesson_grasp

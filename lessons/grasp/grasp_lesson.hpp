@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "card.hpp"
 #include "common/watching.hpp"
 #include "judge.hpp"
 
@@ -25,7 +26,14 @@ struct GraspParams {
   double max_time = 120;                                     // s
   double max_over_time = 2;                                  // s
   int max_drops = 2;
-  double drop_distance = 2e-3;  // m
+  double drop_distance = 2e-3;   // m
+  double max_wrong_time = 20;    // s
+  double lost_distance = 30e-3;  // m
+  bool carry = false;
+  swage_vec3 target_centre = {0, 0, 6e-3};        // m, in W
+  swage_vec3 target_spread = {2e-3, 2e-3, 1e-3};  // m
+  double target_radius = 0.5e-3;                  // m
+  Leave leave = Leave::kRestart;
 };
 
 class GraspLesson final : public Lesson<GraspParams> {
@@ -39,6 +47,10 @@ class GraspLesson final : public Lesson<GraspParams> {
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
+  static constexpr const auto& metrics = kMetrics;
+  static constexpr const auto& cues = kCues;
+
+  static constexpr const char* kLeaves[] = {"restart", "pause", "fail", nullptr};
   static constexpr std::array fields = {
       text<&GraspParams::gripper>("gripper", "Gripper", "Name of the object that grips."),
       text<&GraspParams::needle>("needle", "Needle", "Name of the object to be taken."),
@@ -77,6 +89,34 @@ class GraspLesson final : public Lesson<GraspParams> {
           "The needle has dropped when it is further than this from where it was left.")
           .group("Limits")
           .hidden(),
+      real<&GraspParams::max_wrong_time>("max_wrong_time", "Wrong for", "s", "s", 0, 3600,
+                                         "The attempt fails when the needle was held outside the region for "
+                                         "longer than this without a break; "
+                                         "0: never.")
+          .group("Limits"),
+      real<&GraspParams::lost_distance>("lost_distance", "Lost distance", "m", "mm", 1e-4, 1,
+                                        "The attempt fails when the needle lies free and further than this "
+                                        "from its start: nobody can reach it.")
+          .group("Limits")
+          .hidden(),
+      boolean<&GraspParams::carry>(
+          "carry", "Carry to a target",
+          "The hold is to take place at a target, drawn anew from the seed of the attempt.")
+          .group("Target"),
+      vector<&GraspParams::target_centre>("target_centre", "Target region", "m", "mm", -1, 1,
+                                          "Middle of the box in which the target is drawn, in the world.")
+          .group("Target"),
+      vector<&GraspParams::target_spread>("target_spread", "Half size", "m", "mm", 0, 1,
+                                          "Half the edges of that box; 0: always its middle.")
+          .group("Target"),
+      real<&GraspParams::target_radius>("target_radius", "Radius", "m", "mm", 1e-5, 0.1,
+                                        "The needle is at the target when its nearest place is within this.")
+          .group("Target"),
+      choice<&GraspParams::leave>("leave", "On leaving", kLeaves,
+                                  "What leaving the target during the hold does: it starts again, it goes on "
+                                  "at the next entry, or the "
+                                  "attempt fails.")
+          .group("Target"),
   };
 
   void build(const GraspParams& params, LessonBuilder& builder) override;
@@ -86,25 +126,24 @@ class GraspLesson final : public Lesson<GraspParams> {
   void reset(std::span<double> state) override { as<Memory>(state) = {}; }
 
  private:
-  void declare_cues(LessonBuilder& builder);
-  void declare_metrics(LessonBuilder& builder);
-  bool read(const View& view, Look& look) const;
-  void say(const Finding& finding, const Verdict& verdict) const;
+  void declare(LessonBuilder& builder);
+  bool read(const View& view, Look& look, TargetState& target);
+  void draw(TargetState& target);
+  void say(const Finding& finding, const TargetState& target, const Verdict& verdict) const;
   void report(const Memory& memory, double time_s, const Verdict& verdict) const;
 
   GraspParams params_;
   Judge judge_;
   lessons::GraspSignals grasp_;
-  Peer gripper_;
+  Peer gripper_, needle_;
   uint32_t gripper_object_ = kNone, needle_object_ = kNone, needle_body_ = kNone;
-  Mark region_;
-  Cue cue_[5], too_hard_;                                // by Grade; the first is none
-  Phase phase_[4];                                       // by Stage
-  Event dropped_, hold_began_, hold_broke_, failed_[5];  // by End
-  struct {
-    Metric time, tries, drops, regrasps, spot_error, in_zone, tip_reach, tilt_axis, tilt_plane, balance, snap;
-    Metric force, peak, over_time, over_dose, path, hold;
-  } metric_;
+  Signal bending_;
+  Event put_back_;
+  Mark region_, target_;
+  Cue cue_[static_cast<size_t>(Sign::kCount)];           // by Sign
+  Phase phase_[5];                                       // by Stage
+  Event dropped_, hold_began_, hold_broke_, failed_[8];  // by End
+  Metric metric_[static_cast<size_t>(Measure::kCount)];  // by Measure
 };
 
 }  // namespace swage::lesson_grasp

@@ -16,13 +16,23 @@ constexpr double kReopened = 0.035;
 // Snapping of the needle is measured so long after both jaws have it, s.
 constexpr double kSnapTime = 0.1;
 
+// A held needle is carried once it is so far from its start, m.
+constexpr double kCarried = 0.2e-3;
+// The histogram of the force ends at so many limits.
+constexpr double kTopForce = 4;
+// What a break of the hold at the target costs, and how many are counted.
+constexpr double kBreakCosts = 5, kMostBreaks = 3;
+
 }  // namespace
 
 Judge::Judge(const Rules& rules, double dt)
     : rules_(rules),
       path_(dt),
       drop_(rules.drop_distance),
-      force_filter_(kForceBand, dt, LowPass::kCritical) {}
+      force_filter_(kForceBand, dt, LowPass::kCritical),
+      target_(rules.target),
+      quantile_(kTopForce * rules.force_high),
+      tremor_(dt) {}
 
 double Judge::spot_error(double s) const {
   return std::max({0.0, rules_.region_low - s, s - rules_.region_high});
@@ -37,6 +47,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   follow_force(memory, look, finding);
   follow_drop(memory, look, finding);
   follow_hold(memory, look, finding);
+  measure(memory, look, finding);
   decide(memory, look, finding);
   return finding;
 }
@@ -81,9 +92,9 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
 }
 
 void Judge::integrate(Memory& memory, const Look& look) const noexcept {
-  const double force = force_filter_.next(memory.force, look.force);
-  memory.peak = std::max(memory.peak, force);
+  const double force = memory.force_now = force_filter_.next(memory.force, look.force);
   if (!look.held) return;
+  quantile_.look(memory.quantile, force, look.dt_s);
   memory.held_s += look.dt_s;
   memory.force_s += force * look.dt_s;
   memory.reach_s += look.tip_reach * look.dt_s;
@@ -112,6 +123,10 @@ void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) cons
     memory.drops += 1;
     memory.engaged = 0;
   }
+  if (look.reset) {
+    memory.resets += 1;
+    DropWatch::rest(memory.drop, look.needle_W);
+  }
   // somebody has put it back where it was at the start
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (memory.drop.armed == 0 && (look.needle_W - start).norm() < 0.1 * rules_.drop_distance) {
@@ -119,33 +134,74 @@ void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) cons
   }
 }
 
+bool Judge::grasped_well(const Memory& memory, const Look& look, const Finding& finding) const noexcept {
+  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
+  const bool lifted = rules_.lift <= 0 || (look.needle_W - start).norm() >= rules_.lift;
+  const bool measured = look.force >= rules_.force_low && !finding.too_hard;
+  const bool tips = in_tips(look.tip_reach) || !rules_.tips_needed;
+  return look.held && in_region(look.s) && tips && lifted && measured;
+}
+
 void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool spot = in_region(look.s), tips = in_tips(look.tip_reach);
   if (look.held && spot) finding.grade = tips ? Grade::kGood : Grade::kPointOnly;
   if (look.held && !spot) finding.grade = tips ? Grade::kTipsOnly : Grade::kWrong;
+  memory.wrong_s = look.held && !spot ? memory.wrong_s + look.dt_s : 0;
 
-  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
-  const bool lifted = rules_.lift <= 0 || (look.needle_W - start).norm() >= rules_.lift;
-  const bool measured = look.force >= rules_.force_low && !finding.too_hard;
-  const bool good = look.held && spot && (tips || !rules_.tips_needed) && lifted && measured;
-
-  finding.hold_began = good && memory.hold_s == 0;
-  finding.hold_broke = !good && memory.hold_s > 0;
-  memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
+  const bool carry = rules_.target.carry, well = grasped_well(memory, look, finding);
+  finding.near_target =
+      carry && target_.look(memory.target, look.held ? look.target_distance : 1e9, look.time_s, look.dt_s);
+  const bool good = well && (!carry || finding.near_target);
+  const bool was = memory.hold_s > 0 && memory.holding != 0;
+  finding.hold_began = good && !was;
+  finding.hold_broke = !good && was;
+  memory.holding = good ? 1 : 0;
+  if (finding.hold_began && memory.hold_s == 0) memory.target.hold_began_s = look.time_s;
+  if (finding.hold_broke) memory.target.breaks += 1;
+  if (good) {
+    memory.hold_s += look.dt_s;
+    Target::hold(memory.target, look.target_distance, look.dt_s);
+  } else if (!carry || rules_.target.leave != Leave::kPause) {
+    memory.hold_s = 0;
+  }
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
-  finding.stage = good ? Stage::kHold : (memory.engaged != 0 ? Stage::kGrasp : Stage::kApproach);
+  finding.stage = good                  ? Stage::kHold
+                  : carry && well       ? Stage::kCarry
+                  : memory.engaged != 0 ? Stage::kGrasp
+                                        : Stage::kApproach;
 }
 
-void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
+void Judge::measure(Memory& memory, const Look& look, const Finding& finding) const noexcept {
+  const bool holds = finding.stage == Stage::kHold;
+  memory.phase_s[static_cast<size_t>(finding.stage)] += look.dt_s;
+  memory.bending = std::max(memory.bending, look.bending);
+  idle_.look(memory.idle, look.tip_W, look.dt_s, !holds);
+  tremor_.look(memory.tremor, look.tip_W, holds);
+  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
+  if (!look.held || (look.needle_W - start).norm() < kCarried) return;
+  memory.carried_s += look.dt_s;
+  if (look.force < rules_.force_low) memory.timid_s += look.dt_s;
+  lessons::spread(memory.spread, memory.force_now, look.dt_s);
+}
+
+void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (memory.hold_s >= rules_.hold_time)
     finding.end = End::kPassed;
   else if (memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;
+  else if (rules_.max_wrong_time > 0 && memory.wrong_s > rules_.max_wrong_time)
+    finding.end = End::kWrongGrasp;
+  else if (rules_.target.carry && rules_.target.leave == Leave::kFail && finding.hold_broke)
+    finding.end = End::kLeftTarget;
+  else if (!look.held && (look.needle_W - start).norm() > rules_.lost_distance)
+    finding.end = End::kLost;
   else if (look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;
   if (finding.end == End::kRunning) return;
+  memory.passed = finding.end == End::kPassed ? 1 : 0;
   finding.stage = Stage::kDone;
   finding.score = score(memory, look.time_s, finding.end == End::kPassed);
 }
@@ -156,8 +212,9 @@ double Judge::score(const Memory& memory, double time_s, bool passed) const noex
 
   const double late = task_time(memory, time_s) / rules_.par_time - 1;
   const double lean = 0.5 * (mean(memory, memory.axis_s) + mean(memory, memory.plane_s));  // rad
-  const double lost = 8 * std::clamp(memory.tries - 1, 0.0, 5.0) + 15 * memory.drops +
-                      40 * mean(memory, memory.over_s) +
+  const double breaks = rules_.target.carry ? std::min(memory.target.breaks, kMostBreaks) : 0;
+  const double lost = 8 * std::clamp(memory.tries - 1, 0.0, 5.0) + 15 * (memory.drops + memory.resets) +
+                      kBreakCosts * breaks + 40 * mean(memory, memory.over_s) +
                       20 * std::min(1.0, lean / (0.25 * std::numbers::pi)) + 15 * std::clamp(late, 0.0, 1.0);
   return std::clamp(100 - lost, 40.0, 100.0);
 }

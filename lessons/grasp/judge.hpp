@@ -5,7 +5,9 @@
 #pragma once
 
 #include "common/low_pass.hpp"
+#include "common/measures.hpp"
 #include "common/watches.hpp"
+#include "target.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lesson_grasp {
@@ -31,21 +33,27 @@ struct Rules {
   double max_time = 120;                      // s
   double max_over_time = 2;                   // s
   int max_drops = 2;
-  double drop_distance = 2e-3;  // m
+  double drop_distance = 2e-3;   // m
+  double max_wrong_time = 20;    // s, 0: for ever
+  double lost_distance = 30e-3;  // m
+  TargetRules target;
 };
 
 /// What one step shows.
 struct Look {
   double time_s = 0, dt_s = 1e-3;
   bool held = false, touched = false, taken = false;  // the last two: events of this step
+  bool reset = false;                                 // likewise: the program has brought the needle back
   double force = 0;                                   // N
   double s = 0;                                       // 0 point .. 1 swage
   double tip_reach = 0;                               // m
   double tilt_axis = 0, tilt_plane = 0;               // rad
   double balance = 0;
   double opening = 0;                                  // rad, between the jaws
+  double bending = 0;                                  // moment in the needle over its yield moment
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   Quat q_WN = Quat::Identity();
+  double target_distance = 0;  // m, of the needle's nearest place from the target
 };
 
 /// Everything remembered from step to step: doubles only.
@@ -59,20 +67,29 @@ struct Memory {
   double spot_error_sum = 0;  // along the needle, 0..1
   double held_s = 0;          // s, the time that the following integrals span
   double force_s = 0, reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;
-  double peak = 0;                   // N
+  double force_now = 0;              // N, below 20 Hz
   double over_s = 0, over_dose = 0;  // s, N s
   double hard = 0, hard_until_s = 0;
-  double hold_s = 0, best_hold_s = 0;
-  double touch_q[4] = {1, 0, 0, 0};      // the needle's attitude when it was touched
-  double snap_wait_s = 0, snap_sum = 0;  // s, rad
-  double engaged = 0;                    // 0 or 1: touched, and not dropped since
-  double tried = 0, least_opening = 0;   // 0 or 1: this closing of the jaws is counted; rad, least since then
+  double hold_s = 0, best_hold_s = 0, holding = 0;  // s, s, 0 or 1
+  double touch_q[4] = {1, 0, 0, 0};                 // the needle's attitude when it was touched
+  double snap_wait_s = 0, snap_sum = 0;             // s, rad
+  double engaged = 0;                               // 0 or 1: touched, and not dropped since
+  double tried = 0, least_opening = 0;  // 0 or 1: this closing of the jaws is counted; rad, least since then
+  double wrong_s = 0;                   // s, held wrongly without a break
+  double resets = 0, bending = 0, passed = 0;
+  double phase_s[5] = {0, 0, 0, 0, 0};  // s, by Stage
+  double carried_s = 0, timid_s = 0;    // s, carrying and holding; with less than the least force
+  lessons::SpreadState spread;          // of the force while carrying and holding
+  lessons::QuantileState quantile;      // of the force while held
+  lessons::IdleState idle;
+  lessons::TremorState tremor;
+  TargetState target;
 };
 
 /// How the needle is held: spot and tips right or wrong.
 enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
-enum class Stage { kApproach, kGrasp, kHold, kDone };
-enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime };
+enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone };
+enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kWrongGrasp, kLost, kLeftTarget };
 
 /// What is to be said after one step.
 struct Finding {
@@ -80,6 +97,7 @@ struct Finding {
   Stage stage = Stage::kApproach;
   End end = End::kRunning;
   bool too_hard = false;
+  bool near_target = false;                                      // within its radius
   bool dropped = false, hold_began = false, hold_broke = false;  // in this step
   double score = 0;                                              // 0..100, once it has ended
 };
@@ -97,6 +115,8 @@ class Judge {
   /// Distance from the region along the needle, 0 inside, 0..1.
   double spot_error(double s) const;
   const Rules& rules() const { return rules_; }
+  /// Force that was exceeded for one two-hundredth of the held time, N (M16).
+  double peak_force(const Memory& memory) const { return quantile_.at(memory.quantile, 0.995); }
 
  private:
   void begin(Memory& memory, const Look& look) const noexcept;
@@ -105,13 +125,19 @@ class Judge {
   void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept;
-  void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
+  bool grasped_well(const Memory& memory, const Look& look, const Finding& finding) const noexcept;
+  void measure(Memory& memory, const Look& look, const Finding& finding) const noexcept;
+  void decide(Memory& memory, const Look& look, Finding& finding) const noexcept;
   double score(const Memory& memory, double time_s, bool passed) const noexcept;
 
   Rules rules_;
   PathWatch path_;
   DropWatch drop_;
   LowPass force_filter_;
+  Target target_;
+  lessons::Quantile quantile_;
+  lessons::IdleWatch idle_;
+  lessons::TremorWatch tremor_;
 };
 
 /// Time since the hand set off, s.

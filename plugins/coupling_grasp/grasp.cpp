@@ -15,6 +15,8 @@ namespace {
 constexpr double kTouchPause = 0.15;
 // What is below this share of a limit has left it: without the gap a force near the limit would flicker.
 constexpr double kLeaves = 0.9;
+// Thesis only: particles between the outermost contacts. A jaw of 1.5 mm then has one every 50 um, half overlapping.
+constexpr int kParticles = 33;
 // A held thing is lost when a jaw falls below this share of touch_force.
 constexpr double kLost = 0.5;
 
@@ -84,12 +86,51 @@ bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pi
   }
   pinch.left = std::max(0.0, pinch.left);
   pinch.right = std::max(0.0, pinch.right);
+  pinch.uneven = pinch.imbalance();
   if (!(pinch.weight > 0)) return true;
   pinch.s /= pinch.weight;
   pinch.slip /= pinch.weight;
   pinch.p_W /= pinch.weight;
   pinch.tangent_W.normalize();
   pinch.normal_W.normalize();
+  return true;
+}
+
+bool Grasp::choose_particle(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const {
+  Face left, right;
+  double radius = 0, first_s = 2, last_s = -1;
+  Vec3 first_W = Vec3::Zero(), last_W = Vec3::Zero();
+  for (const swage_contact& contact : step.contacts()) {
+    const bool on_left = contact.body_a == jaws.left_body;
+    if (!on_left && contact.body_a != jaws.right_body) continue;
+    const auto place = thing_.locate(step.b(), contact.p_W);
+    if (!place) return false;
+    const Vec3 p = vec(contact.p_W), n = vec(contact.n_W);
+    (on_left ? left : right).add(p + 0.5 * contact.gap * n, n, -contact.gap);
+    radius = (p - 0.5 * contact.gap * n - vec(place->p_W)).norm();
+    if (place->s < first_s) first_s = place->s, first_W = p;
+    if (place->s > last_s) last_s = place->s, last_W = p;
+  }
+  left.finish();
+  right.finish();
+  pinch.uneven = 1;
+  if (!(left.weight > 0 && right.weight > 0)) return true;
+
+  Choice chosen;
+  for (int i = 0; i < kParticles; ++i) {
+    const Vec3 near_W = first_W + i / (kParticles - 1.0) * (last_W - first_W);
+    const auto place = thing_.locate(step.b(), raw(near_W));
+    if (!place) return false;
+    const auto entered = particle(left, right, vec(place->p_W), radius, params_.skin);
+    if (!entered) continue;
+    chosen.offer(*entered, i, params_.balance);
+    if (chosen.index != i) continue;
+    pinch.s = place->s;
+    pinch.p_W = vec(place->p_W);
+    pinch.tangent_W = vec(place->tangent_W);
+    pinch.normal_W = vec(place->normal_W);
+  }
+  if (chosen.index >= 0) pinch.uneven = chosen.best.imbalance();
   return true;
 }
 
@@ -112,7 +153,7 @@ void Grasp::follow_hold(const CouplingStep& step, GraspState& state, const Pinch
   // to be lost, a hold must let go or become clearly one-sided; to be won, it must be even
   const double floor = was ? kLost * params_.touch_force : params_.touch_force;
   const double widest = was ? std::min(1.0, 2 * params_.balance) : params_.balance;
-  const bool holds = least >= floor && pinch.imbalance() <= widest;
+  const bool holds = least >= floor && pinch.uneven <= widest;
   state.pending_s = holds == was ? 0 : state.pending_s + step.dt();
   if (holds == was || state.pending_s < params_.settle_time) return;
 
@@ -140,6 +181,7 @@ void Grasp::finish(const CouplingStep& step) {
   const auto jaws = gripper_.describe(step.a());
   Pinch pinch;
   if (!jaws || !gather(step, *jaws, pinch)) return discard();
+  if (params_.level == Level::kThesis && !choose_particle(step, *jaws, pinch)) return discard();
 
   // place and posture of the last touch stay: between two touches there is nothing better to say
   auto& state = step.state<GraspState>();
@@ -162,7 +204,7 @@ void Grasp::finish(const CouplingStep& step) {
   step.signal(tip_reach_, state.tip_reach);
   step.signal(tilt_axis_, state.tilt_axis);
   step.signal(tilt_plane_, state.tilt_plane);
-  step.signal(balance_, pinch.imbalance());
+  step.signal(balance_, pinch.uneven);
   step.signal(slip_, pinch.slip);
 }
 

@@ -6,17 +6,23 @@
 
 #include <swage/coupling.hpp>
 
+#include "thesis.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::coupling_grasp {
 
 using toolkit::Vec3;
 
+/// From the simplest to the finest.
+enum class Level : int { kThesis, kContact };
+
 struct GraspParams {
+  Level level = Level::kContact;
   double touch_force = 1e-3;  // N
   double balance = 0.1;
   double settle_time = 0.03;  // s
   double hard_force = 1.0;    // N
+  double skin = 25e-6;        // m
 };
 
 /// The private numbers.
@@ -41,9 +47,10 @@ struct Pinch {
   Vec3 p_W = Vec3::Zero();     // m, on the centre line
   Vec3 tangent_W = Vec3::Zero(), normal_W = Vec3::Zero();
 
+  double uneven = 1;  // of the forces, or of the penetrations: 0 for an even pinch, 1 for one jaw alone
+
   double force() const { return 0.5 * (left + right); }
-  /// |left - right| over the harder one: 0 for an even pinch, 1 for one jaw alone.
-  double imbalance() const;
+  double imbalance() const;  // |left - right| over the harder one
 };
 
 class Grasp final : public Coupling<GraspParams> {
@@ -58,7 +65,12 @@ class Grasp final : public Coupling<GraspParams> {
   static constexpr std::array needs_a{SWAGE_TRAIT_GRIPPER}, needs_b{SWAGE_TRAIT_GRASPABLE};
   static constexpr bool detects = false;
 
+  static constexpr const char* kLevels[] = {"thesis", "contact", nullptr};
   static constexpr std::array fields = {
+      choice<&GraspParams::level>("level", "Level", kLevels,
+                                  "What decides whether and where it is held: the particle that both jaws "
+                                  "enter deepest, as in the thesis, or "
+                                  "the forces of the contacts."),
       real<&GraspParams::touch_force>("touch_force", "Touch from", "N", "mN", 1e-6, 1,
                                       "A jaw counts as touching above this force."),
       real<&GraspParams::balance>(
@@ -71,6 +83,10 @@ class Grasp final : public Coupling<GraspParams> {
           "hard_force", "Too hard above", "N", "N", 1e-3, 100,
           "Above this grip force the event grasp.too_hard is sent; it can come again after "
           "the force has fallen below nine tenths of it."),
+      real<&GraspParams::skin>(
+          "skin", "Skin", "m", "um", 0, 1e-3,
+          "Thesis only: from how far outside of the wire a jaw counts as inside a particle.")
+          .hidden(),
   };
 
   void build(const GraspParams& params, CouplingBuilder& builder) override;
@@ -80,6 +96,7 @@ class Grasp final : public Coupling<GraspParams> {
 
  private:
   bool gather(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const;
+  bool choose_particle(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const;
   void follow_touch(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;
   void follow_hold(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;
   void follow_force(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;

@@ -21,8 +21,13 @@ struct Case {
   const char* lesson;
   const char* hand;
 };
-constexpr Case kCases[] = {
-    {"010_practice_solids", "expert"}, {"020_grasp_basic", "expert"}, {"020_grasp_basic", "clumsy"}};
+constexpr Case kCases[] = {{"010_practice_solids", "expert"},
+                           {"020_grasp_basic", "expert"},
+                           {"020_grasp_basic", "clumsy"},
+                           {"030_grasp_advanced_1_quarter", "expert"},
+                           {"031_grasp_advanced_1_three_eighths", "novice"},
+                           {"032_grasp_advanced_1_half", "clumsy"},
+                           {"040_grasp_advanced_2", "expert"}};
 
 std::string lesson_file(const std::string& name) {
   return SWAGE_SOURCE_DIR "/lessons/series/" + name + ".json";

@@ -23,6 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 constexpr const char* kGrasp = "020_grasp_basic.json";
 constexpr const char* kSolids = "010_practice_solids.json";
+constexpr const char* kAdvanced = "032_grasp_advanced_1_half.json";
 
 Json read(const std::string& lesson) {
   assembly::LessonFile file;
@@ -61,7 +62,7 @@ struct Scene {
 };
 
 class Scenes : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Stock, Scenes, ::testing::Values(kGrasp, kSolids));
+INSTANTIATE_TEST_SUITE_P(Stock, Scenes, ::testing::Values(kGrasp, kSolids, kAdvanced));
 
 TEST_P(Scenes, AgainInTheSameProgramBesideAnother) {
   Scene a(read(GetParam())), b(read(GetParam())), other(read(kSolids));

@@ -9,9 +9,13 @@ namespace {
 
 class Grasp : public ::testing::Test {
  protected:
-  Grasp() : stage_("swage.coupling.grasp") {
-    EXPECT_EQ(stage_.configure(
-                  {{"touch_force", 1e-3}, {"balance", 0.1}, {"settle_time", 0.03}, {"hard_force", 1.0}}),
+  explicit Grasp(int level = 1) : stage_("swage.coupling.grasp") {
+    EXPECT_EQ(stage_.configure({{"level", level},
+                                {"touch_force", 1e-3},
+                                {"balance", 0.1},
+                                {"settle_time", 0.03},
+                                {"hard_force", 1.0},
+                                {"skin", 25e-6}}),
               SWAGE_OK);
     table_ = &stage_.table<swage_coupling>(SWAGE_EXT_COUPLING);
     EXPECT_EQ(table_->bind(stage_.raw(), &gripper_.raw, &wire_.raw), SWAGE_OK);
@@ -184,6 +188,50 @@ TEST_F(Grasp, TheToolBodyIsNoJaw) {
   for (int i = 0; i < 100; ++i) step();
   EXPECT_EQ(signal("grasp.held"), 0);
   EXPECT_EQ(signal("grasp.left"), 0);
+}
+
+/// The level of thesis 5.2.1 looks at particles and not at forces.
+class Thesis : public Grasp {
+ protected:
+  Thesis() : Grasp(0) {}
+  /// Faces that touch the wire of 0.1 mm from above and below with these gaps, at places along it.
+  void faces(double gap_left, double gap_right, int n = 40, double y_left = 0, double y_right = 0) {
+    for (int i = 0; i < n; ++i) {
+      contacts_ = {touch(1, 0.6, y_left, {0, 0, 1}), touch(2, 0.2, y_right, {0, 0, -1})};
+      contacts_[0].gap = gap_left;
+      contacts_[1].gap = gap_right;
+      // p_W is midway between the surfaces, and the wire's own is 50 um from its middle
+      contacts_[0].p_W.z = 50e-6 + 0.5 * gap_left;
+      contacts_[1].p_W.z = -50e-6 - 0.5 * gap_right;
+      step();
+    }
+  }
+};
+
+TEST_F(Thesis, HoldsByEvenPenetrationWhateverTheForces) {
+  faces(-1e-6, -1e-6);
+  EXPECT_EQ(signal("grasp.held"), 1);
+  EXPECT_NEAR(signal("grasp.balance"), 0, 1e-9);
+  // what is reported besides is the same as for contacts
+  EXPECT_NEAR(signal("grasp.left"), 0.6, 1e-12);
+  EXPECT_NEAR(signal("grasp.force"), 0.4, 1e-12);
+}
+
+TEST_F(Thesis, TenPercentIsTheRule) {
+  // 25 um of skin: 27 um against 24.5 um differ by 9.3 %, 23.5 um by 13 %
+  faces(-2e-6, 0.5e-6);
+  EXPECT_EQ(signal("grasp.held"), 1);
+  EXPECT_NEAR(signal("grasp.balance"), 1 - 24.5 / 27, 1e-6);
+  faces(-2e-6, 8e-6, 80);
+  EXPECT_EQ(signal("grasp.held"), 0) << "beyond twice the rule it is lost";
+}
+
+TEST_F(Thesis, OneJawAloneHasNoParticle) {
+  press(0.6, 0, 100);
+  EXPECT_EQ(signal("grasp.held"), 0);
+  EXPECT_EQ(signal("grasp.balance"), 1);
+  faces(-1e-6, 30e-6);  // the other face is further than the skin
+  EXPECT_EQ(signal("grasp.held"), 0);
 }
 
 }  // namespace

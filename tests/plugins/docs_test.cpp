@@ -83,6 +83,19 @@ std::string table(const ParamTable& params) {
   return out;
 }
 
+/// The rows of a lesson's card as they must stand on the page, "" without one.
+std::vector<std::string> card(const PluginInfo& plugin) {
+  std::vector<std::string> out;
+  const auto spaced = [](const std::string& code) { return code.empty() ? "" : " " + code; };
+  for (const MetricInfo& m : plugin.metrics) {
+    out.push_back("| `" + m.id + "` | " + m.unit + " | " + better_text(m.better) + " | " +
+                  evidence_text(m.evidence) + " | " + m.doc + spaced(m.code) + " | " + m.formula + " |\n");
+  }
+  for (const CueInfo& c : plugin.cues)
+    out.push_back("| `" + c.id + "` | " + c.doc + " | " + channels_text(c.channels) + " |\n");
+  return out;
+}
+
 TEST(Docs, EveryBundleHasAPageWithTheTableOfItsParameters) {
   Catalogue::Options options;
   options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
@@ -97,6 +110,11 @@ TEST(Docs, EveryBundleHasAPageWithTheTableOfItsParameters) {
     EXPECT_NE(text.find("`" + id + "`"), std::string::npos) << page << " does not name its plugin";
     const std::string rows = table(plugin->params);
     EXPECT_TRUE(text.find(rows) != std::string::npos) << page << " needs this table:\n" << rows;
+    for (const std::string& row : card(*plugin))
+      EXPECT_TRUE(text.find(row) != std::string::npos) << page << " needs this row:\n" << row;
+    if (plugin->kind == SWAGE_KIND_LESSON) {
+      EXPECT_FALSE(plugin->metrics.empty()) << id << " has no card";
+    }
     for (const char* part : {"## Model", "## Limits", "## Parameters"}) {
       EXPECT_NE(text.find(part), std::string::npos) << page << " has no part \"" << part << "\"";
     }

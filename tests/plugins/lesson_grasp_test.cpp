@@ -3,6 +3,8 @@
 // The grasp lesson: the four meanings, holds and their breaks, drops, limits, metrics and score; then through the boundary.
 #include "lessons/grasp/judge.hpp"
 
+#include <numbers>
+
 #include "lesson_stage.hpp"
 
 namespace swage::lesson_grasp {
@@ -65,6 +67,130 @@ TEST(Judge, PassesAfterAnUnbrokenHold) {
   EXPECT_EQ(f.end, End::kPassed);
   EXPECT_EQ(f.stage, Stage::kDone);
   EXPECT_NEAR(f.score, 100, 1e-9);
+}
+
+TEST(Judge, AWrongGraspEndsTheAttemptInTheEnd) {
+  Attempt a;
+  EXPECT_EQ(a.take(0.3, 1e-3, 0.6).end, End::kRunning);
+  EXPECT_EQ(a.go(19990).end, End::kRunning);
+  EXPECT_EQ(a.go(20).end, End::kWrongGrasp);
+  // letting go in between starts the time again; 0 is never
+  Attempt b;
+  b.take(0.3, 1e-3, 0.6);
+  b.go(15000);
+  b.let_go();
+  b.go(10);
+  b.take(0.3, 1e-3, 0.6);
+  EXPECT_EQ(b.go(15000).end, End::kRunning);
+  Rules patient;
+  patient.max_wrong_time = 0;
+  Attempt c(patient);
+  c.take(0.3, 1e-3, 0.6);
+  EXPECT_EQ(c.go(60000).end, End::kRunning);
+}
+
+TEST(Judge, ANeedleOutOfReachEndsItAndOneThatIsBroughtBackCounts) {
+  Attempt a;
+  a.go(10);
+  a.now.needle_W = {0, 0, -5e-3};
+  EXPECT_TRUE(a.go().dropped);
+  a.now.needle_W.setZero();
+  a.now.reset = true;
+  a.go();
+  a.now.reset = false;
+  EXPECT_EQ(a.memory.resets, 1);
+  a.now.needle_W = {0, 0, -5e-3};
+  EXPECT_TRUE(a.go().dropped) << "it lay at its start again";
+  a.now.needle_W = {0, 0, -31e-3};
+  EXPECT_EQ(a.go().end, End::kLost);
+}
+
+/// Held well, at a distance from the target.
+struct Carried : Attempt {
+  explicit Carried(Leave leave) : Attempt(rules(leave)) {
+    now.target_distance = 3e-3;
+    take(0.6, 1e-3, 0.6);
+  }
+  static Rules rules(Leave leave) {
+    Rules r;
+    r.target = {true, 0.5e-3, leave};
+    return r;
+  }
+  Finding at(double distance, int n) {
+    now.target_distance = distance;
+    return go(n);
+  }
+};
+
+TEST(Target, CarriedThenHeldAtTheTarget) {
+  Carried a(Leave::kRestart);
+  EXPECT_EQ(a.at(3e-3, 100).stage, Stage::kCarry);
+  Finding f = a.at(0.4e-3, 1);
+  EXPECT_TRUE(f.near_target && f.hold_began);
+  f = a.at(0.54e-3, 500);
+  EXPECT_EQ(f.stage, Stage::kHold) << "once in, a tenth more";
+  EXPECT_EQ(a.at(0.4e-3, 3000).end, End::kPassed);
+  EXPECT_NEAR(hold_error(a.memory.target), std::sqrt((0.501 * 0.54 * 0.54 + 2.5 * 0.4 * 0.4) / 3.001) * 1e-3,
+              2e-6);
+  EXPECT_EQ(in_target(a.memory.target), 1);
+  EXPECT_EQ(a.memory.target.breaks, 0);
+}
+
+TEST(Target, LeavingStartsAgainPausesOrFails) {
+  for (const Leave leave : {Leave::kRestart, Leave::kPause, Leave::kFail}) {
+    Carried a(leave);
+    a.at(0.1e-3, 2000);
+    Finding f = a.at(0.6e-3, 1);
+    EXPECT_TRUE(f.hold_broke);
+    EXPECT_EQ(f.end, leave == Leave::kFail ? End::kLeftTarget : End::kRunning);
+    if (leave == Leave::kFail) continue;
+    f = a.at(0.1e-3, 1100);
+    EXPECT_EQ(f.end, leave == Leave::kPause ? End::kPassed : End::kRunning);
+    if (leave == Leave::kRestart) {
+      EXPECT_EQ(a.at(0.1e-3, 2000).end, End::kPassed);
+    }
+    EXPECT_EQ(a.memory.target.breaks, 1);
+    EXPECT_LT(in_target(a.memory.target), 1);
+  }
+}
+
+TEST(Target, ABreakCostsFivePoints) {
+  Carried smooth(Leave::kRestart), broken(Leave::kRestart);
+  const double best = smooth.at(0.1e-3, 4000).score;
+  broken.at(0.1e-3, 500);
+  broken.at(1e-3, 10);
+  EXPECT_NEAR(broken.at(0.1e-3, 4000).score, best - 5, 1e-9);
+}
+
+TEST(Measures, QuantileSpreadIdleAndTremor) {
+  using namespace lessons;
+  const Quantile quantile(4);
+  QuantileState q;
+  for (int i = 0; i < 1000; ++i) quantile.look(q, i < 990 ? 0.5 : 1.5, 1e-3);  // 1 % above
+  EXPECT_NEAR(quantile.at(q, 0.995), 1.5, 4.0 / 128);
+  EXPECT_NEAR(quantile.at(q, 0.9), 0.5, 4.0 / 128);
+  EXPECT_EQ(quantile.at(QuantileState(), 0.5), 0);
+
+  SpreadState s;
+  for (int i = 0; i < 1000; ++i) spread(s, i % 2 == 0 ? 0.9 : 1.1, 1e-3);
+  EXPECT_NEAR(s.mean, 1, 1e-12);
+  EXPECT_NEAR(deviation(s), 0.1, 1e-12);
+
+  IdleState idle;
+  for (int i = 0; i < 2000; ++i) IdleWatch::look(idle, {i < 1000 ? 0 : 2e-6 * (i - 1000), 0, 0}, 1e-3, true);
+  EXPECT_NEAR(IdleWatch::share(idle), 0.5, 2e-3);
+
+  // 10 Hz of 30 um is in the band, a slow movement of 1 mm is not
+  const double pi = std::numbers::pi;
+  TremorState shaking, reaching;
+  const TremorWatch watch(1e-3);
+  for (int i = 0; i < 20000; ++i) {
+    const double t = 1e-3 * i;
+    watch.look(shaking, {30e-6 * std::sqrt(2.0) * std::sin(2 * pi * 9.8 * t), 0, 0}, t > 2);
+    watch.look(reaching, {1e-3 * std::sin(2 * pi * 0.5 * t), 0, 0}, t > 2);
+  }
+  EXPECT_NEAR(TremorWatch::rms(shaking), 30e-6, 0.3e-6);
+  EXPECT_LT(TremorWatch::rms(reaching), 1.5e-6);
 }
 
 TEST(Judge, ABreakStartsTheHoldAgain) {

@@ -6,7 +6,8 @@
 
 namespace swage::stage {
 
-LessonRun::LessonRun(const std::string& path, const std::string& device) {
+LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrides,
+                     const std::function<void(assembly::LessonFile&)>& change) {
   host::Catalogue::Options options;
   options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
   options.use_environment = false;
@@ -14,7 +15,8 @@ LessonRun::LessonRun(const std::string& path, const std::string& device) {
   base::Problems problems;
   assembly::LessonFile file;
   if (assembly::read_lesson_file(path, file, problems)) {
-    rig_ = assembly::assemble(file, catalogue, {device, ""}, problems);
+    if (change) change(file);
+    rig_ = assembly::assemble(file, catalogue, overrides, problems);
   }
   for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
   if (!rig_) return;
@@ -38,6 +40,12 @@ void LessonRun::run(double max_s, double after_s) {
     step();
     if (engine_->hand_gone()) gone_s += world().dt;
   }
+}
+
+void LessonRun::push(uint32_t body, const toolkit::Vec3& f_W, const toolkit::Vec3& t_W) {
+  swage_wrench& F = rig_->world.F_B_W[body];
+  F.f = toolkit::raw(toolkit::Vec3(toolkit::vec(F.f) + f_W));
+  F.t = toolkit::raw(toolkit::Vec3(toolkit::vec(F.t) + t_W));
 }
 
 std::string LessonRun::reason() const {

@@ -3,6 +3,7 @@
 // Runs a lesson file with the real host, contacts and dynamics, as fast as it goes. No threads, no clock.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include "assembly/assemble.hpp"
 #include "step/step.hpp"
+#include "toolkit/math.hpp"
 
 namespace swage::stage {
 
@@ -17,7 +19,11 @@ namespace swage::stage {
 class LessonRun {
  public:
   /// `device`: as on the command line, "" for the first choice.
-  LessonRun(const std::string& path, const std::string& device);
+  LessonRun(const std::string& path, const std::string& device)
+      : LessonRun(path, assembly::Overrides{device, ""}) {}
+  /// `change`: what is to be different from the file.
+  LessonRun(const std::string& path, const assembly::Overrides& overrides,
+            const std::function<void(assembly::LessonFile&)>& change = {});
 
   bool ready() const { return engine_ != nullptr; }
   const std::string& problems() const { return problems_; }  // what was wrong, line by line
@@ -41,6 +47,8 @@ class LessonRun {
   const scene::World& world() const { return rig_->world; }
   const step::Engine& engine() const { return *engine_; }
   const host::Rig& rig() const { return *rig_; }
+  /// A force [N] through the centre of mass and a torque [N m] on a free body in the next step, both in W.
+  void push(uint32_t body, const toolkit::Vec3& f_W, const toolkit::Vec3& t_W);
 
  private:
   std::string problems_;

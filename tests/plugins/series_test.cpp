@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <numbers>
 
 #include "run_lesson.hpp"
@@ -15,6 +16,10 @@ namespace {
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 const std::string kSolids = kSeries + "010_practice_solids.json";
 const std::string kBasic = kSeries + "020_grasp_basic.json";
+const std::string kCarry = kSeries + "040_grasp_advanced_2.json";
+const char* const kLessons[] = {"010_practice_solids",          "020_grasp_basic",
+                                "030_grasp_advanced_1_quarter", "031_grasp_advanced_1_three_eighths",
+                                "032_grasp_advanced_1_half",    "040_grasp_advanced_2"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);
@@ -23,18 +28,87 @@ LessonRun run(const std::string& lesson, const std::string& hand, double max_s =
   return attempt;
 }
 
-TEST(Series, EveryLessonLoadsWithEveryHand) {
+TEST(AllOfTheSeries, LoadWithEveryHand) {
   int lessons = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
     if (entry.path().extension() != ".json") continue;
     ++lessons;
-    for (const char* hand : {"", "mouse", "expert", "clumsy"}) {
+    for (const char* hand : {"", "mouse", "expert", "novice", "clumsy"}) {
       const LessonRun attempt(entry.path(), hand);
       EXPECT_TRUE(attempt.ready());
       EXPECT_EQ(attempt.problems(), "") << entry.path() << " with " << hand;
     }
   }
-  EXPECT_GE(lessons, 2);
+  EXPECT_GE(lessons, 6);
+}
+
+class Series : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Stock, Series, ::testing::ValuesIn(kLessons));
+
+TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
+  const std::string lesson = kSeries + GetParam() + ".json";
+  const LessonRun expert = run(lesson, "expert"), novice = run(lesson, "novice"),
+                  clumsy = run(lesson, "clumsy");
+  ASSERT_TRUE(expert.ready() && novice.ready() && clumsy.ready());
+  EXPECT_EQ(expert.outcome(), "passed");
+  EXPECT_EQ(novice.outcome(), "passed");
+  EXPECT_NE(clumsy.outcome(), "passed");
+  EXPECT_GT(expert.verdict().score, 95);
+  EXPECT_GT(expert.verdict().score, novice.verdict().score + 3);
+  EXPECT_GT(novice.verdict().score, clumsy.verdict().score + 3);
+  EXPECT_EQ(expert.engine().quarantined() + novice.engine().quarantined() + clumsy.engine().quarantined(),
+            0u);
+}
+
+// the picture and the hand are the mirror image, the scene and the verdict are the same
+TEST_P(Series, TheLeftHandGetsTheSameScore) {
+  LessonRun right(kSeries + GetParam() + ".json", "expert");
+  LessonRun left(kSeries + GetParam() + ".json", {"expert", ""}, [](auto& file) { file.mirror = true; });
+  ASSERT_TRUE(right.ready() && left.ready());
+  auto a = std::make_unique<snapshot::Snapshot>(), b = std::make_unique<snapshot::Snapshot>();
+  while (right.outcome() == "running" && right.world().time() < 30) {
+    right.step();
+    left.step();
+    right.engine().fill(*a);
+    left.engine().fill(*b);
+    for (uint32_t i = 0; i < a->n_body; ++i) {
+      ASSERT_EQ(b->X_WB[i].p.x, -a->X_WB[i].p.x);
+      ASSERT_EQ(b->X_WB[i].p.y, a->X_WB[i].p.y);
+    }
+  }
+  EXPECT_EQ(right.outcome(), "passed");
+  EXPECT_EQ(left.outcome(), "passed");
+  EXPECT_NEAR(left.verdict().score, right.verdict().score, 1e-6);
+}
+
+TEST(Modes, PracticeShowsCuesATestDoesNotADemoIsTheExperts) {
+  EXPECT_EQ(LessonRun(kBasic, "").rig().card.cues, 15u);
+  const LessonRun test(kBasic, assembly::Overrides{"", "", "test"});
+  EXPECT_EQ(test.rig().card.mode, "test");
+  EXPECT_EQ(test.rig().card.cues, 0u);
+  const LessonRun demo(kBasic, assembly::Overrides{"", "", "demo"});
+  EXPECT_EQ(demo.rig().devices[0].instance->plugin_id, "swage.device.scripted");
+  const LessonRun file(kBasic, assembly::Overrides{}, [](auto& lesson) { lesson.mode = "test"; });
+  EXPECT_EQ(file.rig().card.cues, 0u);
+  EXPECT_FALSE(LessonRun(kBasic, assembly::Overrides{"", "", "exam"}).ready());
+}
+
+TEST(Card, SaysWhichWayMetricsAreBetterAndWhatSuitsACue) {
+  const LessonRun attempt(kBasic, "expert");
+  ASSERT_TRUE(attempt.ready());
+  const snapshot::SceneCard& card = attempt.rig().card;
+  ASSERT_EQ(card.metrics.size(), card.script.metrics.size());
+  for (size_t i = 0; i < card.metrics.size(); ++i) {
+    EXPECT_FALSE(card.metrics[i].formula.empty()) << card.script.metrics[i].id;
+    if (card.script.metrics[i].id == "grasp.tries") {
+      EXPECT_EQ(card.metrics[i].better, SWAGE_BETTER_LOWER);
+    }
+    if (card.script.metrics[i].id == "grasp.in_zone") {
+      EXPECT_EQ(card.metrics[i].better, SWAGE_BETTER_HIGHER);
+    }
+  }
+  for (size_t i = 0; i < card.cue_channels.size(); ++i)
+    EXPECT_EQ((card.cue_channels[i] & SWAGE_CHANNEL_FORCE) != 0, card.script.cues[i].id == "grip.too_hard");
 }
 
 TEST(BasicGrasp, TheNeedleStandsStillInItsPad) {
@@ -120,14 +194,16 @@ class Person {
   LessonRun& attempt_;
 };
 
-TEST(BasicGrasp, OneHandOnTheMouseIsEnough) {
-  LessonRun attempt(kBasic, "mouse");
-  ASSERT_TRUE(attempt.ready());
+/// The basic grasp with the mouse alone; `side` -1 for the left hand, who drags the other way.
+double with_the_mouse(bool mirror) {
+  LessonRun attempt(kBasic, {"mouse", ""}, [&](auto& file) { file.mirror = mirror; });
   EXPECT_EQ(attempt.problems(), "");
+  if (!attempt.ready()) return -1;
+  const double side = mirror ? -1 : 1;
   constexpr uint32_t kLeft = 1, kMiddle = 2;
   Person person(attempt);
   person.wait(0.5);
-  person.drag(kLeft, -0.68, -0.10, 2);  // to the needle, 10 mm for the view's height
+  person.drag(kLeft, -0.68 * side, -0.10, 2);  // to the needle, 10 mm for the view's height
   person.wait(0.3);
   person.hold(kMiddle, 1.03);  // closes to 0.69
   person.wait(0.5);
@@ -135,7 +211,64 @@ TEST(BasicGrasp, OneHandOnTheMouseIsEnough) {
   person.drag(kLeft, 0, 0.3, 1.5);  // lifts
   person.wait(5);
   EXPECT_EQ(attempt.outcome(), "passed");
-  EXPECT_GT(attempt.verdict().score, 90);
+  return attempt.verdict().score;
+}
+
+TEST(BasicGrasp, OneHandOnTheMouseIsEnough) { EXPECT_GT(with_the_mouse(false), 90); }
+TEST(BasicGrasp, AndSoIsTheOther) { EXPECT_NEAR(with_the_mouse(true), with_the_mouse(false), 1e-6); }
+
+TEST(Carry, TheNeedleHangsStill) {
+  LessonRun attempt(kCarry, "mouse");
+  ASSERT_TRUE(attempt.ready());
+  const toolkit::Vec3 start = toolkit::vec(attempt.world().X_WB[attempt.body("needle")].p);
+  attempt.run(5);
+  EXPECT_LT((toolkit::vec(attempt.world().X_WB[attempt.body("needle")].p) - start).norm(), 1e-6);
+  EXPECT_EQ(attempt.metric("grasp.drops"), 0);
+}
+
+TEST(Carry, TheTargetComesFromTheSeed) {
+  const auto target = [](uint64_t seed) {
+    LessonRun attempt(kCarry, {"expert", ""}, [&](auto& file) { file.seed = seed; });
+    attempt.step();
+    return toolkit::vec(attempt.verdict().mark_p_W[1]);
+  };
+  EXPECT_EQ(target(1), target(1));
+  EXPECT_NE(target(1), target(40));
+  const toolkit::Vec3 centre(3e-3, 0, 8e-3), half(1.5e-3, 2e-3, 1e-3);
+  toolkit::Vec3 mean = toolkit::Vec3::Zero();
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    const toolkit::Vec3 d = (target(seed) - centre).cwiseQuotient(half);
+    EXPECT_LE(d.cwiseAbs().maxCoeff(), 1);
+    mean += d / 20;
+  }
+  EXPECT_LT(mean.cwiseAbs().maxCoeff(), 0.4);  // three times the spread of a mean of 20 evenly drawn numbers
+}
+
+TEST(Carry, ThePointTurnsNearAndTheHoldLastsTenSeconds) {
+  LessonRun attempt(kCarry, "expert");
+  ASSERT_TRUE(attempt.ready());
+  const auto mark_cue = [&] {
+    const uint32_t cue = attempt.verdict().mark_cue[1];
+    return cue == SWAGE_NONE ? "" : attempt.rig().script.cues[cue].id;
+  };
+  std::string seen;
+  double near_s = 0;
+  while (attempt.outcome() == "running" && attempt.world().time() < 30) {
+    attempt.step();
+    if (mark_cue() == "target.near") near_s += 1e-3;
+    if (!mark_cue().empty() && !seen.ends_with(mark_cue())) seen += " " + mark_cue();
+  }
+  EXPECT_EQ(seen, " target.near target.done");
+  EXPECT_NEAR(near_s, 10, 0.01);
+  EXPECT_LT(attempt.metric("hold.error"), 0.1e-3);
+  EXPECT_EQ(attempt.metric("hold.in_target"), 1);
+}
+
+TEST(Carry, TheClumsyHandWhitensTheJaws) {
+  const LessonRun attempt = run(kCarry, "clumsy");
+  ASSERT_TRUE(attempt.ready());
+  EXPECT_EQ(attempt.cue("holder"), "grip.too_hard");
+  EXPECT_EQ(attempt.reason(), "failed.too_hard");
 }
 
 TEST(BasicGrasp, TheSameHandGivesTheSameBits) {

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Numbers about a hand that several lessons report: rest, spread, quantile, tremor. Each keeps its memory in a struct of
+// doubles that a lesson puts among its private numbers. Definitions: lessons/grasp/grasp.md.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/low_pass.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::lessons {
+
+using toolkit::Vec3;
+
+/// Mean and standard deviation of a value over time, by Welford's recurrence (no cancellation).
+struct SpreadState {
+  double weight = 0, mean = 0, m2 = 0;
+};
+inline void spread(SpreadState& state, double x, double dt) noexcept {
+  state.weight += dt;
+  const double d = x - state.mean;
+  state.mean += d * dt / state.weight;
+  state.m2 += dt * d * (x - state.mean);
+}
+inline double deviation(const SpreadState& state) {
+  return state.weight > 0 ? std::sqrt(state.m2 / state.weight) : 0;
+}
+
+/// Quantile of a value over time from a histogram: kBins equal bins from 0 to `top`, the last takes what is above.
+struct QuantileState {
+  static constexpr int kBins = 128;
+  double bin[kBins] = {};
+  double most = 0;
+};
+class Quantile {
+ public:
+  Quantile() = default;
+  explicit Quantile(double top) : width_(top / QuantileState::kBins) {}
+  void look(QuantileState& state, double x, double dt) const noexcept {
+    const int i = std::clamp(static_cast<int>(x / width_), 0, QuantileState::kBins - 1);
+    state.bin[i] += dt;
+    state.most = std::max(state.most, x);
+  }
+  /// Value that is exceeded for the share 1 - q of the time, linear within a bin; never above the greatest value seen.
+  double at(const QuantileState& state, double q) const noexcept {
+    double all = 0, sum = 0;
+    for (const double t : state.bin) all += t;
+    if (!(all > 0)) return 0;
+    for (int i = 0; i < QuantileState::kBins; ++i) {
+      const double inside = state.bin[i];
+      if (sum + inside >= q * all && i + 1 < QuantileState::kBins) {
+        const double share = inside > 0 ? (q * all - sum) / inside : 0;
+        return std::min(state.most, (i + share) * width_);
+      }
+      sum += inside;
+    }
+    return state.most;
+  }
+
+ private:
+  double width_ = 0.02;
+};
+
+/// Time in which a point rests: slower than 1 mm/s for more than 0.5 s (M03).
+struct IdleState {
+  double last[3] = {0, 0, 0}, seen = 0;  // m; 0 or 1
+  double slow_s = 0, idle_s = 0, all_s = 0;
+};
+class IdleWatch {
+ public:
+  /// `counts`: outside a hold. [rt]
+  static void look(IdleState& state, const Vec3& p_W, double dt, bool counts) noexcept {
+    constexpr double kSlow = 1e-3, kFor = 0.5;  // m/s, s
+    Eigen::Map<Vec3> last(state.last);
+    const double speed = state.seen != 0 ? (p_W - last).norm() / dt : 0;
+    last = p_W;
+    state.seen = 1;
+    if (!counts) {
+      state.slow_s = 0;
+      return;
+    }
+    state.all_s += dt;
+    const double before = state.slow_s;
+    state.slow_s = speed < kSlow ? before + dt : 0;
+    if (state.slow_s > kFor) state.idle_s += before > kFor ? dt : state.slow_s;
+  }
+  static double share(const IdleState& state) { return state.all_s > 0 ? state.idle_s / state.all_s : 0; }
+};
+
+/// Two equal sections H(s) = (s/q) / (s^2 + s/q + 1) in a row: unity in the middle of the band, 0.707 at its ends; slow
+/// movement is left by (f / middle / q)^2. Bilinear, warped so that the middle is exact.
+struct BandPassState {
+  LowPassState first, second;
+};
+class BandPass {
+ public:
+  BandPass() = default;
+  BandPass(double low, double high, double dt) {
+    // each section leaves 0.707^(1/2) at the ends: q |f/middle - middle/f| = (2^(1/2) - 1)^(1/2)
+    const double middle = std::sqrt(low * high), q = std::sqrt(std::sqrt(2.0) - 1) * middle / (high - low);
+    const double k = std::tan(std::numbers::pi * middle * dt);
+    const double norm = 1 / (1 + k / q + k * k);
+    b_ = k / q * norm;
+    a1_ = 2 * (k * k - 1) * norm;
+    a2_ = (1 - k / q + k * k) * norm;
+  }
+  /// The first value is taken as having stood for ever. [rt]
+  double next(BandPassState& state, double x) const noexcept {
+    return section(state.second, section(state.first, x));
+  }
+
+ private:
+  double section(LowPassState& state, double x) const noexcept {
+    if (state.started == 0) state = {1, -b_ * x, -b_ * x};
+    const double y = b_ * x + state.m1;
+    state.m1 = -a1_ * y + state.m2;
+    state.m2 = -b_ * x - a2_ * y;
+    return y;
+  }
+
+  double b_ = 0, a1_ = 0, a2_ = 0;
+};
+
+/// Root mean square of the shaking of a point, 8 to 12 Hz, while a hold runs (M30).
+struct TremorState {
+  BandPassState x, y, z;
+  double square_s = 0, time_s = 0;  // m2 s, s
+};
+class TremorWatch {
+ public:
+  TremorWatch() = default;
+  explicit TremorWatch(double dt) : band_(8, 12, dt), dt_(dt) {}
+  void look(TremorState& state, const Vec3& p_W, bool counts) const noexcept {
+    const Vec3 d(band_.next(state.x, p_W.x()), band_.next(state.y, p_W.y()), band_.next(state.z, p_W.z()));
+    if (!counts) return;
+    state.square_s += d.squaredNorm() * dt_;
+    state.time_s += dt_;
+  }
+  static double rms(const TremorState& state) {
+    return state.time_s > 0 ? std::sqrt(state.square_s / state.time_s) : 0;
+  }
+
+ private:
+  BandPass band_;
+  double dt_ = 1e-3;
+};
+
+}  // namespace swage::lessons
