@@ -33,10 +33,11 @@ Launch read_command_line(const QStringList& arguments) {
       option("plugin-dir", "Folder to look for plugins in first; may be repeated.", "folder"),
       option("store", "Attempts database: a file, postgresql://user@host/database, or :none:.", "store"),
       option("safe-mode", "Stock plugins only."),
-      option("theme", "light or dark.", "theme"),
+      option("theme", "light, dark or contrast.", "theme"),
       option("cues", "thesis or safe: colours of the cues.", "cues"),
       option("view", "orbit, side or top.", "view"),
       option("page", "run or progress.", "page"),
+      option("review", "Open a recorded attempt: its id, or latest.", "attempt"),
       option("size", "Size of the window, as in 1440x900.", "size"),
       option("screenshot", "Write a picture of the window and quit.", "file.png"),
       option("at", "When: seconds into the attempt, or after the window is there.", "seconds"),
@@ -63,6 +64,7 @@ Launch read_command_line(const QStringList& arguments) {
   launch.cues = text("cues");
   launch.view = text("view");
   launch.page = text("page");
+  launch.review = text("review");
   launch.screenshot = text("screenshot");
   launch.screenshot_at_s = text("at").toDouble();
   const QStringList size = text("size").split(QLatin1Char('x'));

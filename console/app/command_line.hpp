@@ -16,6 +16,7 @@ struct Launch {
   bool start = false;
   QString theme, cues, view;   // "" as remembered
   QString page;                // "run" or "progress"
+  QString review;              // attempt to open on the Review page, "latest" for the newest
   QString screenshot;          // file to write the picture of the window to, then quit
   double screenshot_at_s = 0;  // simulated time; without a run, seconds after the window is there
   QSize size;                  // of the window

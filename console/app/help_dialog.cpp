@@ -74,7 +74,7 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("F7"), tr("Bring the needle back")},
                               {tr("F8"), tr("Mark the moment two seconds ago")},
                               {tr("Shift+F5"), tr("Stop")},
-                              {tr("Ctrl+1, Ctrl+2"), tr("Run, Progress")},
+                              {tr("Ctrl+1, 2, 3"), tr("Run, Progress, Review")},
                               {tr("F1"), tr("This page")}},
                              this)
                       .frame,
@@ -101,11 +101,21 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                              this)
                       .frame,
                   1, 0);
-  grid->addWidget(make_legend(cues, this).frame, 1, 1);
+  grid->addWidget(make_table(tr("Review"),
+                             {{tr("Space"), tr("Play, pause")},
+                              {tr("← →"), tr("10 ms back, on")},
+                              {tr("Shift+← →"), tr("1 ms")},
+                              {tr("Ctrl+← →"), tr("1 s")},
+                              {tr("Home,  End"), tr("Start, end")},
+                              {tr(",  ."), tr("Event before, after")}},
+                             this)
+                      .frame,
+                  0, 2);
+  grid->addWidget(make_legend(cues, this).frame, 1, 1, 1, 2);
   auto* close = make_button(tr("Close"), QStringLiteral("Esc"), QStringLiteral("close_help"), this);
   close->setDefault(true);
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
-  grid->addWidget(close, 2, 1, Qt::AlignRight);
+  grid->addWidget(close, 2, 2, Qt::AlignRight);
 }
 
 }  // namespace swage::console

@@ -6,12 +6,20 @@
 #include "console/app/command_line.hpp"
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
+#include "console/app/session_player.hpp"
 
 using namespace swage;
 
 int main(int argc, char** argv) {
+  if (console::asks_for_text(argc, argv)) {
+    QCoreApplication text_only(argc, argv);
+    console::read_command_line(QCoreApplication::arguments());
+    return 0;
+  }
   console::prepare_graphics();
+  console::expect_display();
   QApplication app(argc, argv);
+  console::display_is_there();
   console::prepare_application();
   console::Launch launch = console::read_command_line(app.arguments());
 
@@ -26,6 +34,15 @@ int main(int argc, char** argv) {
       return record::Store::open(where, error);
     };
   }
+  const session::Options& options = launch.options;
+  doors.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
+                                                      std::string& error) {
+    return record::read_recording(where.empty() ? record::Store::default_path() : where, id, out, error);
+  };
+  doors.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
+                                                   base::Problems& problems) {
+    return console::open_session_player(recording, dirs, problems);
+  };
   console::MainWindow window(std::move(doors), launch);
   window.show();
   if (!launch.screenshot.isEmpty()) {

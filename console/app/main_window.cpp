@@ -28,13 +28,22 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
   progress_ = new ProgressPage(std::move(doors.open_store), pages_);
   pages_->addWidget(run_);
+  review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
   pages_->addWidget(progress_);
+  pages_->addWidget(review_);
   column->addWidget(pages_, 1);
   column->addWidget(strip_);
   setCentralWidget(middle);
   add_actions();
   connect(run_, &RunPage::show_progress, this, [this] { show_page(1); });
   connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
+  connect(progress_, &ProgressPage::review, this, &MainWindow::review);
+  connect(review_, &ReviewPage::back, this, [this] { show_page(1); });
+  progress_->set_targets([this](const QString& lesson, const QString& metric) -> std::optional<double> {
+    const int row = lessons_.row_of(lesson);
+    if (row < 0) return {};
+    return run_->metric_target(lessons_.data(lessons_.index(row, 0), LessonsModel::kPath).toString(), metric);
+  });
   connect(progress_, &ProgressPage::recovered, this, [this](int n) {
     run_->set_notice(
         n == 1 ? tr("The program closed unexpectedly. 1 attempt was kept up to that moment.")
@@ -65,7 +74,7 @@ QWidget* MainWindow::make_top_bar() {
   name->setProperty("brand", true);
   row->addWidget(name);
   row->addSpacing(14);
-  const QStringList pages = {tr("Run"), tr("Progress")};
+  const QStringList pages = {tr("Run"), tr("Progress"), tr("Review")};
   for (int i = 0; i < pages.size(); ++i) {
     auto* button = make_button(pages[i], {}, QStringLiteral("page_%1").arg(i), bar);
     button->setProperty("page", true);
@@ -84,16 +93,23 @@ QWidget* MainWindow::make_top_bar() {
   cues_ = new QComboBox(bar);
   cues_->setObjectName(QStringLiteral("cue_theme"));
   cues_->setAccessibleName(tr("Cue colours"));
+  cues_->setToolTip(tr("Colours of the cues; shapes, words and sounds stay the same"));
   for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
   connect(cues_, &QComboBox::activated, this, [this] { set_theme(ui_id_, cues_->currentData().toString()); });
   row->addWidget(cues_);
   row->addSpacing(8);
-  theme_ = make_button(tr("Dark"), {}, QStringLiteral("theme"), bar);
-  theme_->setToolTip(tr("Light or dark window"));
-  connect(theme_, &QPushButton::clicked, this, [this] {
-    set_theme(ui_id_ == QLatin1String("dark") ? QStringLiteral("light") : QStringLiteral("dark"), cues_id_);
-  });
+  auto* theme_label = new QLabel(tr("Window"), bar);
+  theme_label->setProperty("muted", true);
+  row->addWidget(theme_label);
+  theme_ = new QComboBox(bar);
+  theme_->setObjectName(QStringLiteral("theme"));
+  theme_->setAccessibleName(tr("Colours of the window"));
+  theme_->setToolTip(tr("Colours of the window"));
+  for (const QString& id : UiTheme::names()) theme_->addItem(UiTheme::stock(id).title(), id);
+  connect(theme_, &QComboBox::activated, this,
+          [this] { set_theme(theme_->currentData().toString(), cues_id_); });
   row->addWidget(theme_);
+  row->addSpacing(8);
   auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
   row->addWidget(help);
@@ -127,6 +143,13 @@ void MainWindow::show_page(int page) {
   if (page == 1) progress_->refresh();
 }
 
+void MainWindow::review(const QString& attempt_id) {
+  if (!progress_->store()) return;
+  review_->open(*progress_->store(), attempt_id);
+  show_page(2);
+  review_->setFocus();
+}
+
 void MainWindow::show_help() {
   // a held key must not go on while the help is read, so the attempt waits
   if (run_->control()->state() == RunControl::State::kRunning) run_->control()->toggle_pause();
@@ -142,7 +165,8 @@ void MainWindow::set_theme(const QString& ui, const QString& cues) {
   qApp->setStyleSheet(theme.style_sheet());
   run_->set_themes(theme, cue_theme);
   progress_->set_theme(theme);
-  theme_->setText(ui_id_ == QLatin1String("dark") ? tr("Light") : tr("Dark"));
+  review_->set_themes(theme, cue_theme);
+  theme_->setCurrentIndex(theme_->findData(ui_id_));
   cues_->setCurrentIndex(cues_->findData(cues_id_));
 }
 
@@ -154,6 +178,8 @@ void MainWindow::restore(const Launch& launch) {
   resize(launch.size.isValid() ? launch.size : QSize(1440, 900));
   if (!launch.size.isValid()) restoreGeometry(settings_.bytes("geometry"));
   run_->set_base_options(launch.options);
+  run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
+                  settings_.text("volume", QStringLiteral("0.7")).toDouble());
   SetupPanel* setup = run_->setup();
   progress_->refresh();
   const QString person =
@@ -166,8 +192,18 @@ void MainWindow::restore(const Launch& launch) {
   if (launch.view == QLatin1String("side")) run_->look(CameraPreset::kSide);
   if (launch.view == QLatin1String("top")) run_->look(CameraPreset::kTop);
   if (launch.page == QLatin1String("progress")) show_page(1);
+  if (!launch.review.isEmpty()) review_given(launch);
   // once the event loop runs and the window is there
   if (launch.start) QTimer::singleShot(0, run_, &RunPage::start);
+}
+
+void MainWindow::review_given(const Launch& launch) {
+  if (!progress_->store()) return;
+  QString id = launch.review;
+  const std::vector<record::AttemptRow> all = progress_->store()->attempts("");
+  if (id == QLatin1String("latest")) id = all.empty() ? QString() : QString::fromStdString(all.front().id);
+  review(id);
+  if (!launch.start) review_->go(launch.screenshot_at_s);
 }
 
 // the lesson named, else the last one, else the first
@@ -182,6 +218,8 @@ void MainWindow::remember() {
   settings_.set("theme", ui_id_);
   settings_.set("cues", cues_id_);
   settings_.set("geometry", saveGeometry());
+  settings_.set("sound", run_->sound_on());
+  settings_.set("volume", run_->speaker().volume());
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());
 }

@@ -12,6 +12,7 @@
 #include "console/app/settings.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/pages/progress_page.hpp"
+#include "console/pages/review_page.hpp"
 #include "console/pages/run_page.hpp"
 
 namespace swage::console {
@@ -20,6 +21,8 @@ namespace swage::console {
 struct Doors {
   SessionOpener open_session;
   StoreOpener open_store;  // none: nothing is kept
+  RecordingReader read_recording;
+  PlayerOpener open_player;
 };
 
 class MainWindow : public QMainWindow {
@@ -30,12 +33,14 @@ class MainWindow : public QMainWindow {
 
   RunPage* run_page() { return run_; }
   ProgressPage* progress_page() { return progress_; }
+  ReviewPage* review_page() { return review_; }
   void set_theme(const QString& ui, const QString& cues);
   const QString& ui_theme() const { return ui_id_; }
 
  public Q_SLOTS:
   void show_page(int page);
   void show_help();
+  void review(const QString& attempt_id);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -45,6 +50,7 @@ class MainWindow : public QMainWindow {
   void add_actions();
   void restore(const Launch& launch);
   void select_first(const Launch& launch);
+  void review_given(const Launch& launch);
   void remember();
 
   Settings settings_;
@@ -54,8 +60,8 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_ = nullptr;
   RunPage* run_ = nullptr;
   ProgressPage* progress_ = nullptr;
-  QPushButton* theme_ = nullptr;
-  QComboBox* cues_ = nullptr;
+  ReviewPage* review_ = nullptr;
+  QComboBox *theme_ = nullptr, *cues_ = nullptr;
   QList<QPushButton*> page_buttons_;
 };
 

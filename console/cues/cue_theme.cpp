@@ -8,6 +8,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "console/cues/tones.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -28,6 +30,21 @@ QPainterPath sign_path(QChar sign, const QRectF& r) {
       path.moveTo(r.left(), r.center().y());
       path.lineTo(r.right(), r.center().y());
       break;
+    case 'x':
+      path.moveTo(r.topLeft());
+      path.lineTo(r.bottomRight());
+      path.moveTo(r.topRight());
+      path.lineTo(r.bottomLeft());
+      break;
+    case '-':
+      path.moveTo(r.left(), r.center().y());
+      path.lineTo(r.right(), r.center().y());
+      break;
+    case '~':
+      path.moveTo(r.left(), r.center().y());
+      path.cubicTo(r.left() + r.width() / 3, r.top(), r.right() - r.width() / 3, r.bottom(), r.right(),
+                   r.center().y());
+      break;
     case '*':
       path.moveTo(r.left(), r.center().y());
       path.lineTo(r.left() + 0.38 * r.width(), r.bottom());
@@ -47,6 +64,20 @@ QPainterPath sign_path(QChar sign, const QRectF& r) {
                                  {r.center().x(), r.top()}}));
   }
   return path;
+}
+
+// what a device may be asked for at all: more than half a newton on top of the scene would move the hand
+constexpr double kMostPeak_N = 0.5, kMostFrequency_Hz = 300, kMostLength_s = 0.2;
+constexpr int kMostPulses = 8;
+
+// false when a number is missing or out of range
+bool read_force(const QJsonObject& json, CueForce& out) {
+  if (json.isEmpty()) return true;
+  out = {json[QStringLiteral("pulses")].toInt(), json[QStringLiteral("frequency_hz")].toDouble(),
+         json[QStringLiteral("peak_n")].toDouble(), json[QStringLiteral("length_s")].toDouble()};
+  const auto within = [](double value, double most) { return value > 0 && value <= most; };
+  return within(out.pulses, kMostPulses) && within(out.frequency_Hz, kMostFrequency_Hz) &&
+         within(out.peak_N, kMostPeak_N) && within(out.length_s, kMostLength_s);
 }
 
 }  // namespace
@@ -94,12 +125,26 @@ CueTheme CueTheme::load(const QString& path, QString* error) {
   for (const QJsonValue value : root[QStringLiteral("cues")].toArray()) {
     const QJsonObject cue = value.toObject();
     const QString meaning = cue[QStringLiteral("meaning")].toString();
-    const CueStyle style{QColor(cue[QStringLiteral("colour")].toString()),
-                         cue[QStringLiteral("shape")].toString(), cue[QStringLiteral("text")].toString(),
-                         cue[QStringLiteral("sound")].toString()};
+    CueStyle style{QColor(cue[QStringLiteral("colour")].toString()),
+                   cue[QStringLiteral("shape")].toString(),
+                   cue[QStringLiteral("text")].toString(),
+                   cue[QStringLiteral("sound")].toString(),
+                   {}};
     if (meaning.isEmpty() || !style.colour.isValid() || style.shape.isEmpty() || style.text.isEmpty()) {
       return fail(QStringLiteral("cue \"%1\" needs meaning, colour, shape and text").arg(meaning));
     }
+    if (!style.sound.isEmpty() && tone(style.sound).empty())
+      return fail(QStringLiteral("cue \"%1\": no sound is called \"%2\"; there are: %3")
+                      .arg(meaning, style.sound, tone_names().join(QStringLiteral("; "))));
+    if (!read_force(cue[QStringLiteral("force")].toObject(), style.force))
+      return fail(
+          QStringLiteral("cue \"%1\": force needs pulses (1 to %2), frequency_hz (to %3), peak_n (to %4) and "
+                         "length_s (to %5)")
+              .arg(meaning)
+              .arg(kMostPulses)
+              .arg(kMostFrequency_Hz)
+              .arg(kMostPeak_N)
+              .arg(kMostLength_s));
     theme.order_.append(meaning);
     theme.styles_.insert(meaning, style);
   }
@@ -116,7 +161,7 @@ CueStyle CueTheme::style(const QString& meaning) const {
   if (const auto it = styles_.find(meaning); it != styles_.end()) return *it;
   QString words = meaning;
   words.replace(QLatin1Char('.'), QLatin1Char(' ')).replace(QLatin1Char('_'), QLatin1Char(' '));
-  return {QColor(0x9a, 0xa4, 0xae), QStringLiteral("d"), words, {}};
+  return {QColor(0x9a, 0xa4, 0xae), QStringLiteral("d"), words, {}, {}};
 }
 
 }  // namespace swage::console

@@ -14,12 +14,19 @@ class QPointF;
 
 namespace swage::console {
 
+/// What a hand is to feel: a few short pulses on top of the scene's force. Mapped here, played by devices that have forces
+/// through the session's guard.
+struct CueForce {
+  int pulses = 0;                                     // 0: nothing
+  double frequency_Hz = 0, peak_N = 0, length_s = 0;  // of one pulse; the pause between two is as long
+};
+
 /// The look of one meaning. `shape` is a row of signs: O o filled and hollow circle, V v triangle, D d
-/// diamond,
-/// + cross, * tick, ! warning.
+/// diamond, + x crosses, * tick, ! warning, ~ bend, - dash. `sound` is a name of tones.hpp or "".
 struct CueStyle {
   QColor colour;
   QString shape, text, sound;
+  CueForce force;
 };
 
 class CueTheme {

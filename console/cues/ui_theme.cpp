@@ -20,6 +20,7 @@ UiTheme UiTheme::load(const QString& path, QString* error) {
       *error = QStringLiteral("%1: not a window theme: \"format\" must be \"swage-ui-theme/1\"").arg(path);
     return theme;
   }
+  theme.title_ = root[QStringLiteral("title")].toString();
   theme.id_ = root[QStringLiteral("id")].toString();
   const QJsonObject colours = root[QStringLiteral("colours")].toObject();
   for (auto it = colours.begin(); it != colours.end(); ++it) {
@@ -28,7 +29,9 @@ UiTheme UiTheme::load(const QString& path, QString* error) {
   return theme;
 }
 
-QStringList UiTheme::names() { return {QStringLiteral("light"), QStringLiteral("dark")}; }
+QStringList UiTheme::names() {
+  return {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
+}
 
 UiTheme UiTheme::stock(const QString& name) {
   return load(QStringLiteral(":/themes/ui_%1.json").arg(names().contains(name) ? name : names().first()));

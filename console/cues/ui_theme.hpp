@@ -14,9 +14,10 @@ namespace swage::console {
 class UiTheme {
  public:
   static UiTheme load(const QString& path, QString* error = nullptr);
-  static QStringList names();  // "light", "dark"
+  static QStringList names();  // "light", "dark", "contrast"
   static UiTheme stock(const QString& name);
   const QString& id() const { return id_; }
+  const QString& title() const { return title_; }  // for people
   /// Roles are the keys of the file; an unknown role is magenta, so that it is seen.
   QColor colour(const QString& role) const { return colours_.value(role, Qt::magenta); }
   QColor operator[](const char* role) const { return colour(QString::fromLatin1(role)); }
@@ -24,7 +25,7 @@ class UiTheme {
   QString style_sheet() const;
 
  private:
-  QString id_;
+  QString id_, title_;
   QHash<QString, QColor> colours_;
 };
 

@@ -83,6 +83,13 @@ void RunControl::pointer(const swage_pointer& input) {
   if (state_ == State::kRunning) session_->pointer(input);
 }
 
+QString RunControl::change(const std::string& instance, const std::string& json) {
+  if (!running()) return tr("Nothing runs.");
+  base::Problems problems;
+  if (session_->change(instance, json, problems)) return {};
+  return problems.empty() ? tr("It was refused.") : QString::fromStdString(problems.front().message);
+}
+
 void RunControl::poll() {
   if (!session_) return;
   const bool over = session_->finished();
@@ -94,6 +101,7 @@ void RunControl::poll() {
 
 void RunControl::finish() {
   timer_.stop();
+  session_->wait();  // it has finished: this takes it down, and only then its result is complete
   // what happened last must be seen too
   if (session_->latest(*latest_)) source_.push(*latest_, wall_s());
   for (judge::Event event; session_->next_event(event);) Q_EMIT happened(event);

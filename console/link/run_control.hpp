@@ -51,6 +51,8 @@ class RunControl : public QObject {
 
  public:
   void pointer(const swage_pointer& input);
+  /// New value of a live parameter; "" when it was taken over, else why not, as a sentence.
+  QString change(const std::string& instance, const std::string& json);
 
  Q_SIGNALS:
   void state_changed();

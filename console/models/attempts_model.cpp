@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/review.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -22,26 +23,6 @@ QString verdict(const record::AttemptRow& a) {
                        : a.outcome == "failed" ? QStringLiteral("✗ ")
                                                : QString();
   return sign + verdict_text(qt(a.outcome));
-}
-
-// what is known of the metrics that the stock lessons use; of others no direction is claimed
-int better_direction(const QString& id) {
-  static const QStringList lower = {kTimeId,
-                                    QStringLiteral("tries"),
-                                    QStringLiteral("drops"),
-                                    QStringLiteral("error"),
-                                    QStringLiteral("over_force"),
-                                    QStringLiteral("peak_force"),
-                                    QStringLiteral("tilt"),
-                                    QStringLiteral("path"),
-                                    QStringLiteral("regrasps"),
-                                    QStringLiteral("balance"),
-                                    QStringLiteral("slip")};
-  static const QStringList higher = {kScoreId, QStringLiteral("in_zone"), QStringLiteral("success")};
-  const auto names = [&](const QStringList& words) {
-    return std::any_of(words.begin(), words.end(), [&](const QString& w) { return id.contains(w); });
-  };
-  return names(higher) ? 1 : names(lower) ? -1 : 0;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <QAbstractTableModel>
 #include <QVector>
+#include <optional>
 
 #include "record/store.hpp"
 
@@ -36,7 +37,8 @@ struct MetricPoint {
 };
 struct MetricSeries {
   QString id, name, unit;
-  int better = 0;  // -1 lower, +1 higher, 0 not known
+  int better = 0;                // -1 lower, +1 higher, 0 not known
+  std::optional<double> target;  // what the lesson asks for, as shown
   QVector<MetricPoint> points;
 };
 

@@ -2,6 +2,7 @@
 #include "console/models/event_log.hpp"
 
 #include "console/models/words.hpp"
+#include "judge/host_events.hpp"
 
 namespace swage::console {
 namespace {
@@ -11,6 +12,11 @@ QString meaning(const std::string& doc) {
   const QString text = QString::fromStdString(doc);
   const qsizetype value = text.indexOf(QStringLiteral("; value:"));
   return value < 0 ? text : text.left(value) + QLatin1Char('.');
+}
+
+// how the machine did, not how the trainee did
+bool is_technical(const judge::Name& event) {
+  return event.owner == judge::kHostOwner && event.id == "host.gap";
 }
 
 }  // namespace
@@ -32,10 +38,10 @@ void EventLog::add(const judge::Event& event, const judge::Script& script, doubl
   if (event.event >= script.events.size()) return;
   const judge::Name& name = script.events[event.event];
   append({static_cast<double>(event.step) * dt, human_id(QString::fromStdString(name.id)), meaning(name.doc),
-          false});
+          false, is_technical(name)});
 }
 
-void EventLog::note(double time_s, const QString& what) { append({time_s, what, {}, true}); }
+void EventLog::note(double time_s, const QString& what) { append({time_s, what, {}, true, false}); }
 
 int EventLog::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
@@ -75,6 +81,21 @@ QVariant EventLog::headerData(int section, Qt::Orientation orientation, int role
     default:
       return {};
   }
+}
+
+EventFilter::EventFilter(EventLog* log, QObject* parent) : QSortFilterProxyModel(parent), log_(log) {
+  setSourceModel(log);
+}
+
+void EventFilter::show_technical(bool on) {
+  technical_ = on;
+  invalidateFilter();
+}
+
+int EventFilter::hidden() const { return log_->rowCount() - rowCount(); }
+
+bool EventFilter::filterAcceptsRow(int row, const QModelIndex&) const {
+  return technical_ || !log_->at(row).technical;
 }
 
 }  // namespace swage::console

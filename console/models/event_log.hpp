@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
 #include <QVector>
 
 #include "judge/verdict.hpp"
@@ -17,6 +18,7 @@ class EventLog : public QAbstractTableModel {
     double time_s = 0;
     QString what, means;
     bool by_person = false;  // a mark, a pause: not from the scene
+    bool technical = false;  // about the machine: for the instructor's detail only
   };
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -33,6 +35,22 @@ class EventLog : public QAbstractTableModel {
  private:
   void append(const Row& row);
   QVector<Row> rows_;
+};
+
+/// What the trainee reads of it: without lost deadlines and other matters of the machine, unless they are asked for.
+class EventFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  explicit EventFilter(EventLog* log, QObject* parent = nullptr);
+  void show_technical(bool on);
+  int hidden() const;  // rows
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  EventLog* log_;
+  bool technical_ = false;
 };
 
 }  // namespace swage::console

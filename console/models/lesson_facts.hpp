@@ -17,4 +17,8 @@ struct ForceBand {
 /// plugin or the parameter is not there.
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue);
 
+/// What the lesson asks of a metric, SI: at most so much force, time, drops. Nothing where it does not say.
+std::optional<double> metric_target(const std::string& lesson_path, const std::string& metric_id,
+                                    const host::Catalogue& catalogue);
+
 }  // namespace swage::console

@@ -49,6 +49,14 @@ Reader::Reader(const snapshot::SceneCard& card) {
   }
 }
 
+QStringList Reader::meanings(const snapshot::SceneCard& card) {
+  QStringList out;
+  for (const judge::Name& cue : card.script.cues) out += QString::fromStdString(cue.id);
+  for (const judge::Script::Mark& mark : card.script.marks) out += QString::fromStdString(mark.meaning);
+  out.removeDuplicates();
+  return out;
+}
+
 Reading Reader::read(const snapshot::Snapshot& s) const {
   Reading r;
   const auto signal = [&](int i) {
@@ -64,11 +72,17 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
     const uint32_t cue = s.object_cue[o];
     if (cue >= static_cast<uint32_t>(cues_.size())) continue;
     const QString& meaning = cues_[static_cast<int>(cue)];
+    r.meanings += meaning;
     if (meaning == QLatin1String("grasp.wrong")) r.spot = false, r.tips = false;
     if (meaning == QLatin1String("grasp.tips_only")) r.spot = false, r.tips = true;
     if (meaning == QLatin1String("grasp.point_only")) r.spot = true, r.tips = false;
     if (meaning == QLatin1String("grasp.good")) r.spot = true, r.tips = true;
   }
+  for (uint32_t m = 0; m < s.n_mark; ++m) {
+    if (s.mark_cue[m] < static_cast<uint32_t>(cues_.size()))
+      r.meanings += cues_[static_cast<int>(s.mark_cue[m])];
+  }
+  r.meanings.removeDuplicates();
   if (s.phase < static_cast<uint32_t>(phases_.size())) r.phase = phases_[static_cast<int>(s.phase)];
   if (hold_ >= 0 && static_cast<uint32_t>(hold_) < s.n_metric) r.hold = s.metric[hold_];
   for (const Counter& c : counters_) {

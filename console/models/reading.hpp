@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QVector>
 #include <optional>
 
@@ -20,6 +21,7 @@ struct Reading {
   std::optional<double> hold;      // share of the hold that is done, 0..1
   std::optional<bool> spot, tips;  // of the current grasp
   QString phase;                   // in words
+  QStringList meanings;            // all cues now shown, of objects and of marks
   struct Count {
     QString name, value;
   };
@@ -33,6 +35,8 @@ class Reader {
   explicit Reader(const snapshot::SceneCard& card);
   Reading read(const snapshot::Snapshot& snapshot) const;
   bool has_force() const { return force_ >= 0; }
+  /// What this scene's cues and marks can mean, each once, in the order in which the lesson declares them.
+  static QStringList meanings(const snapshot::SceneCard& card);
   bool has_tilt() const { return !tilt_.isEmpty(); }
 
  private:

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/now_panel.hpp"
 
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QStackedWidget>
 #include <cmath>
 
 #include "console/models/words.hpp"
@@ -47,13 +50,48 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   now.body->addLayout(counts_);
   column->addWidget(now.frame);
 
-  Card plots = make_card({}, this);
-  force_plot_ = new TracePlot(tr("Jaw force"), QStringLiteral("N"), plots.frame);
-  tilt_plot_ = new TracePlot(tr("Tilt"), QStringLiteral("°"), plots.frame);
+  column->addWidget(make_lower(), 1);
+}
+
+// the last ten seconds, or what may be adjusted
+QWidget* NowPanel::make_lower() {
+  Card card = make_card({}, this);
+  auto* tabs = new QHBoxLayout;
+  tabs->setSpacing(4);
+  auto* pages = new QStackedWidget(card.frame);
+  const QStringList names = {tr("Plots"), tr("Adjust")};
+  for (int i = 0; i < names.size(); ++i) {
+    auto* tab = make_button(names[i], {}, QStringLiteral("lower_%1").arg(i), card.frame);
+    tab->setProperty("page", true);
+    tab->setCheckable(true);
+    tab->setAutoExclusive(true);
+    tab->setChecked(i == 0);
+    tab->setToolTip(i == 0 ? tr("Force and tilt of the last ten seconds")
+                           : tr("What may be changed while the lesson runs"));
+    connect(tab, &QPushButton::clicked, pages, [pages, i] { pages->setCurrentIndex(i); });
+    tabs->addWidget(tab);
+  }
+  tabs->addStretch(1);
+  card.body->addLayout(tabs);
+
+  auto* plots = new QWidget(pages);
+  auto* column = new QVBoxLayout(plots);
+  column->setContentsMargins(0, 0, 0, 0);
+  force_plot_ = new TracePlot(tr("Jaw force"), QStringLiteral("N"), plots);
+  tilt_plot_ = new TracePlot(tr("Tilt"), QStringLiteral("°"), plots);
   tilt_plot_->set_range(0, kTiltAxis_deg);
-  plots.body->addWidget(force_plot_);
-  plots.body->addWidget(tilt_plot_);
-  column->addWidget(plots.frame, 1);
+  column->addWidget(force_plot_);
+  column->addWidget(tilt_plot_);
+  pages->addWidget(plots);
+
+  auto* scroll = new QScrollArea(pages);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  form_ = new LiveForm(scroll);
+  scroll->setWidget(form_);
+  pages->addWidget(scroll);
+  card.body->addWidget(pages, 1);
+  return card.frame;
 }
 
 void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {

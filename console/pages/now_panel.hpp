@@ -11,6 +11,7 @@
 #include "console/models/lesson_facts.hpp"
 #include "console/models/reading.hpp"
 #include "console/widgets/force_meter.hpp"
+#include "console/widgets/live_form.hpp"
 #include "console/widgets/trace_plot.hpp"
 
 namespace swage::console {
@@ -25,8 +26,10 @@ class NowPanel : public QWidget {
   void set_scene(const Reader& reader, const ForceBand& band, const QString& task);
   void show_reading(const Reading& reading, double time_s);
   ForceMeter* meter() { return meter_; }
+  LiveForm* form() { return form_; }
 
  private:
+  QWidget* make_lower();
   void show_fact(CueBadge* badge, QLabel* text, std::optional<bool> fact, QChar filled, const QString& yes,
                  const QString& no);
   CueTheme cues_;
@@ -36,6 +39,7 @@ class NowPanel : public QWidget {
   QGridLayout* counts_;
   QVector<QLabel*> count_names_, count_values_;
   TracePlot *force_plot_, *tilt_plot_;
+  LiveForm* form_;
 };
 
 }  // namespace swage::console

@@ -106,7 +106,17 @@ QWidget* ProgressPage::make_person() {
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(AttemptsModel::kReason, QHeaderView::Stretch);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setToolTip(tr("Enter or a double click opens the attempt"));
   list.body->addWidget(table_, 1);
+  review_ =
+      make_button(tr("Review this attempt"), QStringLiteral("Enter"), QStringLiteral("review"), list.frame);
+  review_->setEnabled(false);
+  list.body->addWidget(review_, 0, Qt::AlignRight);
+  connect(review_, &QPushButton::clicked, this, &ProgressPage::review_current);
+  connect(table_, &QTableView::activated, this, &ProgressPage::review_current);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { review_->setEnabled(table_->selectionModel()->hasSelection()); });
   column->addWidget(list.frame, 2);
   return box;
 }
@@ -126,6 +136,21 @@ QWidget* ProgressPage::make_empty() {
   column->addWidget(go, 0, Qt::AlignHCenter);
   column->addStretch(3);
   return box;
+}
+
+void ProgressPage::review_current() {
+  const QModelIndexList rows = table_->selectionModel()->selectedRows();
+  if (!rows.isEmpty()) Q_EMIT review(rows.first().data(AttemptsModel::kId).toString());
+}
+
+// one line for one lesson; attempts of several have several
+std::optional<double> ProgressPage::target() const {
+  if (!targets_ || attempts_->attempts().isEmpty()) return {};
+  const std::string& lesson = attempts_->attempts().first().lesson_id;
+  for (const record::AttemptRow& a : attempts_->attempts()) {
+    if (a.lesson_id != lesson) return {};
+  }
+  return targets_(QString::fromStdString(lesson), metric_->currentData().toString());
 }
 
 void ProgressPage::set_theme(const UiTheme& theme) { chart_->set_theme(theme); }
@@ -196,6 +221,7 @@ void ProgressPage::show_attempts() {
     met += a.outcome == "passed" && !a.is_void;
   }
   attempts_->set_attempts(shown);
+  review_->setEnabled(false);
   summary_->setText(tr("%1 attempts, %2 met").arg(shown.size()).arg(met));
   const QString before = metric_->currentData().toString();
   const QSignalBlocker quiet(metric_);
@@ -206,7 +232,8 @@ void ProgressPage::show_attempts() {
 }
 
 void ProgressPage::show_metric() {
-  const MetricSeries series = metric_series(attempts_->attempts(), metric_->currentData().toString());
+  MetricSeries series = metric_series(attempts_->attempts(), metric_->currentData().toString());
+  series.target = target();
   chart_->set_series(series);
   const auto n = static_cast<int>(series.points.size());
   curve_->setText(n >= kCurve

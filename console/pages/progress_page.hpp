@@ -6,12 +6,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QListView>
+#include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "console/models/attempts_model.hpp"
 #include "console/models/people_model.hpp"
@@ -30,6 +32,12 @@ class ProgressPage : public QWidget {
   PeopleModel* people() { return people_; }
   AttemptsModel* attempts() { return attempts_; }
   MetricChart* chart() { return chart_; }
+  /// nullptr before the first refresh() and where nothing is kept.
+  record::Store* store() { return store_.get(); }
+  /// What a lesson asks of a metric, as shown, if it says; for the line in the chart.
+  using TargetFinder =
+      std::function<std::optional<double>(const QString& lesson_id, const QString& metric_id)>;
+  void set_targets(TargetFinder finder) { targets_ = std::move(finder); }
 
  public Q_SLOTS:
   /// Reads the store again; keeps the person and the lesson when they are still there.
@@ -38,6 +46,7 @@ class ProgressPage : public QWidget {
 
  Q_SIGNALS:
   void run_lesson();
+  void review(const QString& attempt_id);
   /// Attempts of a program that ended unexpectedly were brought to an end.
   void recovered(int attempts);
 
@@ -49,8 +58,11 @@ class ProgressPage : public QWidget {
   void show_person();
   void show_attempts();
   void show_metric();
+  void review_current();
+  std::optional<double> target() const;
 
   StoreOpener opener_;
+  TargetFinder targets_;
   std::unique_ptr<record::Store> store_;
   PeopleModel* people_;
   AttemptsModel* attempts_;
@@ -63,6 +75,7 @@ class ProgressPage : public QWidget {
   QTableView* table_ = nullptr;
   MetricChart* chart_ = nullptr;
   QLabel* curve_ = nullptr;
+  QPushButton* review_ = nullptr;
 };
 
 }  // namespace swage::console

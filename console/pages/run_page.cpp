@@ -3,9 +3,10 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QScrollBar>
 #include <QVBoxLayout>
+#include <cmath>
 
+#include "console/models/live_params.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -18,6 +19,8 @@ constexpr int kPreviewDelay_ms =
 // the thesis: 0.6 N holds a needle well
 constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
+constexpr int kBottom_px = 140;  // five events, or eight cues in two columns
+
 }  // namespace
 
 RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip, QWidget* parent)
@@ -25,7 +28,8 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
       control_(new RunControl(std::move(opener), this)),
       strip_(strip),
       setup_(new SetupPanel(lessons, this)),
-      events_(new EventLog(this)) {
+      events_(new EventLog(this)),
+      shown_events_(new EventFilter(events_, this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 10, 12, 6);
   row->setSpacing(12);
@@ -51,6 +55,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
           [this](const judge::Event& e) { events_->add(e, control_->card().script, control_->card().dt); });
   connect(control_, &RunControl::marked, this,
           [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
+  connect(now_->form(), &LiveForm::changed, this, &RunPage::change);
   connect(view_, &SceneView::pointer, control_, &RunControl::pointer);
   connect(result_, &ResultPanel::again, this, &RunPage::start);
   connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
@@ -74,11 +79,21 @@ QWidget* RunPage::make_middle() {
   column->addWidget(view_, 1);
   column->addWidget(make_actions());
 
+  column->addWidget(make_bottom());
+  return box;
+}
+
+// what happened, and what the cues mean
+QWidget* RunPage::make_bottom() {
+  auto* box = new QWidget(this);
+  box->setFixedHeight(kBottom_px);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
   event_table_ = new QTableView(box);
   event_table_->setObjectName(QStringLiteral("events"));
   event_table_->setAccessibleName(tr("What happened in this attempt"));
-  event_table_->setModel(events_);
-  event_table_->setFixedHeight(126);
+  event_table_->setModel(shown_events_);
   event_table_->setProperty("card", true);
   event_table_->setShowGrid(false);
   event_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -87,11 +102,13 @@ QWidget* RunPage::make_middle() {
   event_table_->verticalHeader()->hide();
   event_table_->verticalHeader()->setDefaultSectionSize(24);
   event_table_->horizontalHeader()->setSectionResizeMode(EventLog::kMeans, QHeaderView::Stretch);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 190);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 190);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kTime, 62);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 150);
   event_table_->horizontalHeader()->setHighlightSections(false);
-  connect(events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
-  column->addWidget(event_table_);
+  connect(shown_events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
+  row->addWidget(event_table_, 5);
+  legend_ = new CueLegend(box);
+  row->addWidget(legend_, 5);
   return box;
 }
 
@@ -130,7 +147,59 @@ QWidget* RunPage::make_view_bar() {
   forces->setToolTip(tr("Show contact forces in the picture"));
   connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
   row->addWidget(forces);
+  auto* detail = make_button(tr("Detail"), {}, QStringLiteral("detail"), bar);
+  detail->setCheckable(true);
+  detail->setToolTip(
+      tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"));
+  connect(detail, &QPushButton::toggled, this, [this](bool on) {
+    shown_events_->show_technical(on);
+    view_->set_stress_shown(on);
+  });
+  row->addWidget(detail);
+  row->addSpacing(10);
+  row->addWidget(make_sound(bar));
   return bar;
+}
+
+QWidget* RunPage::make_sound(QWidget* bar) {
+  auto* box = new QWidget(bar);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  sound_button_ = make_button(tr("Sound"), {}, QStringLiteral("sound"), box);
+  sound_button_->setCheckable(true);
+  sound_button_->setChecked(true);
+  sound_button_->setToolTip(tr("Let the cues be heard"));
+  volume_ = new QSlider(Qt::Horizontal, box);
+  volume_->setObjectName(QStringLiteral("volume"));
+  volume_->setAccessibleName(tr("Volume"));
+  volume_->setToolTip(tr("Volume of the cues"));
+  volume_->setRange(0, 100);
+  volume_->setFixedWidth(80);
+  volume_->setValue(static_cast<int>(100 * speaker_.volume()));
+  connect(sound_button_, &QPushButton::toggled, volume_, &QSlider::setEnabled);
+  connect(volume_, &QSlider::valueChanged, this, [this](int v) { speaker_.set_volume(v / 100.0); });
+  // what it will sound like
+  connect(volume_, &QSlider::sliderReleased, this,
+          [this] { speaker_.play(tone(QStringLiteral("high, two knocks"))); });
+  row->addWidget(sound_button_);
+  row->addWidget(volume_);
+  return box;
+}
+
+void RunPage::set_sound(bool on, double volume) {
+  sound_button_->setChecked(on);
+  volume_->setValue(static_cast<int>(std::lround(100 * volume)));
+}
+
+// a test is taken without help, so it is silent
+void RunPage::sound(const Reading& reading, double time_s) {
+  const bool heard = sound_button_->isChecked() && cues_button_->isChecked() && !cues_hidden();
+  for (const QString& name : sounds_.hear(reading.meanings, time_s, cue_theme_)) {
+    if (heard) speaker_.play(tone(name));
+  }
+  const QString silent = speaker_.why_silent();
+  if (!silent.isEmpty())
+    sound_button_->setToolTip(tr("No sound device answers (%1). Cues are seen, not heard.").arg(silent));
 }
 
 QWidget* RunPage::make_actions() {
@@ -163,6 +232,8 @@ void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
   view_->set_themes(ui, cues);
   now_->set_themes(ui, cues);
   result_->set_theme(ui);
+  legend_->set_themes(ui, cues);
+  cue_theme_ = cues;
 }
 
 void RunPage::set_base_options(const session::Options& options) {
@@ -171,6 +242,11 @@ void RunPage::set_base_options(const session::Options& options) {
   where.plugin_dirs = options.plugin_dirs;
   where.safe_mode = options.safe_mode;
   catalogue_ = host::Catalogue(where);
+}
+
+std::optional<double> RunPage::metric_target(const QString& lesson_path, const QString& metric_id) const {
+  // what is asked for comes in N, s and counts, which are shown as they are
+  return console::metric_target(lesson_path.toStdString(), metric_id.toStdString(), catalogue_);
 }
 
 void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
@@ -195,6 +271,7 @@ void RunPage::start() {
   if (control_->running() || setup_->lesson().isEmpty()) return;
   preview_timer_.stop();
   events_->clear();
+  sounds_.reset();
   problem_->hide();
   if (control_->start(options())) view_->setFocus();
 }
@@ -214,7 +291,15 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   reader_ = Reader(card);
   const std::optional<ForceBand> band = force_band(setup_->lesson().toStdString(), catalogue_);
   now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
+  legend_->set_meanings(Reader::meanings(card));
+  now_->form()->set_params(live_params(setup_->lesson().toStdString(), card, catalogue_));
   view_->set_card(card, preset_);
+}
+
+void RunPage::change(const QString& instance, const QString& json, const QString& words) {
+  const QString problem = control_->change(instance.toStdString(), json.toStdString());
+  now_->form()->answer(problem);
+  if (problem.isEmpty() && control_->newest()) events_->note(control_->newest()->time_s, words);
 }
 
 void RunPage::show_problems(const base::Problems& problems) {
@@ -229,6 +314,8 @@ void RunPage::update_state() {
   const State state = control_->state();
   const bool running = control_->running();
   setup_->set_running(running);
+  now_->form()->set_running(running);
+  if (!running) legend_->set_active({});
   for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
   pause_->setText(state == State::kPaused ? tr("Go on   F6") : tr("Pause   F6"));
   if (running) right_->setCurrentWidget(now_);
@@ -246,10 +333,11 @@ void RunPage::update_state() {
 }
 
 void RunPage::update_cues() {
-  // a test is taken without help
-  const bool test = setup_->mode() == QLatin1String("test");
-  cues_button_->setEnabled(!test);
-  view_->set_cues_shown(!test && cues_button_->isChecked());
+  // a test is taken without help: the picture shows none, the instructor's strip does
+  cues_button_->setEnabled(!cues_hidden());
+  const bool shown = !cues_hidden() && cues_button_->isChecked();
+  view_->set_cues_shown(shown);
+  legend_->set_in_picture(shown);
 }
 
 void RunPage::update_frame() {
@@ -261,6 +349,8 @@ void RunPage::update_frame() {
   if (control_->state() != RunControl::State::kRunning) return;
   const Reading reading = reader_.read(*newest);
   now_->show_reading(reading, newest->time_s);
+  legend_->set_active(reading.meanings);
+  sound(reading, newest->time_s);
   view_->set_hold(reading.hold.value_or(0));
   // once a second is often enough to read a number
   if (rate_clock_.elapsed() >= 1000) {

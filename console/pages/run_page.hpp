@@ -6,11 +6,13 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 #include <QStackedWidget>
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
 
+#include "console/cues/speaker.hpp"
 #include "console/link/run_control.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
@@ -20,6 +22,7 @@
 #include "console/pages/setup_panel.hpp"
 #include "console/pages/status_strip.hpp"
 #include "console/view3d/scene_view.hpp"
+#include "console/widgets/cue_legend.hpp"
 #include "host/catalogue.hpp"
 
 namespace swage::console {
@@ -37,10 +40,17 @@ class RunPage : public QWidget {
   /// Shown at the bottom until the next start.
   void set_notice(const QString& text);
   RunControl* control() { return control_; }
+  /// What a lesson asks of a metric, as shown.
+  std::optional<double> metric_target(const QString& lesson_path, const QString& metric_id) const;
   SetupPanel* setup() { return setup_; }
   SceneView* view() { return view_; }
   ResultPanel* result() { return result_; }
   EventLog* events() { return events_; }
+  CueLegend* legend() { return legend_; }
+  Speaker& speaker() { return speaker_; }
+  /// Loudness of the cues, 0 to 1, and whether they sound at all.
+  void set_sound(bool on, double volume);
+  bool sound_on() const { return sound_button_->isChecked(); }
 
  public Q_SLOTS:
   void start();
@@ -54,6 +64,11 @@ class RunPage : public QWidget {
   QWidget* make_view_bar();
   QWidget* make_actions();
   QWidget* make_right();
+  QWidget* make_bottom();
+  QWidget* make_sound(QWidget* bar);
+  void change(const QString& instance, const QString& json, const QString& words);
+  void sound(const Reading& reading, double time_s);
+  bool cues_hidden() const { return setup_->mode() == QLatin1String("test"); }
   session::Options options() const;
   void preview();
   void show_card(const snapshot::SceneCard& card);
@@ -77,7 +92,14 @@ class RunPage : public QWidget {
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;
   EventLog* events_;
+  EventFilter* shown_events_;
   QTableView* event_table_ = nullptr;
+  CueLegend* legend_ = nullptr;
+  QPushButton* sound_button_ = nullptr;
+  QSlider* volume_ = nullptr;
+  CueTheme cue_theme_;
+  CueSounds sounds_;
+  Speaker speaker_;
   Reader reader_;
   QTimer preview_timer_;
   QElapsedTimer rate_clock_;

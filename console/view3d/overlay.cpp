@@ -70,8 +70,8 @@ void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
   paint_cue_shape(p_, {r.left() + 8, r.center().y() - 0.5 * sign}, sign, style);
 }
 
-void Overlay::ring(const QPointF& at, double share) {
-  const QRectF r(at.x() - 17, at.y() - 17, 34, 34);
+void Overlay::ring(const QPointF& at, double share, double radius_px) {
+  const QRectF r(at.x() - radius_px, at.y() - radius_px, 2 * radius_px, 2 * radius_px);
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setBrush(Qt::NoBrush);
   p_.setPen(QPen(QColor(0, 0, 0, 90), 6));
@@ -89,6 +89,11 @@ void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style)
     p_.setPen(QPen(colour, width));
     p_.drawEllipse(at, r, r);
   }
+  const double sign = 18;
+  const QRectF label = pill(at + QPointF(0, r + 26), style.text, p_.font(), sign + 4);
+  CueStyle one = style;
+  one.shape = style.shape.left(1);
+  paint_cue_shape(p_, {label.left() + 8, label.center().y() - 0.5 * sign}, sign, one);
 }
 
 void Overlay::force(const QPointF& from, const QPointF& to) {
@@ -115,7 +120,7 @@ void Overlay::banner(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.5);
   font.setBold(true);
-  pill({area_.center().x(), area_.top() + 0.14 * area_.height()}, text, font);
+  pill({area_.center().x(), area_.bottom() - 46}, text, font);  // the cues stand above the grasp
 }
 
 void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }

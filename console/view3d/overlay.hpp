@@ -23,7 +23,8 @@ class Overlay {
   /// `slot` 0 above right of the place, 1 above left: two cues at one grasp do not cover each other.
   void cue(const QPointF& at, const CueStyle& style, int slot);
   /// A ring that fills clockwise while something is held.
-  void ring(const QPointF& at, double share);
+  void ring(const QPointF& at, double share, double radius_px = 17);
+  /// A place to go to: its circle, its sign and its word.
   void target(const QPointF& at, double radius_px, const CueStyle& style);
   void force(const QPointF& from, const QPointF& to);
   void clock(const QString& text);

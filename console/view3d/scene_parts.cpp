@@ -20,16 +20,38 @@ bool has_trait(const snapshot::CardObject& object, const char* trait) {
                      [&](const std::string& t) { return t.find(trait) != std::string::npos; });
 }
 
-void add_bounds(const Mesh& mesh, const swage_pose& X_WB, Bounds& bounds) {
+void add_bounds(const snapshot::SceneCard& card, const ScenePart& part, Bounds& bounds) {
+  const swage_pose X_WB = part.chain >= 0 ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : card.start[part.body];
   const QQuaternion q = to_qt(X_WB.q);
   const QVector3D p = to_mm(X_WB.p);
-  for (const Vertex& v : mesh.vertex) bounds.add(p + q.rotatedVector({v.p[0], v.p[1], v.p[2]}));
+  for (const Vertex& v : part.mesh.vertex) bounds.add(p + q.rotatedVector({v.p[0], v.p[1], v.p[2]}));
 }
 
-// one part per body, as all shapes of a body move together
+int chain_of(const SceneParts& parts, uint32_t object) {
+  for (size_t i = 0; i < parts.chains.size(); ++i) {
+    if (parts.chains[i].object == object) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void add_chain(const snapshot::SceneCard& card, int chain, const ScenePart& like, SceneParts& parts) {
+  ScenePart part = like;
+  part.chain = chain;
+  part.wire = true;
+  part.mesh = chain_mesh(parts, part, card.start);
+  parts.part.push_back(std::move(part));
+}
+
+// one part per body, as all shapes of a body move together; a wire of several bodies is one part
 void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
   std::vector<int> part_of_body(card.start.size(), -1);
+  parts.chains = find_chains(card);
+  for (int i = 0; i < static_cast<int>(parts.chains.size()); ++i) {
+    const uint32_t object = parts.chains[static_cast<size_t>(i)].object;
+    add_chain(card, i, {role_of(card, object), card.objects[object].first_body, object, 0, true, {}}, parts);
+  }
   for (const snapshot::CardShape& shape : card.shapes) {
+    if (shape.kind == SWAGE_SHAPE_ARC && chain_of(parts, shape.object) >= 0) continue;
     if (!(shape.flags & SWAGE_SHAPE_DRAWN) || shape.body >= card.start.size()) continue;
     int& at = part_of_body[shape.body];
     if (at < 0) {
@@ -46,6 +68,13 @@ void add_marks(const snapshot::SceneCard& card, SceneParts& parts) {
   for (uint32_t m = 0; m < card.script.marks.size(); ++m) {
     const swage_mark& mark = card.script.marks[m].mark;
     if (mark.kind != SWAGE_MARK_ARC_RANGE) continue;
+    if (const int chain = chain_of(parts, mark.object); chain >= 0) {
+      ScenePart like{Role::kMark, 0, mark.object, m, true, {}};
+      like.from = mark.number[0];
+      like.to = mark.number[1];
+      add_chain(card, chain, like, parts);
+      continue;
+    }
     for (const snapshot::CardShape& shape : card.shapes) {
       const bool wire = shape.kind == SWAGE_SHAPE_ARC || shape.kind == SWAGE_SHAPE_CAPSULE ||
                         shape.kind == SWAGE_SHAPE_CYLINDER;
@@ -117,6 +146,10 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
     for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
     parts.watched = static_cast<int>(p.body);
     parts.watched_middle = own.centre();
+    if (p.chain >= 0) {
+      const swage_pose& X = card.start[p.body];
+      parts.watched_middle = to_qt(X.q).conjugated().rotatedVector(own.centre() - to_mm(X.p));
+    }
     if (marked) return;
   }
   if (works != 1) parts.watched = -1;
@@ -152,6 +185,17 @@ QQuaternion to_qt(const swage_quat& q) {
   return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
 }
 
+Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const swage_pose> X_WB) {
+  const WireChain& chain = parts.chains[static_cast<size_t>(part.chain)];
+  std::vector<double> line = chain.centre_line(X_WB);
+  const bool sleeve = part.role == Role::kMark;
+  if (sleeve) line = part_of_line(line, part.from, part.to);
+  Mesh mesh;
+  append_thread(line.data(), static_cast<uint32_t>(line.size() / 3), chain.radius * (sleeve ? kSleeve : 1),
+                mesh);
+  return mesh;
+}
+
 SceneParts make_parts(const snapshot::SceneCard& card) {
   SceneParts parts;
   add_bodies(card, parts);
@@ -159,9 +203,8 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   // frame what is marked, else what is worked on, else whatever there is
   Bounds marked, work, tools, rest;
   for (const ScenePart& p : parts.part) {
-    const swage_pose& X = card.start[p.body];
-    if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(p.mesh, X, marked);
-    add_bounds(p.mesh, X, p.role == Role::kWork ? work : p.role == Role::kTool ? tools : rest);
+    if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(card, p, marked);
+    add_bounds(card, p, p.role == Role::kWork ? work : p.role == Role::kTool ? tools : rest);
   }
   for (const Bounds& b : {marked, work, rest, tools}) {
     if (parts.work.empty() && !b.empty()) parts.work = b;

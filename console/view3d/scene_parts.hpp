@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "console/view3d/mesh.hpp"
+#include "console/view3d/wire_chain.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace swage::console {
@@ -18,11 +19,13 @@ enum class Role { kTool, kWork, kStage, kOther, kMark };
 /// Triangles that move together.
 struct ScenePart {
   Role role = Role::kOther;
-  uint32_t body = 0;    // its pose moves the part
-  uint32_t object = 0;  // whose cue colours it
-  uint32_t mark = 0;    // kMark: which
-  bool wire = false;    // has a bent wire: steel
-  Mesh mesh;
+  uint32_t body = 0;        // its pose moves the part
+  uint32_t object = 0;      // whose cue colours it
+  uint32_t mark = 0;        // kMark: which
+  bool wire = false;        // has a bent wire: steel
+  Mesh mesh;                // in the body's frame; of a chain in the world, as it stands at the start
+  int chain = -1;           // >= 0: of SceneParts::chains, made anew for each picture
+  double from = 0, to = 1;  // which part of the chain
 };
 
 /// A sphere that holds something, mm.
@@ -45,6 +48,7 @@ struct Ground {
 
 struct SceneParts {
   std::vector<ScenePart> part;
+  std::vector<WireChain> chains;
   Bounds work;   // what is worked on, at the start
   Bounds focus;  // that, and the point of the tool near it
   Ground ground;
@@ -54,6 +58,9 @@ struct SceneParts {
 };
 
 SceneParts make_parts(const snapshot::SceneCard& card);
+
+/// Triangles of a chain's part for these poses, world, mm.
+Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const swage_pose> X_WB);
 
 /// Role of an object by its traits and by how its bodies move.
 Role role_of(const snapshot::SceneCard& card, uint32_t object);

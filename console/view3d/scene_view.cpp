@@ -3,11 +3,10 @@
 
 #include <swage/abi/lesson.h>
 
-#include <QLinearGradient>
-#include <QPainter>
 #include <QPointer>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "console/view3d/overlay.hpp"
 
@@ -16,10 +15,32 @@ namespace {
 
 constexpr int kTick_ms = 16;
 constexpr int kFirstPictures = 16;  // shaders and meshes load in the background: the first pictures are empty
+constexpr qint64 kPatience_ms =
+    30000;  // so long an empty picture is taken for one that is still being loaded
 constexpr double kThreadRadius_m = 15e-6;  // 10-0 suture
-constexpr float kLift_mm = 0.004F;     // the grid lies so far above its stage, so that it does not flicker
-constexpr float kRoom = 1.35F;         // space around what is framed
-constexpr double kForceScale_px = 60;  // arrow of 1 N
+constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
+constexpr float kRoom = 1.35F;      // space around what is framed
+
+// steel while it only springs, orange where it begins to stay bent, red at one and a half times that
+QColor stressed(const QColor& steel, double share) {
+  const QColor yields(0xff, 0x8c, 0x1a), ruined(0xd4, 0x07, 0x06);
+  const auto mix = [](const QColor& a, const QColor& b, double u) {
+    const auto f = static_cast<float>(std::clamp(u, 0.0, 1.0));
+    return QColor::fromRgbF(a.redF() + f * (b.redF() - a.redF()), a.greenF() + f * (b.greenF() - a.greenF()),
+                            a.blueF() + f * (b.blueF() - a.blueF()));
+  };
+  return share <= 1 ? mix(steel, yields, 2 * share - 1) : mix(yields, ruined, 2 * share - 2);
+}
+
+// one colour only
+bool is_plain(const QImage& image) {
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+    const QRgb first = reinterpret_cast<const QRgb*>(image.constScanLine(0))[0];
+    if (std::any_of(line, line + image.width(), [&](QRgb p) { return p != first; })) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -40,7 +61,10 @@ SceneView::SceneView(QWidget* parent)
 
 SceneView::~SceneView() = default;
 
-void SceneView::touch(int pictures) { to_draw_ = std::max(to_draw_, pictures); }
+void SceneView::touch(int pictures) {
+  to_draw_ = std::max(to_draw_, pictures);
+  alike_ = 0;
+}
 
 void SceneView::set_themes(const UiTheme& ui, const CueTheme& cues) {
   ui_ = ui;
@@ -57,6 +81,7 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   have_card_ = true;
   have_snapshot_ = false;
   image_ = {};
+  since_card_.start();
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
   camera_.look(preset);
   camera_.jump();
@@ -106,6 +131,8 @@ void SceneView::colour_parts() {
     const ScenePart& part = parts_.part[i];
     Surface surface = surface_of(part);
     const QString cue = cue_of(part.object);
+    if (part.role == Role::kWork && part.chain >= 0 && stress_shown_)
+      surface.colour = stressed(surface.colour, stress_);
     if (part.role != Role::kMark && !cue.isEmpty()) surface = {cues_.style(cue).colour, 0.25F, 40};
     renderer_->set_surface(static_cast<int>(i), surface);
   }
@@ -130,6 +157,12 @@ void SceneView::colour_parts() {
 
 void SceneView::place_parts() {
   for (size_t i = 0; i < parts_.part.size(); ++i) {
+    if (parts_.part[i].chain >= 0) {
+      if (have_snapshot_)
+        renderer_->set_mesh(static_cast<int>(i), chain_mesh(parts_, parts_.part[i],
+                                                            std::span(snapshot_->X_WB, snapshot_->n_body)));
+      continue;
+    }
     const uint32_t body = parts_.part[i].body;
     const swage_pose& X =
         have_snapshot_ && body < snapshot_->n_body ? snapshot_->X_WB[body] : card_.start[body];
@@ -149,9 +182,26 @@ void SceneView::place_parts() {
   }
 }
 
+// in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
+bool SceneView::read_stress(const snapshot::Snapshot& snapshot) {
+  double stress = 0;
+  for (uint32_t i = 0; stress_shown_ && i < snapshot.n_signal && i < card_.script.signals.size(); ++i) {
+    if (card_.script.signals[i].id == "needle.stress") stress = std::max(stress, snapshot.signal[i]);
+  }
+  const double rounded = std::round(16 * std::min(stress, 2.0)) / 16;
+  return std::exchange(stress_, rounded) != rounded;
+}
+
+void SceneView::set_stress_shown(bool shown) {
+  stress_shown_ = shown;
+  if (have_snapshot_) read_stress(*snapshot_);
+  if (have_card_) colour_parts();
+  touch();
+}
+
 void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   const bool recolour =
-      !have_snapshot_ ||
+      read_stress(snapshot) || !have_snapshot_ ||
       !std::equal(snapshot.object_cue, snapshot.object_cue + snapshot.n_object, snapshot_->object_cue);
   const bool same =
       have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
@@ -204,20 +254,30 @@ void SceneView::tick() {
   last_tick_ns_ = now;
   if (!isVisible() || !have_card_) return;
   if (camera_.advance(dt)) touch();
-  if (to_draw_ <= 0) return;
+  if (resting()) return;
   // a processor that draws has less left for the session: every other picture is enough
   skip_ = gl_.software && !skip_;
   if (skip_) return;
-  --to_draw_;
+  to_draw_ = std::max(0, to_draw_ - 1);
   renderer_->set_camera(camera_);
   QPointer<SceneView> self(this);
   renderer_->draw([self](const QImage& image) {
-    if (!self) return;
-    const bool first = self->image_.isNull();
-    self->image_ = image;
-    self->update();
-    if (first) Q_EMIT self->ready_changed();
+    if (self) self->arrived(image);
   });
+}
+
+// Goes on drawing until the picture stands still: a slow machine is still loading when a fast one has long finished.
+void SceneView::arrived(const QImage& image) {
+  const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
+  if (empty && since_card_.elapsed() < kPatience_ms) {
+    alike_ = 0;
+    return;
+  }
+  const bool first = image_.isNull();
+  alike_ = image == image_ ? alike_ + 1 : 0;
+  image_ = image;
+  update();
+  if (first) Q_EMIT ready_changed();
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {
@@ -225,102 +285,6 @@ void SceneView::resizeEvent(QResizeEvent*) {
   if (!renderer_) return;
   renderer_->resize((QSizeF(size()) * devicePixelRatioF()).toSize());
   touch(4);
-}
-
-QVector3D SceneView::grasp_point(uint32_t object) const {
-  // the middle of the contacts when there are some, else the object itself
-  if (snapshot_->n_contact > 0) {
-    QVector3D sum;
-    for (uint32_t i = 0; i < snapshot_->n_contact; ++i) sum += to_mm(snapshot_->contact[i].p_W);
-    return sum / static_cast<float>(snapshot_->n_contact);
-  }
-  const uint32_t body = card_.objects[object].first_body;
-  return to_mm(body < snapshot_->n_body ? snapshot_->X_WB[body].p : swage_vec3{});
-}
-
-void SceneView::paint_placeholder(QPainter& painter) {
-  painter.setPen(ui_["view_text"]);
-  painter.drawText(
-      rect().adjusted(40, 0, -40, 0), Qt::AlignCenter | Qt::TextWordWrap,
-      tr("The 3D view needs OpenGL 3.3 (%1).\nEverything else works: lessons run and are recorded.")
-          .arg(gl_.why));
-}
-
-void SceneView::paint_background(QPainter& painter) {
-  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-  if (background_.size() != pixels) {
-    background_ = QPixmap(pixels);
-    background_.setDevicePixelRatio(devicePixelRatioF());
-    QPainter p(&background_);
-    QLinearGradient gradient(0, 0, 0, height());
-    gradient.setColorAt(0, ui_["view_top"]);
-    gradient.setColorAt(1, ui_["view_bottom"]);
-    p.fillRect(rect(), gradient);
-  }
-  painter.drawPixmap(0, 0, background_);
-}
-
-// points that a lesson shows in the world
-void SceneView::paint_marks(Overlay& overlay) const {
-  for (uint32_t m = 0; cues_shown_ && m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
-    const auto& mark = card_.script.marks[m];
-    if (mark.mark.kind != SWAGE_MARK_POINT) continue;
-    const uint32_t cue = snapshot_->mark_cue[m];
-    const std::string meaning = cue < card_.script.cues.size() ? card_.script.cues[cue].id : mark.meaning;
-    overlay.target(camera_.project(to_mm(snapshot_->mark_p_W[m]), size()),
-                   mark.mark.number[0] * kMmPerM / camera_.mm_per_pixel(height()),
-                   cues_.style(QString::fromStdString(meaning)));
-  }
-}
-
-void SceneView::paint_forces(Overlay& overlay) const {
-  for (uint32_t c = 0; forces_shown_ && c < snapshot_->n_contact; ++c) {
-    const QVector3D p = to_mm(snapshot_->contact[c].p_W);
-    const swage_vec3& f = snapshot_->contact[c].f_W;
-    const auto mm = static_cast<float>(kForceScale_px * camera_.mm_per_pixel(height()));
-    const QVector3D arrow(static_cast<float>(f.x), static_cast<float>(f.y), static_cast<float>(f.z));
-    overlay.force(camera_.project(p, size()), camera_.project(p + mm * arrow, size()));
-  }
-}
-
-void SceneView::paint_cues(Overlay& overlay) const {
-  int slot = 0;
-  for (uint32_t o = 0; o < card_.objects.size(); ++o) {
-    const QString cue = cue_of(o);
-    if (cue.isEmpty()) continue;
-    const QPointF at = camera_.project(grasp_point(o), size());
-    if (slot == 0 && hold_ > 0) overlay.ring(at, hold_);
-    // the tool's own cue (too much force) goes to the left, that of the work to the right
-    const bool tool = role_of(card_, o) == Role::kTool;
-    overlay.cue(at, cues_.style(cue), tool ? 1 : 0);
-    ++slot;
-  }
-}
-
-void SceneView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  paint_background(painter);
-  if (!renderer_) return paint_placeholder(painter);
-  if (!image_.isNull()) {
-    // during a resize the last picture is stretched
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != background_.size());
-    painter.drawImage(rect(), image_);
-  }
-  Overlay overlay(painter, rect(), ui_);
-  if (have_card_) overlay.scale_bar(camera_.mm_per_pixel(height()));
-  if (have_snapshot_) {
-    paint_marks(overlay);
-    paint_forces(overlay);
-    paint_cues(overlay);
-  }
-  if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
-  if (!banner_.isEmpty()) overlay.banner(banner_);
-  if (instrument_ && !hasFocus()) overlay.hint(tr("Click here: then mouse and keys move the instrument"));
-  if (hasFocus()) {
-    painter.setPen(QPen(ui_["accent"], 2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(rect().adjusted(1, 1, -1, -1));
-  }
 }
 
 }  // namespace swage::console

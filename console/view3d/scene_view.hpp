@@ -36,7 +36,10 @@ class SceneView : public QWidget {
   OrbitCamera& camera() { return camera_; }
   /// Cues are hidden in Test mode, and by choice.
   void set_cues_shown(bool shown);
+  bool cues_shown() const { return cues_shown_; }
   void set_forces_shown(bool shown);
+  /// Colours a bending needle by its stress; for the instructor.
+  void set_stress_shown(bool shown);
   /// Over the picture: the clock at the right, a banner in the middle ("" for none).
   void set_texts(const QString& clock, const QString& banner);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
@@ -47,8 +50,10 @@ class SceneView : public QWidget {
   /// A picture of the scene has arrived since the last card.
   bool ready() const { return !image_.isNull(); }
   const QImage& image() const { return image_; }
-  /// Nothing moves and the picture is the newest.
-  bool resting() const { return to_draw_ == 0; }
+  /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
+  bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
+  /// Draws again although nothing moved.
+  void redraw() { touch(); }
 
  Q_SIGNALS:
   void pointer(const swage_pointer& input);
@@ -68,8 +73,12 @@ class SceneView : public QWidget {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  static constexpr int kAlike =
+      3;  // pictures in a row; less, and a mesh that is still being loaded is missed
   void tick();
   void touch(int pictures = 3);
+  void arrived(const QImage& image);
+  bool read_stress(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
   void colour_parts();
   Surface surface_of(const ScenePart& part) const;
@@ -79,6 +88,7 @@ class SceneView : public QWidget {
   QVector3D grasp_point(uint32_t object) const;
   void paint_background(QPainter& painter);
   void paint_placeholder(QPainter& painter);
+  bool has_target() const;
   void paint_marks(Overlay& overlay) const;
   void paint_forces(Overlay& overlay) const;
   void paint_cues(Overlay& overlay) const;
@@ -94,11 +104,15 @@ class SceneView : public QWidget {
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
+  bool stress_shown_ = false;
+  double stress_ = 0;  // of first yield
   double hold_ = 0;
   QString clock_text_, banner_;
   QImage image_;
   QPixmap background_;
   int to_draw_ = 0;  // pictures still wanted
+  int alike_ = 0;    // pictures in a row that were the same
+  QElapsedTimer since_card_;
   bool skip_ = false;
   QTimer timer_;
   QElapsedTimer clock_;

@@ -51,6 +51,7 @@ void MetricChart::set_series(const MetricSeries& series) {
     low = std::min(low, p.value);
     high = std::max(high, p.value);
   }
+  if (series_.target) high = std::max(high, *series_.target), low = std::min(low, *series_.target);
   if (high <= low) high = low + 1;
   step_ = nice_step(low, high, 4);
   low_ = std::floor(low / step_) * step_;
@@ -100,6 +101,18 @@ void MetricChart::paint_axes(QPainter& p) const {
   }
   p.setPen(theme_["muted"]);
   p.drawText(QRectF(a.left(), height() - 15, a.width(), 15), Qt::AlignRight | Qt::AlignBottom, tr("attempt"));
+}
+
+// what the lesson asks for: a dashed line with its value, on the side where the words are read
+void MetricChart::paint_target(QPainter& p) const {
+  if (!series_.target) return;
+  const QRectF a = area();
+  const double y = a.bottom() - a.height() * (*series_.target - low_) / (high_ - low_);
+  p.setPen(QPen(theme_["good"], 1.5, Qt::DashLine));
+  p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+  const QString text =
+      tr("target %1 %2").arg(QLocale().toString(*series_.target, 'g', 3), series_.unit).trimmed();
+  p.drawText(QRectF(a.left(), y - 17, a.width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter, text);
 }
 
 void MetricChart::paint_points(QPainter& p) const {
@@ -155,6 +168,7 @@ void MetricChart::paintEvent(QPaintEvent*) {
     return;
   }
   paint_axes(p);
+  paint_target(p);
   paint_points(p);
   paint_key(p);
 }

@@ -30,6 +30,7 @@ class MetricChart : public QWidget {
   QRectF area() const;
   QPointF place(int i) const;
   void paint_axes(QPainter& p) const;
+  void paint_target(QPainter& p) const;
   void paint_points(QPainter& p) const;
   void paint_key(QPainter& p) const;
   UiTheme theme_;

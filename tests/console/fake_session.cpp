@@ -85,6 +85,7 @@ snapshot::SceneCard make_card(const session::Options& options, bool with_thread)
   name(s.events, "lesson", "grasp.spot_reached", "1", "Held at the marked spot");
   name(s.events, "lesson", "held", "s", "Held long enough");
   name(s.events, "lesson", "time.up", "s", "The time is over");
+  name(s.events, "swage", "host.gap", "1", "steps were lost because the machine was held up");
   name(s.phases, "lesson", "approach", "1", "Come to the needle");
   name(s.phases, "lesson", "hold", "1", "Hold it");
   judge::Script::Mark region;
@@ -147,6 +148,11 @@ class FakeSession final : public session::Session {
 
   bool next_event(judge::Event& out) override {
     const double at[] = {4.0, 7.5, 11.5};
+    if (script_.with_gap && !gap_told_ && now() > 1) {
+      gap_told_ = true;
+      out = {1000, 4, 0, 12};
+      return true;
+    }
     if (told_ >= 3 || now() < at[told_]) return false;
     out = {static_cast<uint64_t>(at[told_] * 1000), told_, 0, told_ == 0 ? 0.42 : 1};
     ++told_;
@@ -258,6 +264,7 @@ class FakeSession final : public session::Session {
   double before_ = 0;
   bool running_ = false, paused_ = false, aborted_ = false;
   uint32_t told_ = 0;
+  bool gap_told_ = false;
 };
 
 }  // namespace

@@ -25,7 +25,8 @@ struct FakeScript {
   double end_s = 12;  // passes then; 0: never
   bool pass = true;
   bool with_thread = false;
-  std::string refuse;  // non-empty: open() fails with this problem
+  bool with_gap = false;  // the machine lost time once
+  std::string refuse;     // non-empty: open() fails with this problem
 };
 
 std::unique_ptr<session::Session> open_fake(const session::Options& options,

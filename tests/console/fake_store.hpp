@@ -34,11 +34,20 @@ class FakeStore final : public record::Store {
     }
     return {out.rbegin(), out.rend()};
   }
-  bool attempt(const std::string&, record::AttemptRow&) override { return false; }
-  std::vector<record::EventRow> events(const std::string&) override { return {}; }
+  bool attempt(const std::string& id, record::AttemptRow& out) override {
+    for (const record::AttemptRow& a : attempts_) {
+      if (a.id == id) return out = a, true;
+    }
+    return false;
+  }
+  std::vector<record::EventRow> events(const std::string&) override { return events_of_any; }
+  std::vector<record::EventRow> events_of_any;
   int recover() override { return to_recover; }
   int to_recover = 0;
-  bool export_attempt(const std::string&, const std::string&, std::string&) override { return false; }
+  bool export_attempt(const std::string&, const std::string& file, std::string& error) override {
+    error = file + " is a fake.";
+    return false;
+  }
   bool import_attempt(const std::string&, std::string&, std::string&) override { return false; }
 
  private:

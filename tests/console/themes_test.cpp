@@ -7,6 +7,7 @@
 
 #include "colour_vision.hpp"
 #include "console/cues/cue_theme.hpp"
+#include "console/cues/tones.hpp"
 #include "console/cues/ui_theme.hpp"
 
 namespace swage::console {
@@ -52,6 +53,75 @@ TEST(ColourDifference, AgreesWithPublishedPairs) {
 }
 
 TEST(CueThemes, SafeOneIsSafeInEveryVision) { EXPECT_GE(worst_pair(CueTheme::stock("safe")), 20); }
+
+// every pair of cues: where the colours are not the very same one, nobody may take one for the other; where they are, the
+// shape must differ
+TEST(CueThemes, SafeOneTellsEveryPairOfCuesApart) {
+  const CueTheme theme = CueTheme::stock("safe");
+  const QStringList all = theme.meanings();
+  ASSERT_GT(all.size(), 8);
+  for (int i = 0; i < all.size(); ++i) {
+    for (int k = 0; k < i; ++k) {
+      const CueStyle a = theme.style(all[i]), b = theme.style(all[k]);
+      if (a.colour == b.colour) {
+        EXPECT_NE(a.shape + a.text, b.shape + b.text) << all[i].toStdString() << " " << all[k].toStdString();
+        continue;
+      }
+      for (const Vision v : kVisions) {
+        EXPECT_GE(test::difference(a.colour, b.colour, v), 20)
+            << all[i].toStdString() << " " << all[k].toStdString() << " vision " << static_cast<int>(v);
+      }
+    }
+  }
+}
+
+TEST(CueThemes, ThesisOneHasTheThesisColours) {
+  const CueTheme theme = CueTheme::stock("thesis");
+  const auto hue = [&](const char* meaning) { return theme.style(meaning).colour.hue(); };
+  EXPECT_TRUE(hue("grasp.wrong") < 15 || hue("grasp.wrong") > 345);
+  EXPECT_TRUE(hue("grasp.tips_only") > 300 && hue("grasp.tips_only") < 350);
+  EXPECT_NEAR(hue("grasp.point_only"), 52, 10);
+  EXPECT_NEAR(hue("grasp.good"), 130, 20);
+  EXPECT_EQ(CueTheme::stock().first(), "thesis");
+}
+
+TEST(CueThemes, EveryCueThatIsNotAPlaceIsHeardAndFelt) {
+  for (const QString& id : CueTheme::stock()) {
+    const CueTheme theme = CueTheme::stock(id);
+    QSet<QString> sounds;
+    for (const QString& meaning : kGrasps) sounds += theme.style(meaning).sound;
+    EXPECT_EQ(sounds.size(), 4) << "each of the four grasps sounds different";
+    for (const char* meaning : {"grasp.wrong", "grasp.good", "grip.too_hard"}) {
+      EXPECT_FALSE(tone(theme.style(meaning).sound).empty()) << meaning;
+      EXPECT_GT(theme.style(meaning).force.pulses, 0) << meaning;
+    }
+  }
+}
+
+TEST(CueThemes, AForceThatNoDeviceMayPlayIsRefused) {
+  QTemporaryDir dir;
+  QFile file(dir.filePath("strong.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(
+      R"({"format": "swage-cue-theme/1", "cues": [{"meaning": "a.b", "colour": "#123456", "shape": "O", "text": "t",
+                 "force": {"pulses": 1, "frequency_hz": 100, "peak_n": 5, "length_s": 0.05}}]})");
+  file.close();
+  QString error;
+  EXPECT_TRUE(CueTheme::load(file.fileName(), &error).meanings().isEmpty());
+  EXPECT_TRUE(error.contains("peak_n")) << error.toStdString();
+}
+
+TEST(CueThemes, ASoundThatDoesNotExistIsRefusedWithTheList) {
+  QTemporaryDir dir;
+  QFile file(dir.filePath("loud.json"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({"format": "swage-cue-theme/1", "cues": [
+    {"meaning": "a.b", "colour": "#123456", "shape": "O", "text": "t", "sound": "trumpet"}]})");
+  file.close();
+  QString error;
+  EXPECT_TRUE(CueTheme::load(file.fileName(), &error).meanings().isEmpty());
+  EXPECT_TRUE(error.contains("trumpet") && error.contains("chime")) << error.toStdString();
+}
 
 TEST(CueThemes, ThesisColoursAreNotWhichIsWhyThereIsASafeOne) {
   EXPECT_LT(worst_pair(CueTheme::stock("thesis")), 20);

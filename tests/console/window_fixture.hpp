@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "console/app/main_window.hpp"
+#include "fake_recording.hpp"
 #include "fake_session.hpp"
 #include "fake_store.hpp"
 
@@ -26,14 +27,31 @@ class WindowTest : public testing::Test {
       doors.open_store = [this](std::string&) {
         auto store = std::make_unique<FakeStore>(attempts);
         store->to_recover = to_recover;
+        store->events_of_any = fake_events();
         return store;
       };
     }
+    doors.read_recording = [this](const std::string&, record::Recording& out, std::string& error) {
+      out = fake_recording(recorded_steps);
+      error = "Its file is damaged.";
+      return recorded_steps > 0;
+    };
+    doors.open_player = [this](const record::Recording& r,
+                               base::Problems& problems) -> std::unique_ptr<console::Player> {
+      if (!plugin_missing.empty()) {
+        problems.push_back({base::Severity::kError, "lesson.json", plugin_missing});
+        return nullptr;
+      }
+      base::Problems none;
+      auto player = std::make_unique<FakePlayer>(open_fake({}, none, script, log)->card(), r.step.size());
+      player->differs = differs;
+      return player;
+    };
     launch.settings_file = dir.filePath("settings.ini");
     launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
     window = std::make_unique<console::MainWindow>(std::move(doors), launch);
     window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatience_ms));
     // a bare X server has no window manager that would do it
     QApplication::setActiveWindow(window.get());
   }
@@ -46,14 +64,31 @@ class WindowTest : public testing::Test {
     return found;
   }
   void click(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
-  bool wait_for_time(double t) {
-    return QTest::qWaitFor([&] { return control()->newest() && control()->newest()->time_s >= t; }, 20000);
+  /// Waits for a condition, never for a time: the limit is there so that a failure ends, and is never met by a slow machine.
+  template <class Condition>
+  static bool eventually(Condition condition) {
+    return QTest::qWaitFor(condition, kPatience_ms);
   }
+  bool wait_for_time(double t) {
+    return eventually([&] { return control()->newest() && control()->newest()->time_s >= t; });
+  }
+  bool wait_for_end() {
+    return eventually([&] { return control()->state() == console::RunControl::State::kFinished; });
+  }
+  /// The scene of the chosen lesson is shown.
+  bool wait_for_preview() {
+    return eventually([&] { return !child<QLabel>("lesson_title")->text().isEmpty(); });
+  }
+
+  static constexpr int kPatience_ms = 60000;
 
   QTemporaryDir dir;
   FakeScript script;
   bool with_store = true;
   int to_recover = 0;
+  size_t recorded_steps = 2000;  // of whatever attempt is opened for review; 0: it cannot be read
+  std::string plugin_missing;    // non-empty: the picture cannot be replayed
+  uint64_t differs = ~uint64_t{0};
   std::vector<record::AttemptRow> attempts;
   std::shared_ptr<FakeLog> log = std::make_shared<FakeLog>();
   console::Launch launch;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The thesis's entry penetration: where the needle's centre line crossed the surface while it was in the tissue, seen square to
+// the surface, against the circle of the needle at the first puncture. What lies outside the circle is torn.
+#pragma once
+
+#include <QPolygonF>
+#include <QVector>
+#include <optional>
+
+#include "record/recorder.hpp"
+
+namespace swage::console {
+
+struct EntryTrack {
+  QVector<QPolygonF> passes;        // one per entry; mm in the surface, the first puncture at (0, 0)
+  QVector<QVector<double>> time_s;  // of every point
+  double radius_mm = 0;             // of the needle, 0 when the recording does not tell it
+  double wound = 0;                 // greatest distance of the wound's edge over that radius; 1 is perfect
+};
+
+/// Nothing when the recording has no signals pierce.at_* or the needle never went in.
+std::optional<EntryTrack> entry_track(const record::Recording& recording);
+
+}  // namespace swage::console

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/live_params.hpp"
+
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace swage::console {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Use {
+  std::string name, plugin;
+  Json params;
+};
+
+Json read(const std::string& path) {
+  QFile file(QString::fromStdString(path));
+  if (!file.open(QIODevice::ReadOnly)) return Json::object();
+  const Json root = Json::parse(file.readAll().toStdString(), nullptr, false);
+  return root.is_object() ? root : Json::object();
+}
+
+std::string text(const Json& object, const char* key) {
+  const auto it = object.is_object() ? object.find(key) : object.end();
+  return it != object.end() && it->is_string() ? it->get<std::string>() : std::string();
+}
+
+Json list(const Json& root, const char* key) {
+  const auto it = root.find(key);
+  return it != root.end() && it->is_array() ? *it : Json::array();
+}
+
+Json params_of(const Json& use) {
+  const auto it = use.is_object() ? use.find("params") : use.end();
+  return it != use.end() && it->is_object() ? *it : Json::object();
+}
+
+// those of the file that have the name and the plugin, so that a hand chosen otherwise does not borrow its values
+Json find_params(const Json& uses, const std::string& name, const std::string& plugin) {
+  for (const Json& use : uses) {
+    if (text(use, "name") != name) continue;
+    if (text(use, "plugin") == plugin) return params_of(use);
+    for (const Json& other : list(use, "or")) {
+      if (text(other, "plugin") == plugin) return params_of(other);
+    }
+  }
+  return Json::object();
+}
+
+std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
+  std::vector<Use> out;
+  const Json objects = list(root, "objects"), devices = list(root, "devices");
+  for (const snapshot::CardObject& o : card.objects)
+    out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
+  for (const Json& c : list(root, "couplings")) {
+    if (!text(c, "name").empty()) out.push_back({text(c, "name"), text(c, "plugin"), params_of(c)});
+  }
+  for (const snapshot::CardDevice& d : card.devices)
+    out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin)});
+  const auto lesson = root.find("lesson");
+  if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
+  return out;
+}
+
+double nice(double value) {
+  if (!(value > 0)) return 1;
+  const double ten = std::pow(10, std::floor(std::log10(value)));
+  const double m = value / ten;
+  return (m < 1.5 ? 1 : m < 3.5 ? 2 : m < 7.5 ? 5 : 10) * ten;
+}
+
+}  // namespace
+
+// the table's own way of writing a value knows the unit that people read
+double LiveParam::factor() const {
+  if (param.type == SWAGE_PARAM_BOOL || param.type == SWAGE_PARAM_CHOICE) return 1;
+  host::Param one = param;
+  one.type = SWAGE_PARAM_REAL;
+  one.dimension = 1;
+  swage_value value{};
+  value.number[0] = 1;
+  const Json said = Json::parse(host::value_text(one, value), nullptr, false);
+  if (said.is_number()) return said.get<double>();
+  if (!said.is_string()) return 1;
+  const double shown =
+      QString::fromStdString(said.get<std::string>()).section(QLatin1Char(' '), 0, 0).toDouble();
+  return shown > 0 ? shown : 1;
+}
+
+QString LiveParam::unit() const {
+  const std::string& u = param.display_unit.empty() ? param.unit : param.display_unit;
+  return u == "1" ? QString() : QString::fromStdString(u == "deg" ? "°" : u);
+}
+
+double LiveParam::step() const {
+  if (param.type == SWAGE_PARAM_INTEGER) return 1;
+  const double range = (param.max - param.min) * factor() / 100, value = std::abs(start[0]) * factor() / 20;
+  const bool wide = !(range > 0) || range > value;
+  return nice(wide && value > 0 ? value : range);
+}
+
+int LiveParam::decimals() const {
+  if (param.type == SWAGE_PARAM_INTEGER) return 0;
+  return std::clamp(static_cast<int>(std::ceil(1 - std::log10(step()))), 0, 6);
+}
+
+std::string LiveParam::json(const std::array<double, 4>& v) const {
+  swage_value value{};
+  std::copy(v.begin(), v.end(), value.number);
+  return "{" + Json(param.id).dump() + ": " + host::value_text(param, value) + "}";
+}
+
+QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
+                               const host::Catalogue& catalogue) {
+  QVector<LiveParam> out;
+  const Json root = read(lesson_path);
+  for (const Use& use : uses(root, card)) {
+    const host::PluginInfo* plugin = catalogue.find(use.plugin);
+    if (!plugin) continue;
+    host::ParamSource source;
+    source.plugin_id = plugin->id;
+    source.folder = QFileInfo(QString::fromStdString(lesson_path)).absolutePath().toStdString();
+    source.bundle_folder = plugin->bundle_dir;
+    source.where = [](const std::string& pointer) { return pointer; };
+    host::ParamValues values;
+    base::Problems problems;
+    if (!host::check_params(use.params.dump(), plugin->params, source, values, problems))
+      values = host::default_values(plugin->params, plugin->bundle_dir);
+    for (size_t i = 0; i < plugin->params.size(); ++i) {
+      const host::Param& p = plugin->params[i];
+      if (!p.live() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
+      LiveParam live{use.name, p, {}};
+      std::copy_n(values.value[i].number, 4, live.start.begin());
+      out.append(live);
+    }
+  }
+  return out;
+}
+
+}  // namespace swage::console

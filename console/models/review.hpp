@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One recorded attempt as the Review page shows it: traces over time, what happened when, metrics in words; and the same as
+// CSV for other programs.
+#pragma once
+
+#include <QString>
+#include <QVector>
+#include <string>
+
+#include "record/recorder.hpp"
+#include "record/store.hpp"
+
+namespace swage::console {
+
+/// One signal over the attempt. Values are read from the recording, which outlives it.
+struct Trace {
+  QString name, unit, tip;   // unit as shown
+  double factor = 1;         // from SI to that
+  size_t index = 0;          // into the script's signals
+  double low = 0, high = 1;  // of the axis, as shown; rounded outwards
+  bool wanted = false;       // worth showing at once: forces, tilts, spot, depth
+  bool flat = false;         // never changes
+};
+
+struct Moment {
+  double time_s = 0;
+  QString what, means;
+  bool by_person = false, technical = false;
+};
+
+struct MetricLine {
+  QString name, value, better, doc;
+};
+
+struct Review {
+  record::AttemptRow attempt;
+  QVector<Trace> traces;  // wanted ones first
+  QVector<Moment> moments;
+  QVector<MetricLine> metrics;
+  double dt_s = 1e-3, length_s = 0;
+
+  QString headline() const;  // "Basic grasp, Arun P., 21 Nov 2026 10:30"
+  QString verdict() const;   // "✓ Met, 87 of 100"
+};
+
+Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
+                   const std::vector<record::EventRow>& events);
+
+/// Value of a trace at a recorded step, as shown.
+double value_at(const Trace& trace, const record::Recording& recording, size_t step);
+
+/// One line per step: time in s and every signal in SI, the unit in its heading. The decimal sign is a point.
+std::string signals_csv(const record::Recording& recording);
+/// Long form: kind, time or value, unit, words; the attempt's facts first, then metrics, then events.
+std::string summary_csv(const Review& review);
+
+/// Better with less: -1, with more: +1, not known: 0.
+int better_direction(const QString& metric_id);
+
+}  // namespace swage::console

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/review_page.hpp"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "console/models/words.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kTick_ms = 33;  // 30 pictures a second are enough to look at
+constexpr uint64_t kMostSteps =
+    300;  // of work between two pictures: the window stays awake on a slow machine
+constexpr double kFrame_s = 0.01;
+
+}  // namespace
+
+ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* parent)
+    : QWidget(parent),
+      reader_(std::move(reader)),
+      opener_(std::move(opener)),
+      snapshot_(std::make_unique<snapshot::Snapshot>()) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 10, 12, 6);
+  column->setSpacing(8);
+  column->addWidget(make_head());
+  pages_ = new QStackedWidget(this);
+  auto* full = new QWidget(pages_);
+  auto* rows = new QVBoxLayout(full);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(8);
+  auto* upper = new QHBoxLayout;
+  upper->setSpacing(12);
+  upper->addWidget(make_view(), 3);
+  upper->addWidget(make_side(), 2);
+  rows->addLayout(upper, 5);
+  timeline_ = new Timeline(full);
+  timeline_->setProperty("card", true);
+  rows->addWidget(timeline_, 4);
+  pages_->addWidget(full);
+  problem_ = new QLabel(pages_);
+  problem_->setObjectName(QStringLiteral("review_problem"));
+  problem_->setAlignment(Qt::AlignCenter);
+  problem_->setWordWrap(true);
+  pages_->addWidget(problem_);
+  column->addWidget(pages_, 1);
+  show_problem(tr("Choose an attempt on the Progress page (Ctrl+2) and press Enter."));
+
+  connect(timeline_, &Timeline::moved, this, &ReviewPage::go);
+  timer_.setInterval(kTick_ms);
+  connect(&timer_, &QTimer::timeout, this, &ReviewPage::tick);
+  // where the eyes are; on a button Space presses the button
+  auto* play = new QAction(tr("Play"), this);
+  play->setShortcut(Qt::Key_Space);
+  play->setShortcutContext(Qt::WidgetShortcut);
+  connect(play, &QAction::triggered, this, &ReviewPage::toggle_play);
+  timeline_->addAction(play);
+  view_->addAction(play);
+  setFocusProxy(timeline_);
+}
+
+// the player looks at the recording
+ReviewPage::~ReviewPage() { player_.reset(); }
+
+QWidget* ReviewPage::make_head() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* back = make_button(tr("‹ Progress"), {}, QStringLiteral("review_back"), box);
+  connect(back, &QPushButton::clicked, this, &ReviewPage::back);
+  row->addWidget(back);
+  headline_ = new QLabel(box);
+  headline_->setObjectName(QStringLiteral("review_title"));
+  QFont font = headline_->font();
+  font.setPointSizeF(font.pointSizeF() * 1.15);
+  font.setBold(true);
+  headline_->setFont(font);
+  verdict_ = new QLabel(box);
+  verdict_->setObjectName(QStringLiteral("review_verdict"));
+  row->addSpacing(8);
+  row->addWidget(headline_);
+  row->addSpacing(14);
+  row->addWidget(verdict_, 1);
+  const struct {
+    QString text, name, title, ending, tip;
+    QString (ReviewPage::*write)(const QString&);
+  } exports[] = {
+      {tr("Save attempt"), QStringLiteral("save_swage"), tr("Save the whole attempt"),
+       QStringLiteral(".swage"),
+       tr("Everything in one file: swage replay and another station's Swage can read it"),
+       &ReviewPage::write_swage},
+      {tr("Signals CSV"), QStringLiteral("save_signals"), tr("Save the signals"),
+       QStringLiteral("_signals.csv"), tr("A thousand lines a second, SI units"), &ReviewPage::write_signals},
+      {tr("Summary CSV"), QStringLiteral("save_summary"), tr("Save metrics and events"),
+       QStringLiteral("_summary.csv"), tr("Facts, metrics and events"), &ReviewPage::write_summary}};
+  for (const auto& e : exports) {
+    auto* button = make_button(e.text, {}, e.name, box);
+    button->setToolTip(e.tip);
+    connect(button, &QPushButton::clicked, this, [this, e] { save(e.title, e.ending, e.write); });
+    row->addWidget(button);
+  }
+  return box;
+}
+
+QWidget* ReviewPage::make_view() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  view_ = new SceneView(box);
+  view_->setObjectName(QStringLiteral("review_view"));
+  view_->setAccessibleName(tr("The attempt, replayed"));
+  column->addWidget(view_, 1);
+  note_ = make_muted({}, box);
+  note_->setObjectName(QStringLiteral("review_note"));
+  note_->hide();
+  column->addWidget(note_);
+  column->addWidget(make_transport());
+  return box;
+}
+
+QWidget* ReviewPage::make_transport() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& text, const char* name, const QString& tip, auto call) {
+    auto* button = make_button(text, {}, QString::fromLatin1(name), box);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    connect(button, &QPushButton::clicked, this, call);
+    row->addWidget(button);
+    return button;
+  };
+  add(tr("Start"), "to_start", tr("To the start (Home)"), [this] { go(0); });
+  add(QStringLiteral("−10 ms"), "step_back", tr("10 ms back"), [this] { step_by(-kFrame_s); });
+  play_ = add(tr("Play"), "play", tr("Play, pause (Space)"), [this] { toggle_play(); });
+  play_->setMinimumWidth(90);
+  add(QStringLiteral("+10 ms"), "step_on", tr("10 ms on"), [this] { step_by(kFrame_s); });
+  speed_ = new QComboBox(box);
+  speed_->setObjectName(QStringLiteral("speed"));
+  speed_->setAccessibleName(tr("Speed"));
+  for (const double s : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) speed_->addItem(QStringLiteral("%1×").arg(s), s);
+  speed_->setCurrentIndex(3);
+  row->addWidget(speed_);
+  time_ = new QDoubleSpinBox(box);
+  time_->setObjectName(QStringLiteral("review_time"));
+  time_->setAccessibleName(tr("Time"));
+  time_->setDecimals(3);
+  time_->setSingleStep(kFrame_s);
+  time_->setSuffix(tr(" s"));
+  time_->setButtonSymbols(QAbstractSpinBox::NoButtons);  // the buttons beside it step
+  time_->setKeyboardTracking(false);
+  connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
+  row->addWidget(time_);
+  row->addStretch(1);
+  const struct {
+    QString text;
+    CameraPreset preset;
+  } presets[] = {{tr("Orbit"), CameraPreset::kOrbit},
+                 {tr("Side"), CameraPreset::kSide},
+                 {tr("Top"), CameraPreset::kTop}};
+  for (const auto& p : presets) {
+    auto* button = make_button(p.text, {}, QStringLiteral("review_") + p.text.toLower(), box);
+    button->setToolTip(tr("%1 view").arg(p.text));
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { view_->look(preset); });
+    row->addWidget(button);
+  }
+  auto* forces = make_button(tr("Forces"), {}, QStringLiteral("review_forces"), box);
+  forces->setCheckable(true);
+  forces->setToolTip(tr("Show contact forces in the picture"));
+  connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
+  row->addWidget(forces);
+  return box;
+}
+
+void ReviewPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  ui_ = ui;
+  view_->set_themes(ui, cues);
+  timeline_->set_theme(ui);
+  track_->set_theme(ui);
+  legend_->set_themes(ui, cues);
+}
+
+void ReviewPage::show_problem(const QString& text) {
+  problem_->setText(text);
+  pages_->setCurrentIndex(1);
+  headline_->clear();
+  verdict_->clear();
+  for (const char* name : {"save_swage", "save_signals", "save_summary"})
+    findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(false);
+}
+
+bool ReviewPage::open(record::Store& store, const QString& id) {
+  playing_ = false;
+  timer_.stop();
+  player_.reset();
+  timeline_->set_review(nullptr, nullptr);
+  recording_ = {};
+  review_ = {};
+  store_ = &store;
+  record::AttemptRow row;
+  std::string error;
+  if (!store.attempt(id.toStdString(), row)) {
+    show_problem(tr("This attempt is no longer in the store."));
+    return false;
+  }
+  if (!reader_ || !reader_(id.toStdString(), recording_, error)) {
+    show_problem(tr("The attempt cannot be read: %1").arg(QString::fromStdString(error)));
+    return false;
+  }
+  review_ = make_review(row, recording_, store.events(id.toStdString()));
+  base::Problems problems;
+  if (opener_) player_ = opener_(recording_, problems);
+  pages_->setCurrentIndex(0);
+  for (const char* name : {"save_swage", "save_signals", "save_summary"})
+    findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(true);
+  headline_->setText(review_.headline());
+  verdict_->setText(review_.verdict());
+  timeline_->set_review(&review_, &recording_);
+  const QSignalBlocker quiet(time_);
+  time_->setRange(0, review_.length_s);
+  fill_side();
+  note_->setVisible(!player_);
+  if (!player_) {
+    const QString why = problems.empty() ? QString() : QString::fromStdString(problems.front().message);
+    note_->setText(
+        tr("The picture cannot be replayed: %1 Traces, events and metrics are as recorded.").arg(why));
+  } else {
+    reading_ = Reader(player_->card());
+    legend_->set_meanings(Reader::meanings(player_->card()));
+    view_->set_card(player_->card(), CameraPreset::kOrbit);
+  }
+  go(0);
+  return true;
+}
+
+void ReviewPage::go(double time_s) {
+  wanted_s_ = std::clamp(time_s, 0.0, review_.length_s);
+  timeline_->set_cursor(wanted_s_);
+  track_->set_cursor(wanted_s_);
+  const QSignalBlocker quiet(time_);
+  time_->setValue(wanted_s_);
+  clock_.start();
+  if (!timer_.isActive()) timer_.start();
+}
+
+void ReviewPage::toggle_play() {
+  if (review_.length_s <= 0) return;
+  playing_ = !playing_;
+  if (playing_ && wanted_s_ >= review_.length_s - 1e-9) wanted_s_ = 0;
+  play_->setText(playing_ ? tr("Pause") : tr("Play"));
+  go(wanted_s_);
+}
+
+// moves the cursor while playing, and the scene towards the cursor; rests when both are there
+void ReviewPage::tick() {
+  if (playing_) {
+    const double on = static_cast<double>(clock_.restart()) * 1e-3 * speed_->currentData().toDouble();
+    wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
+    // a machine that cannot keep up plays slower, and skips nothing
+    if (player_) {
+      const double reach = static_cast<double>(player_->at() + kMostSteps) * review_.dt_s;
+      if (wanted_s_ > reach) wanted_s_ = reach;
+    }
+    timeline_->set_cursor(wanted_s_);
+    track_->set_cursor(wanted_s_);
+    const QSignalBlocker quiet(time_);
+    time_->setValue(wanted_s_);
+    if (wanted_s_ >= review_.length_s) toggle_play();
+  }
+  bool there = true;
+  if (player_) {
+    there = player_->toward(static_cast<uint64_t>(std::llround(wanted_s_ / review_.dt_s)), kMostSteps);
+    show_player();
+  }
+  if (there && !playing_) timer_.stop();
+}
+
+void ReviewPage::show_player() {
+  player_->fill(*snapshot_);
+  view_->show_snapshot(*snapshot_);
+  const Reading reading = reading_.read(*snapshot_);
+  view_->set_hold(reading.hold.value_or(0));
+  legend_->set_active(reading.meanings);
+  const QString clock = clock_text(snapshot_->time_s);
+  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(reading.phase, clock), {});
+  const uint64_t differs = player_->first_difference();
+  if (differs >= player_->count() || note_->isVisible()) return;
+  note_->setText(tr("From %1 s on the picture is not the attempt bit for bit: it was recorded with another "
+                    "version of a plugin. "
+                    "Traces, events and metrics are as recorded.")
+                     .arg(static_cast<double>(differs) * review_.dt_s, 0, 'f', 2));
+  note_->show();
+}
+
+}  // namespace swage::console

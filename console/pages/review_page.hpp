@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The Review page: what happened in one attempt. The picture, the traces and the events follow one cursor.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "console/link/player.hpp"
+#include "console/models/reading.hpp"
+#include "console/models/review.hpp"
+#include "console/view3d/scene_view.hpp"
+#include "console/widgets/cue_legend.hpp"
+#include "console/widgets/timeline.hpp"
+#include "console/widgets/track_plot.hpp"
+
+namespace swage::console {
+
+class ReviewPage : public QWidget {
+  Q_OBJECT
+ public:
+  ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* parent = nullptr);
+  ~ReviewPage() override;
+  void set_themes(const UiTheme& ui, const CueTheme& cues);
+
+  /// Shows an attempt of the store. False: the page says why.
+  bool open(record::Store& store, const QString& attempt_id);
+  /// Writes the attempt as the file's ending says: .swage (everything), .csv (signals), or the summary. "" or what went wrong.
+  QString write_swage(const QString& file);
+  QString write_signals(const QString& file);
+  QString write_summary(const QString& file);
+
+  const Review& review() const { return review_; }
+  Timeline* timeline() { return timeline_; }
+  SceneView* view() { return view_; }
+  const Player* player() const { return player_.get(); }
+  bool playing() const { return playing_; }
+  void go(double time_s);
+
+ public Q_SLOTS:
+  void toggle_play();
+
+ Q_SIGNALS:
+  void back();
+
+ private:
+  QWidget* make_head();
+  QWidget* make_view();
+  QWidget* make_transport();
+  QWidget* make_side();
+  void fill_side();
+  void fill_traces();
+  void show_traces();
+  void show_problem(const QString& text);
+  void save(const QString& title, const QString& ending, QString (ReviewPage::*write)(const QString&));
+  void tick();
+  void show_player();
+  void step_by(double seconds) { go(timeline_->cursor() + seconds); }
+
+  RecordingReader reader_;
+  PlayerOpener opener_;
+  record::Store* store_ = nullptr;
+  record::Recording recording_;
+  Review review_;
+  std::unique_ptr<Player> player_;
+  std::unique_ptr<snapshot::Snapshot> snapshot_;
+  Reader reading_;
+
+  QLabel *headline_ = nullptr, *verdict_ = nullptr, *note_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  QLabel* problem_ = nullptr;
+  SceneView* view_ = nullptr;
+  Timeline* timeline_ = nullptr;
+  CueLegend* legend_ = nullptr;
+  QTableWidget *metrics_ = nullptr, *moments_ = nullptr;
+  QListWidget* traces_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  TrackPlot* track_ = nullptr;
+  QPushButton* play_ = nullptr;
+  QComboBox* speed_ = nullptr;
+  QDoubleSpinBox* time_ = nullptr;
+  UiTheme ui_;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  double wanted_s_ = 0;
+  bool playing_ = false, technical_ = false;
+};
+
+}  // namespace swage::console

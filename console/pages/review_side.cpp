@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The right side of the Review page: metrics, what happened, which traces; and the ways out of the program.
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QSaveFile>
+#include <QVBoxLayout>
+
+#include "console/pages/review_page.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kMostTraces = 6;  // more would be lines without height
+
+QTableWidget* make_table(const QStringList& heads, int stretch, const char* name, const QString& accessible,
+                         QWidget* parent) {
+  auto* table = new QTableWidget(0, static_cast<int>(heads.size()), parent);
+  table->setObjectName(QString::fromLatin1(name));
+  table->setAccessibleName(accessible);
+  table->setHorizontalHeaderLabels(heads);
+  table->setShowGrid(false);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setTabKeyNavigation(false);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(24);
+  table->horizontalHeader()->setHighlightSections(false);
+  table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setSectionResizeMode(stretch, QHeaderView::Stretch);
+  return table;
+}
+
+QTableWidgetItem* item(const QString& text, const QString& tip = {}) {
+  auto* out = new QTableWidgetItem(text);
+  out->setToolTip(tip.isEmpty() ? text : tip);
+  return out;
+}
+
+QString write_file(const QString& name, const std::string& text) {
+  QSaveFile file(name);
+  const bool ok =
+      file.open(QIODevice::WriteOnly) &&
+      file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+      file.commit();
+  return ok ? QString() : QObject::tr("%1 cannot be written: %2.").arg(name, file.errorString());
+}
+
+}  // namespace
+
+QWidget* ReviewPage::make_side() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  auto* tabs = tabs_ = new QTabWidget(box);
+  tabs->setObjectName(QStringLiteral("review_tabs"));
+  tabs->setAccessibleName(tr("Metrics, events, traces"));
+  tabs->setDocumentMode(true);
+  metrics_ =
+      make_table({tr("Metric"), tr("Value"), tr("Direction")}, 0, "review_metrics", tr("Metrics"), tabs);
+  moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
+                        tr("What happened"), tabs);
+  traces_ = new QListWidget(tabs);
+  traces_->setObjectName(QStringLiteral("review_traces"));
+  traces_->setAccessibleName(tr("Which traces are shown"));
+  tabs->addTab(metrics_, tr("&Metrics"));
+  tabs->addTab(moments_, tr("&Events"));
+  tabs->addTab(traces_, tr("&Traces"));
+  track_ = new TrackPlot(tabs);
+  tabs->addTab(track_, tr("E&ntry"));
+  column->addWidget(tabs, 1);
+  legend_ = new CueLegend(box);
+  column->addWidget(legend_);
+  const auto to_moment = [this](int row) {
+    if (row >= 0) go(moments_->item(row, 0)->data(Qt::UserRole).toDouble());
+  };
+  connect(moments_, &QTableWidget::cellClicked, this, to_moment);
+  connect(moments_, &QTableWidget::cellActivated, this, to_moment);
+  connect(traces_, &QListWidget::itemChanged, this, &ReviewPage::show_traces);
+  return box;
+}
+
+void ReviewPage::fill_side() {
+  metrics_->setRowCount(static_cast<int>(review_.metrics.size()));
+  for (int i = 0; i < review_.metrics.size(); ++i) {
+    const MetricLine& m = review_.metrics[i];
+    metrics_->setItem(i, 0, item(m.name, m.doc));
+    metrics_->setItem(i, 1, item(m.value, m.doc));
+    metrics_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    metrics_->setItem(i, 2, item(m.better, m.doc));
+  }
+  moments_->setRowCount(0);
+  for (const Moment& m : review_.moments) {
+    if (m.technical) continue;
+    const int row = moments_->rowCount();
+    moments_->insertRow(row);
+    moments_->setItem(row, 0, item(tr("%1 s").arg(m.time_s, 0, 'f', 2)));
+    moments_->item(row, 0)->setData(Qt::UserRole, m.time_s);
+    moments_->setItem(row, 1, item(m.what));
+    moments_->setItem(row, 2, item(m.means));
+  }
+  const std::optional<EntryTrack> track = entry_track(recording_);
+  track_->set_track(track);
+  tabs_->setTabVisible(tabs_->indexOf(track_), track.has_value());
+  fill_traces();
+}
+
+void ReviewPage::fill_traces() {
+  const QSignalBlocker quiet(traces_);
+  traces_->clear();
+  int shown = 0;
+  for (int i = 0; i < review_.traces.size(); ++i) {
+    const Trace& t = review_.traces[i];
+    auto* entry = new QListWidgetItem(t.flat ? tr("%1 (never changes)").arg(t.name) : t.name, traces_);
+    entry->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    const bool on = t.wanted && shown < 4;
+    shown += on;
+    entry->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    entry->setToolTip(t.tip);
+  }
+  show_traces();
+}
+
+void ReviewPage::show_traces() {
+  QVector<int> shown;
+  for (int i = 0; i < traces_->count() && shown.size() < kMostTraces; ++i) {
+    if (traces_->item(i)->checkState() == Qt::Checked) shown += i;
+  }
+  timeline_->set_shown(shown);
+}
+
+QString ReviewPage::write_swage(const QString& file) {
+  std::string error;
+  const bool ok = store_ && store_->export_attempt(review_.attempt.id, file.toStdString(), error);
+  return ok ? QString() : tr("%1 cannot be written: %2").arg(file, QString::fromStdString(error));
+}
+
+QString ReviewPage::write_signals(const QString& file) { return write_file(file, signals_csv(recording_)); }
+
+QString ReviewPage::write_summary(const QString& file) { return write_file(file, summary_csv(review_)); }
+
+void ReviewPage::save(const QString& title, const QString& ending,
+                      QString (ReviewPage::*write)(const QString&)) {
+  const QString name = QString::fromStdString(review_.attempt.lesson_id + "_" + review_.attempt.started_utc)
+                           .replace(QLatin1Char(':'), QLatin1Char('-')) +
+                       ending;
+  const QString file = QFileDialog::getSaveFileName(this, title, name);
+  if (file.isEmpty()) return;
+  const QString problem = (this->*write)(file);
+  note_->setText(problem.isEmpty() ? tr("Written: %1").arg(file) : problem);
+  note_->show();
+}
+
+}  // namespace swage::console

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What SceneView paints around and over the 3D picture.
+#include <swage/abi/lesson.h>
+
+#include <QLinearGradient>
+#include <QPainter>
+#include <algorithm>
+
+#include "console/view3d/overlay.hpp"
+#include "console/view3d/scene_view.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kForceScale_px = 60;  // arrow of 1 N
+
+}  // namespace
+
+QVector3D SceneView::grasp_point(uint32_t object) const {
+  // the middle of the contacts when there are some, else the object itself
+  if (snapshot_->n_contact > 0) {
+    QVector3D sum;
+    for (uint32_t i = 0; i < snapshot_->n_contact; ++i) sum += to_mm(snapshot_->contact[i].p_W);
+    return sum / static_cast<float>(snapshot_->n_contact);
+  }
+  const uint32_t body = card_.objects[object].first_body;
+  return to_mm(body < snapshot_->n_body ? snapshot_->X_WB[body].p : swage_vec3{});
+}
+
+void SceneView::paint_placeholder(QPainter& painter) {
+  painter.setPen(ui_["view_text"]);
+  painter.drawText(
+      rect().adjusted(40, 0, -40, 0), Qt::AlignCenter | Qt::TextWordWrap,
+      tr("The 3D view needs OpenGL 3.3 (%1).\nEverything else works: lessons run and are recorded.")
+          .arg(gl_.why));
+}
+
+void SceneView::paint_background(QPainter& painter) {
+  const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+  if (background_.size() != pixels) {
+    background_ = QPixmap(pixels);
+    background_.setDevicePixelRatio(devicePixelRatioF());
+    QPainter p(&background_);
+    QLinearGradient gradient(0, 0, 0, height());
+    gradient.setColorAt(0, ui_["view_top"]);
+    gradient.setColorAt(1, ui_["view_bottom"]);
+    p.fillRect(rect(), gradient);
+  }
+  painter.drawPixmap(0, 0, background_);
+}
+
+bool SceneView::has_target() const {
+  return std::any_of(card_.script.marks.begin(), card_.script.marks.end(),
+                     [](const judge::Script::Mark& m) { return m.mark.kind == SWAGE_MARK_POINT; });
+}
+
+// Points that a lesson shows in the world. Where to go is the task and is seen in a test, too; that one is near is a cue.
+void SceneView::paint_marks(Overlay& overlay) const {
+  for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
+    const auto& mark = card_.script.marks[m];
+    if (mark.mark.kind != SWAGE_MARK_POINT) continue;
+    const uint32_t cue = cues_shown_ ? snapshot_->mark_cue[m] : SWAGE_NONE;
+    const std::string meaning = cue < card_.script.cues.size() ? card_.script.cues[cue].id : mark.meaning;
+    const QPointF at = camera_.project(to_mm(snapshot_->mark_p_W[m]), size());
+    const double radius = mark.mark.number[0] * kMmPerM / camera_.mm_per_pixel(height());
+    overlay.target(at, radius, cues_.style(QString::fromStdString(meaning)));
+    if (cues_shown_ && hold_ > 0) overlay.ring(at, hold_, std::max(radius, 5.0) + 7);
+  }
+}
+
+void SceneView::paint_forces(Overlay& overlay) const {
+  for (uint32_t c = 0; forces_shown_ && c < snapshot_->n_contact; ++c) {
+    const QVector3D p = to_mm(snapshot_->contact[c].p_W);
+    const swage_vec3& f = snapshot_->contact[c].f_W;
+    const auto mm = static_cast<float>(kForceScale_px * camera_.mm_per_pixel(height()));
+    const QVector3D arrow(static_cast<float>(f.x), static_cast<float>(f.y), static_cast<float>(f.z));
+    overlay.force(camera_.project(p, size()), camera_.project(p + mm * arrow, size()));
+  }
+}
+
+void SceneView::paint_cues(Overlay& overlay) const {
+  int slot = 0;
+  for (uint32_t o = 0; o < card_.objects.size(); ++o) {
+    const QString cue = cue_of(o);
+    if (cue.isEmpty()) continue;
+    const QPointF at = camera_.project(grasp_point(o), size());
+    if (slot == 0 && hold_ > 0 && !has_target()) overlay.ring(at, hold_);
+    // the tool's own cue (too much force) goes to the left, that of the work to the right
+    const bool tool = role_of(card_, o) == Role::kTool;
+    overlay.cue(at, cues_.style(cue), tool ? 1 : 0);
+    ++slot;
+  }
+}
+
+void SceneView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paint_background(painter);
+  if (!renderer_) return paint_placeholder(painter);
+  if (!image_.isNull()) {
+    // during a resize the last picture is stretched
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != background_.size());
+    painter.drawImage(rect(), image_);
+  }
+  Overlay overlay(painter, rect(), ui_);
+  if (have_card_) overlay.scale_bar(camera_.mm_per_pixel(height()));
+  if (have_snapshot_) {
+    paint_marks(overlay);
+    paint_forces(overlay);
+    paint_cues(overlay);
+  }
+  if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
+  if (!banner_.isEmpty()) overlay.banner(banner_);
+  if (instrument_ && !hasFocus()) overlay.hint(tr("Click here: then mouse and keys move the instrument"));
+  if (hasFocus()) {
+    painter.setPen(QPen(ui_["accent"], 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+  }
+}
+
+}  // namespace swage::console

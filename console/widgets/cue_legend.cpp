@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/cue_legend.hpp"
+
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kSign_px = 18, kRow_px = 23;
+constexpr int kColumns = 2;
+
+}  // namespace
+
+/// One meaning: its signs in its colour, its words.
+class CueLegend::Row : public QWidget {
+ public:
+  Row(const CueStyle& style, const UiTheme& ui, QWidget* parent) : QWidget(parent), style_(style), ui_(ui) {
+    setFixedHeight(kRow_px);
+    setMinimumWidth(120);
+    QStringList tip = {style.text};
+    if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(style.sound);
+    setToolTip(tip.join(QLatin1Char('\n')));
+    setAccessibleName(style.text);
+  }
+  void set_active(bool on) {
+    if (on == active_) return;
+    active_ = on;
+    setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    if (active_) {
+      p.setPen(QPen(ui_["accent"], 1.5));
+      p.setBrush(ui_["raised"]);
+      p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
+    }
+    paint_cue_shape(p, {5, 0.5 * (kRow_px - kSign_px)}, kSign_px, style_);
+    QFont text = font();
+    text.setBold(active_);
+    p.setFont(text);
+    p.setPen(ui_["text"]);
+    const double left = 5 + 2 * kSign_px + 6;
+    const QString words =
+        QFontMetrics(text).elidedText(style_.text, Qt::ElideRight, static_cast<int>(width() - left - 4));
+    p.drawText(QRectF(left, 0, width() - left, kRow_px), Qt::AlignLeft | Qt::AlignVCenter, words);
+  }
+
+ private:
+  CueStyle style_;
+  UiTheme ui_;
+  bool active_ = false;
+};
+
+CueLegend::CueLegend(QWidget* parent) : QFrame(parent) {
+  setObjectName(QStringLiteral("legend"));
+  setAccessibleName(tr("What the cues mean"));
+  setProperty("card", true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 10, 6);
+  column->setSpacing(2);
+  heading_ = make_heading(tr("Cues"), this);
+  column->addWidget(heading_);
+  grid_ = new QGridLayout;
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setHorizontalSpacing(6);
+  grid_->setVerticalSpacing(1);
+  for (int i = 0; i < kColumns; ++i) grid_->setColumnStretch(i, 1);
+  column->addLayout(grid_);
+  empty_ = make_muted(tr("This lesson shows no cues."), this);
+  column->addWidget(empty_);
+  column->addStretch(1);
+}
+
+void CueLegend::set_themes(const UiTheme& ui, const CueTheme& cues) {
+  ui_ = ui;
+  cues_ = cues;
+  fill();
+}
+
+void CueLegend::set_meanings(const QStringList& meanings) {
+  if (meanings == meanings_) return;
+  meanings_ = meanings;
+  fill();
+}
+
+void CueLegend::fill() {
+  for (Row* row : rows_) delete row;
+  rows_.clear();
+  const auto lines = static_cast<int>((meanings_.size() + kColumns - 1) / kColumns);
+  for (int i = 0; i < meanings_.size(); ++i) {
+    auto* row = new Row(cues_.style(meanings_[i]), ui_, this);
+    grid_->addWidget(row, i % std::max(lines, 1), i / std::max(lines, 1));
+    rows_ += row;
+  }
+  empty_->setVisible(meanings_.isEmpty());
+  const QStringList now = active_;
+  active_.clear();
+  set_active(now);
+}
+
+void CueLegend::set_active(const QStringList& meanings) {
+  if (meanings == active_) return;
+  active_ = meanings;
+  for (int i = 0; i < rows_.size(); ++i) rows_[i]->set_active(active_.contains(meanings_[i]));
+}
+
+void CueLegend::set_in_picture(bool shown) {
+  heading_->setText(
+      (shown ? tr("Cues") : tr("Cues — not in the picture, for the instructor only")).toUpper());
+}
+
+}  // namespace swage::console

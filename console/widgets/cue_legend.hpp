@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+
+#include "console/cues/cue_theme.hpp"
+#include "console/cues/ui_theme.hpp"
+
+namespace swage::console {
+
+/// What the cues of this lesson mean: colour, shape and word of each. What is on now is framed and bold; that is the
+/// instructor's strip in a Test, when the picture itself shows no cues.
+class CueLegend : public QFrame {
+  Q_OBJECT
+ public:
+  explicit CueLegend(QWidget* parent = nullptr);
+  void set_themes(const UiTheme& ui, const CueTheme& cues);
+  void set_meanings(const QStringList& meanings);
+  void set_active(const QStringList& meanings);
+  /// Whether the picture shows the cues; if not, a line says that only this strip does.
+  void set_in_picture(bool shown);
+
+  const QStringList& meanings() const { return meanings_; }
+  const QStringList& active() const { return active_; }
+
+ private:
+  class Row;
+  void fill();
+  CueTheme cues_;
+  UiTheme ui_;
+  QStringList meanings_, active_;
+  QVector<Row*> rows_;
+  QLabel *heading_, *empty_;
+  QGridLayout* grid_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/live_form.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLocale>
+#include <QToolButton>
+
+#include "console/models/words.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+
+LiveForm::LiveForm(QWidget* parent) : QFrame(parent), column_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("live_form"));
+  column_->setContentsMargins(0, 0, 0, 0);
+  explain_ = make_muted({}, this);
+  problem_ = new QLabel(this);
+  problem_->setObjectName(QStringLiteral("live_problem"));
+  problem_->setWordWrap(true);
+  problem_->hide();
+  column_->addWidget(explain_);
+  column_->addWidget(problem_);
+  column_->addStretch(1);
+}
+
+void LiveForm::set_params(const QVector<LiveParam>& params) {
+  delete body_;
+  fields_.clear();
+  problem_->hide();
+  body_ = new QWidget(this);
+  auto* grid = new QGridLayout(body_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setColumnStretch(0, 1);
+  std::string heading;
+  for (const LiveParam& param : params) {
+    if (param.instance != heading) {
+      heading = param.instance;
+      grid->addWidget(make_heading(human_id(QString::fromStdString(heading)), body_), grid->rowCount(), 0, 1,
+                      3);
+    }
+    add_field(param, grid);
+  }
+  column_->insertWidget(1, body_);
+  set_running(running_);
+}
+
+void LiveForm::add_field(const LiveParam& param, QGridLayout* grid) {
+  const auto index = static_cast<int>(fields_.size());
+  fields_.append({param, param.start, param.start, {}, nullptr});
+  const int row = grid->rowCount();
+  const QString name = QString::fromStdString(param.param.label.empty() ? param.param.id : param.param.label);
+  const QString doc = QString::fromStdString(param.param.doc);
+  auto* label = new QLabel(name, body_);
+  label->setWordWrap(true);
+  label->setToolTip(doc);
+  grid->addWidget(label, row, 0);
+  auto* editors = new QVBoxLayout;
+  const int n = param.param.type == SWAGE_PARAM_VECTOR ? static_cast<int>(param.param.dimension) : 1;
+  for (int c = 0; c < n; ++c) {
+    QWidget* editor = make_editor(index, c);
+    editor->setObjectName(
+        QStringLiteral("live_%1_%2_%3")
+            .arg(QString::fromStdString(param.instance), QString::fromStdString(param.param.id))
+            .arg(c));
+    editor->setAccessibleName(n > 1 ? tr("%1, %2 of %3").arg(name).arg(c + 1).arg(n) : name);
+    editor->setAccessibleDescription(doc);
+    editor->setToolTip(doc);
+    editors->addWidget(editor);
+    fields_[index].editors += editor;
+  }
+  label->setBuddy(fields_[index].editors.first());
+  grid->addLayout(editors, row, 1);
+  auto* back = new QToolButton(body_);
+  back->setText(QStringLiteral("↺"));
+  back->setToolTip(tr("Back to the lesson's own value"));
+  back->setAccessibleName(tr("%1: back to the lesson's own value").arg(name));
+  back->setEnabled(false);
+  connect(back, &QToolButton::clicked, this, [this, index] {
+    put(index, fields_[index].param.start);
+    edit(index, 0, fields_[index].value[0] * fields_[index].param.factor());
+  });
+  fields_[index].back = back;
+  grid->addWidget(back, row, 2);
+}
+
+QWidget* LiveForm::make_editor(int field, int component) {
+  const LiveParam& p = fields_[field].param;
+  const double start = p.start[static_cast<size_t>(component)];
+  if (p.param.type == SWAGE_PARAM_BOOL) {
+    auto* box = new QCheckBox(body_);
+    box->setChecked(start > 0.5);
+    connect(box, &QCheckBox::toggled, this, [=, this](bool on) { edit(field, component, on ? 1 : 0); });
+    return box;
+  }
+  if (p.param.type == SWAGE_PARAM_CHOICE) {
+    auto* box = new QComboBox(body_);
+    for (const std::string& choice : p.param.choices) box->addItem(QString::fromStdString(choice));
+    box->setCurrentIndex(static_cast<int>(start));
+    connect(box, &QComboBox::currentIndexChanged, this, [=, this](int i) { edit(field, component, i); });
+    return box;
+  }
+  auto* box = new QDoubleSpinBox(body_);
+  const double factor = p.factor();
+  box->setDecimals(p.decimals());
+  box->setRange(p.param.min * factor, p.param.max * factor);
+  box->setSingleStep(p.step());
+  if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
+  box->setValue(start * factor);
+  box->setKeyboardTracking(false);  // while typing "0.25" neither 0 nor 0.2 is meant
+  connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });
+  return box;
+}
+
+void LiveForm::edit(int index, int component, double shown) {
+  if (filling_) return;
+  Field& field = fields_[index];
+  field.before = field.value;
+  field.value[static_cast<size_t>(component)] = shown / field.param.factor();
+  field.back->setEnabled(running_ && field.value != field.param.start);
+  last_ = index;
+  Q_EMIT changed(QString::fromStdString(field.param.instance),
+                 QString::fromStdString(field.param.json(field.value)), words(field));
+}
+
+QString LiveForm::words(const Field& field) const {
+  const LiveParam& p = field.param;
+  const QString name = QString::fromStdString(p.param.label.empty() ? p.param.id : p.param.label);
+  if (p.param.type == SWAGE_PARAM_BOOL)
+    return QStringLiteral("%1: %2").arg(name, field.value[0] > 0.5 ? tr("on") : tr("off"));
+  if (p.param.type == SWAGE_PARAM_CHOICE)
+    return QStringLiteral("%1: %2").arg(
+        name, QString::fromStdString(p.param.choices[static_cast<size_t>(field.value[0])]));
+  QStringList numbers;
+  for (int c = 0; c < field.editors.size(); ++c)
+    numbers += QLocale().toString(field.value[static_cast<size_t>(c)] * p.factor(), 'f', p.decimals());
+  return QStringLiteral("%1: %2 %3").arg(name, numbers.join(QStringLiteral(", ")), p.unit()).trimmed();
+}
+
+void LiveForm::put(int index, const std::array<double, 4>& value) {
+  Field& field = fields_[index];
+  filling_ = true;
+  field.value = value;
+  for (int c = 0; c < field.editors.size(); ++c) {
+    const double v = value[static_cast<size_t>(c)];
+    if (auto* spin = qobject_cast<QDoubleSpinBox*>(field.editors[c]))
+      spin->setValue(v * field.param.factor());
+    if (auto* check = qobject_cast<QCheckBox*>(field.editors[c])) check->setChecked(v > 0.5);
+    if (auto* choice = qobject_cast<QComboBox*>(field.editors[c]))
+      choice->setCurrentIndex(static_cast<int>(v));
+  }
+  field.back->setEnabled(running_ && field.value != field.param.start);
+  filling_ = false;
+}
+
+void LiveForm::answer(const QString& problem) {
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  if (!problem.isEmpty() && last_ >= 0) put(last_, fields_[last_].before);
+}
+
+void LiveForm::set_running(bool running) {
+  running_ = running;
+  for (const Field& field : fields_) {
+    for (QWidget* editor : field.editors) editor->setEnabled(running);
+    field.back->setEnabled(running && field.value != field.param.start);
+  }
+  explain_->setText(fields_.isEmpty() ? tr("Nothing of this lesson may be changed while it runs.")
+                    : running         ? tr("A change acts at once and is recorded.")
+                                      : tr("Can be changed while the lesson runs."));
+}
+
+}  // namespace swage::console

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QHash>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <functional>
+
+#include "console/models/live_params.hpp"
+
+class QGridLayout;
+class QToolButton;
+
+namespace swage::console {
+
+/// The form of what may change while a lesson runs, made from the plugins' tables: one line per number with its unit, its
+/// limits and a way back to the lesson's own value. A change goes out at once; what is refused is said below and put back.
+class LiveForm : public QFrame {
+  Q_OBJECT
+ public:
+  explicit LiveForm(QWidget* parent = nullptr);
+  void set_params(const QVector<LiveParam>& params);
+  /// While false the fields are shown but cannot be changed: there is nothing to change before the start.
+  void set_running(bool running);
+  /// After a change: `problem` "" when it was taken over.
+  void answer(const QString& problem);
+  int count() const { return static_cast<int>(fields_.size()); }
+
+ Q_SIGNALS:
+  void changed(const QString& instance, const QString& json, const QString& words);
+
+ private:
+  struct Field {
+    LiveParam param;
+    std::array<double, 4> value{}, before{};
+    QVector<QWidget*> editors;
+    QToolButton* back = nullptr;
+  };
+  void add_field(const LiveParam& param, QGridLayout* grid);
+  QWidget* make_editor(int field, int component);
+  void edit(int field, int component, double shown);
+  void put(int field, const std::array<double, 4>& value);
+  QString words(const Field& field) const;
+
+  QVector<Field> fields_;
+  QVBoxLayout* column_;
+  QWidget* body_ = nullptr;
+  QLabel *explain_, *problem_;
+  int last_ = -1;
+  bool running_ = false, filling_ = false;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/timeline.hpp"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "console/widgets/metric_chart.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kLeft_px = 56, kRight_px = 12, kEvents_px = 30, kAxis_px = 20, kGap_px = 16;
+constexpr double kFine_s = 1e-3, kStep_s = 1e-2, kCoarse_s = 1;
+constexpr double kNear_px = 5;  // so near the pointer means an event
+
+}  // namespace
+
+Timeline::Timeline(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("timeline"));
+  setAccessibleName(tr("Timeline of the attempt"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void Timeline::set_theme(const UiTheme& theme) {
+  theme_ = theme;
+  update();
+}
+
+void Timeline::set_review(const Review* review, const record::Recording* recording) {
+  review_ = review;
+  recording_ = recording;
+  shown_.clear();
+  cursor_s_ = 0;
+  describe();
+  update();
+}
+
+void Timeline::set_shown(const QVector<int>& traces) {
+  shown_ = traces;
+  describe();
+  update();
+}
+
+void Timeline::set_technical(bool shown) {
+  technical_ = shown;
+  update();
+}
+
+void Timeline::set_cursor(double time_s) {
+  const double t = review_ ? std::clamp(time_s, 0.0, review_->length_s) : 0;
+  if (t == cursor_s_) return;
+  cursor_s_ = t;
+  describe();
+  update();
+}
+
+void Timeline::describe() {
+  if (!review_) return setAccessibleDescription(tr("nothing is open"));
+  QStringList words = {tr("%1 s of %2 s").arg(cursor_s_, 0, 'f', 2).arg(review_->length_s, 0, 'f', 2)};
+  const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
+  for (const int i : shown_) {
+    const Trace& t = review_->traces[i];
+    words +=
+        QStringLiteral("%1 %2 %3").arg(t.name).arg(value_at(t, *recording_, step), 0, 'g', 3).arg(t.unit);
+  }
+  setAccessibleDescription(words.join(QStringLiteral(", ")));
+}
+
+QRectF Timeline::area() const {
+  return {kLeft_px, kEvents_px, width() - kLeft_px - kRight_px, height() - kEvents_px - kAxis_px};
+}
+
+QRectF Timeline::plot(int i) const {
+  const QRectF a = area();
+  const double h = a.height() / std::max<double>(1, static_cast<double>(shown_.size()));
+  return {a.left(), a.top() + i * h + kGap_px, a.width(), h - kGap_px};
+}
+
+double Timeline::x_of(double time_s) const {
+  const QRectF a = area();
+  return a.left() + a.width() * (review_ && review_->length_s > 0 ? time_s / review_->length_s : 0);
+}
+
+void Timeline::go(double time_s) {
+  if (!review_) return;
+  // whole steps: what is shown was recorded
+  set_cursor(std::round(time_s / review_->dt_s) * review_->dt_s);
+  Q_EMIT moved(cursor_s_);
+}
+
+void Timeline::go_to_moment(int direction) {
+  double best = direction < 0 ? 0 : review_->length_s;
+  for (const Moment& m : review_->moments) {
+    if (m.technical && !technical_) continue;
+    if (direction < 0 && m.time_s < cursor_s_ - 1e-9) best = std::max(best, m.time_s);
+    if (direction > 0 && m.time_s > cursor_s_ + 1e-9) best = std::min(best, m.time_s);
+  }
+  go(best);
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+  setFocus();
+  mouseMoveEvent(event);
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+  if (!review_ || !(event->buttons() & Qt::LeftButton)) return;
+  if (const Moment* m = event->type() == QEvent::MouseButtonPress ? moment_at(event->position()) : nullptr)
+    return go(m->time_s);
+  const QRectF a = area();
+  go((event->position().x() - a.left()) / a.width() * review_->length_s);
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+  if (!review_) return QWidget::keyPressEvent(event);
+  const double step = event->modifiers() & Qt::ShiftModifier     ? kFine_s
+                      : event->modifiers() & Qt::ControlModifier ? kCoarse_s
+                                                                 : kStep_s;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return go(cursor_s_ - step);
+    case Qt::Key_Right:
+      return go(cursor_s_ + step);
+    case Qt::Key_Home:
+      return go(0);
+    case Qt::Key_End:
+      return go(review_->length_s);
+    case Qt::Key_Comma:
+      return go_to_moment(-1);
+    case Qt::Key_Period:
+      return go_to_moment(+1);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+const Moment* Timeline::moment_at(const QPointF& pos) const {
+  if (!review_ || pos.y() > kEvents_px) return nullptr;
+  const Moment* best = nullptr;
+  double nearest = kNear_px;
+  for (const Moment& m : review_->moments) {
+    if (m.technical && !technical_) continue;
+    const double d = std::abs(x_of(m.time_s) - pos.x());
+    if (d < nearest) nearest = d, best = &m;
+  }
+  return best;
+}
+
+bool Timeline::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  if (const Moment* m = moment_at(help->pos())) {
+    QToolTip::showText(help->globalPos(),
+                       tr("%1 s: %2").arg(m->time_s, 0, 'f', 2).arg(m->what) +
+                           (m->means.isEmpty() ? QString() : QStringLiteral("\n") + m->means),
+                       this);
+  } else {
+    QToolTip::hideText();
+  }
+  return true;
+}
+
+void Timeline::paint_axis(QPainter& p) const {
+  const QRectF a = area();
+  const double step =
+      MetricChart::nice_step(0, review_->length_s, std::max(2, static_cast<int>(a.width() / 110)));
+  for (double t = 0; t <= review_->length_s + 1e-9; t += step) {
+    p.setPen(QPen(theme_["border"], 1));
+    p.drawLine(QPointF(x_of(t), a.top()), QPointF(x_of(t), a.bottom()));
+    p.setPen(theme_["muted"]);
+    p.drawText(QRectF(x_of(t) - 40, a.bottom() + 3, 80, kAxis_px - 3), Qt::AlignHCenter | Qt::AlignTop,
+               tr("%1 s").arg(QLocale().toString(t, 'g', 4)));
+  }
+}
+
+// a flag each; those of a person are diamonds. Words only where there is room for them.
+void Timeline::paint_moments(QPainter& p) const {
+  const QFontMetricsF metrics(p.font());
+  double free_from = 0;
+  for (const Moment& m : review_->moments) {
+    if (m.technical && !technical_) continue;
+    const double x = x_of(m.time_s);
+    const QColor colour = m.by_person ? theme_["plot_2"] : m.technical ? theme_["muted"] : theme_["accent"];
+    QColor pale = colour;
+    pale.setAlpha(90);
+    p.setPen(QPen(pale, 1));
+    p.drawLine(QPointF(x, kEvents_px - 4), QPointF(x, area().bottom()));
+    p.setPen(Qt::NoPen);
+    p.setBrush(colour);
+    const double y = kEvents_px - 8;
+    if (m.by_person)
+      p.drawPolygon(QPolygonF({{x, y - 5}, {x + 5, y}, {x, y + 5}, {x - 5, y}}));
+    else
+      p.drawPolygon(QPolygonF({{x - 4, y - 4}, {x + 4, y - 4}, {x, y + 4}}));
+    const double w = metrics.horizontalAdvance(m.what);
+    double left = std::clamp(x - 0.5 * w, 2.0, std::max(2.0, width() - w - 2));
+    if (left < free_from) continue;
+    free_from = left + w + 10;
+    p.setPen(theme_["text"]);
+    p.drawText(QRectF(left, 0, w + 2, 16), Qt::AlignLeft | Qt::AlignVCenter, m.what);
+  }
+}
+
+void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const QColor& colour) const {
+  const auto y = [&](double v) {
+    return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
+  };
+  for (const double v : {t.low, 0.5 * (t.low + t.high), t.high}) {
+    p.setPen(QPen(theme_["border"], 1));
+    p.drawLine(QPointF(a.left(), y(v)), QPointF(a.right(), y(v)));
+    p.setPen(theme_["muted"]);
+    p.drawText(QRectF(0, y(v) - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
+               QLocale().toString(v, 'g', 3));
+  }
+  // lowest and highest of each column: no peak is lost however long the attempt
+  const auto columns = static_cast<size_t>(std::max(1.0, a.width()));
+  const size_t n = recording_->step.size(), width = recording_->info.script.signals.size();
+  std::vector<std::pair<float, float>> span(columns, {INFINITY, -INFINITY});
+  const double per_step = review_->dt_s / review_->length_s * static_cast<double>(columns);
+  for (size_t i = 0; i < n; ++i) {
+    const float v = recording_->signal[i * width + t.index];
+    if (!std::isfinite(v)) continue;
+    auto& s =
+        span[std::min(columns - 1, static_cast<size_t>(static_cast<double>(recording_->step[i]) * per_step))];
+    s = {std::min(s.first, v), std::max(s.second, v)};
+  }
+  p.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  QPolygonF line;
+  for (size_t c = 0; c < columns; ++c) {
+    if (span[c].first > span[c].second) continue;
+    const double x = a.left() + static_cast<double>(c) + 0.5;
+    line << QPointF(x, y(t.factor * static_cast<double>(span[c].first)));
+    if (span[c].second > span[c].first) line << QPointF(x, y(t.factor * static_cast<double>(span[c].second)));
+  }
+  p.drawPolyline(line);
+}
+
+void Timeline::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  QFont small = font();
+  small.setPointSizeF(font().pointSizeF() * 0.88);
+  p.setFont(small);
+  if (!review_ || review_->length_s <= 0) {
+    p.setPen(theme_["muted"]);
+    p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Nothing was recorded of this attempt."));
+    return;
+  }
+  paint_axis(p);
+  const char* const colours[] = {"plot", "plot_2"};
+  for (int i = 0; i < shown_.size(); ++i) {
+    const Trace& t = review_->traces[shown_[i]];
+    const QRectF a = plot(i);
+    paint_trace(p, t, a, theme_[colours[i % 2]]);
+    const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
+    const double now = value_at(t, *recording_, step);
+    p.setPen(theme_["text"]);
+    const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
+    p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
+               name);
+    p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
+               std::isfinite(now) ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
+                                  : QString());
+  }
+  paint_moments(p);
+  p.setPen(QPen(theme_["text"], 1.5));
+  p.drawLine(QPointF(x_of(cursor_s_), 16), QPointF(x_of(cursor_s_), area().bottom()));
+  if (hasFocus()) {
+    p.setPen(QPen(theme_["accent"], 1.5));
+    p.setBrush(Qt::NoBrush);
+    p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
+  }
+}
+
+}  // namespace swage::console

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "console/cues/ui_theme.hpp"
+#include "console/models/review.hpp"
+
+namespace swage::console {
+
+/// Traces of one attempt below each other on one time axis, with what happened as marks above it and one cursor through all.
+/// Click or drag sets the cursor; arrows step 10 ms, with Shift 1 ms, with Ctrl 1 s; Home and End; , and . go from event to
+/// event.
+class Timeline : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Timeline(QWidget* parent = nullptr);
+  void set_theme(const UiTheme& theme);
+  /// Both outlive their use here; nullptr clears.
+  void set_review(const Review* review, const record::Recording* recording);
+  /// Indices into Review::traces, top to bottom.
+  void set_shown(const QVector<int>& traces);
+  void set_technical(bool shown);
+  void set_cursor(double time_s);  // moves the line, tells nobody
+  double cursor() const { return cursor_s_; }
+  double x_of(double time_s) const;  // pixels
+
+  QSize sizeHint() const override { return {800, 320}; }
+  QSize minimumSizeHint() const override { return {300, 160}; }
+
+ Q_SIGNALS:
+  void moved(double time_s);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  QRectF area() const;
+  QRectF plot(int i) const;
+  void go(double time_s);
+  void go_to_moment(int direction);
+  void paint_axis(QPainter& p) const;
+  void paint_moments(QPainter& p) const;
+  void paint_trace(QPainter& p, const Trace& trace, const QRectF& area, const QColor& colour) const;
+  const Moment* moment_at(const QPointF& pos) const;
+  void describe();
+
+  const Review* review_ = nullptr;
+  const record::Recording* recording_ = nullptr;
+  QVector<int> shown_;
+  UiTheme theme_;
+  double cursor_s_ = 0;
+  bool technical_ = false;
+};
+
+}  // namespace swage::console

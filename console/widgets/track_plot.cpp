@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/track_plot.hpp"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "console/view3d/overlay.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kRoom = 1.25;           // around what is shown
+constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
+
+}  // namespace
+
+TrackPlot::TrackPlot(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("track_plot"));
+  setAccessibleName(tr("Entry penetration"));
+}
+
+void TrackPlot::set_theme(const UiTheme& theme) {
+  theme_ = theme;
+  update();
+}
+
+void TrackPlot::set_track(const std::optional<EntryTrack>& track) {
+  track_ = track;
+  cursor_s_ = 0;
+  setAccessibleDescription(track ? tr("wound %1 % of the needle").arg(100 * track->wound, 0, 'f', 0)
+                                 : tr("nothing"));
+  update();
+}
+
+void TrackPlot::set_cursor(double time_s) {
+  if (time_s == cursor_s_) return;
+  cursor_s_ = time_s;
+  update();
+}
+
+double TrackPlot::reach_mm() const {
+  double reach = std::max(kLeastReach_mm, track_->radius_mm * std::max(1.0, track_->wound));
+  for (const QPolygonF& pass : track_->passes) {
+    for (const QPointF& p : pass) reach = std::max(reach, std::hypot(p.x(), p.y()));
+  }
+  return reach;
+}
+
+void TrackPlot::paint_circles(QPainter& p, const QPointF& middle, double scale) const {
+  const double r = scale * track_->radius_mm;
+  if (r <= 0) return;
+  p.setPen(QPen(theme_["good"], 2));
+  p.setBrush(Qt::NoBrush);
+  p.drawEllipse(middle, r, r);
+  if (track_->wound > 1.005) {
+    p.setPen(QPen(theme_["bad"], 1.5, Qt::DashLine));
+    p.drawEllipse(middle, r * track_->wound, r * track_->wound);
+  }
+}
+
+void TrackPlot::paint_track(QPainter& p, const QPointF& middle, double scale) const {
+  QColor pale = theme_["plot"];
+  pale.setAlpha(90);
+  for (int k = 0; k < track_->passes.size(); ++k) {
+    QPolygonF all, done;
+    for (int i = 0; i < track_->passes[k].size(); ++i) {
+      const QPointF at = track_->passes[k][i];
+      all << QPointF(middle.x() + scale * at.x(), middle.y() - scale * at.y());
+      if (track_->time_s[k][i] <= cursor_s_) done << all.last();
+    }
+    p.setPen(QPen(pale, 1.5));
+    p.drawPolyline(all);
+    p.setPen(QPen(theme_["plot"], 2));
+    p.drawPolyline(done);
+    if (!done.isEmpty()) {
+      p.setBrush(theme_["plot"]);
+      p.drawEllipse(done.last(), 4, 4);
+      p.setBrush(Qt::NoBrush);
+    }
+  }
+  p.setPen(QPen(theme_["text"], 1.5));
+  p.drawLine(middle + QPointF(-5, 0), middle + QPointF(5, 0));
+  p.drawLine(middle + QPointF(0, -5), middle + QPointF(0, 5));
+}
+
+void TrackPlot::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  if (!track_) {
+    p.setPen(theme_["muted"]);
+    p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("The needle did not go in."));
+    return;
+  }
+  const double text_px = 40, size = std::min<double>(width(), height() - text_px);
+  const QPointF middle(0.5 * width(), text_px + 0.5 * (height() - text_px));
+  const double scale = 0.5 * size / (kRoom * reach_mm());
+  p.setPen(theme_["text"]);
+  p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+             tr("Entry penetration, seen onto the surface"));
+  p.setPen(theme_["muted"]);
+  p.drawText(QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+             track_->radius_mm > 0 ? tr("wound %1 % of the needle (green circle); 100 % is perfect")
+                                         .arg(100 * track_->wound, 0, 'f', 0)
+                                   : tr("the cross is the first puncture"));
+  paint_circles(p, middle, scale);
+  paint_track(p, middle, scale);
+  const double bar = nice_scale_mm(1 / scale, 0.3 * width());
+  p.setPen(QPen(theme_["text"], 2));
+  p.drawLine(QPointF(8, height() - 8), QPointF(8 + bar * scale, height() - 8));
+  p.drawText(QRectF(8, height() - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
+}
+
+}  // namespace swage::console

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A recorded attempt without physics, and a player that walks through it. For tests of the console only.
+#pragma once
+
+#include <algorithm>
+
+#include "console/link/player.hpp"
+#include "record/store.hpp"
+
+namespace swage::test {
+
+/// `n` steps with four signals: a force that grows to 0.7 N, a tilt of 0.2 rad, the arc, and one that never changes.
+inline record::Recording fake_recording(size_t n) {
+  record::Recording r;
+  r.info.dt = 1e-3;
+  r.info.person = "Arun P.";
+  auto& s = r.info.script;
+  s.signals = {{"needle", "needle.arc", "1", "Where along the arc"},
+               {"grasp", "grasp.tilt_axis", "rad", "Angle away from a right-angled grasp"},
+               {"grasp", "grasp.force", "N", "Force of the jaws on the needle"},
+               {"grasp", "grasp.zero", "N", "Always nothing"}};
+  // as a scene declares them; the force comes first in the file
+  std::swap(s.signals[0], s.signals[2]);
+  s.metrics = {{"lesson", "force.peak", "N", "Largest force on the needle"},
+               {"lesson", "odd.number", "1", "Odd"}};
+  s.events = {{"grasp", "grasp.taken", "N", "The jaws hold the needle; value: the force"}};
+  for (size_t i = 0; i < n; ++i) {
+    r.step.push_back(i);
+    r.hash.push_back(i);
+    const double u = static_cast<double>(i) / static_cast<double>(std::max<size_t>(n, 2) - 1);
+    r.signal.push_back(static_cast<float>(0.7 * u));
+    r.signal.push_back(0.2F);
+    r.signal.push_back(static_cast<float>(0.5 * u));
+    r.signal.push_back(0);
+  }
+  if (n > 1) r.signal[1] = 0;  // the tilt begins at nothing
+  return r;
+}
+
+inline record::AttemptRow fake_attempt() {
+  record::AttemptRow a;
+  a.id = "a13";
+  a.person_name = "Arun P.";
+  a.lesson_id = "swage.series.grasp";
+  a.lesson_title = "Grasp the needle";
+  a.mode = "practice";
+  a.started_utc = "2026-11-19T09:23:00Z";
+  a.outcome = "passed";
+  a.score = 87;
+  a.simulated_s = 2;
+  a.metrics = {{"force.peak", "N", 0.83}, {"odd.number", "1", 3}};
+  return a;
+}
+
+inline std::vector<record::EventRow> fake_events() {
+  return {{500, 0.5, "grasp", "grasp.taken", 0.4},
+          {900, 0.9, "note", "Wrist not turning", 0},
+          {1200, 1.2, "swage", "host.gap", 4}};
+}
+
+/// Walks one step at a time like the real one; its scene is the fake session's.
+class FakePlayer final : public console::Player {
+ public:
+  FakePlayer(snapshot::SceneCard card, uint64_t count) : card_(std::move(card)), count_(count) {}
+  const snapshot::SceneCard& card() const override { return card_; }
+  uint64_t at() const override { return at_; }
+  uint64_t count() const override { return count_; }
+  bool toward(uint64_t target, uint64_t most) override {
+    target = std::min(target, count_);
+    at_ = target < at_ ? target : std::min(target, at_ + most);
+    return at_ == target;
+  }
+  void fill(snapshot::Snapshot& out) const override {
+    out = {};
+    out.step = at_;
+    out.time_s = static_cast<double>(at_) * 1e-3;
+    out.n_body = static_cast<uint32_t>(card_.start.size());
+    std::copy(card_.start.begin(), card_.start.end(), out.X_WB);
+    out.phase = SWAGE_NONE;
+  }
+  uint64_t first_difference() const override { return differs; }
+  uint64_t differs = ~uint64_t{0};
+
+ private:
+  snapshot::SceneCard card_;
+  uint64_t at_ = 0, count_;
+};
+
+}  // namespace swage::test

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The Review page in the whole window, with keys and clicks.
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QTableView>
+#include <QTableWidget>
+#include <cmath>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class ReviewPages : public WindowTest {
+ protected:
+  void open_review() {
+    attempts = sample_attempts();
+    open();
+    QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+    EXPECT_FALSE(child<QPushButton>("review")->isEnabled());
+    auto* table = child<QTableView>("attempts");
+    table->selectRow(0);
+    QTest::keyClick(table, Qt::Key_Return);
+    ASSERT_TRUE(review()->isVisible());
+  }
+  console::ReviewPage* review() { return window->review_page(); }
+  bool arrives(uint64_t step) {
+    return eventually([&] { return review()->player() && review()->player()->at() == step; });
+  }
+};
+
+TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
+  open_review();
+  EXPECT_TRUE(child<QLabel>("review_title")->text().contains("Arun P."));
+  EXPECT_EQ(child<QTableWidget>("review_metrics")->rowCount(), 3);
+  EXPECT_EQ(child<QTableWidget>("review_moments")->rowCount(), 2);  // without the lost deadline
+  EXPECT_EQ(review()->review().traces.size(), 4);
+  EXPECT_FALSE(review()->timeline()->grab().isNull());
+  click("review_back");
+  EXPECT_TRUE(window->progress_page()->isVisible());
+}
+
+TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
+  open_review();
+  console::Timeline* timeline = review()->timeline();
+  // a click
+  QTest::mouseClick(timeline, Qt::LeftButton, {},
+                    QPoint(static_cast<int>(timeline->x_of(1.0)), timeline->height() / 2));
+  EXPECT_NEAR(timeline->cursor(), 1.0, 0.01);
+  EXPECT_NEAR(child<QDoubleSpinBox>("review_time")->value(), 1.0, 0.01);
+  EXPECT_TRUE(arrives(static_cast<uint64_t>(std::llround(timeline->cursor() * 1000))));
+  // keys
+  QTest::keyClick(timeline, Qt::Key_Home);
+  EXPECT_TRUE(arrives(0));
+  QTest::keyClick(timeline, Qt::Key_Right);
+  EXPECT_TRUE(arrives(10));
+  QTest::keyClick(timeline, Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_TRUE(arrives(11));
+  QTest::keyClick(timeline, Qt::Key_Period);
+  EXPECT_TRUE(arrives(500));
+  QTest::keyClick(timeline, Qt::Key_Period);
+  EXPECT_TRUE(arrives(900));
+  QTest::keyClick(timeline, Qt::Key_Comma);
+  EXPECT_TRUE(arrives(500));
+  QTest::keyClick(timeline, Qt::Key_End);
+  EXPECT_TRUE(arrives(2000));
+  // a typed time, and an event of the list
+  child<QDoubleSpinBox>("review_time")->setValue(0.123);
+  EXPECT_TRUE(arrives(123));
+  auto* moments = child<QTableWidget>("review_moments");
+  Q_EMIT moments->cellActivated(1, 0);
+  EXPECT_TRUE(arrives(900));
+}
+
+TEST_F(ReviewPages, PlaysToTheEndAndStops) {
+  open_review();
+  child<QComboBox>("speed")->setCurrentIndex(5);
+  EXPECT_EQ(QApplication::focusWidget(), review()->timeline());
+  QTest::keyClick(review()->timeline(), Qt::Key_Space);
+  EXPECT_TRUE(review()->playing());
+  EXPECT_TRUE(arrives(2000));
+  EXPECT_TRUE(eventually([&] { return !review()->playing(); }));
+}
+
+TEST_F(ReviewPages, WithoutThePluginTheTracesAreThereAndItSaysWhy) {
+  plugin_missing = "\"org.example.clip\" is not installed.";
+  open_review();
+  EXPECT_TRUE(child<QLabel>("review_note")->isVisible());
+  EXPECT_TRUE(child<QLabel>("review_note")->text().contains("org.example.clip"));
+  EXPECT_EQ(child<QTableWidget>("review_metrics")->rowCount(), 3);
+  QTest::keyClick(review()->timeline(), Qt::Key_End);
+  EXPECT_DOUBLE_EQ(review()->timeline()->cursor(), 2.0);
+}
+
+TEST_F(ReviewPages, APictureThatIsNotTheAttemptSaysSo) {
+  differs = 300;
+  open_review();
+  EXPECT_TRUE(eventually([&] { return child<QLabel>("review_note")->isVisible(); }));
+  EXPECT_TRUE(child<QLabel>("review_note")->text().contains("0.30 s"));
+}
+
+TEST_F(ReviewPages, AnUnreadableAttemptSaysWhyAndNothingCanBeSaved) {
+  recorded_steps = 0;
+  open_review();
+  EXPECT_TRUE(child<QLabel>("review_problem")->text().contains("damaged"));
+  EXPECT_FALSE(child<QPushButton>("save_swage")->isEnabled());
+}
+
+TEST_F(ReviewPages, WritesCsvAndSaysWhatItCannotWrite) {
+  open_review();
+  const QString file = dir.filePath("signals.csv");
+  EXPECT_EQ(review()->write_signals(file), QString());
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  EXPECT_EQ(written.readAll().count('\n'), 2001);
+  EXPECT_EQ(review()->write_summary(dir.filePath("summary.csv")), QString());
+  EXPECT_TRUE(review()->write_signals("/no/such/folder/x.csv").contains("cannot be written"));
+  EXPECT_TRUE(review()->write_swage(dir.filePath("a.swage")).contains("is a fake"));
+}
+
+}  // namespace
+}  // namespace swage::test

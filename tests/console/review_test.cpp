@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/models/review.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QStringList>
+#include <cmath>
+
+#include "console/models/live_params.hpp"
+#include "fake_recording.hpp"
+
+namespace swage::console {
+namespace {
+
+TEST(ReviewModel, TracesHaveRoundAxesInReadableUnitsAndTheImportantOnesComeFirst) {
+  const record::Recording r = test::fake_recording(2000);
+  const Review review = make_review(test::fake_attempt(), r, test::fake_events());
+  ASSERT_EQ(review.traces.size(), 4);
+  EXPECT_EQ(review.traces[0].name, "Grasp force");
+  EXPECT_TRUE(review.traces[0].wanted);
+  EXPECT_EQ(review.traces[0].unit, "N");
+  EXPECT_DOUBLE_EQ(review.traces[0].low, 0);
+  EXPECT_DOUBLE_EQ(review.traces[0].high, 0.8);  // 0.7 rounded outwards
+  EXPECT_EQ(review.traces[1].name, "Grasp tilt axis");
+  EXPECT_EQ(review.traces[1].unit, "°");
+  EXPECT_NEAR(value_at(review.traces[1], r, 1500), 0.2 * 180 / M_PI, 1e-4);
+  // what never changes is offered, not shown
+  EXPECT_TRUE(review.traces[3].flat);
+  EXPECT_FALSE(review.traces[3].wanted);
+  EXPECT_DOUBLE_EQ(review.length_s, 2.0);
+}
+
+TEST(ReviewModel, MomentsAreInOrderWithMeaningAndKnowWhoSaidThem) {
+  const Review review = make_review(test::fake_attempt(), test::fake_recording(2000), test::fake_events());
+  ASSERT_EQ(review.moments.size(), 3);
+  EXPECT_EQ(review.moments[0].what, "Grasp taken");
+  EXPECT_EQ(review.moments[0].means, "The jaws hold the needle");
+  EXPECT_TRUE(review.moments[1].by_person);
+  EXPECT_EQ(review.moments[1].what, "Wrist not turning");
+  EXPECT_TRUE(review.moments[2].technical);
+}
+
+TEST(ReviewModel, MetricsHaveUnitAndDirection) {
+  const Review review = make_review(test::fake_attempt(), test::fake_recording(10), {});
+  ASSERT_EQ(review.metrics.size(), 2);
+  EXPECT_TRUE(review.metrics[0].value.endsWith("N"));
+  EXPECT_TRUE(review.metrics[0].better.contains("lower"));
+  EXPECT_EQ(review.metrics[1].better, QString());
+  EXPECT_EQ(review.verdict(), "✓ Met, 87 of 100");
+}
+
+TEST(ReviewModel, SignalsAsCsvAreExactAndHaveUnits) {
+  const record::Recording r = test::fake_recording(3);
+  const QStringList lines = QString::fromStdString(signals_csv(r)).split('\n');
+  ASSERT_EQ(lines.size(), 5);  // heading, three steps, and what is after the last line end
+  EXPECT_EQ(lines[0].count(','), 4);
+  EXPECT_TRUE(lines[0].contains("\"grasp grasp.force [N]\""));
+  EXPECT_TRUE(lines[1].startsWith("0.001,"));
+  EXPECT_EQ(lines[3].section(',', 1, 1).toFloat(), r.signal[2 * 4]);
+  // not a number is an empty field
+  record::Recording gap = r;
+  gap.signal[0] = NAN;
+  EXPECT_TRUE(QString::fromStdString(signals_csv(gap)).split('\n')[1].startsWith("0.001,,"));
+}
+
+TEST(ReviewModel, SummaryAsCsvQuotesWhatPeopleWrote) {
+  std::vector<record::EventRow> events = test::fake_events();
+  events[1].id = "said \"slow, slow\"";
+  const std::string csv = summary_csv(make_review(test::fake_attempt(), test::fake_recording(2000), events));
+  EXPECT_NE(csv.find("\"said \"\"slow, slow\"\"\""), std::string::npos) << csv;
+  EXPECT_NE(csv.find("metric,\"force.peak\",,0.83,\"N\",\"lower is better\""), std::string::npos) << csv;
+}
+
+LiveParam length_param() {
+  LiveParam p;
+  p.instance = "needle";
+  p.param.id = "gap";
+  p.param.type = SWAGE_PARAM_REAL;
+  p.param.unit = "m";
+  p.param.display_unit = "mm";
+  p.param.min = 0;
+  p.param.max = 5e-3;
+  p.start = {2.6e-3, 0, 0, 0};
+  return p;
+}
+
+TEST(LiveParams, ShowTheTablesUnitAndGoOutAsTheCheckerReadsThem) {
+  const LiveParam p = length_param();
+  EXPECT_DOUBLE_EQ(p.factor(), 1000);
+  EXPECT_EQ(p.unit(), "mm");
+  EXPECT_DOUBLE_EQ(p.step(), 0.05);
+  EXPECT_GE(p.decimals(), 2);
+  // the way out is the way in: what the form writes, the checker of lesson files accepts
+  host::ParamValues values;
+  base::Problems problems;
+  host::ParamSource source;
+  source.where = [](const std::string& pointer) { return pointer; };
+  ASSERT_TRUE(host::check_params(p.json({3.1e-3, 0, 0, 0}), {p.param}, source, values, problems));
+  EXPECT_NEAR(values.value[0].number[0], 3.1e-3, 1e-12);
+}
+
+TEST(LiveParams, ValuesOutsideTheRangeAreRefusedByTheSameTable) {
+  const LiveParam p = length_param();
+  host::ParamValues values;
+  base::Problems problems;
+  host::ParamSource source;
+  source.where = [](const std::string& pointer) { return pointer; };
+  EXPECT_FALSE(host::check_params(p.json({6e-3, 0, 0, 0}), {p.param}, source, values, problems));
+}
+
+}  // namespace
+}  // namespace swage::console

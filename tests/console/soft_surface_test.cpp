@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/view3d/soft_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swage::console {
+namespace {
+
+// a square of 4 mm in the plane z = 0, seen from above
+Mesh square() {
+  Mesh m;
+  for (const auto& [x, y] : {std::pair{-2.F, -2.F}, {2.F, -2.F}, {2.F, 2.F}, {-2.F, 2.F}})
+    m.vertex.push_back({{x, y, 0}, {0, 0, 1}});
+  m.index = {0, 1, 2, 0, 2, 3};
+  return m;
+}
+
+QVector3D at(const Mesh& m, uint32_t i) { return {m.vertex[i].p[0], m.vertex[i].p[1], m.vertex[i].p[2]}; }
+
+double area(const Mesh& m) {
+  double sum = 0;
+  for (size_t i = 0; i < m.index.size(); i += 3) {
+    const QVector3D n = QVector3D::crossProduct(at(m, m.index[i + 1]) - at(m, m.index[i]),
+                                                at(m, m.index[i + 2]) - at(m, m.index[i]));
+    EXPECT_GE(n.z(), -1e-6F) << "turned over";
+    sum += 0.5 * static_cast<double>(n.length());
+  }
+  return sum;
+}
+
+TEST(SoftSurface, SubdividingKeepsTheSurfaceAndShortensItsEdges) {
+  const Mesh fine = subdivided(square(), 0.25F);
+  EXPECT_NEAR(area(fine), 16, 1e-4);
+  float longest = 0;
+  for (size_t i = 0; i < fine.index.size(); i += 3)
+    for (size_t k = 0; k < 3; ++k)
+      longest =
+          std::max(longest, (at(fine, fine.index[i + k]) - at(fine, fine.index[i + (k + 1) % 3])).length());
+  EXPECT_LE(longest, 0.25F * 1.001F);
+}
+
+TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
+  const std::vector<Dent> dents = {{{0.3F, 0, 0}, {0, 0, -0.2F}, 0.5F}};
+  const Mesh rest = subdivided(square(), 0.1F);
+  Mesh dented;
+  QMatrix4x4 X;
+  X.translate(0.1F, 0, 0);
+  X.rotate(90, 0, 0, 1);
+  displace(rest, X, dents, dented);
+  float deepest = 0;
+  for (size_t i = 0; i < dented.vertex.size(); ++i) {
+    const QVector3D p = X.map(at(rest, static_cast<uint32_t>(i)));
+    const float r2 = (p - dents[0].p).lengthSquared();
+    EXPECT_NEAR(dented.vertex[i].p[2], -0.2F / std::sqrt(1 + 4 * r2), 1e-5F);
+    deepest = std::min(deepest, dented.vertex[i].p[2]);
+    // against the normal by differences
+    const auto depth = [&](float dx, float dy) { return displacement(dents, p + QVector3D(dx, dy, 0)).z(); };
+    const float h = 0.01F;
+    const QVector3D n_W(-(depth(h, 0) - depth(-h, 0)) / (2 * h), -(depth(0, h) - depth(0, -h)) / (2 * h), 1);
+    const QVector3D n = X.mapVector({dented.vertex[i].n[0], dented.vertex[i].n[1], dented.vertex[i].n[2]});
+    EXPECT_GT(QVector3D::dotProduct(n, n_W.normalized()), 0.9995F);
+  }
+  EXPECT_NEAR(deepest, -0.2F, 0.003F);
+}
+
+TEST(SoftSurface, ATearIsACapsuleThatLiesOnTheDentedSurface) {
+  const std::vector<Tear> tears = {{{-0.1F, 0, 0}, {0.2F, 0, 0}, {0, 0, 1}, 0.05F}};
+  Mesh flat;
+  append_tears(tears, {}, 0, 0.01F, flat);
+  EXPECT_NEAR(area(flat), 2 * 0.05 * 0.3 + std::numbers::pi * 0.05 * 0.05, 1e-4);
+  for (const Vertex& v : flat.vertex) EXPECT_FLOAT_EQ(v.p[2], 0.01F);
+  const std::vector<Dent> dents = {{{0, 0, 0}, {0, 0, -0.1F}, 1}};
+  Mesh dented;
+  append_tears(tears, dents, 0, 0, dented);
+  for (const Vertex& v : dented.vertex) EXPECT_NEAR(v.p[2], -0.1F, 0.004F);
+  // a prick has no length
+  Mesh prick;
+  append_tears({{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.05F}}, {}, 0, 0, prick);
+  EXPECT_NEAR(area(prick), std::numbers::pi * 0.05 * 0.05, 2e-4);
+}
+
+}  // namespace
+}  // namespace swage::console
