@@ -172,6 +172,7 @@ void append_shape(const snapshot::CardShape& s, Mesh& mesh) {
     case SWAGE_SHAPE_ARC:
       return arc_tube(s, 0, 1, 1, mesh);
     case SWAGE_SHAPE_CONVEX:
+    case SWAGE_SHAPE_HEIGHT_FIELD:
       return append_convex(s, mesh);
     default:
       return;

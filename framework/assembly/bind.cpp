@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
 #include "snapshot/snapshot.hpp"
+#include "toolkit/height_field.hpp"
 #include "toolkit/mirror.hpp"
 
 namespace swage::assembly {
@@ -239,6 +240,19 @@ void mirror(snapshot::SceneCard& card) {
   }
 }
 
+/// The surface of a height field as it was declared.
+void add_triangles(const scene::HeightFieldInfo& info, snapshot::CardShape& shape) {
+  const toolkit::HeightField field{info.nx, info.ny, info.dx, info.dy, info.height.data()};
+  for (uint32_t k = 0; k < field.vertices(); ++k)
+    shape.vertex.push_back(toolkit::raw(field.vertex(k % info.nx, k / info.nx)));
+  for (uint32_t j = 0; j + 1 < info.ny; ++j)
+    for (uint32_t i = 0; i + 1 < info.nx; ++i) {
+      const uint32_t v = j * info.nx + i, opposite = v + info.nx + 1;
+      shape.face.push_back({v, v + 1, opposite});
+      shape.face.push_back({v, opposite, v + info.nx});
+    }
+}
+
 }  // namespace
 
 void Assembler::fill_metrics() {
@@ -284,6 +298,7 @@ void Assembler::fill_card() {
       for (const toolkit::Vec3& v : convex.vertex) shape.vertex.push_back(toolkit::raw(v));
       for (const toolkit::Convex::Face& f : convex.face) shape.face.push_back(f.vertex);
     }
+    if (s.field != kNone) add_triangles(rig.world.field[s.field], shape);
     card.shapes.push_back(std::move(shape));
   }
   if (rig.mirror) mirror(card);

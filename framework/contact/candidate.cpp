@@ -24,10 +24,15 @@ struct Carrier {
   Vec3 on_circle(Turn e) const { return p + feature.radius * (e.c * u + e.s * v); }
 };
 
+/// Whether e lies in the feature's stretch.
+bool inside(const Feature& f, Turn e) {
+  const auto follows = [](Turn a, Turn b) { return a.c * b.s >= a.s * b.c; };
+  return follows(f.from, e) && follows(e, f.upto);
+}
+
 /// e, or the end of the feature's stretch that is nearer to it.
 Turn within(const Feature& f, Turn e) {
-  const auto follows = [](Turn a, Turn b) { return a.c * b.s >= a.s * b.c; };
-  if (follows(f.from, e) && follows(e, f.upto)) return e;
+  if (inside(f, e)) return e;
   return e.c * f.from.c + e.s * f.from.s >= e.c * f.upto.c + e.s * f.upto.s ? f.from : f.upto;
 }
 
@@ -68,14 +73,30 @@ PointPair circle_segment(const Carrier& circle, const Carrier& segment) {
   return {closest_on_circle(circle, end), end};
 }
 
-/// Two arcs: alternate projections from the touching place, each a closed form.
+/// Two arcs: the minimum near the touching places. Beyond the end of a stretch, the nearest of what that end and what
+/// projections from the touching place say.
 PointPair circle_circle(const Carrier& a, const Carrier& b) {
-  PointPair pair{a.on_circle(a.feature.e), b.on_circle(b.feature.e)};
+  const auto circle = [](const Carrier& c) {
+    toolkit::Arc arc;
+    arc.centre = c.p, arc.x = c.u, arc.y = c.v, arc.radius = c.feature.radius;
+    return arc;
+  };
+  const toolkit::ArcPair at = minimum_near(circle(a), circle(b), {a.feature.e, b.feature.e});
+  PointPair best{a.on_circle(within(a.feature, at.a)), b.on_circle(within(b.feature, at.b))};
+  if (inside(a.feature, at.a) && inside(b.feature, at.b)) return best;
+
+  const auto consider = [&](const Vec3& on_a, const Vec3& on_b) {
+    if ((on_a - on_b).squaredNorm() < (best.a - best.b).squaredNorm()) best = {on_a, on_b};
+  };
+  consider(best.a, closest_on_circle(b, best.a));
+  consider(closest_on_circle(a, best.b), best.b);
+  Vec3 on_a = a.on_circle(a.feature.e);
   for (int i = 0; i < 8; ++i) {
-    pair.a = closest_on_circle(a, pair.b);
-    pair.b = closest_on_circle(b, pair.a);
+    const Vec3 on_b = closest_on_circle(b, on_a);
+    on_a = closest_on_circle(a, on_b);
+    consider(on_a, on_b);
   }
-  return pair;
+  return best;
 }
 
 /// Closest points of two curves; kind(a) <= kind(b).

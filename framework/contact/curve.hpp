@@ -66,6 +66,7 @@ class LineCurve {
   Vec3 tangent(Place) const { return direction_; }
   double unit() const { return 1; }
   static bool may_join(Place, Place) { return true; }
+  static double order(Place t) { return t; }
   double length(Place from, Place to) const { return to - from; }
   Place middle(Place from, Place to) const { return 0.5 * (from + to); }
 
@@ -124,6 +125,8 @@ class ArcCurve {
   Vec3 point(Place e) const { return arc_.point(e); }
   Vec3 tangent(Place e) const { return arc_.tangent(e); }
   double unit() const { return arc_.radius; }  // m of wire per radian, the argument of heights
+  /// Grows along the curve.
+  static double order(Place e) { return e.order(); }
   /// Whether the stretch is shorter than half a turn, as far as such functions as middle() and within() can tell.
   static bool may_join(Place from, Place to) { return from.c * to.s >= from.s * to.c; }
   /// Chord of a stretch: at most 10 % short of its length.

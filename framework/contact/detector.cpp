@@ -53,7 +53,7 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
       X_WB_(world.body.size()),
       sphere_(make_ball(0)) {
   check(options_);
-  for (const scene::Shape& shape : world.shape) solids_.push_back(make_solid(shape, world.convex));
+  for (uint32_t i = 0; i < world.shape.size(); ++i) solids_.push_back(make_solid(world, i));
   for (uint32_t p = 0; p < pairs_.size(); ++p)
     for (uint32_t a = 0; a < world.shape.size(); ++a)
       for (uint32_t b = 0; b < world.shape.size(); ++b) {
@@ -101,6 +101,8 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   set.of_pair.clear();
 
   for (const uint32_t body : bodies_) X_WB_[body] = Frame(world.X_WB[body]);
+  for (uint32_t i = 0; i < solids_.size(); ++i)
+    if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
   size_t next = 0;
   for (uint32_t p = 0; p < pairs_.size(); ++p) {
     const auto first = static_cast<uint32_t>(set.contact.size());

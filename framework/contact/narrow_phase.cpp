@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/narrow_phase.hpp"
 
+#include "contact/arc_arc.hpp"
+#include "contact/convex_convex.hpp"
 #include "contact/wire_convex.hpp"
+#include "contact/wire_field.hpp"
 
 namespace swage::contact {
 namespace {
@@ -30,11 +33,20 @@ int collide(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB
   const double reach = a.bound + b.bound + query.margin;
   if ((X_WA * a.centre - X_WB * b.centre).squaredNorm() > reach * reach) return 0;
 
-  if (is_wire(a) && has_vertices(b)) {
+  if (is_wire(a) && b.kind == SWAGE_SHAPE_HEIGHT_FIELD) {
+    collide_wire_field(a, X_WA, b, X_WB, query, out);
+  } else if (is_wire(b) && a.kind == SWAGE_SHAPE_HEIGHT_FIELD) {
+    collide_wire_field(b, X_WB, a, X_WA, query, out);
+    swap_sides(out, X_WB);
+  } else if (a.kind == SWAGE_SHAPE_ARC && b.kind == SWAGE_SHAPE_ARC) {
+    collide_arc_arc(a, X_WA, b, X_WB, query, out);
+  } else if (is_wire(a) && has_vertices(b)) {
     collide_wire_convex(a, X_WA, b, X_WB, query, memory, out);
   } else if (is_wire(b) && has_vertices(a)) {
     collide_wire_convex(b, X_WB, a, X_WA, query, memory, out);
     swap_sides(out, X_WB);
+  } else if (has_vertices(a) && has_vertices(b)) {
+    collide_convex_convex(a, X_WA, b, X_WB, query, memory, out);
   }
   return out.count;
 }

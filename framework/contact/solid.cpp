@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/solid.hpp"
 
+#include <algorithm>
+
 namespace swage::contact {
 namespace {
 
@@ -23,7 +25,7 @@ void add_bound(Solid& s) {
   } else {
     const double half = 0.5 * s.axis.length();
     s.centre = s.axis.point(0.5);
-    s.bound = s.kind == SWAGE_SHAPE_CYLINDER ? std::sqrt(half * half + s.radius * s.radius) : half + s.radius;
+    s.bound = half + s.radius;
   }
 }
 
@@ -44,6 +46,40 @@ toolkit::Convex skeleton(const toolkit::Segment& axis, bool point) {
   return c;
 }
 
+/// Prism of a cylinder about S.z: a circle of corners below, one above. Its radius gives it the cylinder's volume.
+toolkit::Convex prism(double radius, double half_length) {
+  constexpr uint32_t n = kCylinderSides;
+  const double turn = 2 * M_PI / n, out = radius * std::sqrt(turn / std::sin(turn));
+  std::vector<Vec3> vertex;
+  for (const double z : {-half_length, half_length})
+    for (uint32_t i = 0; i < n; ++i)
+      vertex.emplace_back(out * std::cos(i * turn), out * std::sin(i * turn), z);
+  std::vector<uint32_t> start{0}, index;
+  for (uint32_t i = 0; i < n; ++i) index.push_back(n - 1 - i);
+  start.push_back(n);
+  for (uint32_t i = 0; i < n; ++i) index.push_back(n + i);
+  start.push_back(2 * n);
+  for (uint32_t i = 0; i < n; ++i) {
+    const uint32_t next = (i + 1) % n;
+    index.insert(index.end(), {i, next, n + next, n + i});
+    start.push_back(static_cast<uint32_t>(index.size()));
+  }
+  toolkit::Convex out_convex;
+  toolkit::build_convex(vertex, start, index, out_convex);
+  return out_convex;
+}
+
+/// Points to the heights that `world` has now; a sphere around the box of the field.
+void fit_field(Solid& s, const scene::World& world, const scene::Shape& shape) {
+  const scene::HeightFieldInfo& info = world.field[shape.field];
+  s.field.z = info.state == scene::kNone ? info.height.data() : world.plugin_state.data() + info.state;
+  const auto [low, high] = std::minmax_element(s.field.z, s.field.z + s.field.vertices());
+  s.height = *high - *low + s.below;
+  const Vec3 half = 0.5 * Vec3(s.field.width(), s.field.depth(), s.height);
+  s.centre = s.X_BH * Vec3(half.x(), half.y(), *high - half.z());
+  s.bound = half.norm();
+}
+
 }  // namespace
 
 double support(const Solid& s, const Vec3& n) noexcept {
@@ -52,9 +88,10 @@ double support(const Solid& s, const Vec3& n) noexcept {
       return s.convex.support(n);
     case SWAGE_SHAPE_ARC:
       return n.dot(s.arc.point(lowest(s.arc, -n))) + s.radius * n.norm();
-    case SWAGE_SHAPE_CYLINDER: {
-      const Vec3 u = (s.axis.b - s.axis.a).normalized();
-      return std::max(n.dot(s.axis.a), n.dot(s.axis.b)) + s.radius * (n - n.dot(u) * u).norm();
+    case SWAGE_SHAPE_HEIGHT_FIELD: {
+      // of the box around it: enough to see what is apart
+      const Vec3 m = s.X_BH.turn_back(n), half = 0.5 * Vec3(s.field.width(), s.field.depth(), s.height);
+      return n.dot(s.centre) + half.dot(m.cwiseAbs());
     }
     default:
       return std::max(n.dot(s.axis.a), n.dot(s.axis.b)) + s.radius * n.norm();
@@ -74,7 +111,11 @@ Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& 
   Solid s;
   s.kind = shape.kind;
   s.radius = shape.kind == SWAGE_SHAPE_CONVEX ? 0.0 : shape.radius;
-  if (shape.kind == SWAGE_SHAPE_CONVEX)
+  if (shape.kind == SWAGE_SHAPE_CYLINDER) {
+    s.kind = SWAGE_SHAPE_CONVEX;
+    s.radius = 0;
+    s.convex = toolkit::transformed(prism(shape.radius, shape.half_length), X_BS);
+  } else if (shape.kind == SWAGE_SHAPE_CONVEX)
     s.convex = toolkit::transformed(convexes[shape.convex], X_BS);
   else if (shape.kind == SWAGE_SHAPE_ARC)
     s.arc = toolkit::Arc(X_BS, shape.arc_radius, shape.sweep);
@@ -85,6 +126,24 @@ Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& 
     s.convex = skeleton(s.axis, shape.kind == SWAGE_SHAPE_SPHERE || shape.half_length <= 0);
   add_bound(s);
   return s;
+}
+
+Solid make_solid(const scene::World& world, uint32_t shape) {
+  const scene::Shape& it = world.shape[shape];
+  if (it.kind != SWAGE_SHAPE_HEIGHT_FIELD) return make_solid(it, world.convex);
+  const scene::HeightFieldInfo& info = world.field[it.field];
+  Solid s;
+  s.kind = it.kind;
+  s.field = {info.nx, info.ny, info.dx, info.dy, nullptr};
+  s.X_BH = Frame(it.X_BS);
+  s.below = info.below;
+  fit_field(s, world, it);
+  return s;
+}
+
+void update_field(Solid& s, const scene::World& world, uint32_t shape) noexcept {
+  const scene::Shape& it = world.shape[shape];
+  if (world.field[it.field].state != scene::kNone) fit_field(s, world, it);
 }
 
 }  // namespace swage::contact

@@ -9,6 +9,7 @@
 #include "scene/world.hpp"
 #include "toolkit/arc.hpp"
 #include "toolkit/convex.hpp"
+#include "toolkit/height_field.hpp"
 #include "toolkit/math.hpp"
 #include "toolkit/segment.hpp"
 
@@ -22,14 +23,20 @@ using toolkit::Vec3;
 ///   SPHERE     axis.a, radius   a point, thickened by radius; `convex` is that vertex
 ///   CAPSULE    axis, radius     a segment, thickened; `convex` is that edge
 ///   ARC        arc, radius      an arc, thickened
-///   CYLINDER   axis, radius     a segment with flat ends
-///   CONVEX     convex           radius 0
+///   CONVEX     convex           radius 0; a CYLINDER is a prism of kCylinderSides here
+///   HEIGHT_FIELD  field, X_BH, below
+inline constexpr int kCylinderSides =
+    48;  // of one area with the circle; off it by 0.14 % of the radius at most
 struct Solid {
   int32_t kind = SWAGE_SHAPE_SPHERE;
   double radius = 0;           // m
   toolkit::Segment axis;       // m, in the body's frame
   toolkit::Arc arc;            // in the body's frame
   toolkit::Convex convex;      // in the body's frame
+  toolkit::HeightField field;  // in its own frame H; heights are read where they live
+  Frame X_BH;                  // of the field in the body
+  double below = 0;            // m, how far the solid reaches under the field's surface
+  double height = 0;           // m, from there to its highest vertex
   Vec3 centre = Vec3::Zero();  // m, of the bounding sphere, in the body's frame
   double bound = 0;            // m, radius of the bounding sphere
 };
@@ -42,5 +49,11 @@ Solid make_ball(double radius);
 
 /// [main] The solid of a shape; `convexes` is World::convex.
 Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& convexes);
+
+/// [main] The solid of any shape of a world, which must outlive that of a height field.
+Solid make_solid(const scene::World& world, uint32_t shape);
+
+/// [rt] Fits the solid of a height field whose heights may have changed to those of `world`.
+void update_field(Solid& solid, const scene::World& world, uint32_t shape) noexcept;
 
 }  // namespace swage::contact

@@ -33,6 +33,43 @@ double slab(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB
   return n.dot(X_WA.p - X_WB.p) - support(a, -X_WA.turn_back(n)) - support(b, X_WB.turn_back(n));
 }
 
+/// What of a and b is nearest, remembered from look to look.
+class Nearest {
+ public:
+  Nearest(const Solid& a, const Solid& b, double tolerance, Separation& memory, Manifold& work)
+      : a_(a), b_(b), tolerance_(tolerance), memory_(memory), work_(work) {
+    query_.flatness = 0;  // the least gap is all that counts
+  }
+
+  /// How near they are to be expected from what was nearest last time; without that, touching.
+  double expected(const Frame& X_WA, const Frame& X_WB) const {
+    return known_ ? 1.01 * reevaluate(candidate_, X_WA, X_WB).gap : tolerance_;
+  }
+  /// Whether anything is nearer than the margin, or the tolerance.
+  bool look(const Frame& X_WA, const Frame& X_WB, double margin) {
+    query_.margin = std::max(margin, tolerance_);
+    if (collide(a_, X_WA, b_, X_WB, query_, memory_, work_) == 0) return false;
+    gap_ = query_.margin;
+    for (int k = 0; k < work_.count; ++k) {
+      const Candidate& c = work_.candidate[static_cast<size_t>(k)];
+      if (c.touch.gap <= gap_) gap_ = c.touch.gap, candidate_ = c, known_ = true;
+    }
+    return true;
+  }
+  double gap() const { return gap_; }
+  const Vec3& normal() const { return candidate_.touch.n_W; }
+
+ private:
+  const Solid &a_, &b_;
+  const double tolerance_;
+  Separation& memory_;
+  Manifold& work_;
+  Query query_;
+  Candidate candidate_;
+  bool known_ = false;
+  double gap_ = 0;
+};
+
 }  // namespace
 
 double relative_motion(const Solid& a, const Motion& motion_a, const Motion& motion_b) noexcept {
@@ -47,41 +84,34 @@ FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, c
   const double reach = a.bound + b.bound + std::max(speed, tolerance);
   if (centres.squaredNorm() > reach * reach) return {};
 
-  Query query;
-  query.flatness = 0;  // the least gap is all that counts
-  Candidate nearest;
-  double t = 0, expected = speed;  // the gap to be expected from what was nearest last time
-  for (int i = 0; i < kMaxAdvances; ++i) {
+  Nearest nearest(a, b, tolerance, memory, work);
+  double t = 0;
+  for (int i = 0; i < kMaxAdvances && t < 1; ++i) {
     const Pose X_a = motion_a.at(t), X_b = motion_b.at(t);
     const Frame X_WA(X_a), X_WB(X_b);
-    if (i > 0) expected = reevaluate(nearest, X_WA, X_WB).gap;
-
-    // look no further than the rest of the way, nor than needed to see what is expected
+    const RelativeMotion motion(a, motion_a, X_a, motion_b, X_b);
     const double rest = speed * (1 - t);
-    query.margin = std::max(std::min(rest, 1.01 * expected), tolerance);
-    double gap = query.margin;
-    const bool found = collide(a, X_WA, b, X_WB, query, memory, work) > 0;
-    if (!found && query.margin >= rest) return {};
-    for (int k = 0; k < work.count; ++k) {
-      const Candidate& c = work.candidate[static_cast<size_t>(k)];
-      if (c.touch.gap < gap) gap = c.touch.gap, nearest = c;
+    // how long the slab across n, which turns with b, stays open at least; 0 when there is none
+    const auto open_for = [&](const Vec3& n) {
+      const double width = slab(a, X_WA, b, X_WB, n), closing = motion.closing(n);
+      return width <= tolerance ? 0.0 : closing * (1 - t) <= width ? 1.0 : width / closing;
+    };
+
+    // touching? If not even near, a plane between them holds for a while, and without one the distance says how long
+    const double margin = std::min(rest, nearest.expected(X_WA, X_WB));
+    if (!nearest.look(X_WA, X_WB, margin)) {
+      const double advance = memory.n_B.isZero() ? 0.0 : open_for(X_WB.turn(memory.n_B));
+      t += advance;
+      if (advance > 0) continue;
+      if (margin >= rest || !nearest.look(X_WA, X_WB, rest)) return {};
     }
     // the longer it takes, the closer they slide along each other: accept a little more
-    if (found && gap <= tolerance * std::max(1, i - 8)) return {true, t};
+    if (nearest.gap() <= tolerance * std::max(1, i - 8)) return {true, t};
 
     // two safe advances: gap over speed, and the slab across the nearest normal over the speed across it
-    double advance = gap / speed;
-    const Vec3& n = nearest.touch.n_W;
-    const double width = found ? slab(a, X_WA, b, X_WB, n) : 0;
-    if (width > 0) {
-      const double closing = RelativeMotion(a, motion_a, X_a, motion_b, X_b).closing(n);
-      if (closing * (1 - t) <= width) return {};
-      advance = std::max(advance, width / closing);
-    }
-    t += advance;
-    if (t >= 1) return {};
+    t += std::max(nearest.gap() / speed, open_for(nearest.normal()));
   }
-  return {true, t};
+  return {t < 1, std::min(t, 1.0)};
 }
 
 }  // namespace swage::contact

@@ -99,8 +99,8 @@ inline ClosestPair line_line(const Vec3& p0, const Vec3& u, const Vec3& q0, cons
   const double uu = u.dot(u), vv = v.dot(v), uv = u.dot(v), uw = u.dot(w0), vw = v.dot(w0);
   const double det = uu * vv - uv * uv;
   const bool parallel = det <= 1e-16 * uu * vv;
-  const double s_c = parallel ? 0 : (uv * vw - vv * uw) / det;        // (4.32)
-  const double t_c = parallel ? vw / vv : (uu * vw - uv * uw) / det;  // (4.33)
+  const double s_c = parallel ? 0 : (uv * vw - vv * uw) / det;  // (4.32)
+  const double t_c = (vw + uv * s_c) / vv;                      // (4.33), as (4.29) gives it from s_c
   return {s_c, t_c, w0 + s_c * u - t_c * v};
 }
 

@@ -4,6 +4,7 @@
 // the distance within reach. Room-internal; README.md states the method.
 #pragma once
 
+#include "contact/clip.hpp"
 #include "contact/curve.hpp"
 #include "contact/narrow_phase.hpp"
 #include "contact/voronoi.hpp"
@@ -20,7 +21,8 @@ class RegionDistance {
  public:
   using Place = typename Curve::Place;
 
-  RegionDistance(const Curve& curve, const Convex& convex, Region region) : curve_(curve), region_(region) {
+  RegionDistance(const Curve& curve, const Convex& convex, Region region)
+      : curve_(curve), kind_(region.kind == Region::kInside ? Region::kFace : region.kind) {
     if (on_face()) {
       const Convex::Face& f = convex.face[region.index];
       height_ = curve.height(f.n, f.d);
@@ -32,6 +34,14 @@ class RegionDistance {
       q_ = convex.vertex[region.index];
     }
   }
+  /// To the line through q along the unit vector u, or to the point q when u is zero.
+  RegionDistance(const Curve& curve, const Vec3& q, const Vec3& u)
+      : curve_(curve), kind_(u.isZero(0) ? Region::kVertex : Region::kEdge), q_(q), u_(u) {
+    if (on_edge()) line_ = curve.to_line(q, u);
+  }
+  /// To a plane.
+  RegionDistance(const Curve& curve, const typename Curve::Height& height)
+      : curve_(curve), kind_(Region::kFace), height_(height) {}
 
   double at(Place e) const {
     if (on_face()) return height_.at(e);
@@ -61,15 +71,42 @@ class RegionDistance {
   int branch(Place e) const { return on_edge() ? Curve::branch(line_, e) : 0; }
 
  private:
-  bool on_face() const { return region_.kind == Region::kFace || region_.kind == Region::kInside; }
-  bool on_edge() const { return region_.kind == Region::kEdge; }
+  bool on_face() const { return kind_ == Region::kFace; }
+  bool on_edge() const { return kind_ == Region::kEdge; }
 
   const Curve& curve_;
-  Region region_;
+  Region::Kind kind_;
   Vec3 q_ = Vec3::Zero(), u_ = Vec3::Zero();  // edge: a point and the direction. vertex: the point, and zero
   typename Curve::Height height_;
   typename Curve::ToLine line_;
 };
+
+/// Calls visit(place) at each local minimum between two places. `falling`: whether the distance sank before the first, and
+/// then whether it sinks at the second.
+template <class Curve, class Visit>
+void for_each_dip(const RegionDistance<Curve>& distance, typename Curve::Place from, typename Curve::Place to,
+                  double level, bool& falling, Visit&& visit) {
+  // sign changes of the slope, between places where there is at most one
+  const double slope_from = distance.slope(from), slope_to = distance.slope(to);
+  toolkit::FixedVector<typename Curve::Place, 8> cut;
+  distance.split(from, to, slope_from, slope_to, level, cut);
+  // at the start of a piece a kink, or the end of the curve, may be the minimum
+  if (falling && slope_from >= -level) visit(from);
+  falling = slope_from < -level;
+  typename Curve::Place a = from;
+  double slope_a = slope_from;
+  for (int i = 0; i <= cut.size(); ++i) {
+    const bool last = i == cut.size();
+    const typename Curve::Place b = last ? to : cut[i];
+    const double slope_b = last ? slope_to : distance.slope(b);
+    if (falling && slope_b > 0) {
+      visit(distance.lowest(a, b, slope_a, slope_b));
+      falling = false;
+    }
+    falling |= slope_b < -level;
+    a = b, slope_a = slope_b;
+  }
+}
 
 /// The part of a curve that lies in one region.
 template <class Place>
@@ -93,7 +130,6 @@ class Walk {
  public:
   using Place = typename Curve::Place;
   using Distance = RegionDistance<Curve>;
-  using Stretches = toolkit::FixedVector<Stretch<Place>, 16>;
   using Pieces = toolkit::FixedVector<Piece<Place>, 48>;
   using Dips = toolkit::FixedVector<Dip<Place>, 24>;
 
@@ -104,10 +140,9 @@ class Walk {
   /// Leaves of the curve only what is within reach of every face. False: nothing; `memory` learns what separates.
   bool clip(Separation& memory) {
     if (!memory.n_B.isZero() && apart(memory.n_B, convex_.support(memory.n_B))) return false;
-    stretch_.clear();
-    for (int i = 0; i < curve_.stretches(); ++i) stretch_.add(curve_.stretch(i));
+    fill(stretch_, curve_);
     for (const Convex::Face& f : convex_.face) {
-      clip(curve_.height(f.n, f.d + reach_ + slack_));
+      contact::clip<Curve>(stretch_, curve_.height(f.n, f.d + reach_ + slack_));
       if (!stretch_.empty()) continue;
       if (apart(f.n, f.d)) memory.n_B = f.n;
       return false;
@@ -131,27 +166,6 @@ class Walk {
  private:
   bool apart(const Vec3& n, double support) const {
     return curve_.lowest(curve_.height(n, support)) > reach_;
-  }
-
-  /// Keeps the parts of all stretches where h <= 0. One height has one peak per turn: at most one stretch is split.
-  void clip(const typename Curve::Height& h) {
-    int kept = 0;
-    for (int i = 0; i < stretch_.size(); ++i) {
-      const Place from = stretch_[i].from, to = stretch_[i].to;
-      const bool from_dead = h.at(from) > 0, to_dead = h.at(to) > 0;
-      if (from_dead && to_dead && !Curve::has_valley(h, from, to)) continue;
-      // without room for two parts the whole is kept: more work, no loss
-      if (!from_dead && !to_dead && Curve::has_peak(h, from, to) && stretch_.insert(i, stretch_[i])) {
-        stretch_[i].to = Curve::rising(h, from, to), stretch_[i].at_to = Border::kClipped;
-        stretch_[i + 1].from = Curve::falling(h, from, to), stretch_[i + 1].at_from = Border::kClipped;
-        stretch_[kept++] = stretch_[i++];
-      }
-      if (from_dead) stretch_[i].from = Curve::falling(h, from, to), stretch_[i].at_from = Border::kClipped;
-      if (to_dead) stretch_[i].to = Curve::rising(h, from, to), stretch_[i].at_to = Border::kClipped;
-      if (kept != i) stretch_[kept] = stretch_[i];
-      ++kept;
-    }
-    stretch_.shrink(kept);
   }
 
   void cross_regions(const Stretch<Place>& s) {
@@ -194,28 +208,9 @@ class Walk {
     else
       piece_.add({region_, from, to, joined});
 
-    // sign changes of the slope, between places where there is at most one
     const Distance distance(curve_, convex_, region_);
-    const double level = distance.level(radius_), slope_from = distance.slope(from),
-                 slope_to = distance.slope(to);
-    toolkit::FixedVector<Place, 8> cut;
-    distance.split(from, to, slope_from, slope_to, level, cut);
-    // at the start of a piece a kink, or the end of the curve, may be the minimum
-    if (falling_ && slope_from >= -level) add_dip(distance, from);
-    falling_ = slope_from < -level;
-    Place a = from;
-    double slope_a = slope_from;
-    for (int i = 0; i <= cut.size(); ++i) {
-      const bool last = i == cut.size();
-      const Place b = last ? to : cut[i];
-      const double slope_b = last ? slope_to : distance.slope(b);
-      if (falling_ && slope_b > 0) {
-        add_dip(distance, distance.lowest(a, b, slope_a, slope_b));
-        falling_ = false;
-      }
-      falling_ |= slope_b < -level;
-      a = b, slope_a = slope_b;
-    }
+    for_each_dip(distance, from, to, distance.level(radius_), falling_,
+                 [&](Place place) { add_dip(distance, place); });
   }
 
   void add_dip(const Distance& distance, Place place) {
@@ -228,7 +223,7 @@ class Walk {
   double radius_, reach_, slack_;
   Region region_;
   bool falling_ = false;
-  Stretches stretch_;
+  Stretches<Curve> stretch_;
   Pieces piece_;
   Dips dip_;
 };

@@ -13,12 +13,6 @@ namespace {
 /// tilt one step late.
 constexpr double kLevel = 2, kSteep = 20;
 
-/// 0 up to `low`, 1 from `high` on, smooth in between.
-double ramp(double x, double low, double high) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// Turns pieces and dips of a walk into contact points.
 ///
 /// A dip is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure

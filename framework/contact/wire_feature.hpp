@@ -10,6 +10,12 @@
 
 namespace swage::contact {
 
+/// 0 up to `low`, 1 from `high` on, smooth in between.
+inline double ramp(double x, double low, double high) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// Identity of a contact within its pair of shapes: what of b, which of two minima on one edge, which point of a line.
 inline uint64_t feature_id(Region region, int branch, int point) {
   const uint64_t kind = region.kind == Region::kInside ? Region::kFace : region.kind;

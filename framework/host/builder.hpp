@@ -41,6 +41,7 @@ class Builder {
 
  private:
   friend struct BuilderCalls;
+  friend struct HeightFieldCalls;
   uint32_t refuse(const std::string& message, const std::string& param_id = "");
   bool may(bool allowed, const char* what);  // does this kind of plugin declare such things?
   bool fits(std::size_t n, uint32_t capacity, const char* what);
@@ -55,5 +56,8 @@ class Builder {
   bool failed_ = false;
   swage_builder abi_{};
 };
+
+/// The table behind SWAGE_HOST_HEIGHT_FIELD.
+const swage_host_height_field& height_field_table();
 
 }  // namespace swage::host

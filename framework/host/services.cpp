@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/rng.hpp"
+#include "host/builder.hpp"
 #include "scene/world.hpp"
 
 namespace swage::host {
@@ -75,7 +76,9 @@ base::Problems Services::take_reports() {
 
 const void* Services::get_extension(const swage_host*, const char* id) {
   static constexpr swage_host_pointer pointer{read_pointer};
-  return id != nullptr && std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
+  if (id == nullptr) return nullptr;
+  if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
+  return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
 }
 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {

@@ -36,6 +36,7 @@ struct BodyInfo {
 ///   CYLINDER  the same with flat ends
 ///   ARC       radius (of the wire), arc_radius, sweep, about S.z from S.x
 ///   CONVEX    convex, an index into World::convex, in S
+///   HEIGHT_FIELD  field, an index into World::field, in S
 struct Shape {
   int32_t kind = SWAGE_SHAPE_SPHERE;
   uint32_t body = kNone;
@@ -47,7 +48,17 @@ struct Shape {
   double arc_radius = 0;   // m
   double sweep = 0;        // rad
   uint32_t convex = kNone;
+  uint32_t field = kNone;
   double bounding_radius = 0;  // m, about S's origin
+};
+
+/// Heights over a grid (toolkit/height_field.hpp), fixed or those that the object keeps in its private doubles.
+struct HeightFieldInfo {
+  uint32_t nx = 0, ny = 0;     // vertices
+  double dx = 0, dy = 0;       // m, sides of a cell
+  double below = 0;            // m, how far the solid reaches under the surface
+  std::vector<double> height;  // m, nx ny; as declared
+  uint32_t state = kNone;      // first of nx ny in World::plugin_state that hold the heights instead
 };
 
 /// One angle between a HINGED body and its parent.
@@ -71,6 +82,7 @@ struct World {
   std::vector<BodyInfo> body;
   std::vector<Shape> shape;
   std::vector<toolkit::Convex> convex;
+  std::vector<HeightFieldInfo> field;
   std::vector<HingeInfo> hinge;
   std::vector<double> particle_mass;    // kg
   std::vector<double> particle_radius;  // m

@@ -171,4 +171,41 @@ inline Turn minimum_near(const ArcLine& g, Turn guess) {
   return e;
 }
 
+/// Places on two circles.
+struct ArcPair {
+  Turn a, b;
+};
+
+/// The local minimum of the distance of two whole circles that a descent from `guess` reaches: Newton on
+///   f(e_a, e_b) = |w|^2 / 2,   w = p(e_a) - q(e_b),   p' = R_a t_a,   p'' = -R_a r_a (r radial, t along)
+///   f' = (R_a t_a . w, -R_b t_b . w)
+///   f'' = (R_a^2 - R_a r_a . w, -R_a R_b t_a . t_b; ., R_b^2 + R_b r_b . w)
+/// where that is positive definite, else straight downhill; no step turns by more than a fifth of a radian, nor away.
+inline ArcPair minimum_near(const Arc& p, const Arc& q, const ArcPair& guess) {
+  ArcPair e = guess;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 r_a = e.a.c * p.x + e.a.s * p.y, r_b = e.b.c * q.x + e.b.s * q.y;
+    const Vec3 t_a = p.tangent(e.a), t_b = q.tangent(e.b);
+    const Vec3 w = p.centre - q.centre + p.radius * r_a - q.radius * r_b;
+    const double g_a = p.radius * t_a.dot(w), g_b = -q.radius * t_b.dot(w);
+    const double aa = p.radius * (p.radius - r_a.dot(w)), bb = q.radius * (q.radius + r_b.dot(w));
+    const double ab = -p.radius * q.radius * t_a.dot(t_b), det = aa * bb - ab * ab;
+    const bool convex = aa > 0 && det > 1e-12 * aa * std::abs(bb);
+    double s_a = convex ? -(bb * g_a - ab * g_b) / det : -g_a / (p.radius * p.radius);
+    double s_b = convex ? -(aa * g_b - ab * g_a) / det : -g_b / (q.radius * q.radius);
+    const double longest = std::max(std::abs(s_a), std::abs(s_b));
+    if (longest > 0.2) s_a *= 0.2 / longest, s_b *= 0.2 / longest;
+    if (longest < 1e-10) return {e.a.stepped(s_a), e.b.stepped(s_b)};
+    // half as far while that is no nearer
+    ArcPair next;
+    double share = 2;
+    do {
+      share *= 0.5;
+      next = {e.a.stepped(share * s_a), e.b.stepped(share * s_b)};
+    } while (share > 1e-3 && (p.point(next.a) - q.point(next.b)).squaredNorm() > w.squaredNorm());
+    e = next;
+  }
+  return e;
+}
+
 }  // namespace swage::toolkit

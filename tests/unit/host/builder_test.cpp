@@ -73,6 +73,34 @@ TEST(Builder, PlacesBodiesInTheWorld) {
   EXPECT_EQ(b.world.F_B_W.size(), 1u);
 }
 
+TEST(Builder, HeightFieldsKeepTheirHeightsInTheWorldOrInPrivateDoubles) {
+  Bench b;
+  const double height[6] = {0, 1, 2, 3, 4, 5};
+  const auto declare = height_field_table().declare;
+  swage_height_field field{{{0, 0, 0}, {1, 0, 0, 0}}, 3, 2, 0.5, 0.25, 1, height, SWAGE_NONE, 0};
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), kNone) << "no such body";
+  const swage_pose X_OB{{0, 0, 0}, {1, 0, 0, 0}};
+  b.raw->body(b.raw, SWAGE_MOTION_FIXED, &X_OB, nullptr, "ground");
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), 0u);
+  EXPECT_EQ(b.world.field.at(0).height, std::vector<double>(height, height + 6));
+  EXPECT_EQ(b.world.field.at(0).state, kNone);
+  EXPECT_EQ(b.world.shape.at(0).kind, SWAGE_SHAPE_HEIGHT_FIELD);
+
+  field.state = 2;
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), kNone) << "not declared";
+  b.raw->state(b.raw, 8);
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), 1u);
+  EXPECT_EQ(b.world.field.at(1).state, 2u);
+
+  field.nx = 130;
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), kNone);
+  field.nx = 3, field.below = 0;
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), kNone);
+  field.below = 1, field.height = nullptr;
+  EXPECT_EQ(declare(b.raw, 0, &field, SWAGE_SHAPE_USUAL), kNone);
+  EXPECT_EQ(b.world.shape.size(), 2u);
+}
+
 TEST(Builder, RefusesBodiesThatCannotBe) {
   Bench b;
   const swage_pose skewed{{0, 0, 0}, {1, 1, 0, 0}}, far{{INFINITY, 0, 0}, {1, 0, 0, 0}};

@@ -132,6 +132,16 @@ class ObjectBuilder : public Builder {
     return Shape(checked(raw()->convex(raw(), body, &convex, flags)));
   }
 
+  /// A surface over a grid. `table`: host_extension<swage_host_height_field>(SWAGE_HOST_HEIGHT_FIELD).
+  Shape height_field(const swage_host_height_field* table, Body body, const swage_height_field& field,
+                     uint32_t flags = SWAGE_SHAPE_USUAL) {
+    if (table == nullptr) {
+      error("", "this host knows no height fields");
+      return Shape();
+    }
+    return Shape(checked(table->declare(raw(), body, &field, flags)));
+  }
+
   Hinge hinge(const swage_hinge& hinge) { return Hinge(checked(raw()->hinge(raw(), &hinge))); }
 
  private:

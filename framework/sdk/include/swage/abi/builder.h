@@ -37,6 +37,7 @@
 #define SWAGE_SHAPE_ARC 3    /* circular-arc capsule: the exact surface of a bent wire */
 #define SWAGE_SHAPE_CONVEX 4 /* convex polyhedron given by vertices and planar faces */
 #define SWAGE_SHAPE_CYLINDER 5 /* flat ends */
+#define SWAGE_SHAPE_HEIGHT_FIELD 6 /* a surface over a grid; see SWAGE_HOST_HEIGHT_FIELD */
 
 /* Mass of a dynamic body. Its frame B must sit at the centre of mass with axes along the principal axes of inertia. */
 typedef struct swage_mass {
@@ -93,10 +94,32 @@ struct swage_builder {
   void (*error)(swage_builder*, const char* param_id, const char* message);
 };
 
+/* Surface over a grid in frame H: vertex (i, j) at (i dx, j dy, height[j nx + i]), outside +z. Each cell is cut from its
+ * vertex (i, j) to (i + 1, j + 1) into two triangles. A surface that changes keeps its heights in nx ny of the instance's
+ * private doubles: declare them with state(), name the first here, and write them in reset and whenever they change;
+ * contacts are found on the heights of the moment. */
+typedef struct swage_height_field {
+  swage_pose X_BH;
+  uint32_t nx, ny;      /* vertices, 2 to 129 */
+  double dx, dy;        /* m, sides of a cell */
+  double below;         /* m, > 0: how far the solid reaches under the surface; a centre line deeper than that touches nothing */
+  const double* height; /* nx ny, m: as drawn, and for a surface that does not change */
+  uint32_t state;       /* first of nx ny private doubles with the heights, or SWAGE_NONE */
+  uint32_t reserved;
+} swage_height_field;
+
+/* Declares height fields. A table that the host offers, see swage_host.get_extension. */
+#define SWAGE_HOST_HEIGHT_FIELD "swage.host.height_field/1"
+typedef struct swage_host_height_field {
+  uint32_t (*declare)(swage_builder*, uint32_t body, const swage_height_field*, uint32_t flags); /* [main] in configure */
+} swage_host_height_field;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_mass) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_arc) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_convex) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_hinge) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_builder) == 104, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_height_field) == 104, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_host_height_field) == 8, "frozen layout");
 
 #endif

@@ -6,6 +6,7 @@
 #include <swage/plugin.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace swage::testbed {
@@ -15,6 +16,9 @@ struct Fault {
   int32_t code;
   double a, b;
 };
+
+/// Tables that the host offers.
+inline const void* host_table(const char* id);
 
 /// Plays the host: any thread role, any random number; remembers what it is told.
 struct Host {
@@ -35,7 +39,7 @@ struct Host {
            nullptr,
            nullptr,
            nullptr};
-    raw.get_extension = [](const swage_host*, const char*) -> const void* { return nullptr; };
+    raw.get_extension = [](const swage_host*, const char* id) { return host_table(id); };
     raw.report = [](const swage_host* host, int32_t, swage_str where, swage_str message) {
       of(host).reports.push_back(std::string(view(where)) + ": " + std::string(view(message)));
     };
@@ -140,6 +144,9 @@ struct Declared {
   static uint32_t add_convex(swage_builder* b, uint32_t, const swage_convex*, uint32_t) {
     return shape(b, SWAGE_SHAPE_CONVEX);
   }
+  static uint32_t add_height_field(swage_builder* b, uint32_t, const swage_height_field*, uint32_t) {
+    return shape(b, SWAGE_SHAPE_HEIGHT_FIELD);
+  }
   static uint32_t add_hinge(swage_builder* b, const swage_hinge* hinge) {
     of(b).hinges.push_back(*hinge);
     return static_cast<uint32_t>(of(b).hinges.size() - 1);
@@ -156,7 +163,13 @@ struct Declared {
   static void add_error(swage_builder* b, const char* param, const char* message) {
     of(b).errors.push_back(std::string(param) + ": " + message);
   }
+  friend const void* host_table(const char* id);
 };
+
+inline const void* host_table(const char* id) {
+  static constexpr swage_host_height_field height_field{Declared::add_height_field};
+  return std::string_view(id) == SWAGE_HOST_HEIGHT_FIELD ? &height_field : nullptr;
+}
 
 /// One instance of plugin T with its parameters. What the kinds below share.
 template <class T>

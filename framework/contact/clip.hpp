@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Parts of a curve: what is left of it below planes. Room-internal.
+#pragma once
+
+#include "contact/curve.hpp"
+#include "toolkit/fixed_vector.hpp"
+
+namespace swage::contact {
+
+template <class Curve>
+using Stretches = toolkit::FixedVector<Stretch<typename Curve::Place>, 16>;
+
+/// Makes `list` the whole curve.
+template <class Curve>
+void fill(Stretches<Curve>& list, const Curve& curve) {
+  list.clear();
+  for (int i = 0; i < curve.stretches(); ++i) list.add(curve.stretch(i));
+}
+
+/// Keeps the parts of all stretches where h <= 0; their new ends are called `border`. One height has one peak per turn:
+/// at most one stretch is split.
+template <class Curve>
+void clip(Stretches<Curve>& list, const typename Curve::Height& h, Border border = Border::kClipped) {
+  int kept = 0;
+  for (int i = 0; i < list.size(); ++i) {
+    const auto from = list[i].from, to = list[i].to;
+    const bool from_dead = h.at(from) > 0, to_dead = h.at(to) > 0;
+    if (from_dead && to_dead && !Curve::has_valley(h, from, to)) continue;
+    // without room for two parts the whole is kept: more work, no loss
+    if (!from_dead && !to_dead && Curve::has_peak(h, from, to) && list.insert(i, list[i])) {
+      list[i].to = Curve::rising(h, from, to), list[i].at_to = border;
+      list[i + 1].from = Curve::falling(h, from, to), list[i + 1].at_from = border;
+      list[kept++] = list[i++];
+    }
+    if (from_dead) list[i].from = Curve::falling(h, from, to), list[i].at_from = border;
+    if (to_dead) list[i].to = Curve::rising(h, from, to), list[i].at_to = border;
+    if (kept != i) list[kept] = list[i];
+    ++kept;
+  }
+  list.shrink(kept);
+}
+
+}  // namespace swage::contact

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A curve over a height field: all places where its distance to the surface has a local minimum, along the curve and on the
+// surface alike, and the ends of what lies flat. Room-internal; README.md states the method.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "contact/walk.hpp"
+#include "toolkit/height_field.hpp"
+
+namespace swage::contact {
+
+/// What of a height field is closest, and its name within the field.
+struct FieldFeature {
+  Region::Kind kind = Region::kFace;
+  uint32_t index = 0;     // face: the triangle. edge: 3 x vertex + 0, 1, 2. vertex: its number
+  Vec3 p = Vec3::Zero();  // face: a corner. edge: its start. vertex: itself
+  Vec3 u = Vec3::Zero();  // face: its normal, unit. edge: end - start
+};
+
+/// The part of a curve over one triangle.
+template <class Curve>
+struct FieldPiece {
+  typename Curve::Place from{}, to{};
+  Border at_from = Border::kEnd, at_to = Border::kEnd;
+  uint32_t triangle = 0;
+  Vec3 n = Vec3::UnitZ(), corner = Vec3::Zero();
+  typename Curve::Height height;  // of the curve over the triangle's plane
+  int next = -1;           // piece that continues this one over a neighbour that is hardly tilted against it
+  bool continues = false;  // ... and whether it continues one
+};
+
+/// Calls dip(feature, place, range, branch) at each local minimum nearer than `reach` and flat_end(feature, place, run) at the
+/// ends of each run over triangles in about one plane. Frame H of the field.
+template <class Curve>
+class FieldWalk {
+ public:
+  using Place = typename Curve::Place;
+  using Height = typename Curve::Height;
+  using Piece = FieldPiece<Curve>;
+  using Pieces = toolkit::FixedVector<Piece, 256>;
+
+  /// `below`: how far under the surface the solid reaches, m.
+  FieldWalk(const Curve& curve, const toolkit::HeightField& field, double radius, double reach, double below)
+      : curve_(curve), field_(field), radius_(radius), reach_(reach), below_(below) {}
+
+  template <class Dip, class FlatEnd>
+  void walk(Dip&& dip, FlatEnd&& flat_end) {
+    find_pieces([&](uint32_t i, uint32_t j) {
+      add_faces(i, j);
+      for (uint32_t k = 0; k < 3; ++k) walk_edge(i, j, k, dip);
+      walk_vertex(i, j, dip);
+    });
+    link();
+    for (int k = 0; k < piece_.size(); ++k)
+      if (!piece_[k].continues) walk_run(k, dip, flat_end);
+  }
+  /// Pieces beyond the table.
+  int dropped() const { return dropped_; }
+  const Piece& piece(int k) const { return piece_[k]; }
+
+ private:
+  /// Triangles tilted against each other by less than this are one face: their common edge is no feature. 0.03 rad: a wire
+  /// of 50 um across such a ridge lies 6 nm too deep.
+  static constexpr double kSmooth = 0.03;
+  /// Regions are this much larger than they are, in sides of a cell: a wire along an edge lies in one of them.
+  static constexpr double kOverlap = 1e-9;
+
+  struct Span {
+    double low = 1e300, high = -1e300;
+  };
+  /// From where to where the stretches reach along a direction.
+  Span span(const Stretches<Curve>& list, const Vec3& axis) const {
+    const Height up = curve_.height(axis, 0), down = curve_.height(-axis, 0);
+    Span s;
+    for (const auto& part : list) {
+      s.low =
+          std::min({s.low, up.at(part.from), up.at(part.to), up.at(Curve::valley(up, part.from, part.to))});
+      s.high = std::max(
+          {s.high, up.at(part.from), up.at(part.to), -down.at(Curve::valley(down, part.from, part.to))});
+    }
+    return s;
+  }
+  struct Rows {
+    uint32_t first = 1, last = 0;
+  };
+  /// Vertices whose cells begin within reach of the span.
+  Rows rows(Span s, double side, uint32_t n) const {
+    const double low = std::floor((s.low - reach_) / side), high = std::floor((s.high + reach_) / side);
+    if (high < -1 || low > n) return {};
+    return {static_cast<uint32_t>(std::max(low, 0.0)),
+            static_cast<uint32_t>(std::clamp(high, 0.0, static_cast<double>(n) - 1))};
+  }
+  void cut(Stretches<Curve>& list, const Vec3& axis, double low, double high) const {
+    clip<Curve>(list, curve_.height(axis, high));
+    clip<Curve>(list, curve_.height(-axis, -low));
+  }
+
+  /// Visits the vertices (i, j) above whose cells, or beside them within reach, some of the curve is; near_ is that part.
+  template <class Visit>
+  void find_pieces(Visit&& visit) {
+    Stretches<Curve> all;
+    fill(all, curve_);
+    const Rows row = rows(span(all, Vec3::UnitY()), field_.dy, field_.ny);
+    for (uint32_t j = row.first; j <= row.last; ++j) {
+      Stretches<Curve> in_row = all;
+      cut(in_row, Vec3::UnitY(), j * field_.dy - reach_, (j + 1) * field_.dy + reach_);
+      if (in_row.empty()) continue;
+      const Rows column = rows(span(in_row, Vec3::UnitX()), field_.dx, field_.nx);
+      for (uint32_t i = column.first; i <= column.last; ++i) {
+        near_ = in_row;
+        cut(near_, Vec3::UnitX(), i * field_.dx - reach_, (i + 1) * field_.dx + reach_);
+        if (!near_.empty() && within_height(i, j)) visit(i, j);
+      }
+    }
+  }
+  bool within_height(uint32_t i, uint32_t j) const {
+    double low = 1e300, high = -1e300;
+    for (uint32_t b = j; b <= std::min(j + 1, field_.ny - 1); ++b)
+      for (uint32_t a = i; a <= std::min(i + 1, field_.nx - 1); ++a)
+        low = std::min(low, field_.height(a, b)), high = std::max(high, field_.height(a, b));
+    const Span s = span(near_, Vec3::UnitZ());
+    return s.low <= high + reach_ && s.high >= low - below_;
+  }
+
+  bool has_cell(uint32_t i, uint32_t j) const { return i + 1 < field_.nx && j + 1 < field_.ny; }
+  uint32_t triangle(uint32_t i, uint32_t j, uint32_t half) const { return 2 * (j * field_.nx + i) + half; }
+  Vec3 normal(uint32_t t) const { return field_.corners(t).normal().normalized(); }
+
+  // --- faces
+
+  void add_faces(uint32_t i, uint32_t j) {
+    if (!has_cell(i, j)) return;
+    for (uint32_t half = 0; half < 2; ++half) {
+      const auto c = field_.corners(triangle(i, j, half));
+      const Vec3 n = c.normal().normalized();
+      const Height height = curve_.height(n, n.dot(c.a));
+      Stretches<Curve> over = near_;
+      const double overlap = kOverlap * field_.dx;
+      const Vec3* corner[3] = {&c.a, &c.b, &c.c};
+      for (int k = 0; k < 3 && !over.empty(); ++k) {
+        const Vec3 side = (*corner[(k + 1) % 3] - *corner[k]).normalized().cross(n);
+        clip<Curve>(over, curve_.height(side, side.dot(*corner[k]) + overlap), Border::kJoined);
+      }
+      clip<Curve>(over, curve_.height(n, n.dot(c.a) + reach_));
+      clip<Curve>(over, curve_.height(-n, -n.dot(c.a) + below_));
+      for (const auto& s : over) {
+        Piece p;
+        p.from = s.from, p.to = s.to, p.at_from = s.at_from, p.at_to = s.at_to;
+        p.triangle = triangle(i, j, half), p.n = n, p.corner = c.a, p.height = height;
+        dropped_ += !piece_.add(p);
+      }
+    }
+  }
+
+  /// Orders the pieces along the curve and finds which continue which.
+  void link() {
+    std::sort(piece_.begin(), piece_.end(), [](const Piece& a, const Piece& b) {
+      const double x = Curve::order(a.from), y = Curve::order(b.from);
+      return x != y ? x < y : a.triangle < b.triangle;
+    });
+    for (int k = 1; k < piece_.size(); ++k)
+      for (int m = k - 1; m >= 0 && !piece_[k].continues; --m)
+        if (piece_[m].next < 0 && follows(piece_[m], piece_[k])) {
+          piece_[m].next = k;
+          piece_[k].continues = true;
+        }
+  }
+  bool follows(const Piece& a, const Piece& b) const {
+    if (a.at_to != Border::kJoined || b.at_from != Border::kJoined) return false;
+    const double apart = 2 * kSmooth * (radius_ + reach_) + 1e-6 * field_.dx;
+    return (a.n - b.n).squaredNorm() < kSmooth * kSmooth && touch(a.triangle, b.triangle) &&
+           (curve_.point(a.to) - curve_.point(b.from)).squaredNorm() < apart * apart;
+  }
+  /// Whether the cells of two triangles are the same or neighbours.
+  bool touch(uint32_t a, uint32_t b) const {
+    const auto near = [](uint32_t p, uint32_t q) { return p <= q + 1 && q <= p + 1; };
+    return near(a / 2 % field_.nx, b / 2 % field_.nx) && near(a / 2 / field_.nx, b / 2 / field_.nx);
+  }
+
+  template <class Dip, class FlatEnd>
+  void walk_run(int head, Dip& dip, FlatEnd& flat_end) {
+    bool falling = piece_[head].at_from == Border::kEnd;
+    int tail = head;
+    for (int k = head; k >= 0; k = piece_[k].next) {
+      const Piece& p = piece_[k];
+      const RegionDistance<Curve> distance(curve_, p.height);
+      const auto visit = [&](Place at) {
+        if (p.height.at(at) < reach_) dip(face(p), at, curve_.around(at, p.from, p.to), 0);
+      };
+      for_each_dip(distance, p.from, p.to, distance.level(radius_), falling, visit);
+      if (p.next < 0 && p.at_to == Border::kEnd && falling) visit(p.to);
+      tail = k;
+    }
+    const Piece &first = piece_[head], &last = piece_[tail];
+    const auto middle = curve_.middle(first.from, last.to);
+    const Piece* under = &first;
+    for (int k = head; k >= 0; k = piece_[k].next)
+      if (Curve::order(piece_[k].from) <= Curve::order(middle)) under = &piece_[k];
+    const Run run{curve_.length(first.from, last.to), first.height.at(first.from), under->height.at(middle),
+                  last.height.at(last.to)};
+    if (first.at_from != Border::kClipped) flat_end(face(first), first.from, run);
+    if (last.at_to != Border::kClipped) flat_end(face(last), last.to, run);
+  }
+  static FieldFeature face(const Piece& p) { return {Region::kFace, p.triangle, p.corner, p.n}; }
+
+  // --- edges and vertices, where they stand out
+
+  template <class Dip>
+  void walk_edge(uint32_t i, uint32_t j, uint32_t k, Dip& dip) {
+    const uint32_t i1 = i + (k != 1), j1 = j + (k != 0);
+    if (i1 >= field_.nx || j1 >= field_.ny) return;
+    // the triangles beside it, as sides of a cell: 0 along x, 1 along y, 2 the diagonal
+    constexpr uint32_t kNone = 0xFFFFFFFFu;
+    uint32_t beside[2] = {kNone, kNone};
+    if (k == 0 && j + 1 < field_.ny) beside[0] = triangle(i, j, 0);
+    if (k == 0 && j > 0) beside[1] = triangle(i, j - 1, 1);
+    if (k == 1 && i + 1 < field_.nx) beside[0] = triangle(i, j, 1);
+    if (k == 1 && i > 0) beside[1] = triangle(i - 1, j, 0);
+    if (k == 2) beside[0] = triangle(i, j, 0), beside[1] = triangle(i, j, 1);
+
+    const Vec3 v0 = field_.vertex(i, j), d = field_.vertex(i1, j1) - v0;
+    const double length = d.norm(), overlap = kOverlap * field_.dx;
+    const Vec3 u = d / length;
+    Stretches<Curve> part = near_;
+    clip<Curve>(part, curve_.height(-u, -u.dot(v0) + overlap));
+    clip<Curve>(part, curve_.height(u, u.dot(v0) + length + overlap));
+    Vec3 n[2] = {Vec3::Zero(), Vec3::Zero()};
+    for (int s = 0; s < 2 && !part.empty(); ++s) {
+      if (beside[s] == kNone) continue;
+      const auto c = field_.corners(beside[s]);
+      n[s] = c.normal().normalized();
+      // away from the triangle, whose centre lies on the other side of the edge
+      Vec3 out = u.cross(n[s]);
+      if (out.dot((c.a + c.b + c.c) / 3 - v0) > 0) out = -out;
+      clip<Curve>(part, curve_.height(-out, -out.dot(v0) + overlap));
+      clip<Curve>(part, curve_.height(-n[s], -n[s].dot(v0)));
+    }
+    const bool border = beside[0] == kNone || beside[1] == kNone;
+    if (part.empty() || (!border && (n[0] - n[1]).squaredNorm() < kSmooth * kSmooth)) return;
+    const FieldFeature feature{Region::kEdge, 3 * (j * field_.nx + i) + k, v0, d};
+    visit_dips(RegionDistance<Curve>(curve_, v0, u), part, feature, dip);
+  }
+
+  template <class Dip>
+  void walk_vertex(uint32_t i, uint32_t j, Dip& dip) {
+    constexpr int kAround[6][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}};
+    const Vec3 v = field_.vertex(i, j);
+    Stretches<Curve> part = near_;
+    for (const auto& step : kAround) {
+      const uint32_t i1 = i + static_cast<uint32_t>(step[0]), j1 = j + static_cast<uint32_t>(step[1]);
+      if (i1 >= field_.nx || j1 >= field_.ny) continue;  // -1 is beyond, too
+      const Vec3 u = field_.vertex(i1, j1) - v;
+      clip<Curve>(part, curve_.height(u, u.dot(v)));
+      if (part.empty()) return;
+    }
+    clip<Curve>(part, curve_.height(-Vec3::UnitZ(), -v.z()));
+    const FieldFeature feature{Region::kVertex, j * field_.nx + i, v, Vec3::Zero()};
+    visit_dips(RegionDistance<Curve>(curve_, v, Vec3::Zero()), part, feature, dip);
+  }
+
+  template <class Dip>
+  void visit_dips(const RegionDistance<Curve>& distance, const Stretches<Curve>& part,
+                  const FieldFeature& feature, Dip& dip) {
+    for (const auto& s : part) {
+      bool falling = s.at_from == Border::kEnd;
+      const auto visit = [&](Place at) {
+        if (distance.at(at) < reach_) dip(feature, at, curve_.around(at), distance.branch(at));
+      };
+      for_each_dip(distance, s.from, s.to, distance.level(radius_), falling, visit);
+      if (s.at_to == Border::kEnd && falling) visit(s.to);
+    }
+  }
+
+ public:
+  /// A run over triangles in about one plane: its length and the distance at its ends and in the middle.
+  struct Run {
+    double length, d0, d, d1;
+  };
+
+ private:
+  const Curve& curve_;
+  const toolkit::HeightField& field_;
+  double radius_, reach_, below_;
+  Stretches<Curve> near_;
+  Pieces piece_;
+  int dropped_ = 0;
+};
+
+}  // namespace swage::contact
