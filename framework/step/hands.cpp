@@ -52,7 +52,8 @@ swage_pointer other_hand(const swage_pointer& p) {
 
 }  // namespace
 
-Hands::Hands(host::Rig& rig, std::vector<DevicePort*> ports) : rig_(rig), port_(std::move(ports)) {
+Hands::Hands(host::Rig& rig, std::vector<DevicePort*> ports)
+    : rig_(rig), stops_(rig), port_(std::move(ports)) {
   const std::size_t devices = rig.devices.size();
   port_.resize(devices, nullptr);
   for (std::size_t i = 0; i < devices; ++i) {
@@ -199,8 +200,8 @@ void Hands::follow() noexcept {
   for (uint32_t i = 0; i < input_.size(); ++i) lead(i);
 }
 
-// The tool goes towards its hand, never faster than the limits, and its bodies get the twist that leads there: whatever the
-// device does, contacts see a motion and not a jump.
+// The tool goes towards its hand, never faster than the limits nor through a fixed solid, and its bodies get the twist that
+// leads there: whatever the device does, contacts see a motion and not a jump.
 void Hands::lead(uint32_t object) noexcept {
   const host::ObjectSlot& slot = rig_.objects[object];
   scene::World& world = rig_.world;
@@ -226,6 +227,7 @@ void Hands::lead(uint32_t object) noexcept {
       const Vec3 step_q = limited(turn, kMaxToolTurn * world.dt);
       const bool arrives = step_p == away && step_q == turn;
       X_WT = arrives ? X_WD : Pose(X_WT0.p + step_p, (toolkit::exp_rotation(step_q) * X_WT0.q).normalized());
+      X_WT = stops_.rest(object, X_WT0, X_WT);
       moved = true;
     }
     scene::follow(world, b, X_WT * X_OB);
