@@ -192,7 +192,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   for (Row& row : rows) row.J = jacobian(contacts.contact[row.contact], known_[row.contact], row);
 
   const Island problem{{member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns};
-  const Limits limits = group.passes < kFreePasses ? Limits::kCoulomb : Limits::kHeld;
+  const Limits limits = group.passes < kFreePasses && !group.held ? Limits::kCoulomb : Limits::kHeld;
   ++group.passes;
   const Outcome outcome = solver_.solve(problem, tolerance_, limits);
   relax(group);
@@ -207,6 +207,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   // nothing moved that could be seen: the geometry is what it was
   group.converged = outcome.converged;
   group.limits_hold = outcome.limits_hold;
+  group.held = group.held || outcome.held;
   group.done = outcome.converged && outcome.moved <= kGeometry * tolerance_;
   if (group.done)
     for (Row& row : rows) row.at = row.u;
@@ -239,12 +240,11 @@ void ContactSolve::relax(Group& group) noexcept {
 void ContactSolve::look(const contact::Contact& c, const Known& k, Row& row) noexcept {
   row.n = c.n_W;
   axes_across(row.n, row.t1, row.t2);
-  row.surface.k = c.law.stiffness * c.weight;
-  row.surface.kt = kTangentRatio * row.surface.k;
-  row.surface.mu = c.law.friction;
-
-  const Vec3 s = carried_bristle(c, k) + place_.displacement(k.a, c.p_W) - place_.displacement(k.b, c.p_W);
-  row.at = {c.gap, row.t1.dot(s), row.t2.dot(s)};
+  const Vec3 u = place_.displacement(k.a, c.p_W) - place_.displacement(k.b, c.p_W);
+  row.surface = surface(c.law.stiffness * c.weight, c.law.friction, c.law.restitution, h_);
+  row.yielded = yielded(c.law.restitution, h_, c.gap - row.n.dot(u));
+  const Vec3 s = carried_bristle(c, k) + u;
+  row.at = {c.gap - row.yielded, row.t1.dot(s), row.t2.dot(s)};
 }
 
 /// How gap and displacement change with the unknowns of both sides.
@@ -320,7 +320,7 @@ void ContactSolve::write_contact(contact::Contact& c, const Known& k) noexcept {
     return;
   }
   const Row& row = row_[k.row];
-  c.gap = row.at.g;
+  c.gap = row.at.g + row.yielded;
 
   // the bristle bears what friction bears; the rest has slipped
   const double stretch = std::sqrt(row.at.s1 * row.at.s1 + row.at.s2 * row.at.s2);

@@ -42,7 +42,7 @@ class ContactSolve {
     double off = 0;  // m, by which its contacts are elsewhere than the linear problem said
     uint32_t passes = 0;
     double share = 1;  // of the way that the last linear problem asked for
-    bool converged = false, limits_hold = true, done = false;
+    bool converged = false, limits_hold = true, held = false, done = false;
     bool stuck = false;                           // passes bring it no nearer
     double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };

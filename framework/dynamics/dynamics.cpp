@@ -6,16 +6,22 @@
 #include "dynamics/contact_solve.hpp"
 #include "dynamics/impulse.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/rebound.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::dynamics {
 
+namespace {
+constexpr double kTouch = 0.01;  // gap at which something that rebounds touches, in tolerances: 1 pm
+}
+
 struct Dynamics::Core {
   Core(const scene::World& world, const Options& chosen)
-      : options(chosen), motion(world), contact_solve(world, chosen) {}
+      : options(chosen), motion(world), rebound(world, chosen.max_contacts), contact_solve(world, chosen) {}
 
   Options options;
   Motion motion;
+  Rebound rebound;
   ContactSolve contact_solve;
   Stats stats;
 };
@@ -37,7 +43,11 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts,
   if (core_->options.response == Response::kImpulse) {
     respond_by_impulses(world, core_->motion, contacts);
   } else {
+    const Options& options = core_->options;
+    core_->rebound.fly(world, core_->motion, contacts, options.free_motion,
+                       kTouch * options.tolerance * world.length);
     core_->contact_solve.solve(world, core_->motion, contacts, self, core_->stats);
+    core_->rebound.report(contacts, world.dt);
   }
 
   // what contacts put on each hinge, about its axis

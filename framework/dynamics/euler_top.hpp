@@ -76,32 +76,39 @@ struct TopState {
   }
 };
 
-/// The top over h [s] from a unit quaternion; lambda2, mu2: above [1/s2], with lambda h and mu h up to 0.1, where
-/// the first term left out of p is 2e-10.
-inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, TopState& s) {
-  // momentum at the end
-  const Triple a = s.L;
-  const Triple da{t.alpha * a.y * a.z, t.beta * a.z * a.x, t.gamma * a.x * a.y};
-  const double h2 = h * h, sum = h2 * (lambda2 + mu2), product = (h2 * lambda2) * (h2 * mu2),
-               sum2 = sum * sum;
+/// x(h), y(h), z(h) of above from a; da: a'. lambda2, mu2 [1/s2]: lambda h and mu h up to 0.1, where the first term left
+/// out of p is 2e-10 of it.
+inline Triple momentum_after(const EulerTop& t, const Triple& a, const Triple& da, double lambda2, double mu2,
+                             double h) {
+  const double h2 = h * h, sum = h2 * (lambda2 + mu2), sum2 = sum * sum;
+  const double product = (h2 * lambda2) * (h2 * mu2);
   const double p = h * ((1 - sum * (1.0 / 6)) + ((sum2 * (1.0 / 120) + product * (1.0 / 10)) -
                                                  (sum * (1.0 / 5040)) * (sum2 + 132 * product)));
   const double p2 = p * p, c = std::sqrt(1 - lambda2 * p2), d = std::sqrt(1 - mu2 * p2);
   const double over_D = 1 / (1 - t.gamma_alpha * (a.y * a.y) * p2), pD = p * over_D;
   const double cD = c * over_D, dD = d * over_D;
-  const Triple b{a.x * cD + d * (pD * da.x), a.y * (c * dD) + pD * da.y, a.z * dD + c * (pD * da.z)};
+  return {a.x * cD + d * (pD * da.x), a.y * (c * dD) + pD * da.y, a.z * dD + c * (pD * da.z)};
+}
 
-  // psi / |L|
-  const double xx = a.x * a.x, yy = a.y * a.y, zz = a.z * a.z, G2 = xx + yy + zz, over_G2 = 1 / G2;
+/// psi / |L| of above.
+inline double angle_about_momentum(const EulerTop& t, const Triple& a, const Triple& da, double h) {
+  const double xx = a.x * a.x, yy = a.y * a.y, zz = a.z * a.z, over_G2 = 1 / (xx + yy + zz), h2 = h * h;
   const double f = (t.w_x * xx + t.w_y * yy + t.w_z * zz) * over_G2;
   const double AB = t.alpha_beta * zz, BC = t.beta_gamma * xx, CA = t.gamma_alpha * yy;
-  const Triple gA{(t.w_x - f) * a.x * (CA + AB), (t.w_y - f) * a.y * (AB + BC),
-                  (t.w_z - f) * a.z * (BC + CA)};
-  const double s2 = gA.dot(a), s3 = gA.x * da.x + gA.y * da.y + gA.z * da.z;
-  const double s4 = gA.x * a.x * (CA + AB) + gA.y * a.y * (AB + BC) + gA.z * a.z * (BC + CA);
-  const double phi =
-      h * (f + h2 * over_G2 * (1.0 / 12) *
-                   ((s2 + 0.25 * h * s3) + (h2 * (1.0 / 20)) * (s4 + (3 * over_G2) * s2 * da.dot(da))));
+  const Triple A{CA + AB, AB + BC, BC + CA};
+  const Triple gA{(t.w_x - f) * a.x * A.x, (t.w_y - f) * a.y * A.y, (t.w_z - f) * a.z * A.z};
+  const double s2 = gA.dot(a), s3 = gA.dot(da);
+  const double s4 = gA.x * a.x * A.x + gA.y * a.y * A.y + gA.z * a.z * A.z;
+  const double bend = (h2 * (1.0 / 20)) * (s4 + (3 * over_G2) * s2 * da.dot(da));
+  return h * (f + h2 * over_G2 * (1.0 / 12) * ((s2 + 0.25 * h * s3) + bend));
+}
+
+/// The top over h [s] from a unit quaternion.
+inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, TopState& s) {
+  const Triple a = s.L;
+  const Triple da{t.alpha * a.y * a.z, t.beta * a.z * a.x, t.gamma * a.x * a.y};
+  const Triple b = momentum_after(t, a, da, lambda2, mu2, h);
+  const double phi = angle_about_momentum(t, a, da, h), G2 = a.dot(a);
 
   // attitude: q (cos psi/2, sin psi/2 a/|a|), then (a.a + a.b, b x a)
   double C, S;
@@ -121,9 +128,8 @@ inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, To
   s.L = b;
 }
 
-/// The top over h [s], in as many equal parts as turn_top needs: one up to 170 rad/s at 1 kHz for moments 1 : 2 :
-/// 3. Beyond 64
-/// parts (11 000 rad/s) it turns no farther than they can. The quaternion is left with its norm2.
+/// The top over h [s], in as many equal parts as turn_top needs: one up to 170 rad/s at 1 kHz for moments 1 : 2 : 3.
+/// Beyond 64 parts (11 000 rad/s) it turns no farther than they can. The quaternion is left with its norm2.
 inline void euler_top(const EulerTop& t, double h, TopState& s) {
   const double xx = s.L.x * s.L.x, yy = s.L.y * s.L.y, zz = s.L.z * s.L.z;
   if (!(xx + yy + zz > 1e-140)) return;  // stands still

@@ -17,6 +17,7 @@ constexpr double kFlat = 0.1;          // slope that ends a line search, of the 
 constexpr uint32_t kSearch = 30;       // evaluations of one line search
 constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
+constexpr double kFar = 1e6;           // tolerances that a step of the path may go: 0.1 mm
 constexpr double kNeverSlips = 1e300;  // N
 
 }  // namespace
@@ -204,16 +205,18 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
 }
 
 /// Along the path, from here, then from where nothing slips: a contact that must slip then slips the right way. Where neither
-/// ends, with limits held.
+/// ends, or where it ends far away, with limits held. Far: friction that falls as a light body slides, because it slides out of
+/// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
 void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
   outcome.fell_back = true;
   std::fill_n(d_.begin(), size_, 0.0);
   outcome.converged = follow_path(island, tolerance);
-  if (!outcome.converged) {
+  const bool far = outcome.converged && length(island, d_.data()) > kFar * tolerance;
+  if (!outcome.converged || far) {
     std::fill_n(d_.begin(), size_, 0.0);
     stick_all(island, tolerance);
     std::copy_n(d_.begin(), size_, before_.begin());
-    outcome.converged = follow_path(island, tolerance);
+    outcome.converged = !far && follow_path(island, tolerance);
   }
   if (outcome.converged) {
     evaluate(island, d_.data(), Friction::kCoulomb);
@@ -221,7 +224,8 @@ void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& ou
   }
   std::copy_n(before_.begin(), size_, d_.begin());
   evaluate(island, d_.data(), Friction::kCoulomb);
-  outcome.converged = hold_limits(island, tolerance, outcome);
+  outcome.held = true;
+  outcome.converged = hold_limits(island, tolerance, far ? 1 : kTrescaRounds, outcome);
   outcome.limits_hold = limits_hold(island);
 }
 
@@ -233,11 +237,12 @@ void IslandSolver::stick_all(const Island& island, double tolerance) noexcept {
 }
 
 /// Limits from the normal forces, least energy, new limits ... a few times.
-bool IslandSolver::hold_limits(const Island& island, double tolerance, Outcome& outcome) noexcept {
+bool IslandSolver::hold_limits(const Island& island, double tolerance, uint32_t rounds,
+                               Outcome& outcome) noexcept {
   while (true) {
     ++outcome.rounds;
     const bool least = minimise(island, tolerance);
-    if (outcome.rounds == kTrescaRounds || !least || limits_hold(island)) return least;
+    if (outcome.rounds == rounds || !least || limits_hold(island)) return least;
     for (Row& row : island.rows) row.limit = row.surface.mu * row.f.fn;
   }
 }

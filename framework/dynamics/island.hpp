@@ -27,8 +27,9 @@ struct Row {
   uint32_t size_a = 0, size_b = 0;      // columns of J of either side
   uint32_t offset_a = 0, offset_b = 0;  // of the unknowns in the island
   Surface surface;
-  Vec3 n, t1, t2;   // axes in W
-  Displacement at;  // at the linearisation
+  Vec3 n, t1, t2;      // axes in W
+  Displacement at;     // at the linearisation; its gap counts from `yielded`
+  double yielded = 0;  // m, gap at which the surfaces push no more, because they come back late
   const double* J =
       nullptr;  // 3 x (size_a + size_b), row-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
@@ -52,6 +53,7 @@ struct Outcome {
   bool converged = false;   // the last correction was below the tolerance
   bool limits_hold = true;  // and every friction limit is mu f_n, to one in a thousand of the largest
   bool fell_back = false;   // Newton alone did not do it
+  bool held = false;        // friction limits are those of a pass before, to be held from here on
   uint32_t newton = 0;      // linear systems solved
   uint32_t rounds = 0;      // convex problems solved
   double moved = 0;         // m, from the pose of the linearisation
@@ -85,7 +87,7 @@ class IslandSolver {
   bool newton(const Island& island, double tolerance) noexcept;
   void fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;
-  bool hold_limits(const Island& island, double tolerance, Outcome& outcome) noexcept;
+  bool hold_limits(const Island& island, double tolerance, uint32_t rounds, Outcome& outcome) noexcept;
 
   // island_path.cpp
   bool follow_path(const Island& island, double tolerance) noexcept;

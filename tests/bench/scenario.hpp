@@ -96,7 +96,7 @@ double drag_ripple(const Method&, double speed);
 /// Largest distance between two runs of the same grasp [m]; the second runs after another scene has been made and stepped. S26.
 double repeat_error(const Method&, double seconds);
 
-/// |speed of a needle pushed by a turning jaw / speed of the jaw there - 1|. S29.
+/// |rate of a straight needle lying along a jaw that turns up / rate of the jaw - 1|. S29.
 double carried_error(const Method&, double rate);
 
 }  // namespace swage::bench

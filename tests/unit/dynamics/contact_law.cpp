@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "base/rng.hpp"
+
 namespace swage::dynamics {
 namespace {
 
@@ -60,6 +64,61 @@ TEST(ContactLaw, NoFrictionHasNoTangentialStiffness) {
   const Tangent t = tangent(smooth, u, coulomb(smooth, u), 0, true);
   EXPECT_EQ(t.nn, 1e6);
   EXPECT_EQ(t.t11, 0);
+}
+
+// on its own range each piece is Coulomb's law
+TEST(ContactLaw, PiecesAreTheLaw) {
+  for (const Displacement& u :
+       {Displacement{1e-7, 1e-6, 0}, Displacement{-1e-6, 0.1e-6, 0.2e-6}, Displacement{-1e-6, 2e-6, -1e-6}}) {
+    const Force whole = coulomb(kSteel, u), part = force_on(piece(kSteel, u), kSteel, u);
+    EXPECT_DOUBLE_EQ(whole.fn, part.fn);
+    EXPECT_DOUBLE_EQ(whole.f1, part.f1);
+    EXPECT_DOUBLE_EQ(whole.f2, part.f2);
+  }
+}
+
+// a hair before the kink the old piece holds, a hair behind it the new one
+TEST(ContactLaw, KinksAreWhereThePieceEnds) {
+  base::Xoshiro256 rng(5);
+  int seen[3][3] = {};
+  for (int i = 0; i < 3000; ++i) {
+    const auto draw = [&] { return rng.uniform(-1e-6, 1e-6); };
+    const Displacement u{draw(), draw(), draw()}, way{draw(), draw(), draw()};
+    const auto at = [&](double t) {
+      return Displacement{u.g + t * way.g, u.s1 + t * way.s1, u.s2 + t * way.s2};
+    };
+    const Piece from = piece(kSteel, u);
+    const Kink k = kink(from, kSteel, u, way);
+    const double end = std::isfinite(k.t) ? k.t : 1e3;
+    for (const double share : {0.1, 0.5, 0.999999}) ASSERT_EQ(piece(kSteel, at(share * end)), from) << i;
+    if (!std::isfinite(k.t)) continue;
+    EXPECT_EQ(piece(kSteel, at(k.t * 1.000001)), k.next) << i;
+    ++seen[static_cast<int>(from)][static_cast<int>(k.next)];
+  }
+  EXPECT_GT(seen[0][2], 100);  // what comes to touch with a stretched bristle slips
+  EXPECT_GT(seen[1][2], 20);
+  EXPECT_GT(seen[2][1], 20);
+  EXPECT_GT(seen[2][0], 100);
+}
+
+// a mass that lands with T = 2 sqrt(m / k) or more leaves with less than a fiftieth; with e = 1 nothing is taken
+TEST(ContactLaw, WhatDoesNotReboundComesBackLate) {
+  const double k = 1e6, h = 1e-5;
+  const auto rebound = [&](double mass, double restitution) {
+    double x = 0, v = -0.02;
+    for (int i = 0; i < 100000 && (x < 0 || v < 0); ++i) {
+      const Surface s = surface(k, 0, restitution, h);
+      const double ref = yielded(restitution, h, x);
+      // m (v1 - v) / h = -s.k (x + h v1 - ref), while that pushes
+      double v1 = (mass * v - h * s.k * (x - ref)) / (mass + h * h * s.k);
+      if (x + h * v1 - ref > 0) v1 = v;
+      v = v1, x += h * v;
+    }
+    return v / 0.02;
+  };
+  EXPECT_LT(rebound(0.1, 0), 0.1);
+  EXPECT_LT(rebound(5e-3, 0), 0.02);
+  EXPECT_GT(rebound(0.1, 1), 0.9);
 }
 
 }  // namespace

@@ -58,5 +58,20 @@ TEST(Dense, CholeskyOfASemidefiniteMatrixFindsItsRank) {
   EXPECT_EQ(cholesky_semidefinite(3, zero.data(), none.data()), 0u);
 }
 
+TEST(Dense, KnowsTheSignOfTheDeterminant) {
+  base::Xoshiro256 rng(3);
+  int negative = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const int n = 1 + trial % 9;
+    RowMajor A = random_matrix(rng, n, n);
+    const double expected = A.determinant();
+    std::vector<uint32_t> pivot(static_cast<size_t>(n));
+    ASSERT_TRUE(lu_factor(static_cast<size_t>(n), A.data(), pivot.data()));
+    EXPECT_EQ(determinant_sign(static_cast<size_t>(n), A.data(), pivot.data()), expected > 0 ? 1 : -1);
+    negative += expected < 0;
+  }
+  EXPECT_GT(negative, 50);
+}
+
 }  // namespace
 }  // namespace swage::dynamics

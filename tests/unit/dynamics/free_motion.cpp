@@ -44,18 +44,27 @@ TEST(FreeMotion, OrdersOfConvergence) {
   EXPECT_NEAR(order(FreeMotion::kTaylor, none, 8e-3), 5, 0.5);
 }
 
+// the closed form is as exact with long steps as with short ones: it divides those that its series cannot bear
+TEST(FreeMotion, ClosedFormHasNoStep) {
+  const RigidState exact = after(FreeMotion::kRungeKutta4, Vec3::Zero(), 2e-5, 0.2);
+  for (const double h : {1e-3, 4e-3, 8e-3, 2e-2, 0.2})
+    EXPECT_LT(attitude_error(after(FreeMotion::kElliptic, Vec3::Zero(), h, 0.2).q_WB, exact.q_WB), 1e-9) << h;
+}
+
 TEST(FreeMotion, OrdersUnderATorque) {
   const Vec3 t_W(2e-11, -1e-11, 3e-11);
   EXPECT_NEAR(order(FreeMotion::kRungeKutta4, t_W, 4e-3), 4, 0.2);
   EXPECT_NEAR(order(FreeMotion::kSplitting2, t_W, 2e-3), 2, 0.1);
   EXPECT_NEAR(order(FreeMotion::kSplitting4, t_W, 2e-3), 2, 0.1);
   EXPECT_NEAR(order(FreeMotion::kTaylor, t_W, 2e-3), 2, 0.1);
+  EXPECT_NEAR(order(FreeMotion::kElliptic, t_W, 2e-3), 2, 0.1);
 }
 
 // axes in any order: the splittings choose their own, the answer must not
 TEST(FreeMotion, AxesMayStandInAnyOrder) {
   const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-  for (const FreeMotion method : {FreeMotion::kSplitting2, FreeMotion::kSplitting4, FreeMotion::kTaylor}) {
+  for (const FreeMotion method :
+       {FreeMotion::kSplitting2, FreeMotion::kSplitting4, FreeMotion::kTaylor, FreeMotion::kElliptic}) {
     for (const auto& o : orders) {
       Vec3 I, w;
       for (int k = 0; k < 3; ++k) I[k] = kMoments[o[k]], w[k] = Vec3(3, 20, -10)[o[k]];
