@@ -60,36 +60,71 @@ bool drain(Pipe& pipe, std::string& text) {
   return true;
 }
 
+// Watches the processor time of a child; see child.hpp.
+class Patience {
+ public:
+  Patience(pid_t pid, double limit_s)
+      : limit_(static_cast<int64_t>(limit_s * 1e9)), begin_(base::wall_ns()), progress_(begin_) {
+    known_ = clock_getcpuclockid(pid, &clock_) == 0;
+  }
+  int64_t begin() const { return begin_; }
+  bool over() {
+    const int64_t now = base::wall_ns();
+    timespec t{};
+    const bool read = known_ && clock_gettime(clock_, &t) == 0;
+    const int64_t cpu = read ? t.tv_sec * 1'000'000'000 + t.tv_nsec : cpu_;
+    if (cpu != cpu_) progress_ = now;
+    cpu_ = cpu;
+    return cpu_ >= limit_ || now - progress_ >= limit_ || now - begin_ >= 10 * limit_;
+  }
+
+ private:
+  const int64_t limit_, begin_;  // ns
+  int64_t progress_, cpu_ = 0;   // ns
+  clockid_t clock_{};
+  bool known_ = false;
+};
+
+// one look at both streams, no longer than `wait_ms`; false when there was nothing to hear
+bool listen(Pipe& out, Pipe& err, int wait_ms, ChildResult& result) {
+  // poll ignores negative descriptors
+  std::array<pollfd, 2> watch{pollfd{out.read, POLLIN, 0}, pollfd{err.read, POLLIN, 0}};
+  if (poll(watch.data(), watch.size(), wait_ms) <= 0) return false;
+  if (watch[0].revents != 0) drain(out, result.out);
+  if (watch[1].revents != 0) drain(err, result.err);
+  return true;
+}
+
+constexpr int kLook = 20;                     // ms between two looks at a child
+constexpr int64_t kFarewell = 2'000'000'000;  // ns for a child to say where it was and to go
+
 // reads both streams until they end or the time is up, then collects the child
 void collect(pid_t pid, Pipe& out, Pipe& err, double limit_s, ChildResult& result) {
-  const int64_t begin = base::wall_ns();
-  const int64_t deadline = begin + static_cast<int64_t>(limit_s * 1e9);
-  while (out.read >= 0 || err.read >= 0) {
-    const int64_t left_ms = (deadline - base::wall_ns()) / 1'000'000;
-    if (left_ms <= 0) {
-      result.timed_out = true;
-      break;
-    }
-    // poll ignores negative descriptors
-    std::array<pollfd, 2> watch{pollfd{out.read, POLLIN, 0}, pollfd{err.read, POLLIN, 0}};
-    if (poll(watch.data(), watch.size(), static_cast<int>(left_ms)) <= 0) continue;
-    if (watch[0].revents != 0) drain(out, result.out);
-    if (watch[1].revents != 0) drain(err, result.err);
-  }
-  // a child may close its streams and go on
+  Patience patience(pid, limit_s);
   int status = 0;
-  while (!result.timed_out && waitpid(pid, &status, WNOHANG) == 0) {
-    if (base::wall_ns() >= deadline) {
-      result.timed_out = true;
-    } else {
+  pid_t ended = 0;
+  int64_t last = 0;  // ns, until when a child that was told to go may stay
+  while (ended == 0) {
+    // a child may close its streams and go on
+    const bool talks = out.read >= 0 || err.read >= 0;
+    if (talks)
+      listen(out, err, kLook, result);
+    else
       usleep(500);
+    if (!talks || last != 0) ended = waitpid(pid, &status, WNOHANG);
+    if (ended != 0) break;
+    if (last == 0 && patience.over()) {
+      result.timed_out = true;
+      kill(pid, SIGALRM);
+      last = base::wall_ns() + kFarewell;
+    } else if (last != 0 && base::wall_ns() >= last) {
+      kill(pid, SIGKILL);
+      ended = waitpid(pid, &status, 0);
     }
   }
-  if (result.timed_out) {
-    kill(pid, SIGKILL);
-    waitpid(pid, &status, 0);
+  while (result.timed_out && listen(out, err, 0, result)) {
   }
-  result.seconds = 1e-9 * static_cast<double>(base::wall_ns() - begin);
+  result.seconds = 1e-9 * static_cast<double>(base::wall_ns() - patience.begin());
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
 }

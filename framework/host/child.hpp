@@ -9,11 +9,15 @@
 
 namespace swage::host {
 
+// How long is too long must not depend on what else the machine does. `limit_s` is a child's processor time, and the time for
+// which it may use none at all (it waits for something that never comes); ten times as long by the clock is the end in any case.
+// Whoever is over the limit gets SIGALRM, and is killed when that does not end it.
+
 /// How a child ended.
 struct ChildResult {
   int exit_code = 0;
   int signal = 0;          // that killed it, 0: none
-  bool timed_out = false;  // it was killed after the limit
+  bool timed_out = false;  // it was ended at the limit
   bool started = true;     // false: the program could not be run
   std::string out, err;    // at most 8 MiB each
   double seconds = 0;      // wall

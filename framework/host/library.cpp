@@ -85,7 +85,7 @@ const Library* Library::load(const std::string& path, std::string& error) {
 bool Library::open(std::string& error) {
   // a library linked with -ffast-math changes the arithmetic of this thread while it loads
   const FpuMode mode = fpu_mode();
-  const int64_t begin = base::wall_ns();
+  const int64_t begin = base::cpu_ns();
   void* handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL);
   const FpuMode mode_after = fpu_mode();
   set_fpu_mode(mode);
@@ -110,7 +110,7 @@ bool Library::open(std::string& error) {
   error = abi_refusal(entry_->abi_major, entry_->abi_minor);
   if (!error.empty()) return false;
   const bool started = start(error);
-  load_seconds_ = 1e-9 * static_cast<double>(base::wall_ns() - begin);
+  load_seconds_ = 1e-9 * static_cast<double>(base::cpu_ns() - begin);
   return started;
 }
 

@@ -27,7 +27,7 @@ class Library {
   const swage_param* params(const char* plugin_id, uint32_t* count) const;
   /// What a lesson measures and signals; nullptr when the library says nothing about it.
   const swage_lesson_card_factory* lesson_card() const { return card_factory_; }
-  double load_seconds() const { return load_seconds_; }  // wall time of loading and init
+  double load_seconds() const { return load_seconds_; }  // processor time of loading and init
 
  private:
   Library() = default;

@@ -5,12 +5,10 @@
 
 #include <signal.h>
 #include <string.h>
-#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 
 #include "base/clock.hpp"
@@ -23,7 +21,7 @@ namespace swage::host {
 namespace {
 
 constexpr std::array kMarks = {"success", "warning", "skipped", "failed", "crashed"};
-constexpr int kTimeUp = 99;  // exit code of a child that was stopped by its own alarm
+constexpr int kTimeUp = 99;  // exit code of a child that was told that its time is up
 
 void write_text(const char* text) {
   // a signal handler cannot do anything about a failed write
@@ -58,13 +56,9 @@ void on_alarm(int) {
   _exit(kTimeUp);
 }
 
-void arm_child(double limit_s) {
+void arm_child() {
   for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(s, on_crash);
   ::signal(SIGALRM, on_alarm);
-  const double whole = std::floor(limit_s);
-  const itimerval timer{{0, 0},
-                        {static_cast<time_t>(whole), static_cast<suseconds_t>((limit_s - whole) * 1e6)}};
-  setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
 std::string last_call_text(const std::string& err) {
@@ -109,7 +103,7 @@ std::string library_in(const std::string& path) {
 // asks a child who is in the library; empty when nobody answers
 std::vector<PluginInfo> ask(const std::string& library_path, double limit_s) {
   const auto describe_it = [&]() -> std::string {
-    arm_child(limit_s);
+    arm_child();
     std::string error;
     std::vector<PluginInfo> plugins;
     const Library* library = Library::load(library_path, error);
@@ -118,7 +112,7 @@ std::vector<PluginInfo> ask(const std::string& library_path, double limit_s) {
   };
   std::string hash, error;
   std::vector<PluginInfo> plugins;
-  read_sidecar(run_forked(describe_it, limit_s + 1).out, hash, plugins, error);
+  read_sidecar(run_forked(describe_it, limit_s).out, hash, plugins, error);
   for (PluginInfo& plugin : plugins) {
     plugin.library_path = library_path;
     plugin.bundle_dir = std::filesystem::path(library_path).parent_path().string();
@@ -130,10 +124,10 @@ Finding run_one(const ValidateTest& test, const Subject& subject, const Validate
   if (options.in_process) return test.run(subject);
   const ChildResult child = run_forked(
       [&] {
-        arm_child(options.limit_s);
+        arm_child();
         return encode(test.run(subject));
       },
-      options.limit_s + 1);
+      options.limit_s);
   return decode(child, options.limit_s);
 }
 

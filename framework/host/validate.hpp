@@ -28,7 +28,7 @@ struct ValidateOptions {
   uint32_t strictness = 5;  // 1 to 10: tests up to this level
   std::string only;         // name of one test; "" for all
   uint64_t seed = 1;        // of random tests; a finding names it
-  double limit_s = 20;      // per test
+  double limit_s = 20;      // of processor time per test, or of waiting; see child.hpp
   bool in_process = false;  // for debuggers: no child, no limit
 };
 

@@ -101,7 +101,7 @@ Finding test_load(const Subject& subject) {
   // a start with thirty plugins must not take seconds
   if (library->load_seconds() > 0.1)
     f.warn("Loading took " + std::to_string(static_cast<int>(library->load_seconds() * 1e3)) +
-           " ms; 100 ms is much.");
+           " ms of processor time; 100 ms is much.");
   return f.take();
 }
 

@@ -127,31 +127,26 @@ void RtThread::run_lockstep() {
   }
 }
 
+Timeline::Due Timeline::wake(int64_t now_ns) noexcept {
+  const int64_t behind = std::max<int64_t>(0, (now_ns - deadline_) / period_);
+  const int64_t extra = lateness_ == Lateness::kCatchUp ? std::min(behind, kCatchUp) : 0;
+  deadline_ += (behind - extra) * period_;
+  return {1 + extra, static_cast<uint64_t>(behind - extra)};
+}
+
 void RtThread::run_clocked() {
-  int64_t deadline = base::wall_ns() + period_;
-  Tick tick;
+  Timeline line(lateness_, period_, base::wall_ns());
   for (;;) {
-    base::sleep_until_ns(deadline);
-    const int64_t late = base::wall_ns() - deadline;
+    base::sleep_until_ns(line.deadline());
+    const int64_t now = base::wall_ns(), late = now - line.deadline();
     stats_.wake.add(late);
     stats_.late += late > period_ / 2;
 
-    // this step, and those that are made up for
-    int64_t behind = late / period_;
-    const int64_t extra = lateness_ == Lateness::kCatchUp ? std::min(behind, kCatchUp) : 0;
-    for (int64_t i = 0; i <= extra; ++i) {
-      if (!one(tick, deadline)) return;
-      tick.lost = 0;
-      deadline += period_;
-    }
-
-    // what cannot be made up for is let go: the time line moves on
-    behind = (base::wall_ns() - deadline) / period_;
-    const int64_t bearable = lateness_ == Lateness::kCatchUp ? kCatchUp : 0;
-    if (behind > bearable) {
-      deadline += behind * period_;
-      tick.lost = static_cast<uint64_t>(behind);
-      stats_.dropped += tick.lost;
+    Timeline::Due due = line.wake(now);
+    stats_.dropped += due.lost;
+    for (int64_t i = 0; i < due.steps; ++i) {
+      if (!one({i == 0 ? due.lost : 0}, line.deadline())) return;
+      line.stepped();
     }
   }
 }

@@ -42,6 +42,28 @@ struct LoopStats {
   void fill(snapshot::LoopHealth& health) const;
 };
 
+/// Deadlines one period apart, and what becomes of those that were missed: made up for, or lost. Every period is one or the
+/// other. Knows no clock. [the loop's thread]
+class Timeline {
+ public:
+  struct Due {
+    int64_t steps = 1;  // now, in one go
+    uint64_t lost = 0;  // before them
+  };
+  Timeline(Lateness lateness, int64_t period_ns, int64_t now_ns)
+      : lateness_(lateness), period_(period_ns), deadline_(now_ns + period_ns) {}
+
+  int64_t deadline() const noexcept { return deadline_; }  // ns, of the next step
+  /// Awake at `now_ns`, not before the deadline; deadline() is then that of the first of the steps that are due.
+  Due wake(int64_t now_ns) noexcept;
+  void stepped() noexcept { deadline_ += period_; }
+
+ private:
+  const Lateness lateness_;
+  const int64_t period_;  // ns
+  int64_t deadline_;      // ns
+};
+
 /// Runs `tick` until it answers false. Not restartable.
 class RtThread {
  public:

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -23,14 +23,44 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<int> interrupts{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch nothing else");
 
-void on_signal(int) {
-  interrupted = 1;
-  // the second one ends the program whatever happens
-  signal(SIGINT, SIG_DFL);
-  signal(SIGTERM, SIG_DFL);
+// Whoever interrupts a group of processes often reaches one of them twice (a terminal and timeout(1) both do), so the second
+// signal must not cost the attempt. The third one ends the program whatever it is doing.
+void on_signal(int number) {
+  constexpr char kPatience[] =
+      "The attempt is being kept. Interrupt once more to end at once; it is then recovered at the next "
+      "start.\n";
+  const int now = ++interrupts;
+  if (now == 2) [[maybe_unused]]
+    const auto n = write(STDERR_FILENO, kPatience, sizeof kPatience - 1);
+  if (now < 3) return;
+  signal(number, SIG_DFL);
+  raise(number);
 }
+
+// From before the attempt is made until it is kept, Ctrl-C and kill end the attempt and not the program.
+class Interruptible {
+ public:
+  Interruptible() {
+    interrupts = 0;
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigaction(SIGINT, &action, &old_int_);
+    sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~Interruptible() {
+    sigaction(SIGINT, &old_int_, nullptr);
+    sigaction(SIGTERM, &old_term_, nullptr);
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  struct sigaction old_int_ {
+  }, old_term_{};
+};
 
 // the window takes over with the same wishes; returns when there is none
 void open_window(const RunOptions& o) {
@@ -75,17 +105,10 @@ bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
 }
 
 void drive(session::Session& session) {
-  struct sigaction action {
-  }, old_int{}, old_term{};
-  action.sa_handler = on_signal;
-  sigaction(SIGINT, &action, &old_int);
-  sigaction(SIGTERM, &action, &old_term);
   session.start();
-  while (!session.finished() && interrupted == 0) usleep(5'000);
-  if (interrupted != 0) tell(base::Severity::kNote, "", "Interrupted: the attempt ends as aborted.");
+  while (!session.finished() && interrupts == 0) usleep(5'000);
+  if (interrupts != 0) tell(base::Severity::kNote, "", "Interrupted: the attempt ends as aborted.");
   session.stop();
-  sigaction(SIGINT, &old_int, nullptr);
-  sigaction(SIGTERM, &old_term, nullptr);
 }
 
 std::string loop_text(const snapshot::LoopHealth& h, bool fast) {
@@ -183,6 +206,7 @@ int run(const RunOptions& o) {
   options.safe_mode = o.safe_mode;
   options.max_time_s = o.max_time_s;
 
+  const Interruptible while_it_runs;
   base::Problems problems;
   const std::unique_ptr<session::Session> session = session::Session::open(options, problems);
   if (!session || base::failed(problems)) return refused(o, problems);

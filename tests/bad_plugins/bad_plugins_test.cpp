@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "../temp_folder.hpp"
 #include "host/catalogue.hpp"
 #include "host/malloc_guard.hpp"
 #include "host/trial.hpp"
@@ -164,12 +165,13 @@ TEST(BadPlugins, WhatAStepCanDoWrong) {
 TEST(BadPlugins, TheSlowOneIsLateByItsOwnTime) {
   const auto slow = trial("org.example.bad.slow");
   slow->instance()->watch.budget_ns = 200'000;
-  // good steps up to 9, suspicion in 10, then 20 late ones
-  EXPECT_EQ(slow->run(60), 30u);
+  // good steps up to 9, suspicion in 10, then 20 late ones; a machine that was held up before has raised the suspicion itself
+  const uint64_t last = slow->run(60);
+  EXPECT_THAT(last, testing::AnyOf(29u, 30u));
   EXPECT_EQ(quarantine_text(*slow->instance()),
             "trial (org.example.bad.slow 1.0.0) was late in 20 of 100 steps by its own processor time in "
-            "forces() at "
-            "step 30 and is in quarantine.");
+            "forces() at step " +
+                std::to_string(last) + " and is in quarantine.");
 }
 
 TEST(BadPlugins, TextInTheStepIsABreach) {
@@ -197,8 +199,8 @@ TEST(BadPlugins, DeclarationsBeyondTheSceneAreRefused) {
 }
 
 TEST(Catalogue, TrustsASidecarOnlyForItsOwnBinary) {
-  const std::string dir = testing::TempDir() + "swage_catalogue", bundle = dir + "/org.example.ball";
-  fs::remove_all(dir);
+  const swage::test::TempFolder folder;
+  const std::string &dir = folder.path(), bundle = dir + "/org.example.ball";
   fs::create_directories(bundle);
   fs::copy_file(library("org.example.ball"), bundle + "/org.example.ball.so");
   Catalogue::Options options;
@@ -226,8 +228,8 @@ TEST(Catalogue, TrustsASidecarOnlyForItsOwnBinary) {
 }
 
 TEST(Catalogue, SearchesInOrder) {
-  const std::string root = testing::TempDir() + "swage_order";
-  fs::remove_all(root);
+  const swage::test::TempFolder folder;
+  const std::string& root = folder.path();
   for (const char* name : {"given", "variable", "data/swage/plugins", "install"}) {
     const std::string bundle = root + "/" + name + "/org.example.ball";
     fs::create_directories(bundle);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The replayed hand: what went in comes out, and a file of keys is refused with a hint.
-#include <cstdio>
 #include <fstream>
 
+#include "../temp_folder.hpp"
 #include "stage.hpp"
 
 namespace swage::replay {
@@ -13,11 +13,7 @@ using stage::Stage;
 
 class Replay : public ::testing::Test {
  protected:
-  void SetUp() override {
-    path_ = ::testing::TempDir() + "swage_samples_" +
-            ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
-  }
-  void TearDown() override { std::remove(path_.c_str()); }
+  void SetUp() override { path_ = folder_ / "hand.json"; }
   static swage_sample at(Stage& stage, double t) {
     swage_command command{};
     command.time_s = t;
@@ -25,6 +21,7 @@ class Replay : public ::testing::Test {
     EXPECT_EQ(stage.table<swage_device>(SWAGE_EXT_DEVICE).exchange(stage.raw(), &command, &sample), SWAGE_OK);
     return sample;
   }
+  test::TempFolder folder_;
   std::string path_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The scripted hand through the boundary: time, end, flaws that are drawn from the instance's stream.
-#include <cstdio>
 #include <fstream>
 
+#include "../temp_folder.hpp"
 #include "stage.hpp"
 
 namespace swage::scripted {
@@ -14,12 +14,10 @@ using stage::Stage;
 class Scripted : public ::testing::Test {
  protected:
   void SetUp() override {
-    path_ = ::testing::TempDir() + "swage_hand_" +
-            ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+    path_ = folder_ / "hand.json";
     std::ofstream(path_) << R"({"format": "swage-hand/1", "title": "two keys", "keys": [
       {"t": 0, "p": [0, 0, 0], "closure": 0}, {"t": 2, "p": ["8 mm", 0, 0], "closure": 1}]})";
   }
-  void TearDown() override { std::remove(path_.c_str()); }
 
   static swage_sample at(Stage& stage, double t) {
     swage_command command{};
@@ -37,6 +35,7 @@ class Scripted : public ::testing::Test {
     stage->on_rt();
     return stage;
   }
+  test::TempFolder folder_;
   std::string path_;
 };
 

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "../../temp_folder.hpp"
+
 namespace swage::test {
 namespace {
 
@@ -79,13 +81,13 @@ TEST(BrokenTree, missing_and_long_readmes_are_found) {
 }
 
 TEST(Layers, an_unreadable_line_is_told) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "swage_layers_test.txt";
+  const TempFolder folder;
+  const std::filesystem::path file = folder / "layers.txt";
   std::ofstream(file) << "base:\nscene base\n";
   EXPECT_THROW(Layers::read(file), std::runtime_error);
   std::ofstream(file) << "scene always: base\n";
   EXPECT_THROW(Layers::read(file), std::runtime_error);
   EXPECT_THROW(Layers::read(file / "absent"), std::runtime_error);
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "../../temp_folder.hpp"
 #include "host/params_json.hpp"
 
 using namespace swage::host;
@@ -162,8 +163,8 @@ TEST(Params, PluginsWithoutParametersWork) {
 }
 
 TEST(Params, FilesAreFoundBesideTheLesson) {
-  const std::string folder = testing::TempDir() + "swage_params";
-  std::filesystem::create_directories(folder);
+  const swage::test::TempFolder own;
+  const std::string& folder = own.path();
   std::ofstream(folder + "/hand.json") << "{}";
   const ParamTable table = {typed(SWAGE_PARAM_FILE, "path")};
   const Checked c = check(table, R"({"path": "hand.json"})", folder);

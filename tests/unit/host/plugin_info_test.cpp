@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "../../temp_folder.hpp"
+
 using namespace swage::host;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -71,7 +73,8 @@ TEST(PluginInfo, RefusesWhatIsNoSidecar) {
 }
 
 TEST(PluginInfo, TheHashIsThatOfTheContent) {
-  const std::string a = testing::TempDir() + "hash_a", b = testing::TempDir() + "hash_b";
+  const swage::test::TempFolder folder;
+  const std::string a = folder / "a", b = folder / "b";
   std::ofstream(a) << std::string(100'000, 'x');
   std::ofstream(b) << std::string(100'000, 'x');
   EXPECT_EQ(content_hash(a), content_hash(b));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -26,6 +27,12 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 const std::string kGrasp = SWAGE_SOURCE_DIR "/lessons/series/020_grasp_basic.json";
+
+// waits for a condition, not for a time: CTest's limit ends what never comes
+template <class F>
+void until(F done) {
+  while (!done()) std::this_thread::sleep_for(1ms);
+}
 
 std::string told(const Problems& problems) {
   std::string out;
@@ -98,14 +105,20 @@ TEST_F(SessionTest, TheSameAttemptTwiceGivesTheSameBits) {
 
 TEST_F(SessionTest, ARecordedAttemptReplaysBitForBit) {
   options.store_path = folder + "/attempts.db";
-  options.max_time_s = 4;
+  options.device = "mouse";  // nobody moves it: the attempt lasts until it is stopped
   auto session = open();
   session->start();
-  for (snapshot::Snapshot s; !session->finished() && (!session->latest(s) || s.step < 1000);) {
-  }
+  const auto step = [&] {
+    snapshot::Snapshot s;
+    return session->latest(s) ? s.step : 0;
+  };
+  until([&] { return step() >= 1000; });
   session->reset_object("needle");
   session->mark("look here");
-  session->wait();
+  // two snapshots later (64 steps apart when there is no clock) both commands have been carried out
+  const uint64_t commanded = step();
+  until([&] { return step() >= std::max<uint64_t>(commanded + 128, 2000); });
+  session->stop();
   const Result result = session->result();
   ASSERT_NE(result.attempt_id, "") << told(result.problems);
 
@@ -207,11 +220,8 @@ TEST_F(SessionTest, StopsWhenToldAndSaysSo) {
   options.device = "mouse";
   auto session = open();
   session->start();
-  while (session->result().steps == 0 && !session->finished()) {
-    snapshot::Snapshot s;
-    if (session->latest(s) && s.step > 100) break;
-    std::this_thread::sleep_for(1ms);
-  }
+  snapshot::Snapshot s;
+  until([&] { return session->latest(s) && s.step > 100; });
   session->stop();
   EXPECT_TRUE(session->finished());
   const Result result = session->result();
@@ -226,7 +236,8 @@ TEST_F(SessionTest, ASessionThatIsLeftAloneEndsInOrder) {
   {
     auto session = open();
     session->start();
-    std::this_thread::sleep_for(50ms);
+    snapshot::Snapshot s;
+    until([&] { return session->latest(s) && s.step > 50; });
   }
   { auto never_started = open(); }
   std::string error;
@@ -258,10 +269,7 @@ TEST_F(SessionTest, ThePointerMovesTheToolThroughTheMouse) {
     session->pointer(p);
   }
   session->pause(false);
-  do {
-    std::this_thread::sleep_for(1ms);
-    session->latest(after);
-  } while (after.step < 1000);
+  until([&] { return session->latest(after) && after.step >= 1000; });
   session->stop();
   const double moved =
       std::hypot(after.X_WB[0].p.x - before.X_WB[0].p.x, after.X_WB[0].p.y - before.X_WB[0].p.y);
@@ -314,8 +322,7 @@ TEST_F(SessionTest, RunsAtTheRateOfTheClock) {
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const Result result = session->result();
   EXPECT_EQ(result.steps, 500u);
-  EXPECT_GE(took, 0.499);
-  EXPECT_LT(took, 10);
+  EXPECT_GE(took, 0.499);  // how much longer is the machine's affair
   EXPECT_EQ(result.health.executed, 500u);
   EXPECT_GT(result.health.worst_step_s, 0);
   EXPECT_NE(told(result.problems).find("loop: "), std::string::npos);
@@ -330,16 +337,12 @@ TEST_F(SessionTest, PausedTimeStandsStill) {
   options.start_paused = true;
   auto session = open();
   session->start();
-  std::this_thread::sleep_for(100ms);
+  // a snapshot that the loop itself has made while paused: it ticks and does not step
   snapshot::Snapshot s;
-  ASSERT_TRUE(session->latest(s));
+  until([&] { return session->latest(s) && s.paused == 1; });
   EXPECT_EQ(s.step, 0u);
-  EXPECT_EQ(s.paused, 1u);
   session->pause(false);
-  for (int i = 0; i < 5000 && s.step == 0; ++i) {
-    std::this_thread::sleep_for(1ms);
-    session->latest(s);
-  }
+  until([&] { return session->latest(s) && s.step > 0; });
   EXPECT_GT(s.step, 0u);
   EXPECT_EQ(s.paused, 0u);
   session->stop();

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program.hpp"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
 #include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "host/child.hpp"
 
@@ -16,13 +22,61 @@ nlohmann::json Said::json() const {
   return answer;
 }
 
+namespace {
+// s; only so that a hang has a name before CTest ends the test. Nothing takes this long on any machine.
+constexpr double kPatience = 500;
+}  // namespace
+
 Said swage(const std::vector<std::string>& arguments) {
   std::vector<std::string> argv = {SWAGE_PROGRAM};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
-  const host::ChildResult child = host::run_program(argv, 120);
+  const host::ChildResult child = host::run_program(argv, kPatience);
   EXPECT_TRUE(child.started && !child.timed_out && child.signal == 0)
       << arguments.at(0) << ": " << host::signal_text(child.signal) << child.err;
   return {child.exit_code, child.out, child.err};
+}
+
+Running::Running(const std::vector<std::string>& arguments, const std::string& folder)
+    : out_(folder + "/stdout"), err_(folder + "/stderr") {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  const auto into = [&](int stream, const std::string& file) {
+    posix_spawn_file_actions_addopen(&actions, stream, file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  };
+  into(STDOUT_FILENO, out_);
+  into(STDERR_FILENO, err_);
+  std::vector<char*> argv = {const_cast<char*>(SWAGE_PROGRAM)};
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  if (posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ) != 0) pid_ = -1;
+  posix_spawn_file_actions_destroy(&actions);
+}
+
+Running::~Running() {
+  if (alive()) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+}
+
+bool Running::alive() {
+  if (pid_ > 0 && !ended_) ended_ = waitpid(pid_, &status_, WNOHANG) != 0;
+  return pid_ > 0 && !ended_;
+}
+
+void Running::signal(int number) {
+  if (alive()) kill(pid_, number);
+}
+
+Said Running::end() {
+  if (pid_ > 0 && !ended_) waitpid(pid_, &status_, 0);
+  ended_ = true;
+  const auto text = [](const std::string& file) {
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  EXPECT_TRUE(WIFEXITED(status_)) << host::signal_text(WTERMSIG(status_)) << text(err_);
+  return {WEXITSTATUS(status_), text(out_), text(err_)};
 }
 
 Program::Program() {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/types.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -19,14 +20,33 @@ struct Said {
   nlohmann::json json() const;
 };
 
-/// `swage` with these arguments, at most two minutes.
+/// `swage` with these arguments.
 Said swage(const std::vector<std::string>& arguments);
+
+/// `swage` with these arguments, while it runs; what it says goes to two files in `folder`. Killed if nobody waits for its end.
+class Running {
+ public:
+  Running(const std::vector<std::string>& arguments, const std::string& folder);
+  ~Running();
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+  bool alive();
+  void signal(int number);  // to this process alone, once
+  Said end();               // waits
+
+ private:
+  const std::string out_, err_;
+  pid_t pid_ = -1;
+  int status_ = 0;
+  bool ended_ = false;
+};
 
 /// A home for the program and a folder for the test, removed afterwards.
 class Program : public testing::Test {
  protected:
   Program();
   ~Program() override;
+  const std::string& folder() const { return folder_; }
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
   std::string store() const { return path("attempts.db"); }
   void write(const std::string& name, const std::string& text) const;

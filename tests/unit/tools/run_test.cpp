@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage run and swage replay, without a window.
-#include "host/child.hpp"
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
 #include "program.hpp"
+#include "record/recorder.hpp"
 #include "record/sql.hpp"
 #include "record/store.hpp"
 
@@ -28,6 +33,25 @@ class Run : public Program {
     std::string error;
     const auto db = record::Database::open(store(), record::Access::kWrite, error);
     ASSERT_TRUE(db && db->run(sql)) << error;
+  }
+  record::AttemptRow only_attempt() const {
+    std::string error;
+    const auto db = record::Store::open(store(), error);
+    const auto all = db ? db->attempts("") : std::vector<record::AttemptRow>();
+    EXPECT_EQ(all.size(), 1u) << error;
+    return all.empty() ? record::AttemptRow() : all[0];
+  }
+  // false: the program ended before
+  bool until_some_is_kept(Running& child) const {
+    record::Recording recording;
+    std::string error;
+    while (child.alive() && recording.step.size() < 100) {
+      usleep(10'000);
+      const auto db = std::filesystem::exists(store()) ? record::Store::open(store(), error) : nullptr;
+      const auto all = db ? db->attempts("") : std::vector<record::AttemptRow>();
+      if (!all.empty()) record::read_recording(store(), all[0].id, recording, error);
+    }
+    return child.alive();
   }
   Said run(const std::string& file, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments = {"run", file, "--headless", "--store", store(), "--person", "Ada"};
@@ -83,18 +107,28 @@ TEST_F(Run, AnAttemptThatIsCutShortIsNotPassed) {
   EXPECT_THAT(said.out, testing::Not(HasSubstr("passed")));
 }
 
+// The attempt would last a thousand seconds; it is interrupted as soon as some of it is in the store.
 TEST_F(Run, CtrlCEndsAsAbortedAndKeepsIt) {
-  const host::ChildResult child =
-      host::run_program({"/usr/bin/timeout", "--preserve-status", "-s", "INT", "1.5", SWAGE_PROGRAM, "run",
-                         lesson("100 s"), "--headless", "--store", store()},
-                        60);
-  EXPECT_EQ(child.exit_code, 1) << child.err;
-  EXPECT_THAT(child.err, HasSubstr("Interrupted: the attempt ends as aborted."));
-  EXPECT_THAT(child.out, HasSubstr("aborted"));
-  const nlohmann::json list = swage({"attempts", "list", "--store", store(), "--json"}).json();
-  ASSERT_EQ(list.size(), 1u);
-  EXPECT_EQ(list[0]["state"], "aborted");
-  EXPECT_GT(list[0]["simulated_s"].get<double>(), 0.1);
+  Running child({"run", lesson("1000 s"), "--headless", "--store", store()}, folder());
+  ASSERT_TRUE(until_some_is_kept(child));
+  child.signal(SIGINT);
+  const Said said = child.end();
+  EXPECT_EQ(said.code, 1) << said.err;
+  EXPECT_THAT(said.err, HasSubstr("Interrupted: the attempt ends as aborted."));
+  EXPECT_THAT(said.out, HasSubstr("aborted"));
+  const record::AttemptRow row = only_attempt();
+  EXPECT_EQ(row.state, "aborted");
+  EXPECT_GT(row.simulated_s, 0.1);
+}
+
+// a group of processes that is interrupted may hear of it twice
+TEST_F(Run, TwoSignalsAreNoReasonToLoseTheAttempt) {
+  Running child({"run", lesson("1000 s"), "--headless", "--store", store()}, folder());
+  ASSERT_TRUE(until_some_is_kept(child));
+  child.signal(SIGTERM);
+  child.signal(SIGINT);
+  EXPECT_EQ(child.end().code, 1);
+  EXPECT_EQ(only_attempt().state, "aborted");
 }
 
 TEST_F(Run, ProblemsNameFileAndKey) {
