@@ -142,8 +142,13 @@ std::unique_ptr<Instance> Assembler::make(const PluginUse& use, int32_t kind, co
 
   // values first: a plugin never sees one that is wrong
   host::ParamValues values;
-  host::ParamSource source{plugin->id, file_.folder(), plugin->bundle_dir, where};
+  host::ParamSource source{plugin->id, file_.folder(), plugin->bundle_dir, where, &overrides_.files};
   const bool good = host::check_params(use.params, plugin->params, source, values, problems_);
+  for (const host::GivenFile& given : values.files) {
+    const bool known = std::any_of(rig_->files.begin(), rig_->files.end(),
+                                   [&](const host::GivenFile& f) { return f.written == given.written; });
+    if (!known) rig_->files.push_back(given);
+  }
   std::string sentence;
   const host::Library* library = catalogue_.load(*plugin, sentence);
   if (library == nullptr) error(use.pointer + "/plugin", sentence);

@@ -51,6 +51,7 @@ class Assembler {
   // devices.cpp: which of the alternatives
   const DeviceChoice* choose(const LessonDevice& device, std::size_t index);
   void resolve_override();
+  static void place_hand(const LessonDevice& use, host::DeviceSlot& slot);
 
   // bind.cpp
   void bind_follows();

@@ -5,6 +5,7 @@
 
 #include "assembly/assembler.hpp"
 #include "host/nearest.hpp"
+#include "host/stand_in.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace swage::assembly {
@@ -25,7 +26,7 @@ bool matches(const DeviceChoice& choice, const std::string& wanted) {
 
 void Assembler::resolve_override() {
   const std::string& wanted = hand_;
-  if (wanted.empty()) return;
+  if (wanted.empty() || !overrides_.recorded.empty()) return;
   if (file_.devices.empty()) {
     if (!file_.faulty)
       note(Severity::kNote, "", "This lesson has no device; \"" + wanted + "\" is not used.");
@@ -90,6 +91,13 @@ void Assembler::add_devices() {
     // what the others name is used too, as far as "requires" is concerned
     for (const DeviceChoice& choice : use.choices) used_.insert(choice.plugin);
     host::DeviceSlot& slot = rig_->devices.emplace_back();
+    if (i < overrides_.recorded.size()) {
+      const RecordedHand& hand = overrides_.recorded[i];
+      slot.instance = host::stand_in_device(use.name, hand.plugin, hand.version, hand.flags, rig_->shared);
+      slot.device = static_cast<const swage_device*>(slot.instance->extension(SWAGE_EXT_DEVICE));
+      place_hand(use, slot);
+      continue;
+    }
     const DeviceChoice* choice = choose(use, i);
     const bool given = choice == &substitute_ && !overrides_.device_params.empty();
     std::unique_ptr<host::Builder> builder;
@@ -98,14 +106,19 @@ void Assembler::add_devices() {
     if (!slot.instance) continue;
     slot.device = table<swage_device>(*slot.instance, SWAGE_EXT_DEVICE, *choice);
     slot.sight = table<swage_device_sight>(*slot.instance, SWAGE_EXT_SIGHT, *choice, false);
-    if (slot.device == nullptr) continue;
-    // scripted hands and replays speak in world coordinates
-    const bool world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
-    const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
-    slot.motion_scale = world ? 1 : use.motion_scale;
-    slot.force_scale = force ? use.force_scale : 0;
-    slot.X_WD0 = world ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : use.X_WD0;
+    slot.choice = choice->as;
+    slot.params = choice->params;
+    if (slot.device != nullptr) place_hand(use, slot);
   }
+}
+
+void Assembler::place_hand(const LessonDevice& use, host::DeviceSlot& slot) {
+  // scripted hands and replays speak in world coordinates
+  const bool world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
+  const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
+  slot.motion_scale = world ? 1 : use.motion_scale;
+  slot.force_scale = force ? use.force_scale : 0;
+  slot.X_WD0 = world ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : use.X_WD0;
 }
 
 void Assembler::bind_follows() {

@@ -150,9 +150,11 @@ class Checker {
     text = name;
     if (name.empty()) return;
     std::error_code failed;
-    const fs::path path = fs::absolute(fs::path(source_.folder) / name, failed).lexically_normal();
+    fs::path path = fs::absolute(fs::path(source_.folder) / name, failed).lexically_normal();
+    if (source_.files != nullptr && source_.files->contains(name)) path = source_.files->at(name);
     if (!failed && fs::is_regular_file(path, failed)) {
       text = path.string();
+      out_.files.push_back({name, text});
     } else {
       error(pointer, "\"" + p.label + "\": there is no file " + path.string() + ".");
     }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,10 +35,17 @@ struct Param {
 
 using ParamTable = std::vector<Param>;
 
+/// A file that a lesson names in a parameter of type FILE.
+struct GivenFile {
+  std::string written;  // as the lesson says it
+  std::string path;     // where that is
+};
+
 /// Checked values, value i for parameter i. Texts live beside the values that point to them.
 struct ParamValues {
   std::vector<swage_value> value;
   std::vector<std::string> text;
+  std::vector<GivenFile> files;  // not those that are defaults: they belong to the plugin
 
   /// Lets value[i].text point to text[i]; after every copy or move.
   void point_to_texts();
@@ -50,6 +58,8 @@ struct ParamSource {
   std::string bundle_folder;  // relative FILE defaults are resolved against it
   /// What Problem::where says about the value at "/id" below the params object; "" is the object itself.
   std::function<std::string(const std::string& pointer)> where;
+  /// Files that stand for those that the lesson names, path by name; nullptr for none.
+  const std::map<std::string, std::string>* files = nullptr;
 };
 
 ParamTable copy_table(const swage_param* table, uint32_t count);

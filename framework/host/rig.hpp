@@ -55,6 +55,7 @@ struct DeviceSlot {
   double motion_scale = 1;                    // hand movement over scene movement: 10 under a x10 microscope
   double force_scale = 0;                     // N at the hand per N in the scene; 0: no force is sent
   swage_pose X_WD0{};                         // device frame in the world; identity for SWAGE_DEVICE_WORLD
+  std::string choice, params;  // "as" name and parameters that the lesson gave it, for the record
 };
 
 struct LessonSlot {
@@ -86,6 +87,7 @@ struct Rig {
   bool mirror = false;          // hands, pointer, card and snapshot are reflected (toolkit/mirror.hpp)
   std::string descriptor_text;  // the lesson file as read, kept for the record
   std::string descriptor_path;
+  std::vector<GivenFile> files;  // that the lesson names, each once
 
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
   swage_pointer pointer{};  // what the person does, in the picture as it is shown

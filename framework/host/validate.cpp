@@ -143,8 +143,11 @@ std::vector<ValidateResult> validate(const std::string& path, const std::vector<
   subject.seed = options.seed;
   subject.plugins = ask(subject.library_path, options.limit_s);
   std::vector<ValidateResult> results;
+  uint32_t kinds = subject.plugins.empty() ? kAllKinds : 0;
+  for (const PluginInfo& plugin : subject.plugins) kinds |= kind_bit(plugin.kind);
   for (const ValidateTest& test : tests) {
     if (test.level > options.strictness || (!options.only.empty() && test.name != options.only)) continue;
+    if ((test.kinds & kinds) == 0) continue;
     const int64_t begin = base::wall_ns();
     ValidateResult result{test.name, test.level, {}, 0};
     // only the first test can say anything about a library that cannot be described

@@ -39,11 +39,15 @@ struct Subject {
   uint64_t seed = 1;
 };
 
+constexpr uint32_t kind_bit(int32_t kind) { return 1u << kind; }
+inline constexpr uint32_t kAllKinds = ~0u;
+
 struct ValidateTest {
   uint32_t level = 1;
   std::string name;  // "load"
   std::string asks;  // one sentence
   std::function<Finding(const Subject&)> run;
+  uint32_t kinds = kAllKinds;  // of plugins that it can say anything about, kind_bit() each
 };
 
 struct ValidateResult {
@@ -56,8 +60,8 @@ struct ValidateResult {
 /// The tests that this room can do, levels 1 to 7, in order.
 std::vector<ValidateTest> host_tests();
 
-/// Runs `tests` (host_tests() and more) on the bundle folder or library at `path`. `progress` hears of each
-/// result.
+/// Runs those of `tests` (host_tests() and more) that ask anything of the plugins in the bundle folder or library at `path`.
+/// `progress` hears of each result.
 std::vector<ValidateResult> validate(const std::string& path, const std::vector<ValidateTest>& tests,
                                      const ValidateOptions& options,
                                      const std::function<void(const ValidateResult&)>& progress = {});

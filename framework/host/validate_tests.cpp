@@ -253,7 +253,7 @@ std::vector<uint64_t> record(Trial& trial, uint64_t n) {
 Finding test_state(const Subject& subject) {
   Findings f;
   each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library& library) {
-    if (plugin.kind != SWAGE_KIND_OBJECT) return;  // a device may remember its hardware
+    if (plugin.kind != SWAGE_KIND_OBJECT) return;  // beside an object in one library
     trial.reset();
     record(trial, kSteps / 3);
     const scene::World saved = trial.world();
@@ -351,16 +351,19 @@ Finding test_real_time(const Subject& subject) {
 }  // namespace
 
 std::vector<ValidateTest> host_tests() {
+  constexpr uint32_t kObjects = kind_bit(SWAGE_KIND_OBJECT), kDevices = kind_bit(SWAGE_KIND_DEVICE);
   return {
       {1, "load", "One exported symbol, loads twice and quickly, leaves the arithmetic alone.", test_load},
       {1, "descriptor", "Ids, versions and texts are there and agree; unknown ids give NULL.",
        test_descriptor},
       {2, "parameters", "Ranges, defaults, units and choices of the table make sense.", test_parameters},
       {3, "lifecycle", "Create, configure and activate in any number and order.", test_lifecycle},
-      {3, "threads", "Runs in the step, and calls the host only from where it may.", test_threads},
-      {5, "state", "The same results after a rewind, a reset, and in a second instance.", test_state},
+      {3, "threads", "Runs in the step, and calls the host only from where it may.", test_threads,
+       kObjects | kDevices},
+      {5, "state", "The same results after a rewind, a reset, and in a second instance.", test_state,
+       kObjects},
       {6, "bounds", "Every parameter at its ends and 200 random sets: an error or a good run.", test_bounds},
-      {7, "real_time", "No allocation in the step.", test_real_time},
+      {7, "real_time", "No allocation in the step.", test_real_time, kObjects | kDevices},
   };
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "record/codec.hpp"
 #include "record/identity.hpp"
 
 namespace swage::record {
@@ -53,6 +54,10 @@ const Statement& statement(Kind kind) {
        "is_void = ?,"
        " dropped = ?, loop_health = ? WHERE attempt_id = ?",
        10},
+      {"INSERT INTO hand (attempt_id, seq, name, choice, plugin, version, params, flags)"
+       " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
+       8},
+      {"INSERT INTO file (attempt_id, name, crc32c, data) VALUES (?, ?, ?, ?) ON CONFLICT DO NOTHING", 4},
   };
   return kStatements[static_cast<std::size_t>(kind)];
 }
@@ -156,6 +161,16 @@ Batch attempt_rows(const std::string& attempt_id, const AttemptInfo& info) {
                   to_json(info.devices),
                   to_json(info.script),
                   std::string("{}")}});
+  for (std::size_t i = 0; i < info.hands.size(); ++i) {
+    const HandInfo& h = info.hands[i];
+    out.push_back({Kind::kHand,
+                   {attempt_id, static_cast<int64_t>(i), h.name, h.choice, h.plugin, h.version, h.params,
+                    int64_t{h.flags}}});
+  }
+  for (const FileInfo& f : info.files)
+    out.push_back({Kind::kFile,
+                   {attempt_id, f.name, int64_t{crc32c(f.bytes.data(), f.bytes.size())},
+                    Blob(f.bytes.begin(), f.bytes.end())}});
   return out;
 }
 

@@ -14,8 +14,19 @@
 namespace swage::record {
 
 /// The kinds of row; numbers are part of the journal's format.
-enum class Kind : uint8_t { kPerson, kSession, kDevice, kAttempt, kMetric, kEvent, kChunk, kEnd };
-inline constexpr uint8_t kKinds = 8;
+enum class Kind : uint8_t {
+  kPerson,
+  kSession,
+  kDevice,
+  kAttempt,
+  kMetric,
+  kEvent,
+  kChunk,
+  kEnd,
+  kHand,
+  kFile
+};
+inline constexpr uint8_t kKinds = 10;
 
 struct Write {
   Kind kind = Kind::kPerson;
@@ -32,7 +43,7 @@ bool write_batch(Database&, const Batch&);
 /// Columns of the attempt table in the order of a kAttempt row.
 extern const char* const kAttemptColumns;
 
-/// Person, session, device and the attempt itself, "running".
+/// Person, session, device, the attempt itself, "running", its hands and its files.
 Batch attempt_rows(const std::string& attempt_id, const AttemptInfo&);
 /// Metrics and the end of the attempt.
 Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);

@@ -19,6 +19,20 @@
 
 namespace swage::record {
 
+/// The hand that played a device. A replay asks no device; its flags say how to read the samples.
+struct HandInfo {
+  std::string name,
+      choice;  // of the device in the lesson, and which alternative ("expert", "" without a name)
+  std::string plugin, version, params;  // params: JSON object
+  uint32_t flags = 0;                   // of its swage_device
+};
+
+/// A file that the lesson names in a parameter, so that the attempt can be understood and replayed elsewhere.
+struct FileInfo {
+  std::string name;   // as the lesson says it
+  std::string bytes;  // as it was
+};
+
 /// What identifies an attempt; written before the first step.
 struct AttemptInfo {
   std::string person = "Guest";
@@ -26,6 +40,8 @@ struct AttemptInfo {
   std::string descriptor_text, descriptor_path;
   std::vector<std::pair<std::string, std::string>> plugins;  // id, version of every instance, in order
   std::vector<std::string> devices;                          // names, in the order of StepRecord::sample
+  std::vector<HandInfo> hands;                               // one per device; empty in attempts of format 1
+  std::vector<FileInfo> files;
   judge::Script script;
   uint64_t seed = 0;
   double dt = 1e-3;  // s

@@ -68,6 +68,28 @@ bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::stri
   return false;
 }
 
+// what attempts carry since version 2
+bool read_luggage(Database& db, const std::string& id, AttemptInfo& info, std::string& error) {
+  if (schema_version(db) < 2) return true;
+  for (const Row& r : db.rows(
+           "SELECT name, choice, plugin, version, params, flags FROM hand WHERE attempt_id = ? ORDER BY seq",
+           {id}))
+    info.hands.push_back(
+        {text(r[0]), text(r[1]), text(r[2]), text(r[3]), text(r[4]), static_cast<uint32_t>(integer(r[5]))});
+  for (const Row& r :
+       db.rows("SELECT name, crc32c, data FROM file WHERE attempt_id = ? ORDER BY name", {id})) {
+    const Blob& data = blob(r[2]);
+    if (crc32c(data.data(), data.size()) != static_cast<uint32_t>(integer(r[1]))) {
+      error = "The file \"" + text(r[0]) + "\" of attempt " + id + " does not fit its checksum.";
+      return false;
+    }
+    info.files.push_back({text(r[0]), std::string(data.begin(), data.end())});
+  }
+  if (db.trouble() == Trouble::kNone) return true;
+  error = "The hands and files of attempt " + id + " cannot be read: " + db.error() + ".";
+  return false;
+}
+
 bool read_streams(Database& db, const std::string& id, Recording& out, std::string& error) {
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   if (devices > snapshot::kMaxDevices || signals > snapshot::kMaxSignals) {
@@ -131,8 +153,8 @@ bool read_recording(const std::string& store_or_file, const std::string& attempt
     id = text(rows[0][0]);
   }
   out = Recording();
-  if (read_info(*db, id, out.info, error) && read_streams(*db, id, out, error) &&
-      read_events(*db, id, out, error))
+  if (read_info(*db, id, out.info, error) && read_luggage(*db, id, out.info, error) &&
+      read_streams(*db, id, out, error) && read_events(*db, id, out, error))
     return true;
   return false;
 }

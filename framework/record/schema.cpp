@@ -62,6 +62,15 @@ const std::vector<Step> kSteps = {
         "CREATE TABLE outbox (outbox_id TEXT PRIMARY KEY, kind TEXT NOT NULL, body TEXT NOT NULL,"
         " created_utc TEXT NOT NULL, sent_utc TEXT)",
     },
+    {
+        // 2: what a replay elsewhere needs beside the samples
+        "CREATE TABLE hand (attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " seq BIGINT NOT NULL, name TEXT NOT NULL, choice TEXT NOT NULL, plugin TEXT NOT NULL,"
+        " version TEXT NOT NULL, params TEXT NOT NULL, flags BIGINT NOT NULL, PRIMARY KEY (attempt_id, seq))",
+
+        "CREATE TABLE file (attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " name TEXT NOT NULL, crc32c BIGINT NOT NULL, data @BLOB@ NOT NULL, PRIMARY KEY (attempt_id, name))",
+    },
 };
 
 std::string in_dialect(std::string sql, bool postgres) {
@@ -162,15 +171,13 @@ std::unique_ptr<Database> open_for_reading(const std::string& where, std::string
   std::unique_ptr<Database> db = Database::open(where, Access::kRead, error);
   if (!db) return nullptr;
   const int version = schema_version(*db);
-  if (version == static_cast<int>(schema_steps().size())) return db;
+  if (version >= 1 && static_cast<std::size_t>(version) <= schema_steps().size()) return db;
   if (version < 0)
     error = where + " is damaged and cannot be read: " + db->error() + ".";
   else if (version == 0)
     error = where + " is a database, but not one of Swage attempts.";
-  else if (static_cast<std::size_t>(version) > schema_steps().size())
-    error = where + ": " + too_new(version, schema_steps().size());
   else
-    error = where + " is from an older Swage; open it once as a store to bring it up to date.";
+    error = where + ": " + too_new(version, schema_steps().size());
   return nullptr;
 }
 

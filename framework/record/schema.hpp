@@ -26,7 +26,7 @@ bool bring_up_to_date(Database&, std::span<const Step> steps, std::string& error
 /// A store, ready to be written: write-ahead log, tables up to date.
 std::unique_ptr<Database> open_store(const std::string& where, std::string& error, Trouble* why = nullptr);
 
-/// A store or an exported attempt, to be read; refuses with a sentence what Swage did not write.
+/// A store or an exported attempt of this or an earlier version, to be read; refuses with a sentence what Swage did not write.
 std::unique_ptr<Database> open_for_reading(const std::string& where, std::string& error);
 
 }  // namespace swage::record

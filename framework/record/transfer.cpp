@@ -18,11 +18,13 @@ struct Source {
   std::string sql;  // the values of a row of this kind, in its order
 };
 
-std::vector<Source> sources() {
+// In the order in which they are written and summed up; what a version adds comes last, so that the checksum of an attempt
+// without it stays the same.
+std::vector<Source> sources(int version) {
   const std::string of_person =
       " FROM person p JOIN session s ON s.person_id = p.person_id"
       " JOIN attempt a ON a.session_id = s.session_id WHERE a.attempt_id = ?";
-  return {
+  std::vector<Source> out = {
       {Kind::kPerson, "SELECT p.person_id, p.pseudonym, p.created_utc" + of_person},
       {Kind::kSession,
        "SELECT s.session_id, s.station, s.app_version, s.started_utc, p.pseudonym" + of_person},
@@ -42,6 +44,14 @@ std::vector<Source> sources() {
        "attempt_id = ?"
        " ORDER BY stream, seq"},
   };
+  if (version >= 2) {
+    out.push_back({Kind::kHand,
+                   "SELECT attempt_id, seq, name, choice, plugin, version, params, flags FROM hand"
+                   " WHERE attempt_id = ? ORDER BY seq"});
+    out.push_back(
+        {Kind::kFile, "SELECT attempt_id, name, crc32c, data FROM file WHERE attempt_id = ? ORDER BY name"});
+  }
+  return out;
 }
 
 void feed(base::Hash& hash, const Row& row) {
@@ -58,7 +68,7 @@ void feed(base::Hash& hash, const Row& row) {
 // every row of an attempt, one at a time, so that an hour of traces does not lie in memory
 bool each_row(Database& db, const std::string& id, const std::function<bool(Kind, const Row&)>& visit) {
   bool ok = true;
-  for (const Source& source : sources()) {
+  for (const Source& source : sources(schema_version(db))) {
     const bool read = db.each(source.sql, {id}, [&](const Row& row) { return ok = visit(source.kind, row); });
     if (!read || !ok) return false;
   }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/playback.hpp"
 
+#include <stdlib.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +20,48 @@ namespace {
 // steps between two kept states: winding back costs at most so many steps again, about 20 ms; a quarter of an hour keeps
 // 1800 states of a few kilobytes
 constexpr uint64_t kKeep = 500;
+
+namespace fs = std::filesystem;
+
+// the files of a recording, in a folder of their own for as long as this lives
+class Unpacked {
+ public:
+  explicit Unpacked(const std::vector<record::FileInfo>& files) {
+    if (files.empty()) return;
+    std::error_code failed;
+    std::string pattern = (fs::temp_directory_path(failed) / "swage_replay_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) return;
+    folder_ = pattern;
+    for (const record::FileInfo& file : files) {
+      // a number in front: two folders may hold files of one name. The rest only helps people
+      const std::string name = std::to_string(path_.size()) + "_" + fs::path(file.name).filename().string();
+      std::ofstream(folder_ / name, std::ios::binary) << file.bytes;
+      path_[file.name] = (folder_ / name).string();
+    }
+  }
+  ~Unpacked() {
+    std::error_code ignored;
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
+  }
+  Unpacked(const Unpacked&) = delete;
+  Unpacked& operator=(const Unpacked&) = delete;
+  const std::map<std::string, std::string>& paths() const { return path_; }
+
+ private:
+  fs::path folder_;
+  std::map<std::string, std::string> path_;
+};
+
+// attempts of format 1 do not say how to read their samples: their devices are asked
+assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& files) {
+  assembly::Overrides out;
+  out.files = files.paths();
+  out.mode = info.mode;
+  for (const record::HandInfo& hand : info.hands)
+    out.recorded.push_back({hand.plugin, hand.version, hand.flags});
+  if (info.hands.empty()) out.device = info.device;
+  return out;
+}
 
 }  // namespace
 
@@ -53,7 +100,8 @@ bool Playback::build(base::Problems& problems) {
   host::Catalogue::Options search;
   search.plugin_dirs = plugin_dirs_;
   const host::Catalogue catalogue(search);
-  rig_ = assembly::assemble(file, catalogue, {info.device, "", info.mode}, problems);
+  const Unpacked files(info.files);
+  rig_ = assembly::assemble(file, catalogue, overrides(info, files), problems);
   if (!rig_) return false;
 
   // other versions may well give other bits: told, not refused

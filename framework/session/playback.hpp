@@ -21,7 +21,7 @@ namespace swage::session {
 class Playback {
  public:
   /// Builds the scene from the recording's own descriptor. nullptr and `problems` when it cannot be built (a plugin is
-  /// missing). `recording` outlives the playback.
+  /// missing). Devices need not be there: their samples are. `recording` outlives the playback.
   static std::unique_ptr<Playback> open(const record::Recording& recording,
                                         const std::vector<std::string>& plugin_dirs,
                                         base::Problems& problems);

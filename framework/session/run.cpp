@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +30,8 @@ constexpr double kBudget = 20e-3;  // s
 #endif
 // how long before the call a person's mark lies: what was worth marking has just been seen
 constexpr double kMarkBack = 2.0;  // s
+// bytes of files that an attempt carries along; hands on file have some thousand, meshes some million
+constexpr std::size_t kMostLuggage = std::size_t{16} << 20;
 // exit status when a plugin does not come back (sysexits: internal software error)
 constexpr int kExitHung = 70;
 
@@ -44,6 +48,27 @@ const char* text(Ending ending) {
       return "host.quarantined";
     default:
       return "";
+  }
+}
+
+// what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
+void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& problems) {
+  for (const host::DeviceSlot& slot : rig.devices) {
+    const host::Instance& i = *slot.instance;
+    info.hands.push_back(
+        {i.name, slot.choice, i.plugin_id, i.plugin_version, slot.params, slot.device->flags});
+  }
+  std::size_t total = 0;
+  for (const host::GivenFile& file : rig.files) {
+    std::ifstream in(file.path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    total += bytes.size();
+    if (in.bad() || !in.is_open() || total > kMostLuggage)
+      problems.push_back({Severity::kWarning, file.path,
+                          "This file is not kept with the attempt: it cannot be read, or the files of this "
+                          "lesson are more than 16 MiB. Replaying it needs the file at its place."});
+    else
+      info.files.push_back({file.written, std::move(bytes)});
   }
 }
 
@@ -141,6 +166,7 @@ void Run::open_record(Problems& problems) {
     info.devices.push_back(slot.instance->name);
     if (info.device.empty()) info.device = slot.instance->plugin_id;
   }
+  add_luggage(*rig_, info, problems);
   info.script = rig_->script;
   info.seed = rig_->seed;
   info.dt = rig_->world.dt;

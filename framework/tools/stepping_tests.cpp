@@ -10,6 +10,7 @@
 
 #include "base/clock.hpp"
 #include "base/rng.hpp"
+#include "tools/onlooker.hpp"
 #include "tools/print.hpp"
 #include "tools/test_scene.hpp"
 
@@ -80,7 +81,6 @@ Finding stepping(const TestScene& scene, uint64_t) {
 Finding rewind(const TestScene& scene, uint64_t seed) {
   Stepped s;
   std::string error;
-  if (scene.plugin().kind == SWAGE_KIND_DEVICE) return skipped("What a device holds is its own.");
   if (!scene.make({}, s, error)) return failed(error);
   base::Xoshiro256 random(seed);
   std::vector<std::byte> image(s.engine->image_size()), first(image.size()), second(image.size());
@@ -104,7 +104,6 @@ Finding rewind(const TestScene& scene, uint64_t seed) {
 
 // level 5: a second run, and a run with a second instance, give the same bits
 Finding alone(const TestScene& scene, uint64_t) {
-  if (scene.plugin().kind == SWAGE_KIND_DEVICE) return skipped("It moves nothing by itself.");
   const bool object = scene.plugin().kind == SWAGE_KIND_OBJECT;
   Stepped a, b, c;
   std::string error;
@@ -129,8 +128,6 @@ Finding alone(const TestScene& scene, uint64_t) {
 
 // level 6: a scene somewhere else is the same scene
 Finding moved(const TestScene& scene, uint64_t) {
-  // contacts amplify rounding, so that two touching things need not end in the same place
-  if (scene.plugin().kind != SWAGE_KIND_OBJECT) return skipped("It moves nothing by itself.");
   Stepped here, there;
   std::string error;
   Wish away;
@@ -272,7 +269,7 @@ class WildHand final : public step::DevicePort {
 
 // level 9: whatever the hand sends, the world stays whole
 Finding fuzz(const TestScene& scene, uint64_t seed) {
-  if (!scene.is_led()) return skipped("No hand leads it.");
+  if (!scene.is_led()) return skipped("No hand leads anything here.");
   WildHand hand(seed);
   Wish wish;
   wish.hand = &hand;
@@ -287,7 +284,8 @@ Finding fuzz(const TestScene& scene, uint64_t seed) {
 using Test = Finding (*)(const TestScene&, uint64_t);
 
 // the worst of what a test finds in the plugins of a library
-Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_dirs, Test test) {
+Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_dirs, Test test,
+               uint32_t kinds) {
   host::Catalogue::Options options;
   options.plugin_dirs = plugin_dirs;
   options.plugin_dirs.insert(options.plugin_dirs.begin(),
@@ -296,6 +294,7 @@ Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_di
   Finding worst{Mark::kSkipped, ""};
   bool any = false;
   for (const PluginInfo& p : subject.plugins) {
+    if ((kinds & host::kind_bit(p.kind)) == 0) continue;
     const PluginInfo* plugin = catalogue.find(p.id);
     if (plugin == nullptr) return failed(catalogue.missing_text(p.id));
     const TestScene scene(*plugin, catalogue);
@@ -317,21 +316,36 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
     uint32_t level;
     const char *name, *asks;
     Test test;
+    uint32_t kinds;
   };
+  constexpr uint32_t kObject = host::kind_bit(SWAGE_KIND_OBJECT),
+                     kCoupling = host::kind_bit(SWAGE_KIND_COUPLING),
+                     kLesson = host::kind_bit(SWAGE_KIND_LESSON);
   static constexpr Entry kTests[] = {
-      {4, "stepping", "10 000 steps with defaults: every number finite, no energy out of nothing", stepping},
-      {5, "rewind", "the same steps again after restoring the saved state: the same bytes", rewind},
-      {5, "alone", "the same bits in a second run, and with another instance in the scene", alone},
-      {6, "moved", "the scene 1 m away: the same motion", moved},
+      {4, "stepping", "10 000 steps with defaults: every number finite, no energy out of nothing", stepping,
+       host::kAllKinds},
+      // what a device holds is its own
+      {5, "rewind", "the same steps again after restoring the saved state: the same bytes", rewind,
+       kObject | kCoupling | kLesson},
+      {5, "alone", "the same bits in a second run, and with another instance in the scene", alone,
+       kObject | kCoupling | kLesson},
+      // contacts amplify rounding, so that two touching things need not end in the same place
+      {6, "moved", "the scene 1 m away: the same motion", moved, kObject},
       {6, "range", "every parameter at its ends and 200 random sets: an error that is told, or a good run",
-       range},
-      {8, "time", "processor time of a step", time},
-      {9, "fuzz", "5000 steps led by a hand that sends nonsense", fuzz},
+       range, host::kAllKinds},
+      {6, "nonsense",
+       "2000 steps of a world in which nothing belongs together: behaves, remembers nothing, forgets",
+       nonsense, kCoupling | kLesson},
+      {8, "time", "processor time of a step", time, host::kAllKinds},
+      {9, "fuzz", "5000 steps led by a hand that sends nonsense", fuzz, kObject | kCoupling | kLesson},
   };
   std::vector<host::ValidateTest> out;
   for (const Entry& e : kTests)
     out.push_back({e.level, e.name, e.asks,
-                   [plugin_dirs, test = e.test](const Subject& s) { return of_all(s, plugin_dirs, test); }});
+                   [plugin_dirs, test = e.test, kinds = e.kinds](const Subject& s) {
+                     return of_all(s, plugin_dirs, test, kinds);
+                   },
+                   e.kinds});
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <nlohmann/json.hpp>
 
 #include "host/guard.hpp"
 #include "host/instance.hpp"
@@ -102,15 +103,16 @@ TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& cata
     : plugin_(plugin), catalogue_(catalogue) {
   const host::PluginInfo* mouse = catalogue.find("swage.device.mouse");
   if (mouse != nullptr) hand_ = mouse->id;
-  const bool needs =
-      std::any_of(plugin.params.begin(), plugin.params.end(), [](const auto& p) { return p.required(); });
-  if (plugin.kind == SWAGE_KIND_LESSON) {
-    skipped_ = "A lesson needs its scene: run swage validate on a lesson file that uses it.";
-  } else if (needs) {
+  // a lesson's texts name objects, and those can be given
+  const bool needs = std::any_of(plugin.params.begin(), plugin.params.end(), [&](const auto& p) {
+    return p.required() && !(plugin.kind == SWAGE_KIND_LESSON && p.type == SWAGE_PARAM_TEXT);
+  });
+  if (needs) {
     skipped_ = "It has required parameters: run swage validate on a lesson file that uses it.";
   } else {
     find_led();
     if (plugin.kind == SWAGE_KIND_COUPLING) find_pair();
+    if (plugin.kind == SWAGE_KIND_LESSON) find_stage();
   }
 }
 
@@ -156,6 +158,70 @@ void TestScene::find_pair() {
   skipped_ = "No two installed objects can be bound by it with their defaults. " + why;
 }
 
+bool TestScene::is_a(const std::string& object_plugin, const char* trait) const {
+  const host::PluginInfo* p = catalogue_.find(object_plugin);
+  return p != nullptr && std::find(p->traits.begin(), p->traits.end(), trait) != p->traits.end();
+}
+
+bool TestScene::is_led() const {
+  const assembly::LessonFile f = file({});
+  return std::any_of(f.objects.begin(), f.objects.end(),
+                     [](const auto& o) { return !o.follow_pose.empty(); });
+}
+
+// Objects for a lesson. What it calls them it says in its texts, and what they have to be it says in bind(): so each text names
+// an object, and every cast of installed plugins is tried until one will do.
+void TestScene::find_stage() {
+  constexpr std::size_t kMostCasts = 400;
+  std::vector<std::string> plugins;
+  for (const host::PluginInfo* p : catalogue_.of_kind(SWAGE_KIND_OBJECT)) plugins.push_back(p->id);
+  for (const host::Param& p : plugin_.params) {
+    if (p.type != SWAGE_PARAM_TEXT || (!p.required() && p.default_text.empty())) continue;
+    const std::string name =
+        p.default_text.empty() ? "thing_" + std::to_string(stage_.size() + 1) : p.default_text;
+    casting_[p.id] = name;
+    stage_.push_back({name, ""});
+  }
+  std::string why = "No object is installed.";
+  std::size_t casts = 1;
+  for (std::size_t i = 0; i < stage_.size(); ++i) casts *= plugins.size();
+  for (std::size_t cast = 0; cast < std::min(casts, kMostCasts); ++cast) {
+    std::size_t rest = cast;
+    for (Actor& actor : stage_) {
+      actor.plugin = plugins[rest % plugins.size()];
+      rest /= plugins.size();
+    }
+    if (assembles(file({}), why)) return;
+  }
+  skipped_ = "No cast of installed objects makes a scene for it. " + why;
+}
+
+// the wished parameters, and the names of the actors
+std::string TestScene::stage_params(const std::string& wished) const {
+  nlohmann::json all = nlohmann::json::parse(wished);
+  for (const auto& [id, name] : casting_) all[id] = name;
+  return all.dump();
+}
+
+void TestScene::set_stage(assembly::LessonFile& f, const Wish& wish) const {
+  // 10 characteristic lengths apart
+  for (std::size_t i = 0; i < stage_.size(); ++i)
+    f.objects.push_back(object(stage_[i].name, stage_[i].plugin, "{}",
+                               {wish.at.x + 0.01 * static_cast<double>(i), wish.at.y, wish.at.z}));
+  // whoever can grip has something to grip
+  for (const Actor& a : stage_)
+    for (const Actor& b : stage_) {
+      if (!is_a(a.plugin, SWAGE_TRAIT_GRIPPER) || !is_a(b.plugin, SWAGE_TRAIT_GRASPABLE)) continue;
+      for (const std::string& what : {std::string("contact"), std::string("grasp")}) {
+        if (catalogue_.find("swage.coupling." + what) == nullptr) continue;
+        f.couplings.push_back(coupling(what + "_" + b.name, "swage.coupling." + what, "{}"));
+        f.couplings.back().a = a.name;
+        f.couplings.back().b = b.name;
+      }
+    }
+  static_cast<assembly::PluginUse&>(f.lesson) = use_of(plugin_.id, stage_params(wish.params), "/lesson");
+}
+
 assembly::LessonFile TestScene::file(const Wish& wish) const {
   // 100 characteristic lengths: far enough to have nothing to do with each other
   constexpr double kFar = 0.1;
@@ -170,6 +236,8 @@ assembly::LessonFile TestScene::file(const Wish& wish) const {
     f.objects.push_back(object("b", between_[1], "{}", wish.at));
     if (!finder_.empty()) f.couplings.push_back(coupling("finder", finder_, "{}"));
     f.couplings.push_back(coupling("subject", plugin_.id, wish.params));
+  } else if (plugin_.kind == SWAGE_KIND_LESSON) {
+    set_stage(f, wish);
   } else {
     f.devices.push_back(device(plugin_.id, wish.params));
   }

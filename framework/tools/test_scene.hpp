@@ -3,13 +3,16 @@
 // The smallest scene in which a plugin can be stepped, for the validator. [main]
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "assembly/assemble.hpp"
 #include "host/catalogue.hpp"
+#include "host/guard.hpp"
 #include "host/rig.hpp"
+#include "host/validate.hpp"
 #include "step/step.hpp"
 
 namespace swage::tools {
@@ -46,8 +49,8 @@ class TestScene {
   bool make(const Wish& wish, Stepped& out, std::string& error) const;
 
   const host::PluginInfo& plugin() const { return plugin_; }
-  /// True when the object under test follows a hand.
-  bool is_led() const { return plugin_.kind == SWAGE_KIND_OBJECT && follows(plugin_.id); }
+  /// True when something in the scene follows a hand.
+  bool is_led() const;
   /// Index of the object under test in a rig made with this wish.
   static uint32_t subject(const Wish& wish) { return wish.with_neighbour ? 1 : 0; }
 
@@ -57,10 +60,19 @@ class TestScene {
   bool follows(const std::string& object_plugin) const;
   void find_led();
   void find_pair();
+  void find_stage();
+  bool is_a(const std::string& object_plugin, const char* trait) const;
+  std::string stage_params(const std::string& wished) const;
+  void set_stage(assembly::LessonFile& f, const Wish& wish) const;
 
   const host::PluginInfo& plugin_;
   const host::Catalogue& catalogue_;
-  std::string between_[2];        // object plugins for a coupling
+  struct Actor {
+    std::string name, plugin;
+  };
+  std::vector<Actor> stage_;                    // objects for a lesson
+  std::map<std::string, std::string> casting_;  // its parameters that name them
+  std::string between_[2];                      // object plugins for a coupling
   std::string finder_;            // coupling that finds contacts for one that only looks, "" for none
   std::vector<std::string> led_;  // object plugins that follow a hand
   std::string hand_;              // a device plugin that can lead an object, "" for none

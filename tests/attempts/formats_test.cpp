@@ -26,6 +26,8 @@ TEST_P(Formats, IsReadBitForBit) {
   expect_exact(recording, 300);
   EXPECT_EQ(recording.info.person, "Ada");
   EXPECT_EQ(recording.info.plugins, make_info().plugins);
+  // hands and files are carried since version 2
+  EXPECT_TRUE(same_luggage(recording.info, GetParam() >= 2 ? make_info() : AttemptInfo()));
   ASSERT_EQ(recording.commands.size(), 1u);
   EXPECT_EQ(recording.commands[0].number[3], 1e-300);
   EXPECT_EQ(recording.events.size(), 3u);
@@ -41,6 +43,11 @@ TEST_P(Formats, IsTakenIntoAStoreOfToday) {
   EXPECT_EQ(row.state, "complete");
   EXPECT_EQ(row.score, 87.5);
   EXPECT_EQ(row.metrics.size(), 2u);
+  // and goes out again as a file of today
+  ASSERT_TRUE(store->export_attempt(id, folder / "again.swage", error)) << error;
+  Recording again;
+  ASSERT_TRUE(read_recording(folder / "again.swage", "", again, error)) << error;
+  expect_exact(again, 300);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryVersion, Formats,

@@ -34,6 +34,19 @@ std::vector<std::string> files_below(const fs::path& root, const Tops& tops) {
   return files;
 }
 
+std::vector<const char*> all_tops() {
+  std::vector<const char*> tops(std::begin(kTops), std::end(kTops));
+  tops.insert(tops.end(), std::begin(kMoreTops), std::end(kMoreTops));
+  return tops;
+}
+
+int lines_of(const fs::path& file) {
+  std::ifstream in(file);
+  int lines = 0;
+  for (std::string line; std::getline(in, line);) ++lines;
+  return lines;
+}
+
 bool ends_with_any(const std::string& path, std::initializer_list<const char*> ends) {
   return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return path.ends_with(end); });
 }
@@ -181,9 +194,7 @@ std::vector<std::string> include_violations(const fs::path& root, const Layers& 
 
 std::vector<std::string> spdx_violations(const fs::path& root) {
   std::vector<std::string> out;
-  std::vector<const char*> tops(std::begin(kTops), std::end(kTops));
-  tops.insert(tops.end(), std::begin(kMoreTops), std::end(kMoreTops));
-  for (const std::string& path : files_below(root, tops)) {
+  for (const std::string& path : files_below(root, all_tops())) {
     if (!ends_with_any(path, {".hpp", ".cpp", ".h", ".c", ".inc", ".cmake", ".sh", "/CMakeLists.txt"}))
       continue;
     std::ifstream in(root / path);
@@ -197,27 +208,38 @@ std::vector<std::string> spdx_violations(const fs::path& root) {
   return out;
 }
 
+std::vector<std::string> length_violations(const fs::path& root) {
+  constexpr int kMost = 400;
+  std::vector<std::string> out;
+  for (const std::string& path : files_below(root, all_tops())) {
+    if (!ends_with_any(path, {".hpp", ".cpp", ".h", ".c"})) continue;
+    const int lines = lines_of(root / path);
+    if (lines > kMost)
+      out.push_back(path + ": " + std::to_string(lines) + " lines; a file has at most " +
+                    std::to_string(kMost));
+  }
+  return out;
+}
+
 std::vector<std::string> readme_violations(const fs::path& root) {
   std::vector<std::string> rooms;
   if (fs::exists(root / "framework"))
     for (const auto& entry : fs::directory_iterator(root / "framework"))
       if (entry.is_directory() && entry.path().filename() != "cmake")
         rooms.push_back("framework/" + entry.path().filename().string());
-  for (const char* top : {"plugins", "devices", "lessons", "console", "resources", "tests"})
+  for (const char* top : {"plugins", "devices", "lessons", "console", "resources", "scripts", "tests"})
     if (fs::exists(root / top)) rooms.push_back(top);
   std::sort(rooms.begin(), rooms.end());
 
   std::vector<std::string> out;
-  for (const std::string& room : rooms) {
-    std::ifstream in(root / room / "README.md");
-    if (!in) {
-      out.push_back(room + ": no README.md");
-      continue;
-    }
-    int lines = 0;
-    for (std::string line; std::getline(in, line);) ++lines;
+  for (const std::string& room : rooms)
+    if (!fs::exists(root / room / "README.md")) out.push_back(room + ": no README.md");
+  for (const std::string& path : files_below(root, all_tops())) {
+    // the guide is a book, not a room
+    if (!path.ends_with("/README.md") || path.starts_with("framework/sdk/guide/")) continue;
+    const int lines = lines_of(root / path);
     if (lines >= 30)
-      out.push_back(room + "/README.md: " + std::to_string(lines) + " lines; a room is told in under 30");
+      out.push_back(path + ": " + std::to_string(lines) + " lines; a room is told in under 30");
   }
   return out;
 }

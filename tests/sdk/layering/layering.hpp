@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads the sources of a tree and compares them with layers.txt: includes, SPDX lines, room READMEs.
+// Reads the sources of a tree and compares them with layers.txt: includes, SPDX lines, lengths, room READMEs.
 #pragma once
 
 #include <filesystem>
@@ -27,7 +27,10 @@ std::vector<std::string> include_violations(const std::filesystem::path& root, c
 /// Source files without their SPDX line (in the first two lines, so that a script may start with #!).
 std::vector<std::string> spdx_violations(const std::filesystem::path& root);
 
-/// Rooms without a README.md, or with one of 30 lines or more.
+/// Code of more than 400 lines: more than one thing in one file.
+std::vector<std::string> length_violations(const std::filesystem::path& root);
+
+/// Rooms without a README.md; and READMEs of 30 lines or more, wherever they stand.
 std::vector<std::string> readme_violations(const std::filesystem::path& root);
 
 }  // namespace swage::test

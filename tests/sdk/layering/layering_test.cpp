@@ -39,6 +39,31 @@ TEST(Layering, sources_carry_their_licence) {
   EXPECT_TRUE(found.empty()) << lines(found);
 }
 
+TEST(Layering, every_room_is_told_in_under_thirty_lines) {
+  const std::vector<std::string> found = readme_violations(kRoot);
+  EXPECT_TRUE(found.empty()) << lines(found);
+}
+
+TEST(Layering, files_are_short) {
+  const std::vector<std::string> found = length_violations(kRoot);
+  EXPECT_TRUE(found.empty()) << lines(found);
+}
+
+TEST(BrokenTree, long_files_are_found) {
+  const TempFolder root;
+  const std::filesystem::path scene = std::filesystem::path(root.path()) / "framework/scene";
+  std::filesystem::create_directories(scene);
+  const auto write = [&](const std::string& name, int n) {
+    std::ofstream file(scene / name);
+    for (int i = 0; i < n; ++i) file << "// " << i << "\n";
+  };
+  write("right.cpp", 400);
+  write("long.hpp", 401);
+  write("long.json", 1000);
+  EXPECT_THAT(length_violations(root.path()),
+              ElementsAre("framework/scene/long.hpp: 401 lines; a file has at most 400"));
+}
+
 TEST(BrokenTree, wrong_includes_are_found) {
   Layers table = layers();
   table.may["devices/pen"] = {"HD"};
@@ -76,8 +101,8 @@ TEST(BrokenTree, missing_licences_are_found) {
 TEST(BrokenTree, missing_and_long_readmes_are_found) {
   EXPECT_THAT(readme_violations(kBroken),
               ElementsAre("console: no README.md", "devices: no README.md", "framework/attic: no README.md",
-                          "framework/judge/README.md: 30 lines; a room is told in under 30",
-                          "framework/sdk: no README.md", "plugins: no README.md"));
+                          "framework/sdk: no README.md", "plugins: no README.md", "scripts: no README.md",
+                          "framework/judge/README.md: 30 lines; a room is told in under 30"));
 }
 
 TEST(Layers, an_unreadable_line_is_told) {

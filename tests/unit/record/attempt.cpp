@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -35,6 +36,9 @@ AttemptInfo make_info(uint64_t seed, const std::string& person) {
   info.descriptor_path = "lessons/series/grasp.json";
   info.plugins = {{"swage.object.needle", "1.2.0"}, {"swage.device.mouse", "1.0.0"}};
   info.devices = {"hand", "jaw"};
+  info.hands = {{"hand", "expert", "swage.device.scripted", "1.0.0", R"({"file": "../hands/a.json"})", 5},
+                {"jaw", "", "swage.device.mouse", "1.0.0", "{}", 0x80000000u}};
+  info.files = {{"../hands/a.json", std::string("{\0 any bytes \xFF}", 15)}, {"empty.json", ""}};
   info.script.signals = {{"grasp", "force", "N", "Grip force."}, {"needle", "angle", "rad", ""}};
   info.script.metrics = {
       {"lesson", "tries", "1", "Grasps."}, {"lesson", "time", "s", ""}, {"lesson", "never", "m", ""}};
@@ -72,6 +76,18 @@ StepRecord make_step(uint64_t seed, uint64_t step) {
   record.signal[1] =
       step % 5 == 0 ? std::numeric_limits<double>::quiet_NaN() : -1e-3 * static_cast<double>(step);
   return record;
+}
+
+bool same_luggage(const AttemptInfo& a, const AttemptInfo& b) {
+  const auto hand = [](const HandInfo& x, const HandInfo& y) {
+    return x.name == y.name && x.choice == y.choice && x.plugin == y.plugin && x.version == y.version &&
+           x.params == y.params && x.flags == y.flags;
+  };
+  const auto file = [](const FileInfo& x, const FileInfo& y) {
+    return x.name == y.name && x.bytes == y.bytes;
+  };
+  return std::equal(a.hands.begin(), a.hands.end(), b.hands.begin(), b.hands.end(), hand) &&
+         std::equal(a.files.begin(), a.files.end(), b.files.begin(), b.files.end(), file);
 }
 
 AttemptEnd make_end() {

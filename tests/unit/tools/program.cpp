@@ -27,8 +27,8 @@ namespace {
 constexpr double kPatience = 500;
 }  // namespace
 
-Said swage(const std::vector<std::string>& arguments) {
-  std::vector<std::string> argv = {SWAGE_PROGRAM};
+Said swage(const std::vector<std::string>& arguments, const std::string& program) {
+  std::vector<std::string> argv = {program.empty() ? SWAGE_PROGRAM : program};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   const host::ChildResult child = host::run_program(argv, kPatience);
   EXPECT_TRUE(child.started && !child.timed_out && child.signal == 0)

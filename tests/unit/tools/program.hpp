@@ -20,8 +20,8 @@ struct Said {
   nlohmann::json json() const;
 };
 
-/// `swage` with these arguments.
-Said swage(const std::vector<std::string>& arguments);
+/// `swage` with these arguments; `program`: another copy of it, "" for the one that was built.
+Said swage(const std::vector<std::string>& arguments, const std::string& program = "");
 
 /// `swage` with these arguments, while it runs; what it says goes to two files in `folder`. Killed if nobody waits for its end.
 class Running {

@@ -186,6 +186,39 @@ TEST_F(Run, ReplayGivesTheSameHashes) {
   EXPECT_EQ(swage({"replay", "last", "--store", store()}).code, 0);
 }
 
+// Another place with another store: no lesson, no hand on file, and no device plugin at all.
+TEST_F(Run, AnExportedAttemptReplaysElsewhere) {
+  namespace fs = std::filesystem;
+  for (const char* name : {"here/series", "here/hands", "there/bin", "there/plugins"})
+    fs::create_directories(path(name));
+  fs::copy(source("lessons/series/020_grasp_basic.json"), path("here/series"));
+  fs::copy(source("lessons/hands/020_expert.json"), path("here/hands"));
+  const Said ran = run(path("here/series/020_grasp_basic.json"),
+                       {"--as-fast-as-possible", "--device", "expert", "--max-time", "2"});
+  ASSERT_EQ(ran.code, 1) << ran.err;
+  ASSERT_EQ(swage({"attempts", "export", "last", path("one.swage"), "--store", store()}).code, 0);
+  fs::remove_all(path("here"));
+  fs::remove(store());
+
+  const fs::path built = fs::path(SWAGE_PROGRAM).parent_path().parent_path();
+  fs::copy(SWAGE_PROGRAM, path("there/bin/swage"));
+  fs::copy(built / "bin/swage-describe", path("there/bin/swage-describe"));
+  for (const auto& bundle : fs::directory_iterator(built / "plugins"))
+    if (const std::string id = bundle.path().filename().string(); !id.starts_with("swage.device."))
+      fs::create_directory_symlink(bundle.path(), path("there/plugins/" + id));
+  const auto there = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--store", path("there.db")});
+    return swage(arguments, path("there/bin/swage"));
+  };
+  const Said no_device = there({"run", source("lessons/series/020_grasp_basic.json"), "--headless"});
+  EXPECT_THAT(no_device.err, HasSubstr("\"swage.device.mouse\" is not installed"));
+  const Said taken = there({"attempts", "import", path("one.swage")});
+  ASSERT_EQ(taken.code, 0) << taken.err;
+  const Said said = there({"replay", "last"});
+  EXPECT_EQ(said.out, "identical 2000 steps (2.000 s)\n");
+  EXPECT_EQ(said.err, "");
+}
+
 TEST_F(Run, ReplayFindsTheFirstStepThatDiffers) {
   const std::string id = run(lesson(), {"--as-fast-as-possible", "--json"}).json()["attempt"];
   // the scene was another one

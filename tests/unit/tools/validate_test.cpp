@@ -21,6 +21,41 @@ TEST_F(Validate, AGoodPluginPasses) {
   EXPECT_THAT(said.out, HasSubstr("\n  good: "));
 }
 
+// a lesson finds its objects among those that are installed, a coupling its partners; nothing is left out for want of a scene
+TEST_F(Validate, LessonsAndCouplingsAreTestedToo) {
+  for (const char* id : {"swage.lesson.grasp", "swage.lesson.free_practice", "swage.lesson.look",
+                         "swage.coupling.contact", "swage.coupling.grasp"}) {
+    const Said said = swage({"validate", stock(id), "--strictness", "9", "--json"});
+    EXPECT_EQ(said.code, 0) << said.out << said.err;
+    const nlohmann::json tests = said.json()[0]["tests"];
+    bool nonsense = false;
+    for (const auto& test : tests) {
+      nonsense |= test["test"] == "nonsense" && test["result"] == "success";
+      const bool hands_off = test["test"] == "fuzz" && test["text"] == "No hand leads anything here.";
+      EXPECT_TRUE(test["result"] != "skipped" || hands_off) << id << ": " << test.dump();
+    }
+    EXPECT_TRUE(nonsense) << said.out;
+  }
+}
+
+TEST_F(Validate, NonsenseFindsWhatItAsksFor) {
+  const auto expect = [&](const std::string& plugin, const std::string& text) {
+    const Said said = swage({"validate", bad(plugin), "--only", "nonsense", "--strictness", "9"});
+    EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
+  };
+  expect("lesson_remembers", "it remembers something outside of its declared state.");
+  expect("lesson_keeps", "it remembers what reset() must forget.");
+  expect("lesson_shares", "it depends on more than it is shown.");
+  expect("lesson_endless", "said a number that is not finite for metric 0");
+  expect("lesson_boasts", "gave a score of 101; it goes from 0 to 100");
+  expect("coupling_negative", "left a contact with friction -1,");
+  expect("coupling_poisoned", "A number that is not finite stays in it after a reset.");
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  expect("lesson_allocates", "It allocated memory 2000 times in 2000 steps; nothing on [rt] may.");
+#endif
+}
+
 TEST_F(Validate, SteppingTestsFindWhatTheyAskFor) {
   const auto expect = [&](const std::string& plugin, const std::string& test, const std::string& text) {
     const Said said = swage({"validate", bad(plugin), "--only", test, "--strictness", "10"});
