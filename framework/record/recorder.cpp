@@ -79,6 +79,12 @@ class FileRecorder final : public Recorder {
     end_thread();
   }
 
+  void discard() override {
+    if (!thread_.joinable()) return;
+    discarded_ = true;
+    end_thread();
+  }
+
   std::string attempt_id() const override { return id_; }
   uint64_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
   bool healthy() const override { return healthy_.load(std::memory_order_relaxed); }
@@ -208,7 +214,16 @@ class FileRecorder final : public Recorder {
     return true;
   }
 
+  // what belongs to it goes with it; the journal of an attempt that was never begun holds nothing else
+  void forget() {
+    if (db_) db_->run("DELETE FROM attempt WHERE attempt_id = ?", {id_});
+    if (journal_) journal_->remove();
+    db_.reset();
+    journal_.reset();
+  }
+
   void close() {
+    if (discarded_) return forget();
     drain();
     commit();
     const uint64_t lost = dropped() - std::min(dropped(), buffer_.steps_lost_in_gaps());
@@ -258,8 +273,8 @@ class FileRecorder final : public Recorder {
   base::Problems problems_;
 
   std::promise<bool> opened_;
-  AttemptEnd end_;         // handed over by joining
-  bool finished_ = false;  // set before stop_
+  AttemptEnd end_;                             // handed over by joining
+  bool finished_ = false, discarded_ = false;  // set before stop_
 
   // the writer's own
   ChunkBuffer buffer_;

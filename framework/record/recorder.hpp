@@ -93,6 +93,7 @@ class Recorder {
   virtual void command(const CommandRecord&) noexcept = 0;        // [rt] wait-free
   virtual void note(uint64_t step, const std::string& text) = 0;  // [main] what a person says about a moment
   virtual void finish(const AttemptEnd&) = 0;  // [main] flushes, checkpoints, joins the writer
+  virtual void discard() = 0;                  // [main] instead: there was no attempt, nothing is kept
   virtual std::string attempt_id() const = 0;  // [any]
   virtual uint64_t dropped() const = 0;        // [any] records lost: ring or disk full
   virtual bool healthy() const = 0;            // [any] false once writing failed

@@ -34,6 +34,8 @@ QVariant to_qt(const Value& value) {
     }
     QVariant operator()(const std::string& v) const { return QVariant(QString::fromStdString(v)); }
     QVariant operator()(const Blob& v) const {
+      // without a pointer it would be NULL, which is not the same as empty
+      if (v.empty()) return QVariant(QByteArray("", 0));
       return QVariant(QByteArray(reinterpret_cast<const char*>(v.data()), static_cast<qsizetype>(v.size())));
     }
   };

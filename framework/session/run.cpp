@@ -79,13 +79,7 @@ Run::Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host
 
 Run::~Run() {
   if (started_) stop();
-  if (!started_ && recorder_) {
-    record::AttemptEnd nothing;
-    nothing.outcome = judge::Outcome::kAborted;
-    nothing.reason = text(Ending::kStopped);
-    nothing.metric.assign(rig_->script.metrics.size(), std::nan(""));
-    recorder_->finish(nothing);
-  }
+  if (!started_ && recorder_) recorder_->discard();
   for (host::DeviceSlot* slot : opened_) {
     host::Instance& instance = *slot->instance;
     host::guarded(instance, host::Call::kClose, 0, [&] { slot->device->close(instance.raw); });

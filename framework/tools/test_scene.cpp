@@ -7,6 +7,7 @@
 
 #include "host/guard.hpp"
 #include "host/instance.hpp"
+#include "host/nearest.hpp"
 
 namespace swage::tools {
 
@@ -71,6 +72,19 @@ class StillHand final : public step::DevicePort {
  private:
   const swage_vec3 at_;
 };
+
+// "a, b" -> {"a", "b"}; empty when it is something else than names
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names(1);
+  for (const char c : text) {
+    const bool usual = c == '_' || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (!usual && c != ',' && c != ' ') return {};
+    if (c == ',') names.emplace_back();
+    if (usual) names.back() += c;
+  }
+  std::erase(names, std::string());
+  return names;
+}
 
 template <class T>
 bool finite(const std::vector<T>& values) {
@@ -177,10 +191,10 @@ void TestScene::find_stage() {
   for (const host::PluginInfo* p : catalogue_.of_kind(SWAGE_KIND_OBJECT)) plugins.push_back(p->id);
   for (const host::Param& p : plugin_.params) {
     if (p.type != SWAGE_PARAM_TEXT || (!p.required() && p.default_text.empty())) continue;
-    const std::string name =
-        p.default_text.empty() ? "thing_" + std::to_string(stage_.size() + 1) : p.default_text;
-    casting_[p.id] = name;
-    stage_.push_back({name, ""});
+    std::vector<std::string> names = names_in(p.default_text);
+    if (names.empty()) names.push_back("thing_" + std::to_string(stage_.size() + 1));
+    casting_[p.id] = host::join(names);
+    for (const std::string& name : names) stage_.push_back({name, ""});
   }
   std::string why = "No object is installed.";
   std::size_t casts = 1;

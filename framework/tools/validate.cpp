@@ -97,6 +97,27 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
                 of(Mark::kFailed) + of(Mark::kCrashed));
 }
 
+// what is meant by a path: a folder of lessons stands for each of them
+bool spread(const std::string& path, std::vector<std::string>& out) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) {
+    out.push_back(path);
+    return fs::exists(path, ignored);
+  }
+  std::vector<std::string> lessons;
+  for (const auto& entry : fs::directory_iterator(path, ignored)) {
+    const std::string extension = entry.path().extension();
+    if (extension == ".so") {
+      out.push_back(path);
+      return true;
+    }
+    if (extension == ".json") lessons.push_back(entry.path().string());
+  }
+  std::sort(lessons.begin(), lessons.end());
+  out.insert(out.end(), lessons.begin(), lessons.end());
+  return !lessons.empty();
+}
+
 }  // namespace
 
 int validate(const ValidateOptions& o) {
@@ -111,11 +132,14 @@ int validate(const ValidateOptions& o) {
     return problem("There is no test \"" + o.only + "\"." + host::did_you_mean(o.only, names) +
                    " It has: " + host::join(names) + ".");
   std::error_code ignored;
+  std::vector<std::string> paths;
   for (const std::string& path : o.paths)
-    if (!fs::exists(path, ignored)) return problem("There is no " + path + ".");
+    if (!spread(path, paths))
+      return problem(fs::exists(path, ignored) ? path + " holds neither a plugin (*.so) nor lessons (*.json)."
+                                               : "There is no " + path + ".");
 
   Report report;
-  for (const std::string& path : o.paths) {
+  for (const std::string& path : paths) {
     if (path.ends_with(".json"))
       validate_lesson(path, o, report);
     else

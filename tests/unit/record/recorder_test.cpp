@@ -164,6 +164,24 @@ TEST(Recorder, AQuarterOfASecondIsOnDiskWhileTheAttemptRuns) {
   expect_exact(recording, 40);
 }
 
+TEST(Recorder, ADiscardedAttemptWasNeverThere) {
+  const Folder folder;
+  base::Problems problems;
+  const auto recorder = Recorder::open(folder / "a.db", make_info(), problems);
+  ASSERT_TRUE(recorder);
+  recorder->discard();
+  recorder->finish(make_end());  // too late
+  std::string error;
+  const auto store = Store::open(folder / "a.db", error);
+  ASSERT_TRUE(store) << error;
+  EXPECT_TRUE(store->attempts("").empty());
+  const auto db = open_for_reading(folder / "a.db", error);
+  for (const char* table : {"hand", "file", "chunk"})
+    EXPECT_TRUE(db->rows("SELECT attempt_id FROM " + std::string(table)).empty()) << table;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_NE(entry.path().extension(), ".journal");
+}
+
 TEST(Recorder, AFinishedAttemptIsOneFile) {
   const Folder folder;
   record_attempt(folder / "sub/attempts.db", 500);

@@ -153,6 +153,7 @@ TEST_F(Run, AMouseWithoutAWindowIsRefused) {
       said.err,
       HasSubstr("\"hand\" is a mouse, and without a window nobody can move it. Choose another hand with "
                 "--device (expert, novice, clumsy), or an end with --max-time."));
+  EXPECT_THAT(swage({"attempts", "list", "--store", store(), "--json"}).json(), testing::IsEmpty());
 }
 
 TEST_F(Run, WithoutADisplayItRunsWithoutAWindow) {

@@ -87,6 +87,9 @@ TEST_F(Validate, WrongUses) {
   const Said absent = swage({"validate", path("none")});
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.err, HasSubstr("There is no " + path("none")));
+  const Said empty = swage({"validate", folder()});
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_THAT(empty.err, HasSubstr(folder() + " holds neither a plugin (*.so) nor lessons (*.json)."));
 }
 
 TEST_F(Validate, LessonFilesToo) {
@@ -94,6 +97,10 @@ TEST_F(Validate, LessonFilesToo) {
   const Said said = swage({"validate", good});
   EXPECT_EQ(said.code, 0) << said.err;
   EXPECT_EQ(said.out, good + ": good\n");
+
+  const Said all = swage({"validate", source("lessons/series")});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr(good + ": good\n"));
 
   std::ifstream in(good);
   std::string text{std::istreambuf_iterator<char>(in), {}};
