@@ -198,12 +198,17 @@ void Assembler::add_objects() {
     slot.signal = builder->signal;
     slot.object = table<swage_object>(*slot.instance, SWAGE_EXT_OBJECT, use);
     slot.solver = table<swage_solver>(*slot.instance, SWAGE_EXT_SOLVER, use, false);
-    for (uint32_t i = 0; i < slot.body.count && slot.solver == nullptr; ++i) {
+    bool moves_itself = false;
+    for (uint32_t i = 0; i < slot.body.count; ++i) {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + i];
-      if (body.motion == SWAGE_MOTION_SELF)
+      if (body.motion != SWAGE_MOTION_SELF) continue;
+      moves_itself = true;
+      if (slot.solver == nullptr)
         error(use.pointer, "Body \"" + body.name + "\" moves itself, but " + slot.instance->plugin_id +
                                " does not offer " SWAGE_EXT_SOLVER ".");
     }
+    // an object may have a level without mechanics of its own
+    if (!moves_itself) slot.solver = nullptr;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "contact/chain_line.hpp"
 #include "contact/sweep.hpp"
 
 namespace swage::contact {
@@ -31,6 +32,15 @@ Motion motion_of(const scene::World& world, uint32_t body) {
   const Pose X1(world.X_WB[body]);
   m.X0 = {X1.p - m.d, toolkit::exp_rotation(-m.turn) * X1.q};
   return m;
+}
+
+/// More than any point of a moves against b over the step, without looking closely, m.
+double most_motion(const scene::World& world, uint32_t body_a, uint32_t body_b, const Solid& a,
+                   const Vec3& a_from_b) {
+  const swage_twist &A = world.V_WB[body_a], &B = world.V_WB[body_b];
+  const double v = toolkit::vec(A.v).norm() + toolkit::vec(B.v).norm();
+  const double w_a = toolkit::vec(A.w).norm(), w_b = toolkit::vec(B.w).norm();
+  return 2 * world.dt * (v + w_a * (a.centre.norm() + a.bound) + w_b * (a_from_b.norm() + a.bound));
 }
 
 bool collides(const scene::Shape& shape) { return (shape.flags & SWAGE_SHAPE_COLLIDES) != 0; }
@@ -108,6 +118,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
     const auto first = static_cast<uint32_t>(set.contact.size());
     for (; next < shape_pairs_.size() && shape_pairs_[next].pair == p; ++next)
       detect_shapes(world, shape_pairs_[next], set);
+    share_chain_lines(world, set, first);
     set.of_pair.push_back({first, static_cast<uint32_t>(set.contact.size()) - first});
   }
 }
@@ -117,12 +128,16 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
   const uint32_t body_a = world.shape[pair.shape_a].body, body_b = world.shape[pair.shape_b].body;
   const Frame &X_WA = X_WB_[body_a], &X_WB = X_WB_[body_b];
 
-  // bounding spheres, at rest the cheapest way out
+  // bounding spheres, the cheapest way out: first with all that they might move
+  const Vec3 centre_a = X_WA * a.centre;
+  const double apart =
+      (centre_a - X_WB * b.centre).norm() - a.bound - b.bound - options_.margin * world.length;
+  if (apart > most_motion(world, body_a, body_b, a, centre_a - X_WB.p)) return;
   const Motion motion_a = motion_of(world, body_a), motion_b = motion_of(world, body_b);
   const double motion = relative_motion(a, motion_a, motion_b);
   Query query{options_.margin * world.length + motion, world.length, options_.flatness, options_.line_points};
-  const double reach = a.bound + b.bound + query.margin;
-  if ((X_WA * a.centre - X_WB * b.centre).squaredNorm() > reach * reach) return;
+  if (in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b)) query.line_points = kChainPoints;
+  if (apart > motion) return;
 
   // chains of the thesis, sphere by sphere
   if (!chains_[pair.shape_a].node.empty() || !chains_[pair.shape_b].node.empty())

@@ -86,6 +86,23 @@ void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSe
   }
   place_.self().ask(h_);
   place_.size_self_movers();
+  wake_self_points(contacts);
+}
+
+/// The solve starts where own solvers expect their points; what they expected to stay held may as well come back to a contact
+/// that has let go of it.
+void ContactSolve::wake_self_points(contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    if (k.a.point == kNone && k.b.point == kNone) continue;
+    for (const Side* s : {&k.a, &k.b})
+      if (s->point != kNone) place_.expect(*s, contacts.contact[i].p_W);
+    evaluate(contacts, i);
+    k.active = k.active || contacts.contact[i].gap < 0;
+  }
+  place_.self().start();
+  for (uint32_t i = 0; i < n_; ++i)
+    if (known_[i].a.point != kNone || known_[i].b.point != kNone) evaluate(contacts, i);
 }
 
 void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept {
@@ -121,9 +138,8 @@ void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; what contacts
-/// make it
-/// give is added to the gap.
+/// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; how far from there it
+/// really is, by itself and by what contacts make it give, is added to the gap.
 void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept {
   contact::Contact& c = contacts.contact[i];
   const Known& k = known_[i];
@@ -131,8 +147,8 @@ void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept 
   c.gap = touch.gap;
   c.p_W = touch.p_W;
   c.n_W = touch.n_W;
-  if (k.a.point != kNone) c.gap += c.n_W.dot(place_.self().extra(place_.mover(k.a.mover).index, k.a.point));
-  if (k.b.point != kNone) c.gap -= c.n_W.dot(place_.self().extra(place_.mover(k.b.mover).index, k.b.point));
+  if (k.a.point != kNone) c.gap += c.n_W.dot(place_.beyond(k.a, c.p_W));
+  if (k.b.point != kNone) c.gap -= c.n_W.dot(place_.beyond(k.b, c.p_W));
 }
 
 /// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said

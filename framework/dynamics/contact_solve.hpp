@@ -50,6 +50,7 @@ class ContactSolve {
   void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
              std::span<SelfSolver* const> self, Stats& stats) noexcept;
   void add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept;
+  void wake_self_points(contact::ContactSet& contacts) noexcept;
   void let_go(contact::ContactSet& contacts) noexcept;
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
   bool refresh(contact::ContactSet& contacts) noexcept;

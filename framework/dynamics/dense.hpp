@@ -67,25 +67,32 @@ inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const doub
   }
 }
 
-/// W = L L^T of a symmetric positive semi-definite W (n x n, overwritten) by pivoted Cholesky; L is n x rank, row-major
+/// W = L L^T of a symmetric positive semi-definite W (n x n, its diagonal overwritten) by pivoted Cholesky; L is n x rank, row-major
 /// with stride n. Stops where the remainder is below 1e-14 of the largest diagonal entry: what is left out is
-/// compliance a million times below that of a contact. Returns the rank.
-inline size_t cholesky_semidefinite(size_t n, double* W, double* L) noexcept {
+/// compliance a million times below that of a contact. Returns the rank. `order`: the rows in which the columns begin, rank.
+inline size_t cholesky_semidefinite(size_t n, double* W, double* L, uint32_t* order = nullptr) noexcept {
   double largest = 0;
   for (size_t i = 0; i < n; ++i) largest = std::fmax(largest, W[i * n + i]);
   const double floor = 1e-14 * largest;
+  // the diagonal of W becomes that of the remainder; the rest of it is only computed in the column that is next
   for (size_t rank = 0; rank < n; ++rank) {
     size_t pivot = n;
     double best = floor;
     for (size_t i = 0; i < n; ++i)
       if (W[i * n + i] > best) best = W[i * n + i], pivot = i;
     if (pivot == n) return rank;
+    if (order) order[rank] = static_cast<uint32_t>(pivot);
 
-    // one column of L, and its share taken off the remainder
-    const double inverse = 1 / std::sqrt(best);
-    for (size_t i = 0; i < n; ++i) L[i * n + rank] = 0.5 * (W[i * n + pivot] + W[pivot * n + i]) * inverse;
-    for (size_t i = 0; i < n; ++i)
-      for (size_t j = 0; j < n; ++j) W[i * n + j] -= L[i * n + rank] * L[j * n + rank];
+    const double root = std::sqrt(best), inverse = 1 / root;
+    const double* p = L + pivot * n;
+    for (size_t i = 0; i < n; ++i) {
+      if (i == pivot) continue;
+      double rest = 0.5 * (W[i * n + pivot] + W[pivot * n + i]);
+      for (size_t k = 0; k < rank; ++k) rest -= L[i * n + k] * p[k];
+      L[i * n + rank] = rest * inverse;
+      W[i * n + i] -= L[i * n + rank] * L[i * n + rank];
+    }
+    L[pivot * n + rank] = root;
     W[pivot * n + pivot] = 0;
   }
   return n;

@@ -154,10 +154,22 @@ Vec3 Placement::displacement(const Side& side, const Vec3& p_W) const noexcept {
   if (side.particle != kNone) return p_[side.particle] - motion_->p0[side.particle];
   if (is_self(side.mover) && side.point != kNone)
     return self_.displacement(side.mover - first_self_, side.point);
-  const Trial& t = trial_[side.body];
+  return carried(trial_[side.body], p_W);
+}
+
+/// Displacement of a point of a body from the start of the step to its pose.
+Vec3 Placement::carried(const Trial& t, const Vec3& p_W) noexcept {
   if (t.stands) return Vec3::Zero();
   const Vec3 r = p_W - t.X.p;
   return (t.X.p - t.X0.p) + (r - t.back * r);
+}
+
+void Placement::expect(const Side& side, const Vec3& p_W) noexcept {
+  self_.expect(side.mover - first_self_, side.point, carried(trial_[side.body], p_W));
+}
+
+Vec3 Placement::beyond(const Side& side, const Vec3& p_W) const noexcept {
+  return self_.displacement(side.mover - first_self_, side.point) - carried(trial_[side.body], p_W);
 }
 
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {

@@ -46,6 +46,10 @@ class Placement {
   toolkit::Frame frame(const Side& side) const noexcept;
   /// Displacement over the step of the material point that is now at p_W [m].
   Vec3 displacement(const Side& side, const Vec3& p_W) const noexcept;
+  /// A point of a SELF body is expected in the pose that its solver wrote.
+  void expect(const Side& side, const Vec3& p_W) noexcept;
+  /// How far a point of a SELF body is from where it stands in the pose that its solver wrote [m].
+  Vec3 beyond(const Side& side, const Vec3& p_W) const noexcept;
   /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
   /// d(displacement . e) / d(unknowns), times `sign`, into `columns` numbers at J.
@@ -80,6 +84,7 @@ class Placement {
   void prepare(uint32_t body) noexcept;
   void prepare_mover(uint32_t mover) noexcept;
   void turn_inertia(Mover& m) noexcept;
+  static Vec3 carried(const Trial& trial, const Vec3& p_W) noexcept;
   void set_pose(Trial& trial, const Pose& X) noexcept;
   void write_body(const Mover& m, bool solved) noexcept;
   void write_hinge(const Mover& m, bool solved) noexcept;

@@ -23,7 +23,7 @@ using toolkit::Vec3;
 class SelfMovers {
  public:
   /// Contact points of one object and step that are solved together; more are refused and counted.
-  static constexpr uint32_t kMaxPoints = 32;
+  static constexpr uint32_t kMaxPoints = 96;
 
   explicit SelfMovers(const scene::World& world);
 
@@ -36,6 +36,10 @@ class SelfMovers {
                      const Vec3& into) noexcept;
   /// Asks every object with points for its compliance and factors it. h: s.
   void ask(double h) noexcept;
+  /// Where its solver expects a point at the end of the step: displacement over the step [m].
+  void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;
+  /// Sets the unknowns so that the points are where they are expected, as far as forces can bring them there.
+  void start() noexcept;
 
   /// Objects of the scene with SELF bodies; those that answer in this step come first.
   uint32_t capacity() const noexcept { return static_cast<uint32_t>(object_.size()); }
@@ -61,8 +65,12 @@ class SelfMovers {
     uint32_t points = 0, rank = 0;
     std::vector<swage_contact_point> point;
     std::vector<double> v_free, W, L, y, impulse;  // L: 3 points x rank, stride 3 points, times h
+    std::vector<double> expected;                  // m, beyond the free displacement
+    std::vector<uint32_t> order;                   // row in which each column of L begins
     double h = 0;
   };
+  static void balance(Object& object) noexcept;
+
   std::span<SelfSolver* const> self_;
   std::vector<Object> object_;
 };

@@ -155,6 +155,13 @@ class Checker {
     if (!failed && fs::is_regular_file(path, failed)) {
       text = path.string();
       out_.files.push_back({name, text});
+      return;
+    }
+    // what the plugin brought with it
+    const fs::path brought = fs::path(source_.bundle_folder) / name;
+    if (!source_.bundle_folder.empty() && fs::is_regular_file(brought, failed)) {
+      text = brought.string();
+      out_.files.push_back({name, text});
     } else {
       error(pointer, "\"" + p.label + "\": there is no file " + path.string() + ".");
     }

@@ -27,6 +27,7 @@ struct Arguments {
   DoctorOptions doctor;
   BenchOptions bench;
   AttemptsOptions attempts;
+  NeedleOptions needle;
   std::function<int()> chosen;
 };
 
@@ -175,6 +176,28 @@ void add_attempts(CLI::App& app, Arguments& a) {
   common(in, import_attempts);
 }
 
+void add_needle(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("needle", "List the library of needles, and bend one on the bench");
+  NeedleOptions& o = a.needle;
+  verb->require_subcommand(1);
+  const auto common = [&](CLI::App* sub, int (*what)(const NeedleOptions&)) {
+    sub->add_flag("--json", o.json, "As JSON");
+    sub->final_callback([&a, what] { a.chosen = [&a, what] { return what(a.needle); }; });
+  };
+  common(verb->add_subcommand("list", "Every needle of the library with its strength"), list_needles);
+  CLI::App* bench =
+      verb->add_subcommand("bench", "Bending test of ASTM F1874, squeeze and ductility, beside closed forms");
+  bench->add_option("--model", o.model, "Needle of the library, or a file of its format")
+      ->capture_default_str();
+  bench->add_option("--pieces", o.pieces, "Arcs of the bending needle")
+      ->check(CLI::Range(2, 48))
+      ->capture_default_str();
+  bench->add_option("--width", o.width_mm, "Of the flat jaws, mm")
+      ->check(CLI::Range(0.05, 10.0))
+      ->capture_default_str();
+  common(bench, bench_needle);
+}
+
 // CLI11 calls a wrong verb an unexpected argument; say what was meant instead
 bool wrong_verb(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> verbs;
@@ -201,7 +224,7 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments a;
   for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_new,
-                         add_doctor, add_bench, add_attempts})
+                         add_doctor, add_bench, add_attempts, add_needle})
     add(app, a);
   if (wrong_verb(app, argc, argv)) return kProblem;
   try {

@@ -35,19 +35,23 @@ bool has_display() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-std::string template_folder(std::vector<std::string>& searched) {
+std::string data_folder(const std::string& name, std::vector<std::string>& searched) {
   const fs::path here = program_folder();
   std::error_code ignored;
   const auto look = [&](const fs::path& folder) {
     searched.push_back(folder.lexically_normal().string());
     return fs::is_directory(folder, ignored);
   };
-  if (look(here.parent_path() / "share/swage/plugin_template")) return searched.back();
+  if (look(here.parent_path() / "share/swage" / name)) return searched.back();
   // a build tree lies two or three folders below its sources
   fs::path up = here;
   for (int i = 0; i < 4 && up.has_relative_path(); ++i, up = up.parent_path())
-    if (look(up / "resources/plugin_template")) return searched.back();
+    if (look(up / "resources" / name)) return searched.back();
   return "";
+}
+
+std::string template_folder(std::vector<std::string>& searched) {
+  return data_folder("plugin_template", searched);
 }
 
 std::string store_place(const std::string& given) {

@@ -23,6 +23,9 @@ void become(const std::string& program, const std::vector<std::string>& argument
 /// True when a window could be opened somewhere.
 bool has_display();
 
+/// A folder of resources by its name, installed or in the source tree, "" when there is none; `searched` says where was looked.
+std::string data_folder(const std::string& name, std::vector<std::string>& searched);
+
 /// Templates of new plugins: share/swage/plugin_template of the install, resources/plugin_template of a source tree.
 /// "" when there are none; `searched` then says where.
 std::string template_folder(std::vector<std::string>& searched);

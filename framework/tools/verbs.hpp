@@ -84,6 +84,15 @@ struct BenchOptions {
 };
 int bench(const BenchOptions&);
 
+struct NeedleOptions {
+  std::string model = "micro_100";  // of the library, or a file
+  int pieces = 12;                  // of the bending needle
+  double width_mm = 0.5;            // of the flat jaws that squeeze it
+  bool json = false;
+};
+int list_needles(const NeedleOptions&);
+int bench_needle(const NeedleOptions&);
+
 struct AttemptsOptions {
   std::string store, person, lesson;
   std::string id, file;            // export

@@ -36,11 +36,25 @@ inline Arc arc_of_chord(double sweep, double chord, double wire_radius) {
   return {0.5 * chord / std::sin(0.5 * sweep), sweep, wire_radius};
 }
 
-/// Mass, place of the centre of mass on A's x axis, and principal moments about it in the axes of A.
+/// Mass, place of the centre of mass in the plane of A, and inertia about it in the axes of A. Principal axes and a centre on
+/// A's x axis unless the wire is thicker towards one end.
 struct ArcMass {
   double mass = 0;              // kg
-  double centre = 0;            // m
-  Vec3 inertia = Vec3::Zero();  // kg m2
+  double centre = 0;            // m, on x
+  double along = 0;             // m, on y
+  Vec3 inertia = Vec3::Zero();  // kg m2, diagonal
+  double product = 0;           // kg m2, integral of x y dm about the centre
+
+  /// By which the principal axes are turned about z [rad], in (-pi/4, pi/4).
+  double principal() const {
+    return product == 0 ? 0.0 : 0.5 * std::atan(2 * product / (inertia.y() - inertia.x()));
+  }
+  /// Moments about the principal axes.
+  Vec3 principal_inertia() const {
+    const double mean = 0.5 * (inertia.x() + inertia.y()), half = 0.5 * (inertia.x() - inertia.y());
+    const double reach = product == 0 ? half : std::copysign(std::hypot(half, product), half);
+    return product == 0 ? inertia : Vec3(mean + reach, mean - reach, inertia.z());
+  }
 };
 
 /// Integrals over the bent round section, without its rounded ends. With the distance from the circle's axis

@@ -6,46 +6,171 @@
 namespace swage::needle {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kShare[] = {1.0 / 4, 3.0 / 8, 1.0 / 2, 5.0 / 8, 2.0 / 8, 4.0 / 8};
+constexpr double kShare[] = {0, 1.0 / 4, 3.0 / 8, 1.0 / 2, 5.0 / 8, 2.0 / 8, 4.0 / 8};
 
 // The smallest radius of the circle in wire radii: below it the inside of the bend would fold into itself
 // long before.
 constexpr double kTightest = 4;
+// The thinnest wire, m: below it contact compliances are no longer those of a wire.
+constexpr double kThinnest = 20e-6;
+// The shortest needle, m.
+constexpr double kShortest = 0.5e-3;
+// How much finer the level `reference` is.
+constexpr int kFiner = 4;
+
+void take(double given, double& value) {
+  if (given > 0) value = given;
+}
 
 }  // namespace
 
-void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
-  const double sweep = kTurn * kShare[static_cast<int>(params.arc)];
-  const double wire_radius = 0.5 * params.wire_diameter;
-  arc_ = params.size_of == SizeOf::kChord ? arc_of_chord(sweep, params.size, wire_radius)
-                                          : arc_of_length(sweep, params.size, wire_radius);
-  if (arc_.radius < kTightest * wire_radius) {
+bool Needle::read_form(const NeedleParams& p, ObjectBuilder& builder) {
+  form_ = {};
+  if (!p.model.empty()) {
+    const std::string wrong = read_model(p.model, form_);
+    if (!wrong.empty()) builder.error("model", wrong);
+  }
+  if (p.arc != Circle::kModel) form_.share = kShare[static_cast<int>(p.arc)];
+  if (p.size_of != SizeOf::kModel) form_.chord = p.size_of == SizeOf::kChord;
+  take(p.size, form_.size);
+  take(p.wire_diameter, form_.wire_diameter);
+  take(p.taper_length, form_.taper_length);
+  take(p.flattening, form_.flattening);
+  take(p.swage_length, form_.swage_length);
+  take(p.density, form_.material.density);
+  take(p.youngs_modulus, form_.material.youngs);
+  take(p.yield_stress, form_.material.yield);
+  take(p.hardening, form_.material.hardening);
+  take(p.break_strain, form_.material.break_strain);
+  if (builder.failed()) return false;
+  const std::string wrong = fault(form_);
+  if (!wrong.empty()) builder.error("", wrong);
+  arc_ = form_.arc();
+  if (form_.size < kShortest) builder.error("size", "a needle is at least 0.5 mm long");
+  if (form_.wire_diameter < kThinnest) builder.error("wire_diameter", "the wire is at least 20 um thick");
+  if (arc_.radius < kTightest * arc_.wire_radius)
     builder.error(
         "size", "the needle is too short for so thick a wire: the bend needs a radius of two wire diameters");
-    return;
-  }
+  return !builder.failed();
+}
+
+void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
+  bending_ = {};
+  if (!read_form(params, builder)) return;
 
   // B: centre of mass, x away from the circle's centre, z normal to its plane. O: the same axes, in the
-  // middle of the wire
-  const ArcMass m = mass_of(arc_, params.density);
-  centre_B_ = Vec3(-m.centre, 0, 0);
-  body_ = builder.dynamic_body("needle", {m.mass, toolkit::raw(m.inertia)}, at(m.centre - arc_.radius, 0, 0));
+  // middle of the wire. A wire that is thicker towards one end has its principal axes turned a little
+  const ArcMass m = mass_of(form_);
+  turn_B_ = toolkit::exp_rotation({0, 0, -m.principal()});
+  centre_B_ = turn_B_ * Vec3(-m.centre, -m.along, 0);
+  const toolkit::Pose X_OB(Vec3(m.centre - arc_.radius, m.along, 0), turn_B_.conjugate());
+  if (params.level == Level::kRigid) {
+    body_ = builder.dynamic_body("needle", {m.mass, toolkit::raw(m.principal_inertia())}, X_OB.abi());
+    // the shape's arc starts on its own +x axis, which therefore points at the needle's point
+    const toolkit::Pose X_BA(centre_B_, turn_B_ * toolkit::exp_rotation({0, 0, -0.5 * arc_.sweep}));
+    builder.arc(body_, {X_BA.abi(), arc_.radius, arc_.sweep, arc_.wire_radius});
+  } else {
+    const int n = params.level == Level::kReference
+                      ? std::min(kFiner * params.pieces, toolkit::BentWire::kMaxPieces)
+                      : params.pieces;
+    build_bending(n, X_OB, builder);
+  }
+}
 
-  // the shape's arc starts on its own +x axis, which therefore points at the needle's point
-  const toolkit::Pose X_BA(centre_B_, toolkit::exp_rotation({0, 0, -0.5 * sweep}));
-  builder.arc(body_, {X_BA.abi(), arc_.radius, sweep, wire_radius});
+/// Body 0 has the frame B of a rigid needle and carries the middle piece; the others stand in the middle of theirs.
+void Needle::build_bending(int n, const toolkit::Pose& X_OB, ObjectBuilder& builder) {
+  const toolkit::Pose X_OA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
+  const auto X_OP = [&](int i) {
+    const double s = (i + 0.5) / n;
+    return X_OA * toolkit::Pose(place_at(arc_, s).p, toolkit::exp_rotation({0, 0, arc_.angle(s)}));
+  };
+  const toolkit::Pose X_BP = X_OB.inverse() * X_OP(n / 2);
+  bending_.set_up(n, form_, X_BP);
+  builder.state(bending_.n_state());
+
+  const double sweep = bending_.piece_sweep();
+  const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::exp_rotation({0, 0, -0.5 * sweep}));
+  std::vector<Body> bodies;
+  for (uint32_t b = 0; b < static_cast<uint32_t>(n); ++b) {
+    const int i = bending_.piece_of(b);
+    const std::string body_name = b == 0 ? "needle" : "piece_" + std::to_string(i + 1);
+    bodies.push_back(builder.own_body(body_name.c_str(), (b == 0 ? X_OB : X_OP(i)).abi()));
+  }
+  body_ = bodies[0];
+  // several arcs of one object are one wire, in the order of their declaration
+  for (int i = 0; i < n; ++i) {
+    const toolkit::Pose X_BA = i == bending_.middle() ? X_BP * X_PA : X_PA;
+    builder.arc(bodies[bending_.body_of(i)], {X_BA.abi(), arc_.radius, sweep, arc_.wire_radius});
+  }
+  stress_ = builder.signal("needle.stress", "1",
+                           "Greatest bending moment along the wire over that of first yield.");
+  bend_ = builder.signal("needle.bend", "rad", "Angles by which the wire stays bent, summed along it.");
+  damage_ = builder.signal("needle.damage", "1",
+                           "Plastic strain so far over what breaks it, where it is greatest.");
+  broken_ = builder.signal("needle.broken", "1", "Number of places where it is broken.");
+}
+
+void Needle::reset(const Step& step) {
+  if (bends()) bending_.reset(step);
+}
+void Needle::advance(const Step& step) {
+  if (bends()) bending_.advance(step);
+}
+void Needle::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+                        double* W) {
+  bending_.compliance(step, points, v_free, W);
+}
+void Needle::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+  bending_.yield(step, points, impulse);
+}
+
+void Needle::finish(const Step& step) {
+  if (!bends()) return;
+  const Bending::Reading now = bending_.read(step);
+  step.signal(stress_, now.stress);
+  step.signal(bend_, now.bend);
+  step.signal(damage_, now.damage);
+  step.signal(broken_, now.broken);
+}
+
+/// The stretch of wire that is nearest: its pose with the circle in it, as an arc about its own middle.
+Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const {
+  if (!bends()) {
+    return {toolkit::Pose(step.pose(body_)), toolkit::Pose(centre_B_, turn_B_), arc_, 0, 1};
+  }
+  const int n = bending_.pieces();
+  const Arc arc{arc_.radius, bending_.piece_sweep(), arc_.wire_radius};
+  const auto stretch = [&](int i) {
+    const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
+    return Stretch{bending_.piece(step, i), X_PA, arc, static_cast<double>(i) / n, (i + 1.0) / n};
+  };
+  int nearest = 0;
+  double least = 1e300;
+  for (int i = 0; i < n; ++i) {
+    const double d = (bending_.middle_of(step, i) - p_W).squaredNorm();
+    if (d < least) least = d, nearest = i;
+  }
+  // at its end its neighbour may be as near
+  const Stretch best = stretch(nearest);
+  const double s = nearest_place(best.arc, best.in_circle(p_W)).s;
+  const int beside = s <= 0 ? nearest - 1 : s >= 1 ? nearest + 1 : nearest;
+  if (beside == nearest || beside < 0 || beside >= n) return best;
+  const auto distance = [&](const Stretch& wire) {
+    const Vec3 p_A = wire.in_circle(p_W);
+    return (nearest_place(wire.arc, p_A).p - p_A).squaredNorm();
+  };
+  const Stretch other = stretch(beside);
+  return distance(other) < distance(best) ? other : best;
 }
 
 void Needle::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) {
-  const toolkit::Pose X_WB(step.pose(body_));
-  const Vec3 p_A = X_WB.inverse() * toolkit::vec(p_W) - centre_B_;
-  const ArcPlace place = nearest_place(arc_, p_A);
-  out.s = place.s;
+  const Stretch wire = nearest_stretch(step, toolkit::vec(p_W));
+  const ArcPlace place = nearest_place(wire.arc, wire.in_circle(toolkit::vec(p_W)));
+  out.s = wire.s0 + (wire.s1 - wire.s0) * place.s;
   out.length = arc_.length();
-  out.p_W = toolkit::raw(X_WB * (place.p + centre_B_));
-  out.tangent_W = toolkit::raw(X_WB.q * place.tangent);
-  out.normal_W = toolkit::raw(X_WB.q * Vec3::UnitZ());
+  out.p_W = toolkit::raw(wire.X_WB * (wire.X_BA * place.p));
+  out.tangent_W = toolkit::raw(wire.X_WB.q * (wire.X_BA.q * place.tangent));
+  out.normal_W = toolkit::raw(wire.X_WB.q * Vec3::UnitZ());
 }
 
 }  // namespace swage::needle

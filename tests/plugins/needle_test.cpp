@@ -3,6 +3,10 @@
 // The needle: closed forms of mass and inertia against numerical integration, frames, and where a point lies along it.
 #include "plugins/needle/arc.hpp"
 
+#include <fstream>
+
+#include "plugins/needle/form.hpp"
+
 #include "stage.hpp"
 
 namespace swage::needle {
@@ -103,7 +107,7 @@ struct OnStage {
 };
 
 // numbers of the choices
-constexpr double kHalf = 2, kFourEighths = 5, kLength = 1;
+constexpr double kHalf = 3, kFourEighths = 6, kLength = 2, kBending = 1;
 
 TEST(Needle, DeclaresOneArcAboutItsCentreOfMass) {
   OnStage on({{"arc", kHalf}, {"size_of", kLength}, {"size", 4e-3}, {"wire_diameter", 70e-6}});
@@ -170,6 +174,139 @@ TEST(Needle, BeyondTheEndsTheEndsAreNearest) {
   EXPECT_DOUBLE_EQ(place.s, 0);
   graspable.locate(on.stage.raw(), &step, {-4e-3, 8e-3, 1e-3}, &place);
   EXPECT_DOUBLE_EQ(place.s, 1);
+}
+
+// a taper and a drilled swage: slices against integration, and axes that are principal ones
+TEST(Form, MassOfATaperedNeedle) {
+  Form form;
+  form.taper_length = 1.5e-3;
+  form.swage_length = 0.5e-3;
+  const ArcMass m = mass_of(form);
+  const Arc arc = form.arc();
+  double mass = 0, x = 0, y = 0;
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double s = (i + 0.5) / n, length = arc.length();
+    double d = form.wire_diameter;
+    if (s * length < 1.5e-3) d = 20e-6 + 80e-6 * s * length / 1.5e-3;
+    const double hole = (1 - s) * length < 0.5e-3 ? 0.5 : 0;
+    const double dm = 7900 * 0.25 * kPi * d * d * (1 - hole * hole) * length / n;
+    mass += dm;
+    x += dm * (arc.radius + d * d / 16 / arc.radius) * std::cos(arc.angle(s));
+    y += dm * arc.radius * std::sin(arc.angle(s));
+  }
+  EXPECT_NEAR(m.mass, mass, 2e-3 * mass);
+  EXPECT_NEAR(m.centre, x / mass, 2e-3 * arc.radius);
+  EXPECT_NEAR(m.along, y / mass, 2e-3 * arc.radius);
+  EXPECT_GT(m.along, 1e-4 * arc.radius) << "towards the swage";
+
+  toolkit::Mat3 I = m.inertia.asDiagonal();
+  I(0, 1) = I(1, 0) = -m.product;
+  const toolkit::Mat3 R = toolkit::exp_rotation({0, 0, -m.principal()}).toRotationMatrix();
+  const toolkit::Mat3 P = R * I * R.transpose();
+  EXPECT_NEAR(P(0, 1), 0, 1e-12 * P(2, 2));
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(P(k, k), m.principal_inertia()[k], 1e-12 * P(2, 2));
+}
+
+// the sum over the pieces of a uniform needle is the whole
+TEST(Form, PiecesWeighTogetherWhatTheWholeWeighs) {
+  const Form form;
+  const ArcMass whole = mass_of(form);
+  double mass = 0, x = 0;
+  for (int i = 0; i < 7; ++i) {
+    const ArcMass m = mass_of(form, i / 7.0, (i + 1) / 7.0);
+    mass += m.mass, x += m.mass * m.centre;
+  }
+  EXPECT_NEAR(mass, whole.mass, 1e-12 * whole.mass);
+  EXPECT_NEAR(x / mass, whole.centre, 1e-12 * whole.centre);
+}
+
+std::string library(const std::string& name) {
+  return SWAGE_SOURCE_DIR "/resources/needles/" + name + ".json";
+}
+
+TEST(Library, EveryModelIsANeedle) {
+  for (const char* model : {"micro_70", "micro_100", "micro_100_half", "micro_130", "micro_130_flat",
+                            "micro_150", "thesis_2_8", "thesis_3_8", "thesis_4_8"}) {
+    Form form;
+    EXPECT_EQ(read_model(library(model), form), "");
+    EXPECT_EQ(fault(form), "") << model;
+    stage::Stage stage("swage.object.needle");
+    EXPECT_EQ(stage.configure({{"model", library(model)}}), SWAGE_OK) << model;
+    EXPECT_NEAR(stage.arcs.at(0).wire_radius, 0.5 * form.wire_diameter, 1e-15);
+  }
+}
+
+TEST(Library, WhatALessonGivesOverridesTheModel) {
+  stage::Stage stage("swage.object.needle");
+  ASSERT_EQ(stage.configure({{"model", library("micro_70")}, {"wire_diameter", 90e-6}}), SWAGE_OK);
+  EXPECT_DOUBLE_EQ(stage.arcs.at(0).wire_radius, 45e-6);
+  EXPECT_NEAR(stage.arcs.at(0).radius * stage.arcs.at(0).sweep, 3e-3, 1e-12) << "the rest is the model's";
+}
+
+TEST(Library, SaysWhatIsWrongWithAFile) {
+  const std::string path = SWAGE_BINARY_DIR "/needle_model.json";
+  const auto said = [&](const std::string& values) {
+    std::ofstream(path) << R"({"format": "swage-needle/1", "values": {)" << values << "}}";
+    Form form;
+    return read_model(path, form);
+  };
+  const std::string rest = R"(, "status": "assumed", "source": "a test"})";
+  EXPECT_EQ(said(R"("wire_diameter": {"value": 80, "unit": "um")" + rest), "");
+  EXPECT_EQ(said(R"("wire_diameter": {"value": 80, "unit": "mm")" + rest),
+            path + ": \"wire_diameter\" is in um, not mm");
+  EXPECT_EQ(said(R"("colour": {"value": 80, "unit": "um")" + rest),
+            path + ": \"colour\" is not a property of a needle");
+  EXPECT_EQ(said(R"("wire_diameter": {"value": 80, "unit": "um"})"),
+            path + ": \"wire_diameter\" needs a status (sourced or assumed) and a source");
+  EXPECT_EQ(said(R"("wire_diameter": 80)"), path + ": \"wire_diameter\" needs a value and a unit");
+  stage::Stage stage("swage.object.needle");
+  EXPECT_LT(stage.configure({{"model", path}}), 0);
+  EXPECT_EQ(stage.errors.at(0).substr(0, 6), "model:");
+}
+
+TEST(BendingNeedle, IsAChainOfArcsWhoseEndsMeet) {
+  OnStage on({{"level", kBending}});
+  ASSERT_EQ(on.stage.bodies.size(), 12u);
+  ASSERT_EQ(on.stage.arcs.size(), 12u);
+  EXPECT_EQ(on.stage.bodies[0].motion, SWAGE_MOTION_SELF);
+  OnStage rigid({});
+  EXPECT_LT((toolkit::vec(on.stage.bodies[0].X_OB.p) - toolkit::vec(rigid.stage.bodies[0].X_OB.p)).norm(),
+            1e-15)
+      << "the first body has the frame of the rigid needle";
+
+  // body 0 carries piece 6, the others follow in order; arcs are declared from the point to the swage
+  const auto end = [&](size_t piece, bool far) {
+    const size_t b = piece == 6 ? 0 : piece < 6 ? piece + 1 : piece;
+    const swage_arc& arc = on.stage.arcs[piece];
+    const toolkit::Pose X_OA = toolkit::Pose(on.stage.bodies[b].X_OB) * toolkit::Pose(arc.X_BA);
+    const double a = far ? arc.sweep : 0;
+    return Vec3(X_OA * Vec3(arc.radius * std::cos(a), arc.radius * std::sin(a), 0));
+  };
+  for (size_t i = 0; i + 1 < 12; ++i) EXPECT_LT((end(i, true) - end(i + 1, false)).norm(), 1e-15) << i;
+  const Arc arc = arc_of_chord(0.75 * kPi, 5e-3, 0.05e-3);
+  EXPECT_NEAR((end(0, false) - end(11, true)).norm(), arc.chord(), 1e-12);
+}
+
+TEST(BendingNeedle, LocateRunsFromPointToSwageWithoutAJump) {
+  OnStage on({{"level", kBending}}), rigid({});
+  stage::ObjectArrays arrays(on.stage), rigid_arrays(rigid.stage);
+  for (size_t b = 0; b < on.stage.bodies.size(); ++b) arrays.X_WB[b] = on.stage.bodies[b].X_OB;
+  rigid_arrays.X_WB[0] = rigid.stage.bodies[0].X_OB;
+  const swage_object_step step = arrays.step(), rigid_step = rigid_arrays.step();
+  const auto& bending = on.stage.table<swage_graspable>(SWAGE_TRAIT_GRASPABLE);
+  const auto& straight = rigid.stage.table<swage_graspable>(SWAGE_TRAIT_GRASPABLE);
+  const Arc arc = arc_of_chord(0.75 * kPi, 5e-3, 0.05e-3);
+  for (double s = 0; s <= 1; s += 0.01) {
+    const Vec3 p = place_at(arc, s).p - Vec3(arc.radius, 0, 0) + Vec3(10e-6, 20e-6, 30e-6);
+    swage_graspable_place a{}, b{};
+    bending.locate(on.stage.raw(), &step, toolkit::raw(p), &a);
+    straight.locate(rigid.stage.raw(), &rigid_step, toolkit::raw(p), &b);
+    EXPECT_NEAR(a.s, b.s, 1e-12);
+    EXPECT_LT((toolkit::vec(a.p_W) - toolkit::vec(b.p_W)).norm(), 1e-14);
+    EXPECT_LT((toolkit::vec(a.tangent_W) - toolkit::vec(b.tangent_W)).norm(), 1e-11);
+    EXPECT_EQ(a.length, b.length);
+  }
 }
 
 TEST(Needle, RefusesAWireThatCannotBeBentSoFar) {

@@ -40,7 +40,7 @@ TEST_F(Usage, ArgumentsAreChecked) {
 }
 
 TEST_F(Usage, HelpAndVersionAreAnswers) {
-  for (const char* verb : {"run", "replay", "validate", "describe", "new", "doctor", "bench", "attempts"}) {
+  for (const char* verb : {"run", "replay", "validate", "describe", "new", "doctor", "bench", "attempts", "needle"}) {
     const Said said = swage({verb, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("swage ") + verb));

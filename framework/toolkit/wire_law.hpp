@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bending beyond yield: moment against curvature of a round section that is bent to and fro in any direction and twisted.
+//
+// Elastic, perfectly plastic layers in parallel (Besseling 1958, Iwan 1967), each with its share of the stiffness and its own
+// limit, follow the closed form of the round section (wire_section.hpp) to 0.75 %: elastic core, growing hinge, and when bent
+// back Masing's doubled curve with its early yielding. In normalised form: curvatures in yield curvatures, moments in yield
+// moments, so that stiffness is 1; three components, whose lengths as vectors decide about yield (von Mises). Torsion shares
+// the shape of the law, whose plateau is then 1.69 instead of 4/3 of first yield.
+//
+// Header-only, [rt].
+#pragma once
+
+#include "toolkit/math.hpp"
+
+namespace swage::toolkit {
+
+/// Memory of one section, plain numbers that a host can keep.
+struct WireMemory {
+  static constexpr int kLayers = 6;
+  double plastic[kLayers][3] = {};  // curvature at which each layer is free of load, in yield curvatures
+  double path = 0;                  // way of the plastic curvature, in yield curvatures
+};
+
+class WireLaw {
+ public:
+  static constexpr int kLayers = WireMemory::kLayers;
+
+  WireLaw() = default;
+  /// `hardening`: WireMaterial::hardening.
+  explicit WireLaw(double hardening) : hardening_(hardening) {}
+
+  /// Moment at curvature `e` as the memory stands.
+  Vec3 moment(const Vec3& e, const WireMemory& memory) const {
+    Vec3 m = Vec3::Zero();
+    for (int i = 0; i < kLayers; ++i) m += kLayer[i].share * (e - at(memory, i));
+    return (1 - hardening_) * m + hardening_ * e;
+  }
+
+  /// Bends to curvature `e`: layers beyond their limit flow back to it. Returns the moment.
+  Vec3 bend(const Vec3& e, WireMemory& memory) const {
+    const Vec3 before = relaxed(memory);
+    bool flows = false;
+    for (int i = 0; i < kLayers; ++i) {
+      const Vec3 s = e - at(memory, i);
+      const double size = s.norm();
+      if (size <= kLayer[i].limit) continue;
+      const Vec3 p = e - kLayer[i].limit / size * s;
+      for (int k = 0; k < 3; ++k) memory.plastic[i][k] = p[k];
+      flows = true;
+    }
+    if (flows) memory.path += (relaxed(memory) - before).norm();
+    return moment(e, memory);
+  }
+
+  /// Curvature that stays when the moment goes, unless that makes layers flow back: e - m, as stiffness is 1.
+  Vec3 relaxed(const WireMemory& memory) const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < kLayers; ++i) sum += kLayer[i].share * at(memory, i);
+    return (1 - hardening_) * sum;
+  }
+
+  /// d(moment)/d(curvature) of a section at curvature `e` that is bent on as it was; false: elastic, the identity.
+  bool tangent(const Vec3& e, const WireMemory& memory, Mat3& D) const {
+    bool flows = false;
+    D.setIdentity();
+    for (int i = 0; i < kLayers; ++i) {
+      const Vec3 s = e - at(memory, i);
+      if (s.squaredNorm() < kAtLimit * kLayer[i].limit * kLayer[i].limit) continue;
+      flows = true;
+      const Vec3 n = s.normalized();
+      D -= (1 - hardening_) * kLayer[i].share * n * n.transpose();
+    }
+    return flows;
+  }
+
+ private:
+  struct Layer {
+    double limit, share;  // yield curvatures; of the stiffness
+  };
+  // Least greatest relative distance from the closed form up to 20 yield curvatures, found by search: 0.71 %. The shares add
+  // up to 1, limit times share to 16/(3 pi) within that distance.
+  static constexpr Layer kLayer[kLayers] = {{1.117077, 0.265109}, {1.277550, 0.257803},
+                                            {1.658215, 0.279278}, {2.412915, 0.147094},
+                                            {4.342441, 0.047859}, {11.932132, 0.002857}};
+  // a layer that flowed stands at its limit but for rounding
+  static constexpr double kAtLimit = 1 - 1e-9;
+
+  static Vec3 at(const WireMemory& memory, int i) {
+    return {memory.plastic[i][0], memory.plastic[i][1], memory.plastic[i][2]};
+  }
+  double hardening_ = 0.01;
+};
+
+}  // namespace swage::toolkit

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A needle that bends, as the contact solve sees it. The wire is a chain of arcs (toolkit/bent_wire.hpp) whose shape follows
+// the contact forces at once; the whole moves with the mass and the inertia of a rigid body of its present shape, carried by the
+// piece that is touched first. Per step, with h its length, f = j/h the forces and G, F gains and flexibilities of the joints:
+//
+//   v = v_rigid - (1/h) sum G F m_now  +  W j,     W = J M^-1 J' + (1/h^2) sum G F G'
+//
+// Then each joint is turned by F (G' f - m_now) and the law says what moment it really bears. What is left over is
+// in m_now of the next step: one Newton step per millisecond, which never leaves the contacts.
+//
+// Threads: set_up() on [main]; the rest [rt], nothing allocates.
+#pragma once
+
+#include <swage/step.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "form.hpp"
+#include "toolkit/bent_wire.hpp"
+
+namespace swage::needle {
+
+using toolkit::Frame;
+using toolkit::Mat3;
+using toolkit::Pose;
+
+/// What lasts from step to step besides the poses. Followed by one JointMemory per joint.
+struct BendingState {
+  double v[3];      // m/s, of the centre of mass
+  double L[3];      // kg m2/s, about it
+  double held;      // 1: contacts pushed in the last step
+  double answered;  // 1: contacts asked in this step
+};
+
+class Bending {
+ public:
+  /// Contact points of one step that are answered; the host asks for at most 96.
+  static constexpr int kMaxPoints = 96;
+
+  /// n pieces of the needle. X_B0P: of the middle piece in body 0, which carries it.
+  void set_up(int n, const Form& form, const Pose& X_B0P);
+  int pieces() const { return n_; }
+  int middle() const { return n_ / 2; }
+  uint32_t n_state() const;
+  double piece_sweep() const { return wire_.piece_sweep(); }
+  double radius() const { return wire_.radius(); }
+
+  void reset(const Step& step) const;
+  void advance(const Step& step);
+  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free, double* W);
+  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse);
+
+  /// Pose of piece i in W.
+  Pose piece(const Step& step, int i) const;
+  /// Its middle alone, m.
+  Vec3 middle_of(const Step& step, int i) const {
+    return i == middle() ? piece(step, i).p : toolkit::vec(step->X_WB[body_of(i)].p);
+  }
+  /// Which piece a body of the object is, and back: body 0 is the middle one.
+  int piece_of(uint32_t body) const {
+    return body == 0                            ? middle()
+           : static_cast<int>(body) <= middle() ? static_cast<int>(body) - 1
+                                                : static_cast<int>(body);
+  }
+  uint32_t body_of(int piece) const {
+    return static_cast<uint32_t>(piece == middle() ? 0 : piece < middle() ? piece + 1 : piece);
+  }
+
+  /// Largest share of first yield; angles that stay, summed; largest damage; joints broken.
+  struct Reading {
+    double stress = 0, bend = 0, damage = 0, broken = 0;
+  };
+  Reading read(const Step& step) const;
+
+ private:
+  static constexpr int kMax = toolkit::BentWire::kMaxPieces;
+  struct Rigid {
+    double mass = 0;              // kg
+    Vec3 centre = Vec3::Zero();   // m
+    Mat3 inertia = Mat3::Zero();  // kg m2 about it
+  };
+  struct Twist {
+    Vec3 v = Vec3::Zero(), w = Vec3::Zero();  // of the centre of mass, m/s; rad/s
+  };
+  struct Touch {
+    int piece = 0, low = 0, high = 0;  // joints [low, high) are between it and the base
+    Vec3 p_W, arm_W;                   // m; from the centre of mass
+    Mat3 turn;                         // turn of the whole per impulse there
+  };
+  static size_t at(int i) { return static_cast<size_t>(i); }
+  static BendingState& state(const Step& step) {
+    return *static_cast<BendingState*>(static_cast<void*>(step.state().data()));
+  }
+  static toolkit::JointMemory* joints(const Step& step) {
+    void* first = step.state().data() + sizeof(BendingState) / sizeof(double);
+    return static_cast<toolkit::JointMemory*>(first);
+  }
+  size_t pair(int point, int joint) const { return at(point * (n_ - 1) + joint); }
+
+  Rigid weigh() const;
+  void fly(const Step& step, const Rigid& start);
+  void carry(const Step& step, const Twist& V, const Rigid& start);
+  void relax(const Step& step) const;
+  void write(const Step& step) const;
+  void collect(const Step& step, std::span<const swage_contact_point> points);
+  Vec3 free_velocity(int point, const toolkit::JointMemory* memory, double h) const;
+  Mat3 mobility(int a, int b, double h) const;
+
+  int n_ = 0;
+  toolkit::BentWire wire_;
+  Pose X_B0P_, X_PB0_;           // of the middle piece in body 0, and back
+  std::array<Rigid, kMax> own_;  // of each piece, in P
+
+  // of the present step
+  std::array<Pose, kMax> X0_, X_;  // of the pieces, at its start and now
+  Rigid whole_;                    // in W, now
+  Mat3 inverse_ = Mat3::Zero();    // of its inertia
+  Vec3 L_start_ = Vec3::Zero();
+  Twist free_, expected_;  // without contacts; what the poses of advance() follow
+  int base_ = 0, low_ = 0,
+      high_ = 0;  // piece that carries; joints [low_, high_) are between it and the points
+  int n_touch_ = 0;
+  std::array<Touch, kMaxPoints> touch_;
+  std::array<Frame, kMax> joint_;
+  std::array<Mat3, kMax> F_;
+  std::array<bool, kMax> flows_{};
+  std::vector<Mat3> G_, GF_;  // per point and joint
+};
+
+}  // namespace swage::needle
