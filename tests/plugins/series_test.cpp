@@ -4,9 +4,12 @@
 // and is told why, and the same hand gives the same bits again.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "run_lesson.hpp"
 
@@ -79,6 +82,41 @@ TEST_P(Series, TheLeftHandGetsTheSameScore) {
   EXPECT_EQ(right.outcome(), "passed");
   EXPECT_EQ(left.outcome(), "passed");
   EXPECT_NEAR(left.verdict().score, right.verdict().score, 1e-6);
+}
+
+// the picture of the left hand's scene is the mirror image point by point, and its faces still look outwards
+TEST(Mirror, ReflectsEveryShapeOfThePicture) {
+  using toolkit::Pose, toolkit::Vec3;
+  const LessonRun plain(kCarry, "expert");
+  const LessonRun turned(kCarry, {"expert", ""}, [](auto& file) { file.mirror = true; });
+  ASSERT_TRUE(plain.ready() && turned.ready());
+  const snapshot::SceneCard &a = plain.rig().card, &b = turned.rig().card;
+  const auto place = [](const snapshot::SceneCard& card, const snapshot::CardShape& s, const Vec3& p_S) {
+    return Vec3(Pose(card.start[s.body]) * (Pose(s.X_BS) * p_S));
+  };
+  int points = 0;
+  for (size_t i = 0; i < a.shapes.size(); ++i) {
+    const snapshot::CardShape &sa = a.shapes[i], &sb = b.shapes[i];
+    std::vector<std::pair<Vec3, Vec3>> pairs;
+    for (size_t v = 0; v < sa.vertex.size(); ++v)
+      pairs.emplace_back(toolkit::vec(sa.vertex[v]), toolkit::vec(sb.vertex[v]));
+    for (const double angle : {0.0, 0.3 * sa.sweep, sa.sweep}) {
+      const Vec3 on_arc = sa.arc_radius * Vec3(std::cos(angle), std::sin(angle), 0);
+      pairs.emplace_back(on_arc, on_arc);
+    }
+    for (const auto& [pa, pb] : pairs) {
+      const Vec3 p = place(a, sa, pa), q = place(b, sb, pb);
+      EXPECT_LT((q - Vec3(-p.x(), p.y(), p.z())).norm(), 1e-15) << "shape " << i;
+      ++points;
+    }
+    for (const auto& face : sb.face) {
+      const auto corner = [&](size_t k) { return toolkit::vec(sb.vertex[face[k]]); };
+      Vec3 middle = Vec3::Zero();
+      for (const swage_vec3& v : sb.vertex) middle += toolkit::vec(v) / static_cast<double>(sb.vertex.size());
+      EXPECT_GT((corner(1) - corner(0)).cross(corner(2) - corner(1)).dot(corner(0) - middle), 0);
+    }
+  }
+  EXPECT_GT(points, 30);
 }
 
 TEST(Modes, PracticeShowsCuesATestDoesNotADemoIsTheExperts) {
