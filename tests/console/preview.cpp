@@ -21,7 +21,10 @@ int main(int argc, char** argv) {
   launch.settings_file = own.filePath(QStringLiteral("settings.ini"));
   launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
   console::MainWindow window(
-      {[&](const session::Options& o, base::Problems& p) { return test::open_fake(o, p, {}, log); }, {}},
+      {[&](const session::Options& o, base::Problems& p) { return test::open_fake(o, p, {}, log); },
+       {},
+       {},
+       {}},
       launch);
   const QStringList args = app.arguments();
   window.set_theme(args.value(1, QStringLiteral("light")), args.value(2, QStringLiteral("thesis")));
