@@ -144,6 +144,25 @@ std::vector<Line> bar_pinch(const Effort& effort) {
   return lines;
 }
 
+std::vector<Line> bar_creep(const Effort& effort) {
+  std::vector<Line> lines;
+  Setup s;
+  s.needle.straight = true;
+  for (const auto& [name, direction] : {std::pair{"pulled along: ", Pull::kAxial},
+                                        {"twisted about itself: ", Pull::kAboutWire},
+                                        {"twisted about the jaws' normal: ", Pull::kAboutNormal}}) {
+    // 1 N of grip; the load is what 1 / 1.2 or 1 / 0.8 of it would bear at most
+    const double more = creep(ours(), s, 1.0, direction, 1 / 1.2, effort.hold_seconds);
+    const double less = creep(ours(), s, 1.0, direction, 1 / 0.8, 2);
+    const std::string time = std::to_string(static_cast<int>(effort.hold_seconds)) + " s";
+    lines.push_back(at_most("grasp", std::string(name) + "creep in " + time + ", 20 % more grip than needed",
+                            "um", more * kMicro, 0.1));
+    lines.push_back(within("grasp", std::string(name) + "way in 2 s, 20 % less grip than needed", "um",
+                           less * kMicro, 20, kInfinity));
+  }
+  return lines;
+}
+
 namespace {
 
 /// Both figures contain one reading of the clock, measured here and taken off. Runs interleaved.

@@ -16,14 +16,15 @@ struct Axis {
   std::string below, above;  // what values at or beyond the ends mean: "exact", "lost"
 };
 
-/// Error against cost: one mark per method. Values outside an axis are drawn at its end, with that end's
-/// name.
+/// Error against cost: one mark per method and setting; marks of one name are joined in their order. Values outside an axis
+/// are drawn at its end, with that end's name.
 struct Scatter {
   std::string title, note;  // note: machine, hiccups, date: one line under the title
   Axis x, y;
   struct Mark {
     std::string family, name;
     double x = 0, y = 0;
+    std::string setting;  // "dt 1 ms": in the CSV, and beside a joined mark
   };
   std::vector<Mark> marks;
 };
@@ -32,7 +33,8 @@ struct Scatter {
 struct Sweep {
   std::string title, note;
   Axis x, y;
-  double pass = 0;  // the pass mark on y, drawn as a dashed line; 0: none
+  double pass = 0;   // the pass mark on y, drawn as a dashed line; 0: none
+  double range = 0;  // up to where on x a lesson can come, drawn as a dashed line; 0: everywhere
   struct Line {
     std::string family, name;
     std::vector<std::pair<double, double>> points;

@@ -8,7 +8,15 @@
 namespace swage::bench {
 
 Scatter chart_queries(bool quick);  // depth against the exact arc, per query
-Scatter chart_free(bool quick);     // energy of a free top after a minute, per step
+Scatter chart_free(bool quick);     // attitude of a free top after a minute, per simulated millisecond
 Scatter chart_grasp(bool quick);    // slip of a held needle, per step
+Scatter chart_slip(bool quick);     // where a pulled wire begins to slip, per step
+
+struct ChartOf {
+  const char* name;  // of its files, work_precision_<name>
+  Scatter (*draw)(bool quick);
+};
+inline constexpr ChartOf kCharts[] = {
+    {"query", chart_queries}, {"free", chart_free}, {"grasp", chart_grasp}, {"slip", chart_slip}};
 
 }  // namespace swage::bench

@@ -22,6 +22,8 @@ struct Setup {
   bool jaws = true;             // false: a free body
   bool upper_driven = false;    // the upper jaw turns on its hinge under a torque; otherwise both are moved
   double jaw_mass = 5e-3;       // kg, effective at the grip, when driven
+  double misaligned = 0;        // rad, the upper jaw turned about its normal at the grip
+  double gravity = 9.81;        // m/s2, where a scenario has gravity
   double ball_radius = 0;       // m; > 0: a ball over the plane z = 0 instead of the needle
   Vec3 inertia = Vec3::Zero();  // kg m2; zero: the needle's own
   double unit = 0;  // lengths per metre inside the engine; 0: its own choice (ours 1, peers 1000) (S01)
@@ -69,6 +71,8 @@ struct Method {
   std::string family;  // "swage", "thesis", "ODE", "MuJoCo", "Bullet", "FCL": colour of the chart
   std::function<std::unique_ptr<Engine>(const Setup&)> make;
   bool exact_arc = false;  // touches with the true arc rather than a chain of spheres
+  /// Which charts tell it from its siblings: a setting of contacts moves freely as they do, and the other way round.
+  enum class Differs { kEverywhere, kInContact, kFree } differs = Differs::kEverywhere;
 };
 
 /// Which jaws overlap the needle, and how deep.
@@ -94,5 +98,9 @@ std::vector<Query> ode_queries(const Needle&);
 std::vector<Query> mujoco_queries(const Needle&);
 std::vector<Query> bullet_queries(const Needle&);
 std::vector<Query> fcl_queries(const Needle&);
+
+/// All of them, ours first.
+std::vector<Method> all_methods();
+std::vector<Query> all_queries(const Needle&);
 
 }  // namespace swage::bench

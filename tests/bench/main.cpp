@@ -24,17 +24,20 @@ std::string machine_note() {
   return text;
 }
 
-int run_charts(const std::string& out, bool quick) {
+int run_charts(const std::string& out, bool quick, const std::string& only) {
   std::filesystem::create_directories(out);
-  const std::string note = machine_note();
-  for (const auto& [name, chart] : {std::pair{"work_precision_query", chart_queries(quick)},
-                                    std::pair{"work_precision_free", chart_free(quick)},
-                                    std::pair{"work_precision_grasp", chart_grasp(quick)}}) {
-    Scatter c = chart;
-    c.note = note;
+  int drawn = 0;
+  for (const ChartOf& chart : kCharts) {
+    if (!std::string(chart.name).starts_with(only)) continue;
+    Scatter c = chart.draw(quick);
+    c.note = machine_note();
+    const std::string name = std::string("work_precision_") + chart.name;
     write(out, name, c);
-    std::printf("%s/%s.svg\n", out.c_str(), name);
+    std::printf("%s/%s.svg\n", out.c_str(), name.c_str());
+    std::fflush(stdout);
+    ++drawn;
   }
+  if (drawn == 0) throw std::runtime_error("no chart \"" + only + "\"; there are query, free, grasp, slip");
   return 0;
 }
 
@@ -72,7 +75,9 @@ int run_stability(const std::string& scenes, const std::string& out, bool quick,
 
 void print(const Line& l) {
   char bound[64];
-  if (std::isfinite(l.low) && l.low < l.high)
+  if (!std::isfinite(l.high))
+    std::snprintf(bound, sizeof bound, "at least %.4g", l.low);
+  else if (std::isfinite(l.low) && l.low < l.high)
     std::snprintf(bound, sizeof bound, "%.4g to %.4g", l.low, l.high);
   else
     std::snprintf(bound, sizeof bound, "%s %.4g", std::isfinite(l.low) ? "exactly" : "at most", l.high);
@@ -128,6 +133,7 @@ int main(int argc, char** argv) {
   std::string charts_out = "resources/charts", out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
   auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
   charts->add_option("--out", charts_out, "folder")->capture_default_str();
+  charts->add_option("--only", only, "one of query, free, grasp, slip");
   charts->add_flag("--quick", quick, "fewer poses and shorter runs");
   auto* stability =
       app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");
@@ -142,7 +148,7 @@ int main(int argc, char** argv) {
   bar->add_option("--only", only, "goals whose name begins so: " + goal_names());
   CLI11_PARSE(app, argc, argv);
   try {
-    if (*charts) return run_charts(charts_out, quick);
+    if (*charts) return run_charts(charts_out, quick, only);
     if (*stability) return run_stability(scenes, out, quick, only);
     return run_bar(quick, as_json, only);
   } catch (const std::exception& e) {

@@ -44,13 +44,6 @@ void judge(QueryFigures& f, double exact, double gap) {
 
 }  // namespace
 
-std::vector<Query> all_queries(const Needle& n) {
-  std::vector<Query> queries;
-  for (auto&& list : {swage_queries(n), ode_queries(n), mujoco_queries(n), bullet_queries(n), fcl_queries(n)})
-    queries.insert(queries.end(), list.begin(), list.end());
-  return queries;
-}
-
 std::vector<QueryFigures> measure_queries(const Needle& n, int passes, int count) {
   const std::vector<Query> queries = all_queries(n);
   const Jaw jaws[2] = {jaw(1), jaw(-1)};

@@ -17,10 +17,7 @@ struct QueryFigures {
   double worst_error = 0;  // m, of a depth against the exact arc; a missed contact counts with its depth
 };
 
-/// All queries that are compiled in, ours first.
-std::vector<Query> all_queries(const Needle&);
-
-/// Them on the trajectory, interleaved block by block.
+/// All queries that are compiled in, interleaved block by block.
 std::vector<QueryFigures> measure_queries(const Needle&, int passes, int poses = 10000);
 
 /// S03: the needle pressed by `overlap` [m] into the middle of each face, edge and corner of a jaw. Worst error of a depth for

@@ -9,7 +9,6 @@
 namespace swage::bench {
 namespace {
 
-constexpr double kGravity = 9.81;  // m/s2
 /// The tool of S06: 60 deg about its own axis and 5 mm along it, once a second; `size` scales both.
 Pose moved_tool(double t, double size) {
   const double c = 0.5 * size * (1 - std::cos(2 * std::numbers::pi * t));
@@ -40,7 +39,7 @@ HoldResult hold(const Method& method, const Setup& setup, double overlap, double
     e.step();
   }
   const Pose reference = e.needle();
-  e.set_gravity({0, -kGravity, 0});
+  e.set_gravity({0, -setup.gravity, 0});
 
   HoldResult r;
   base::Xoshiro256 rng(7);
@@ -205,6 +204,7 @@ TopResult top(const Method& method, const Setup& base_setup, const Vec3& inertia
       flips.push_back((i - 1 + std::abs(before) / (std::abs(before) + std::abs(w[axis]))) * setup.dt);
     before = w[axis];
   }
+  r.end = e.needle().q;
   if (flips.size() > 2) r.period = 2 * (flips.back() - flips.front()) / static_cast<double>(flips.size() - 1);
   r.step = times(std::move(ns));
   return r;
@@ -222,9 +222,9 @@ double bounce_error(const Method& method, const Setup& base_setup, double height
     const auto engine = method.make(setup);
     Engine& e = *engine;
     const double h = height * (1 + 0.02 * k / kPhases);
-    e.set_gravity({0, 0, -kGravity});
+    e.set_gravity({0, 0, -setup.gravity});
     e.set_needle({Vec3{0, 0, radius + h}, Quat::Identity()}, Vec3::Zero(), Vec3::Zero());
-    const double fall = std::sqrt(2 * h / kGravity);
+    const double fall = std::sqrt(2 * h / setup.gravity);
     const int steps = static_cast<int>(fall * (1 + 2.5 * restitution) / setup.dt) + 5;
     bool rising = false;
     double peak = -radius;

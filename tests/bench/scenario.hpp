@@ -13,8 +13,9 @@ namespace swage::bench {
 
 struct Slip {
   double along = 0, across = 0,
-         normal = 0;  // m, of mid-arc in the tool's frame: along the wire, along the jaws, through them
-  double turn = 0;    // rad
+         normal =
+             0;  // m, of the gripped place in the tool's frame: along the wire, along the jaws, through them
+  double turn = 0;  // rad
   double distance() const { return std::sqrt(along * along + across * across + normal * normal); }
 };
 
@@ -39,10 +40,14 @@ enum class Pull { kAxial, kAboutWire, kAboutNormal };
 struct PullResult {
   double onset = 0;  // load at first slip over the Coulomb limit (coulomb.hpp); 0: lost before
   double creep = 0;  // m (or m at the wire's end) at half the limit
+  Times step;        // ns
 };
 /// The upper jaw pinches with `grip` [N]; a load ramps to 1.5 times the Coulomb limit between faces that stand as these
 /// do. S09, S10.
 PullResult pull(const Method&, const Setup&, double grip, Pull direction);
+
+/// The same pinch bears `share` of the limit for `seconds` [s]: how far the wire creeps once the load is on [m].
+double creep(const Method&, const Setup&, double grip, Pull direction, double share, double seconds);
 
 struct PinchStage {
   double grip = 0, overlap = 0, drift = 0;  // N, m, m
@@ -67,6 +72,7 @@ struct TopResult {
   double momentum = 0;
   double period = 0;  // s; 0: no flips seen
   double diverged_at = -1;
+  Quat end = Quat::Identity();  // attitude at the end
   Times step;
 };
 /// Torque-free top with moments I and start w0 in its own frame. S17.

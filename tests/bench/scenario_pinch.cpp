@@ -34,52 +34,91 @@ double moved(const Slip& s, Pull direction, double arm) {
   return direction == Pull::kAxial ? std::abs(s.along) : std::max(s.turn * arm, s.distance());
 }
 
+/// A wire under a settled pinch, and the load that it may bear there.
+class Pinched {
+ public:
+  Pinched(const Method& method, Setup setup, double grip, Pull direction)
+      : grip_(grip), direction_(direction), openings_(method, setup.needle, 0) {
+    setup.upper_driven = true;
+    engine_ = method.make(setup);
+    engine_->set_gravity(Vec3::Zero());
+    openings_.apply(*engine_, Pose{}, true);
+    engine_->set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
+    for (int i = 0; i < 1000 && good(); ++i) step(0, std::min(1.0, i / 500.0));
+    if (!good()) return;
+    reference_ = engine_->needle();
+    load_ = load_of(setup, grip, direction, half_wedge(*engine_, jaw_pose(Pose{}, -openings_.lower)));
+  }
+  bool good() const { return finite(engine_->needle()); }
+  bool between_jaws() const { return good() && load_.limit > 0; }
+
+  /// One step under `share` of the limit, the grip at `closed` of itself.
+  void step(double share, double closed = 1) {
+    Engine& e = *engine_;
+    openings_.apply(e, Pose{}, false);
+    e.set_torque(closed * grip_ * Jaw::kGrip);
+    const double load = share * load_.limit;
+    if (direction_ == Pull::kAxial)
+      e.set_force({0, -load, 0}, e.needle() * e.setup.needle.point(0));
+    else
+      e.set_couple(load * (direction_ == Pull::kAboutWire ? Vec3::UnitY() : Vec3::UnitZ()));
+    e.step();
+  }
+  /// How far anything of the wire has come since the pinch had settled, m.
+  double way() const { return moved(slip_between(*engine_, Pose{}, reference_), direction_, load_.arm); }
+
+ private:
+  double grip_;
+  Pull direction_;
+  Openings openings_;
+  std::unique_ptr<Engine> engine_;
+  Pose reference_;
+  Load load_;
+};
+
 }  // namespace
 
-PullResult pull(const Method& method, const Setup& base_setup, double grip, Pull direction) {
-  Setup setup = base_setup;
-  setup.upper_driven = true;
-  const auto engine = method.make(setup);
-  Engine& e = *engine;
-  const Openings openings(method, setup.needle, 0);
-  e.set_gravity(Vec3::Zero());
-  openings.apply(e, Pose{}, true);
-  e.set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
-  for (int i = 0; i < 1000; ++i) {
-    openings.apply(e, Pose{}, false);
-    e.set_torque(grip * Jaw::kGrip * std::min(1.0, i / 500.0));
-    e.step();
-    if (!finite(e.needle())) return {};
-  }
-  const Pose reference = e.needle();
-  const Load load = load_of(setup, grip, direction, half_wedge(e, jaw_pose(Pose{}, -openings.lower)));
-  if (!(load.limit > 0)) return {};  // nothing between the jaws
-
-  PullResult result;
+PullResult pull(const Method& method, const Setup& setup, double grip, Pull direction) {
+  Pinched wire(method, setup, grip, direction);
+  if (!wire.between_jaws()) return {};
+  PullResult result{std::numeric_limits<double>::infinity(), 0, {}};
+  std::vector<double> ns;
   constexpr int kSteps = 3000;
   // what slips goes on by leaps; what only gives goes less than six times as far as under half the load, even when the wire
   // turns about the jaws' normal and slips from its ends inwards. Creep is slip once it has come 20 um
   constexpr double kLeast = 2e-6, kMost = 20e-6;  // m
   for (int i = 0; i < kSteps; ++i) {
     const double share = 1.5 * i / kSteps;
-    openings.apply(e, Pose{}, false);
-    e.set_torque(grip * Jaw::kGrip);
-    if (direction == Pull::kAxial)
-      e.set_force({0, -share * load.limit, 0}, e.needle() * setup.needle.point(0));
-    else
-      e.set_couple(share * load.limit * (direction == Pull::kAboutWire ? Vec3::UnitY() : Vec3::UnitZ()));
-    e.step();
-    if (!finite(e.needle())) return {};
-    const double way = moved(slip_between(e, Pose{}, reference), direction, load.arm);
+    const double begin = now_ns();
+    wire.step(share);
+    ns.push_back(now_ns() - begin);
+    if (!wire.good()) return {};
+    const double way = wire.way();
     if (share <= 0.5) result.creep = way;
     const double slipped = share <= 0.5 ? kMost : std::clamp(6 * result.creep, kLeast, kMost);
     if (way > slipped) {
       result.onset = share;
-      return result;
+      break;
     }
   }
-  result.onset = std::numeric_limits<double>::infinity();
+  result.step = times(std::move(ns));
   return result;
+}
+
+double creep(const Method& method, const Setup& setup, double grip, Pull direction, double share,
+             double seconds) {
+  Pinched wire(method, setup, grip, direction);
+  constexpr double kLost = std::numeric_limits<double>::infinity();
+  if (!wire.between_jaws()) return kLost;
+  constexpr int kRamp = 500, kSettle = 1000;
+  double start = 0;
+  const int steps = kSettle + static_cast<int>(std::lround(seconds / setup.dt));
+  for (int i = 1; i <= steps; ++i) {
+    wire.step(share * std::min(1.0, static_cast<double>(i) / kRamp));
+    if (!wire.good() || wire.way() > kLostAt) return kLost;
+    if (i == kSettle) start = wire.way();
+  }
+  return std::abs(wire.way() - start);
 }
 
 std::vector<PinchStage> pinch(const Method& method, const Setup& base_setup, double approach) {

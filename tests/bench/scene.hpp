@@ -27,6 +27,7 @@ struct Needle {
   double wire_diameter = 0.1e-3;                  // m
   double density = 7900;                          // kg/m3, steel
   bool straight = false;
+  double held_at = 0;  // rad from mid-arc, the place between the jaws
 
   double wire_radius() const { return 0.5 * wire_diameter; }
   double radius() const { return chord / (2 * std::sin(arc / 2)); }  // of the centre line
@@ -95,9 +96,10 @@ inline Pose jaw_pose(const Pose& X_WT, double angle) {
   return X_WT * Pose{Vec3::Zero(), toolkit::exp_rotation({0, -angle, 0})};
 }
 
-/// The needle at the grip, its mid-arc between the jaws, wire across them.
+/// The needle at the grip, where it is held between the jaws, wire across them.
 inline Pose grip_pose(const Needle& n) {
-  return {Vec3{Jaw::kGrip, 0, n.straight ? 0.0 : -(n.radius() - n.offset())}, Quat::Identity()};
+  const Quat q = n.straight ? Quat::Identity() : toolkit::exp_rotation({n.held_at, 0, 0});
+  return {Vec3{Jaw::kGrip, 0, 0} - q * n.point(n.held_at), q};
 }
 
 }  // namespace swage::bench

@@ -17,18 +17,11 @@ constexpr double kLost = std::numeric_limits<double>::infinity();
 
 /// "values_um" -> 1e6 display units per SI unit.
 double scale_of(const std::string& suffix) {
-  static const std::pair<const char*, double> kScales[] = {{"", 1},
-                                                           {"_um", 1e6},
-                                                           {"_mm", 1e3},
-                                                           {"_ms", 1e3},
-                                                           {"_N", 1},
-                                                           {"_s", 1},
-                                                           {"_per_m", 1},
-                                                           {"_g", 1e3},
-                                                           {"_m_per_s", 1},
-                                                           {"_mm_per_s", 1e3},
-                                                           {"_deg", 180 / std::numbers::pi},
-                                                           {"_rad_per_s", 1}};
+  static const std::pair<const char*, double> kScales[] = {
+      {"", 1},          {"_um", 1e6},    {"_mm", 1e3},       {"_ms", 1e3},
+      {"_N", 1},        {"_s", 1},       {"_per_m", 1},      {"_g", 1e3},
+      {"_kg", 1},       {"_m_per_s", 1}, {"_mm_per_s", 1e3}, {"_deg", 180 / std::numbers::pi},
+      {"_rad_per_s", 1}};
   for (const auto& [name, scale] : kScales)
     if (suffix == name) return scale;
   throw std::runtime_error("unknown unit suffix \"" + suffix + "\"");
@@ -59,29 +52,47 @@ Axis axis(const json& j) {
   return a;
 }
 
-std::vector<Method> all_methods() {
-  std::vector<Method> all;
-  for (auto&& list : {swage_methods(), ode_methods(), mujoco_methods(), bullet_methods()})
-    all.insert(all.end(), list.begin(), list.end());
-  return all;
-}
-
 /// Worst slip of a hold in um, or lost.
 double slip(const HoldResult& r) { return r.lost_at < 0 ? r.worst : kLost; }
 
 /// How far a ratio that should be 1 is from it.
 double off_by(double ratio) { return std::isfinite(ratio) && ratio > 0 ? std::abs(ratio - 1) : kLost; }
 
-/// The measure of one scenario at one value of the sweep, SI.
-double measure(const StabilityScene& s, const Method& m, double value) {
+Setup setup_of(const StabilityScene& s) {
   Setup setup;
   setup.needle.straight = s.straight;
+  setup.needle.wire_diameter = s.wire;
   setup.jaw_mass = s.jaw_mass;
+  return setup;
+}
+
+/// A hold with something about it swept; NaN when the scenario is none.
+double held(const StabilityScene& s, const Method& m, double value) {
+  Setup setup = setup_of(s);
+  Needle& n = setup.needle;
   constexpr double kOverlap = 1e-6;  // m, a light grasp
   if (s.scenario == "hold") return slip(hold(m, setup, value, s.seconds));
   if (s.scenario == "hold_moving") return slip(hold(m, setup, value, s.seconds, Tool::kMoving));
   if (s.scenario == "hold_noise") return slip(hold(m, setup, kOverlap, s.seconds, Tool::kStill, value));
   if (s.scenario == "hold_late") return slip(hold(m, setup, kOverlap, s.seconds, Tool::kLate, value));
+  if (s.scenario == "hold_mass")
+    n.density *= value / n.mass();
+  else if (s.scenario == "hold_misaligned")
+    setup.misaligned = value;
+  else if (s.scenario == "hold_at")
+    n.held_at = n.arc * (value - 0.5);
+  else if (s.scenario == "hold_scale")
+    // lengths times `value`: masses grow with its cube, gravity stays, as it does not in another unit
+    setup.unit = value, n.density *= value * value * value, setup.gravity /= value;
+  else
+    return std::numeric_limits<double>::quiet_NaN();
+  return slip(hold(m, setup, kOverlap, s.seconds));
+}
+
+/// The measure of one scenario at one value of the sweep, SI.
+double measure(const StabilityScene& s, const Method& m, double value) {
+  if (s.scenario.rfind("hold", 0) == 0) return held(s, m, value);
+  const Setup setup = setup_of(s);
   const auto onset = [&](Pull p) { return off_by(pull(m, setup, value, p).onset); };
   if (s.scenario == "pull_axial") return onset(Pull::kAxial);
   if (s.scenario == "pull_about_wire") return onset(Pull::kAboutWire);
@@ -111,10 +122,7 @@ double measure(const StabilityScene& s, const Method& m, double value) {
 Sweep::Line run_line(const StabilityScene& s, const Method& m) {
   Sweep::Line line{m.family, m.name, {}, false};
   if (s.scenario == "pinch") {
-    Setup setup;
-    setup.jaw_mass = s.jaw_mass;
-    setup.needle.straight = s.straight;
-    for (const PinchStage& stage : pinch(m, setup, s.approach))
+    for (const PinchStage& stage : pinch(m, setup_of(s), s.approach))
       line.points.push_back({stage.grip * s.value_scale, stage.overlap * s.measure_scale});
     constexpr double kLast = 16;  // N
     line.broke = line.points.empty() || line.points.back().first < kLast;
@@ -153,6 +161,7 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.approach = in_si(j, "approach", 0);
     s.restitution = j.value("restitution", 0.0);
     s.radius = in_si(j, "radius", s.radius);
+    s.wire = in_si(j, "wire", s.wire);
     const json& sweep = j.at("sweep");
     json list;
     if (find(sweep, "values", list, s.value_scale)) {
@@ -172,6 +181,7 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.chart.title = s.id + "  " + s.title;
     s.chart.x = axis(sweep), s.chart.y = axis(j.at("measure"));
     s.chart.pass = s.pass;
+    s.chart.range = s.range < 1e300 ? s.range * s.value_scale : 0;
   } catch (const std::exception& e) {
     throw std::runtime_error(file + ": " + e.what());
   }

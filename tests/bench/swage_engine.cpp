@@ -174,19 +174,22 @@ std::vector<Method> swage_methods() {
   discrete.swept = false;
   loop.dynamics = {dynamics::FreeMotion::kThesis, dynamics::Response::kImpulse};
   loop.contact.level = contact::Level::kThesis;
-  return {
+  using enum Method::Differs;
+  using enum dynamics::FreeMotion;
+  std::vector<Method> methods = {
       {"swage", "swage", with({}), true},
-      {"swage, chain of spheres", "thesis", with(chain), false},
-      {"swage, impulse method of the thesis", "thesis", with(impulse), true},
-      {"swage, whole loop of the thesis", "thesis", with(loop), false},
-      {"swage, without swept query", "swage", with(discrete), true},
-      {"swage, explicit Euler of the thesis", "thesis", with(free(dynamics::FreeMotion::kThesis)), true},
-      {"swage, symplectic Euler", "swage", with(free(dynamics::FreeMotion::kSymplecticEuler)), true},
-      {"swage, RK4", "swage", with(free(dynamics::FreeMotion::kRungeKutta4)), true},
-      {"swage, splitting of order 2", "swage", with(free(dynamics::FreeMotion::kSplitting2)), true},
-      {"swage, splitting of order 4", "swage", with(free(dynamics::FreeMotion::kSplitting4)), true},
-      {"swage, Taylor series", "swage", with(free(dynamics::FreeMotion::kTaylor)), true},
-  };
+      {"swage, chain of spheres", "thesis", with(chain), false, kInContact},
+      {"swage, impulse method of the thesis", "thesis", with(impulse), true, kInContact},
+      {"swage, whole loop of the thesis", "thesis", with(loop), false, kInContact},
+      {"swage, without swept query", "swage", with(discrete), true, kInContact},
+      {"swage, explicit Euler of the thesis", "thesis", with(free(kThesis)), true, kFree}};
+  for (const auto& [name, motion] : {std::pair{"swage, symplectic Euler", kSymplecticEuler},
+                                     {"swage, RK4", kRungeKutta4},
+                                     {"swage, splitting of order 2", kSplitting2},
+                                     {"swage, splitting of order 4", kSplitting4},
+                                     {"swage, Taylor series", kTaylor}})
+    methods.push_back({name, "swage", with(free(motion)), true, kFree});
+  return methods;
 }
 
 std::vector<Query> swage_queries(const Needle& needle) {

@@ -292,11 +292,13 @@ std::vector<Method> mujoco_methods() {
   const std::string contact = "solref='0.002 1' solimp='0.99 0.999 0.001'";
   const std::string solver = "impratio='10' cone='elliptic' noslip_iterations='10' tolerance='1e-10'";
   return {
-      {"MuJoCo tuned, welded tool", "MuJoCo", with({"Euler", contact, solver, true})},  // the best found
-      {"MuJoCo tuned, mocap jaws", "MuJoCo", with({"Euler", contact, solver, false})},
+      {"MuJoCo tuned, welded tool", "MuJoCo", with({"Euler", contact, solver, true}), false,
+       Method::Differs::kInContact},  // the best found
+      {"MuJoCo tuned, mocap jaws", "MuJoCo", with({"Euler", contact, solver, false}), false,
+       Method::Differs::kInContact},
       {"MuJoCo default", "MuJoCo", with({"Euler", "", "", false})},
-      {"MuJoCo RK4", "MuJoCo", with({"RK4", "", "", false})},
-      {"MuJoCo implicit", "MuJoCo", with({"implicit", "", "", false})},
+      {"MuJoCo RK4", "MuJoCo", with({"RK4", "", "", false}), false, Method::Differs::kFree},
+      {"MuJoCo implicit", "MuJoCo", with({"implicit", "", "", false}), false, Method::Differs::kFree},
   };
 }
 
