@@ -95,9 +95,9 @@ Scatter chart_slip(bool) {
     if (m.name == "MuJoCo tuned, welded tool") continue;  // has no jaw on a hinge under a torque
     const PullResult r = pull(m, s, 0.1, Pull::kAxial);
     const bool lost = !(r.onset > 0) || !std::isfinite(r.onset);
-    if (r.step.median > 0)
-      c.marks.push_back(
-          {m.family, m.name, lost ? 10 : std::max(std::abs(r.onset - 1), 1e-4), r.step.median, ""});
+    // who lost the wire before the pull is shown with what a held needle costs it
+    const double cost = r.step.median > 0 ? r.step.median : hold(m, s, 1e-6, 0.2).step.median;
+    c.marks.push_back({m.family, m.name, lost ? 10 : std::max(std::abs(r.onset - 1), 1e-4), cost, ""});
   }
   return c;
 }
