@@ -36,7 +36,11 @@ TEST(AllOfTheSeries, LoadWithEveryHand) {
   for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
     if (entry.path().extension() != ".json") continue;
     ++lessons;
+    // what only shows something has a hand that shows it; lessons have all three
+    const bool lesson = std::any_of(std::begin(kLessons), std::end(kLessons),
+                                    [&](const char* name) { return entry.path().stem() == name; });
     for (const char* hand : {"", "mouse", "expert", "novice", "clumsy"}) {
+      if (!lesson && std::string(hand) != "" && std::string(hand) != "expert") continue;
       const LessonRun attempt(entry.path(), hand);
       EXPECT_TRUE(attempt.ready());
       EXPECT_EQ(attempt.problems(), "") << entry.path() << " with " << hand;

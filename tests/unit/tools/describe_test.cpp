@@ -24,7 +24,7 @@ TEST_F(Describe, TellsAPluginAndItsParameters) {
   EXPECT_EQ(said.code, 0);
   EXPECT_THAT(said.out, HasSubstr("swage.object.needle 1.0.0 (object): Suture needle\n"));
   EXPECT_THAT(said.out, HasSubstr("offers swage.trait.solid/1, swage.trait.graspable/1"));
-  EXPECT_THAT(said.out, HasSubstr("wire_diameter        \"100 um\"       20 um to 1000 um"));
+  EXPECT_THAT(said.out, HasSubstr("wire_diameter        \"0 um\"         0 um to 1000 um"));
   EXPECT_THAT(said.out, Not(HasSubstr("swage.object.jaws")));
 }
 
@@ -43,12 +43,12 @@ TEST_F(Describe, AsMarkdownJsonAndSchema) {
   const Said table = swage({"describe", kNeedle, "--markdown"});
   EXPECT_THAT(table.out,
               testing::StartsWith("| Parameter | Default | Range | Meaning |\n| --- | --- | --- | --- |\n"));
-  EXPECT_THAT(table.out, HasSubstr("\n| `wire_diameter` | \"100 um\" | 20 um to 1000 um | "));
+  EXPECT_THAT(table.out, HasSubstr("\n| `wire_diameter` | \"0 um\" | 0 um to 1000 um | "));
 
   const nlohmann::json list = swage({"describe", kNeedle, "--json"}).json();
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0]["kind"], "object");
-  EXPECT_EQ(list[0]["params"].size(), 5u);
+  EXPECT_EQ(list[0]["params"].size(), 15u);
   EXPECT_GT(swage({"describe", "--json"}).json().size(), 9u);
 
   const nlohmann::json one = swage({"describe", kNeedle, "--schema"}).json();
