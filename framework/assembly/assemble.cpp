@@ -198,6 +198,8 @@ void Assembler::add_objects() {
     slot.signal = builder->signal;
     slot.object = table<swage_object>(*slot.instance, SWAGE_EXT_OBJECT, use);
     slot.solver = table<swage_solver>(*slot.instance, SWAGE_EXT_SOLVER, use, false);
+    slot.surface = table<swage_surface>(*slot.instance, SWAGE_EXT_SURFACE, use, false);
+    slot.dents = table<swage_dents>(*slot.instance, SWAGE_EXT_DENTS, use, false);
     bool moves_itself = false;
     for (uint32_t i = 0; i < slot.body.count; ++i) {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + i];
@@ -229,6 +231,8 @@ void Assembler::add_couplings() {
     slot.signal = builder->signal;
     slot.event = builder->event;
     slot.coupling = table<swage_coupling>(*slot.instance, SWAGE_EXT_COUPLING, use);
+    slot.ties = table<swage_ties>(*slot.instance, SWAGE_EXT_TIES, use, false);
+    slot.tears = table<swage_tears>(*slot.instance, SWAGE_EXT_TEARS, use, false);
   }
 }
 

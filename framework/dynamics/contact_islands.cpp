@@ -27,6 +27,7 @@ void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stat
     const uint32_t a = root(k.a.mover), b = root(k.b.mover);
     parent_[std::max(a, b)] = std::min(a, b);
   }
+  join_ties();
 
   island_.clear();
   for (uint32_t i = 0; i < n_; ++i) {
@@ -37,6 +38,7 @@ void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stat
     island_of_[r] = static_cast<uint32_t>(island_.size());
     island_.push_back({});
   }
+  found_ties();
   for (uint32_t m = 0; m < parent_.size(); ++m) island_of_[m] = island_of_[root(m)];
   for (uint32_t i = 0; i < island_.size(); ++i) fill_island(contacts, i, stats);
 }
@@ -57,8 +59,10 @@ void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t isl
     if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
     k.row = group.first_row + group.rows++;
     row_[k.row].contact = i;
+    row_[k.row].tie = nullptr;
     look(contacts.contact[i], k, row_[k.row]);
   }
+  fill_ties(island);
   if (group.unknowns <= options_.max_unknowns) return;
 
   // too large to be solved together: stands as predicted, and says so

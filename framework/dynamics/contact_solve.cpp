@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/candidate.hpp"
+#include "dynamics/axes.hpp"
 
 namespace swage::dynamics {
 
@@ -18,22 +19,15 @@ constexpr uint32_t kFreePasses = 4;  // before friction limits are held
 constexpr double kLeastShare = 0.1;  // of the way that a pass asks for
 constexpr uint32_t kPasses = 12;     // geometry evaluations before an island is left at its best
 
-/// Two unit vectors across n, without a branch that could flip between builds (Duff et al., JCGT 6 (2017) 1).
-void axes_across(const Vec3& n, Vec3& t1, Vec3& t2) {
-  const double sign = std::copysign(1.0, n.z());
-  const double a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
-  t1 = Vec3(1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x());
-  t2 = Vec3(b, sign + n.y() * n.y() * a, -n.y());
-}
-
 }  // namespace
 
 ContactSolve::ContactSolve(const scene::World& world, const Options& options)
     : options_(options), place_(world), solver_(options.max_unknowns) {
   const size_t movers = place_.movers();
-  known_.resize(options.max_contacts), row_.resize(options.max_contacts);
+  const size_t rows = size_t{options.max_contacts} + options.max_ties;
+  known_.resize(options.max_contacts), known_tie_.resize(options.max_ties), row_.resize(rows);
   move_.resize(options.max_unknowns);
-  J_.resize(size_t{3} * options.max_contacts * std::max(12u, options.max_unknowns / 2));
+  J_.resize(3 * rows * std::max(12u, options.max_unknowns / 2));
   island_.reserve(movers + 1);
   parent_.assign(movers, 0), island_of_.assign(movers, kNone);
   member_.assign(movers, 0), member_mover_.assign(movers, nullptr);
@@ -41,8 +35,8 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
 }
 
 void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
-                         std::span<SelfSolver* const> self, Stats& stats) noexcept {
-  begin(world, motion, contacts, self, stats);
+                         std::span<Tie> ties, std::span<SelfSolver* const> self, Stats& stats) noexcept {
+  begin(world, motion, contacts, ties, self, stats);
   let_go(contacts);
 
   bool regroup = true;
@@ -68,7 +62,7 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
 // --- the start of the step
 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
-                         std::span<SelfSolver* const> self, Stats& stats) noexcept {
+                         std::span<Tie> ties, std::span<SelfSolver* const> self, Stats& stats) noexcept {
   h_ = world.dt;
   tolerance_ = options_.tolerance * world.length;
   place_.begin(world, motion, self);
@@ -81,12 +75,15 @@ void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSe
     Known& k = known_[i];
     k.a = place_.side(c.body_a, c.particle_a);
     k.b = place_.side(c.body_b, c.particle_b);
-    k.active = c.gap < 0;
+    k.active = overlaps(c);
     add_self_points(c, k, stats);
   }
+  begin_ties(ties, stats);
   place_.self().ask(h_);
   place_.size_self_movers();
+  meet_surfaces(contacts);
   wake_self_points(contacts);
+  start_ties();
 }
 
 /// The solve starts where own solvers expect their points; what they expected to stay held may as well come back to a contact
@@ -98,7 +95,7 @@ void ContactSolve::wake_self_points(contact::ContactSet& contacts) noexcept {
     for (const Side* s : {&k.a, &k.b})
       if (s->point != kNone) place_.expect(*s, contacts.contact[i].p_W);
     evaluate(contacts, i);
-    k.active = k.active || contacts.contact[i].gap < 0;
+    k.active = k.active || overlaps(contacts.contact[i]);
   }
   place_.self().start();
   for (uint32_t i = 0; i < n_; ++i)
@@ -124,6 +121,7 @@ void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < n_; ++i)
     for (const Side* s : {&known_[i].a, &known_[i].b})
       if (known_[i].active && s->mover != kNone) touched_[s->mover] = 1;
+  touch_ties();
 
   bool moved = false;
   for (uint32_t i = 0; i < n_; ++i)
@@ -134,7 +132,7 @@ void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
     }
   for (uint32_t i = 0; moved && i < n_; ++i) {
     evaluate(contacts, i);
-    known_[i].active = known_[i].active || contacts.contact[i].gap < 0;
+    known_[i].active = known_[i].active || overlaps(contacts.contact[i]);
   }
 }
 
@@ -147,8 +145,8 @@ void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept 
   c.gap = touch.gap;
   c.p_W = touch.p_W;
   c.n_W = touch.n_W;
-  if (k.a.point != kNone) c.gap += c.n_W.dot(place_.beyond(k.a, c.p_W));
-  if (k.b.point != kNone) c.gap -= c.n_W.dot(place_.beyond(k.b, c.p_W));
+  if (k.a.point != kNone) c.gap += c.n_W.dot(off_shape(k.a, c.p_W));
+  if (k.b.point != kNone) c.gap -= c.n_W.dot(off_shape(k.b, c.p_W));
 }
 
 /// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said
@@ -174,12 +172,13 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
       const double off = (row.at.g * row.n + row.at.s1 * row.t1 + row.at.s2 * row.t2 - said).norm();
       for (Group* group : moved)
         if (group) group->off = std::max(group->off, off);
-    } else if (c.gap < 0) {
+    } else if (overlaps(c)) {
       k.active = found = true;
       for (Group* group : moved)
         if (group) group->off = HUGE_VAL;
     }
   }
+  refresh_ties();
   for (Group& group : island_) {
     if (group.done) continue;
     group.done = group.converged && group.share == 1 && group.off <= kGeometry * tolerance_;
@@ -205,7 +204,11 @@ ContactSolve::Group* ContactSolve::moving_group(const Side& side) noexcept {
 void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept {
   J_used_ = 0;
   const std::span<Row> rows(row_.data() + group.first_row, group.rows);
-  for (Row& row : rows) row.J = jacobian(contacts.contact[row.contact], known_[row.contact], row);
+  for (Row& row : rows) {
+    const uint32_t i = row.contact;
+    row.J = row.tie ? jacobian(known_tie_[i].a, known_tie_[i].b, known_tie_[i].p_W, row)
+                    : jacobian(known_[i].a, known_[i].b, contacts.contact[i].p_W, row);
+  }
 
   const Island problem{{member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns};
   const Limits limits = group.passes < kFreePasses && !group.held ? Limits::kCoulomb : Limits::kHeld;
@@ -217,8 +220,10 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
     const uint32_t m = member_[group.first_mover + i];
     place_.move(m, move_.data() + place_.mover(m).offset);
   }
-  for (const Row& row : rows)
-    contacts.contact[row.contact].f_a_W = row.f.fn * row.n + row.f.f1 * row.t1 + row.f.f2 * row.t2;
+  for (const Row& row : rows) {
+    Vec3& f_a_W = row.tie ? tie_[row.contact].f_a_W : contacts.contact[row.contact].f_a_W;
+    f_a_W = row.f.fn * row.n + row.f.f1 * row.t1 + row.f.f2 * row.t2;
+  }
 
   // nothing moved that could be seen: the geometry is what it was
   group.converged = outcome.converged;
@@ -264,19 +269,20 @@ void ContactSolve::look(const contact::Contact& c, const Known& k, Row& row) noe
 }
 
 /// How gap and displacement change with the unknowns of both sides.
-const double* ContactSolve::jacobian(const contact::Contact& c, const Known& k, Row& row) noexcept {
-  const bool a = place_.moves(k.a.mover), b = place_.moves(k.b.mover);
-  row.size_a = a ? place_.mover(k.a.mover).size : 0;
-  row.size_b = b ? place_.mover(k.b.mover).size : 0;
-  row.offset_a = a ? place_.mover(k.a.mover).offset : 0;
-  row.offset_b = b ? place_.mover(k.b.mover).offset : 0;
+const double* ContactSolve::jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W,
+                                     Row& row) noexcept {
+  const bool a = place_.moves(side_a.mover), b = place_.moves(side_b.mover);
+  row.size_a = a ? place_.mover(side_a.mover).size : 0;
+  row.size_b = b ? place_.mover(side_b.mover).size : 0;
+  row.offset_a = a ? place_.mover(side_a.mover).offset : 0;
+  row.offset_b = b ? place_.mover(side_b.mover).offset : 0;
 
   double* J = J_.data() + J_used_;
   const uint32_t columns = row.size_a + row.size_b;
   const Vec3* axis[3] = {&row.n, &row.t1, &row.t2};
   for (uint32_t i = 0; i < 3; ++i) {
-    if (a) place_.columns(k.a, c.p_W, *axis[i], 1, J + i * columns);
-    if (b) place_.columns(k.b, c.p_W, *axis[i], -1, J + i * columns + row.size_a);
+    if (a) place_.columns(side_a, p_W, *axis[i], 1, J + i * columns);
+    if (b) place_.columns(side_b, p_W, *axis[i], -1, J + i * columns + row.size_a);
   }
   J_used_ += size_t{3} * columns;
   return J;
@@ -303,11 +309,16 @@ Vec3 ContactSolve::carried_bristle(const contact::Contact& c, const Known& k) co
 void ContactSolve::calm(const contact::ContactSet& contacts, const Group& group) noexcept {
   double fastest = 0;
   for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r) {
-    const Known& k = known_[row_[r].contact];
-    const Vec3& p = contacts.contact[row_[r].contact].p_W;
-    for (const Side* s : {&k.a, &k.b})
+    const uint32_t i = row_[r].contact;
+    const bool tie = row_[r].tie != nullptr;
+    const Vec3& p = tie ? known_tie_[i].p_W : contacts.contact[i].p_W;
+    const Side* const sides[2] = {tie ? &known_tie_[i].a : &known_[i].a,
+                                  tie ? &known_tie_[i].b : &known_[i].b};
+    for (const Side* s : sides) {
+      if (s->body == kNone && s->particle == kNone) continue;  // the world
       if (!place_.moves(s->mover) || place_.mover(s->mover).kind == Mover::Kind::kHinge)
         fastest = std::max(fastest, place_.speed(*s, p));
+    }
   }
   for (uint32_t i = 0; i < group.movers; ++i) {
     const uint32_t m = member_[group.first_mover + i];
@@ -322,6 +333,7 @@ void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noe
     contacts.contact[i].f_a_W.setZero();
     contacts.contact[i].slip = 0;
   }
+  write_ties();
   mark_held(motion, contacts);
   place_.write_back(solved_);
   place_.self().yield();
@@ -356,14 +368,9 @@ void ContactSolve::mark_held(Motion& motion, const contact::ContactSet& contacts
   std::fill(motion.held_particle.begin(), motion.held_particle.end(), 0);
   for (uint32_t i = 0; i < n_; ++i) {
     if (contacts.contact[i].f_a_W.isZero(0)) continue;
-    for (const Side* s : {&known_[i].a, &known_[i].b}) {
-      if (s->mover == kNone) continue;
-      const Mover& m = place_.mover(s->mover);
-      if (m.kind == Mover::Kind::kBody) motion.held_body[m.index] = 1;
-      if (m.kind == Mover::Kind::kHinge) motion.held_hinge[m.index] = 1;
-      if (m.kind == Mover::Kind::kParticle) motion.held_particle[m.index] = 1;
-    }
+    hold(motion, known_[i].a), hold(motion, known_[i].b);
   }
+  mark_held_by_ties(motion);
 }
 
 }  // namespace swage::dynamics

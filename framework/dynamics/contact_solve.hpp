@@ -16,15 +16,20 @@
 #include "dynamics/options.hpp"
 #include "dynamics/placement.hpp"
 #include "dynamics/self_solver.hpp"
+#include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
+
+/// A coupling that says stiffness 0 lets the two pass through each other there.
+inline bool overlaps(const contact::Contact& c) { return c.gap < 0 && c.law.stiffness > 0; }
 
 class ContactSolve {
  public:
   ContactSolve(const scene::World& world, const Options& options);
 
-  /// Final poses and twists of all dynamic bodies, hinges and particles; results in `contacts`; impulses to `self`.
-  void solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
+  /// Final poses and twists of all dynamic bodies, hinges and particles; results in `contacts` and `ties`; impulses to
+  /// `self`.
+  void solve(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
              std::span<SelfSolver* const> self, Stats& stats) noexcept;
 
  private:
@@ -33,6 +38,14 @@ class ContactSolve {
     Side a, b;
     bool active = false;  // takes part: overlaps, or did in an earlier pass
     uint32_t row = scene::kNone;
+  };
+  /// What this step knows of a tie: its two sides and the material points that it holds, in their bodies.
+  struct KnownTie {
+    Side a, b;
+    Vec3 p_A = Vec3::Zero(), p_B = Vec3::Zero();
+    Vec3 p_W = Vec3::Zero();  // now
+    uint32_t row = scene::kNone;
+    bool active = false;  // something that it holds can be moved
   };
   /// One island: a stretch of the movers and of the rows.
   struct Group {
@@ -47,10 +60,12 @@ class ContactSolve {
     double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };
 
-  void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
+  void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
              std::span<SelfSolver* const> self, Stats& stats) noexcept;
   void add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept;
   void wake_self_points(contact::ContactSet& contacts) noexcept;
+  void meet_surfaces(contact::ContactSet& contacts) noexcept;
+  Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
   void let_go(contact::ContactSet& contacts) noexcept;
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
   bool refresh(contact::ContactSet& contacts) noexcept;
@@ -64,8 +79,23 @@ class ContactSolve {
   void solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept;
   void relax(Group& group) noexcept;
   void look(const contact::Contact& c, const Known& k, Row& row) noexcept;
-  const double* jacobian(const contact::Contact& c, const Known& k, Row& row) noexcept;
+  const double* jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W, Row& row) noexcept;
   Vec3 carried_bristle(const contact::Contact& c, const Known& k) const noexcept;
+
+  // ties: contact_solve_ties.cpp
+  void begin_ties(std::span<Tie> ties, Stats& stats) noexcept;
+  void start_ties() noexcept;
+  void touch_ties() noexcept;
+  void join_ties() noexcept;
+  void found_ties() noexcept;
+  void fill_ties(uint32_t island) noexcept;
+  void refresh_ties() noexcept;
+  Vec3 moved(const Side& side, const Vec3& p_own, const Vec3& p_W) const noexcept;
+  void look(const Tie& tie, KnownTie& k, Row& row) noexcept;
+  uint32_t first_mover(const KnownTie& k) const noexcept;
+  void write_ties() noexcept;
+  void mark_held_by_ties(Motion& motion) noexcept;
+  void hold(Motion& motion, const Side& side) const noexcept;
 
   void calm(const contact::ContactSet& contacts, const Group& group) noexcept;
   void write_back(Motion& motion, contact::ContactSet& contacts) noexcept;
@@ -80,6 +110,8 @@ class ContactSolve {
   Placement place_;
   IslandSolver solver_;
   std::vector<Known> known_;  // per contact
+  std::span<Tie> tie_;        // of this step, those that fit
+  std::vector<KnownTie> known_tie_;
   std::vector<Row> row_;      // island by island
   std::vector<double> J_;     // of the rows of one island
   std::vector<double> move_;  // of the movers of one island

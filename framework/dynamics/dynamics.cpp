@@ -26,6 +26,19 @@ struct Dynamics::Core {
   Stats stats;
 };
 
+namespace {
+
+void add_hinge_torque(scene::World& world, uint32_t body, const Vec3& p_W, const Vec3& f_W) {
+  if (body == scene::kNone || world.body[body].motion != SWAGE_MOTION_HINGED) return;
+  const uint32_t hinge = world.body[body].hinge;
+  const scene::HingeInfo& info = world.hinge[hinge];
+  const toolkit::Pose X_WP(world.X_WB[info.parent]);
+  const Vec3 axis = X_WP.q * toolkit::vec(info.axis), arm = p_W - X_WP * toolkit::vec(info.anchor);
+  world.hinge_torque[hinge] += axis.dot(arm.cross(f_W));
+}
+
+}  // namespace
+
 Dynamics::Dynamics(const scene::World& world, const Options& options)
     : core_(std::make_unique<Core>(world, options)) {}
 
@@ -36,32 +49,29 @@ void Dynamics::free_motion(scene::World& world) noexcept {
   ++core_->stats.steps;
 }
 
-void Dynamics::solve(scene::World& world, contact::ContactSet& contacts,
-                     std::span<SelfSolver* const> self) noexcept {
+void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self,
+                     std::span<Tie> ties) noexcept {
   std::fill(world.hinge_torque.begin(), world.hinge_torque.end(), 0.0);
-  if (contacts.contact.empty()) return core_->motion.go_free(world);
+  if (contacts.contact.empty() && ties.empty()) return core_->motion.go_free(world);
   if (core_->options.response == Response::kImpulse) {
     respond_by_impulses(world, core_->motion, contacts);
   } else {
     const Options& options = core_->options;
     core_->rebound.fly(world, core_->motion, contacts, options.free_motion,
                        kTouch * options.tolerance * world.length);
-    core_->contact_solve.solve(world, core_->motion, contacts, self, core_->stats);
+    core_->contact_solve.solve(world, core_->motion, contacts, ties, self, core_->stats);
     core_->rebound.report(contacts, world.dt);
   }
 
-  // what contacts put on each hinge, about its axis
+  // what contacts and ties put on each hinge, about its axis
   for (const contact::Contact& c : contacts.contact) {
     if (c.f_a_W.isZero(0)) continue;
-    for (const bool is_a : {true, false}) {
-      const uint32_t body = is_a ? c.body_a : c.body_b;
-      if (body == scene::kNone || world.body[body].motion != SWAGE_MOTION_HINGED) continue;
-      const uint32_t hinge = world.body[body].hinge;
-      const scene::HingeInfo& info = world.hinge[hinge];
-      const toolkit::Pose X_WP(world.X_WB[info.parent]);
-      const Vec3 axis = X_WP.q * toolkit::vec(info.axis), arm = c.p_W - X_WP * toolkit::vec(info.anchor);
-      world.hinge_torque[hinge] += (is_a ? 1 : -1) * axis.dot(arm.cross(c.f_a_W));
-    }
+    add_hinge_torque(world, c.body_a, c.p_W, c.f_a_W);
+    add_hinge_torque(world, c.body_b, c.p_W, -c.f_a_W);
+  }
+  for (const Tie& tie : ties) {
+    add_hinge_torque(world, tie.body_a, tie.p_W, tie.f_a_W);
+    add_hinge_torque(world, tie.body_b, tie.p_W, -tie.f_a_W);
   }
 }
 

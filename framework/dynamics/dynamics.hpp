@@ -19,6 +19,7 @@
 #include "contact/contact_set.hpp"
 #include "dynamics/options.hpp"
 #include "dynamics/self_solver.hpp"
+#include "dynamics/tie.hpp"
 #include "scene/state_image.hpp"
 #include "scene/world.hpp"
 
@@ -40,8 +41,9 @@ class Dynamics {
   void free_motion(scene::World& world) noexcept;
 
   /// [rt] Solves the contacts and writes final poses, twists and the results in `contacts` (bristle, force,
-  /// slip). `self`: objects with own mechanics, in the order of their objects; may be empty.
-  void solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self) noexcept;
+  /// slip) and in `ties`. `self`: objects with own mechanics, in the order of their objects; may be empty.
+  void solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self,
+             std::span<Tie> ties = {}) noexcept;
 
   /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.
   void finish(scene::World& world) noexcept;

@@ -37,6 +37,11 @@ void IslandSolver::evaluate(const Island& island, const double* d, Friction fric
   for (const Mover* mover : island.movers) mover->residual(d + mover->offset, F_.data() + mover->offset);
   for (Row& row : island.rows) {
     row.u = displaced(row, d);
+    if (row.tie) {
+      row.f = tie_force(*row.tie, row.u);
+      add_force(row, F_.data());
+      continue;
+    }
     const double fn = normal_force(row.surface, row.u.g);
     if (friction == Friction::kCoulomb) row.limit = row.surface.mu * fn;
     row.f = force_with_limit(row.surface, row.u, fn, row.limit);
@@ -55,8 +60,9 @@ bool IslandSolver::direction(const Island& island, Friction friction) noexcept {
   std::fill_n(H_.begin(), size_ * size_, 0.0);
   for (const Mover* mover : island.movers) mover->add_stiffness(d_.data() + mover->offset, size_, H_.data());
   for (const Row& row : island.rows) {
-    if (row.f.fn <= 0 && row.limit <= 0) continue;
-    const Tangent D = tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
+    if (!row.tie && row.f.fn <= 0 && row.limit <= 0) continue;
+    const Tangent D = row.tie ? tie_tangent(*row.tie, row.u)
+                              : tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
     add_stiffness(row, D, size_, H_.data());
   }
   return solve_linear();
@@ -132,7 +138,8 @@ double IslandSolver::slope(const Island& island, double fraction) noexcept {
   for (const Row& row : island.rows) {
     const Displacement& w = row.way;
     const Displacement u{row.u.g + fraction * w.g, row.u.s1 + fraction * w.s1, row.u.s2 + fraction * w.s2};
-    const Force f = force_with_limit(row.surface, u, normal_force(row.surface, u.g), row.limit);
+    const Force f = row.tie ? tie_force(*row.tie, u)
+                            : force_with_limit(row.surface, u, normal_force(row.surface, u.g), row.limit);
     sum -= f.fn * w.g + f.f1 * w.s1 + f.f2 * w.s2;
   }
   return sum;
@@ -209,14 +216,17 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
 /// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
 void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
   outcome.fell_back = true;
+  bool ties = false;
+  for (const Row& row : island.rows) ties = ties || row.tie;
   std::fill_n(d_.begin(), size_, 0.0);
-  outcome.converged = follow_path(island, tolerance);
+  // the path knows the pieces of Coulomb's law only, not those of a tie
+  outcome.converged = !ties && follow_path(island, tolerance);
   const bool far = outcome.converged && length(island, d_.data()) > kFar * tolerance;
   if (!outcome.converged || far) {
     std::fill_n(d_.begin(), size_, 0.0);
     stick_all(island, tolerance);
     std::copy_n(d_.begin(), size_, before_.begin());
-    outcome.converged = !far && follow_path(island, tolerance);
+    outcome.converged = !far && (ties ? newton(island, tolerance) : follow_path(island, tolerance));
   }
   if (outcome.converged) {
     evaluate(island, d_.data(), Friction::kCoulomb);
@@ -243,7 +253,8 @@ bool IslandSolver::hold_limits(const Island& island, double tolerance, uint32_t 
     ++outcome.rounds;
     const bool least = minimise(island, tolerance);
     if (outcome.rounds == rounds || !least || limits_hold(island)) return least;
-    for (Row& row : island.rows) row.limit = row.surface.mu * row.f.fn;
+    for (Row& row : island.rows)
+      if (!row.tie) row.limit = row.surface.mu * row.f.fn;
   }
 }
 
@@ -251,6 +262,7 @@ bool IslandSolver::hold_limits(const Island& island, double tolerance, uint32_t 
 bool IslandSolver::limits_hold(const Island& island) const noexcept {
   double largest = 0, off = 0;
   for (const Row& row : island.rows) {
+    if (row.tie) continue;  // its limits are constants
     largest = std::max(largest, row.limit);
     off = std::max(off, std::abs(row.limit - row.surface.mu * row.f.fn));
   }

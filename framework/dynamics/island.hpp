@@ -17,12 +17,14 @@
 
 #include "dynamics/contact_law.hpp"
 #include "dynamics/mover.hpp"
+#include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
 
-/// One contact in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
+/// One contact or tie in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
 struct Row {
-  uint32_t contact = 0;  // in the contact set
+  uint32_t contact = 0;         // in the contact set, or among the ties
+  const TieLaw* tie = nullptr;  // of a tie: then n is its axis, and g the displacement along it
   uint32_t mover_a = UINT32_MAX, mover_b = UINT32_MAX;
   uint32_t size_a = 0, size_b = 0;      // columns of J of either side
   uint32_t offset_a = 0, offset_b = 0;  // of the unknowns in the island

@@ -28,6 +28,7 @@ struct Options {
   FreeMotion free_motion = FreeMotion::kElliptic;
   Response response = Response::kCompliant;
   uint32_t max_contacts = 256;  // per step; more are counted in Stats::dropped
+  uint32_t max_ties = 64;       // the same; counted too
   uint32_t max_unknowns = 120;  // per island; the solve is dense
   double tolerance = 1e-7;  // converged when the last correction is below tolerance * World::length: 0.1 nm
 };

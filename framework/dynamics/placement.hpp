@@ -34,10 +34,12 @@ class Placement {
   Side side(uint32_t body, uint32_t particle) noexcept;
 
   SelfMovers& self() noexcept { return self_; }
+  const SelfMovers& self() const noexcept { return self_; }
   /// Self movers know their unknowns once they have been asked.
   void size_self_movers() noexcept;
 
   Mover& mover(uint32_t i) noexcept { return mover_[i]; }
+  const Mover& mover(uint32_t i) const noexcept { return mover_[i]; }
   uint32_t movers() const noexcept { return static_cast<uint32_t>(mover_.size()); }
   bool is_self(uint32_t mover) const noexcept { return mover != scene::kNone && mover >= first_self_; }
   /// False for a self mover that gives nowhere.

@@ -19,14 +19,15 @@ SelfMovers::SelfMovers(const scene::World& world) {
   constexpr size_t n = 3 * kMaxPoints;
   for (Object& o : object_) {
     o.point.resize(kMaxPoints);
-    o.v_free.resize(n), o.y.resize(n), o.impulse.resize(n), o.expected.resize(n), o.order.resize(n);
+    o.v_free.resize(n), o.u.resize(n), o.y.resize(n), o.impulse.resize(n), o.expected.resize(n),
+        o.order.resize(n);
     o.W.resize(n * n), o.L.resize(n * n);
   }
 }
 
 void SelfMovers::begin(std::span<SelfSolver* const> self) noexcept {
   self_ = self.first(std::min(self.size(), object_.size()));
-  for (Object& o : object_) o.points = o.rank = 0;
+  for (Object& o : object_) o.points = o.rank = 0, o.displaced = false;
 }
 
 uint32_t SelfMovers::slot(uint32_t object) const noexcept {
@@ -50,19 +51,25 @@ void SelfMovers::ask(double h) noexcept {
     o.h = h;
     if (n == 0) continue;
     std::fill_n(o.v_free.begin(), n, 0.0);
+    std::fill_n(o.u.begin(), n, 0.0);
     std::fill_n(o.W.begin(), n * n, 0.0);
     std::fill_n(o.impulse.begin(), n, 0.0);
     std::fill_n(o.expected.begin(), n, 0.0);
-    const bool answered = self_[i]->compliance({o.point.data(), o.points}, o.v_free.data(), o.W.data());
+    const std::span<const swage_contact_point> points(o.point.data(), o.points);
+    const bool answered = self_[i]->compliance(points, o.v_free.data(), o.W.data()) &&
+                          self_[i]->displacement(points, o.u.data());
 
     // a failed object, or one that answers nonsense, stands still
     bool sound = answered;
-    for (size_t k = 0; sound && k < n; ++k) sound = std::isfinite(o.v_free[k]);
+    for (size_t k = 0; sound && k < n; ++k) sound = std::isfinite(o.v_free[k]) && std::isfinite(o.u[k]);
     for (size_t k = 0; sound && k < n * n; ++k) sound = std::isfinite(o.W[k]);
     if (!sound) {
       std::fill_n(o.v_free.begin(), n, 0.0);
+      std::fill_n(o.u.begin(), n, 0.0);
       continue;
     }
+    o.displaced = std::any_of(o.u.begin(), o.u.begin() + static_cast<std::ptrdiff_t>(n),
+                              [](double u) { return u != 0; });
     o.rank = static_cast<uint32_t>(cholesky_semidefinite(n, o.W.data(), o.L.data(), o.order.data()));
     for (size_t k = 0; k < n * n; ++k) o.L[k] *= h;
     std::fill_n(o.y.begin(), o.rank, 0.0);

@@ -52,6 +52,13 @@ class SelfMovers {
     return u_free(slot, point) + extra(slot, point);
   }
   Vec3 extra(uint32_t slot, uint32_t point) const noexcept;
+  /// Some point's surface is not where its shape is.
+  bool displaced(uint32_t slot) const noexcept { return object_[slot].displaced; }
+  /// How far a point is from where its shape is [m].
+  Vec3 off_shape(uint32_t slot, uint32_t point) const noexcept {
+    const double* u = object_[slot].u.data() + 3 * point;
+    return extra(slot, point) + Vec3(u[0], u[1], u[2]);
+  }
   Vec3 u_free(uint32_t slot, uint32_t point) const noexcept;
   /// Row i (0..2) of h L at a point: d(displacement) / dy, `rank` numbers.
   const double* columns(uint32_t slot, uint32_t point, int i) const noexcept;
@@ -64,10 +71,11 @@ class SelfMovers {
   struct Object {
     uint32_t points = 0, rank = 0;
     std::vector<swage_contact_point> point;
-    std::vector<double> v_free, W, L, y, impulse;  // L: 3 points x rank, stride 3 points, times h
-    std::vector<double> expected;                  // m, beyond the free displacement
-    std::vector<uint32_t> order;                   // row in which each column of L begins
+    std::vector<double> v_free, u, W, L, y, impulse;  // L: 3 points x rank, stride 3 points, times h
+    std::vector<double> expected;                     // m, beyond the free displacement
+    std::vector<uint32_t> order;                      // row in which each column of L begins
     double h = 0;
+    bool displaced = false;
   };
   static void balance(Object& object) noexcept;
 

@@ -26,6 +26,12 @@ class SelfSolver {
   /// moved.
   virtual bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
 
+  /// By how much the free surface is displaced from the shapes at the same points: u_W is 3 n [m], zero on entry. False: as
+  /// if it stood still there.
+  virtual bool displacement(std::span<const swage_contact_point> /*point*/, double* /*u_W*/) noexcept {
+    return true;
+  }
+
   /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
   /// twists.
   virtual void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;

@@ -13,10 +13,10 @@ namespace swage::host {
 
 namespace {
 
-constexpr std::array kCalls = {"none",    "create",        "configure", "activate", "deactivate",
-                               "destroy", "get_extension", "bind",      "open",     "close",
-                               "forces",  "finish",        "reset",     "advance",  "compliance",
-                               "yield",   "resolve",       "observe",   "exchange", "change"};
+constexpr std::array kCalls = {"none",          "create",  "configure",  "activate", "deactivate", "destroy",
+                               "get_extension", "bind",    "open",       "close",    "forces",     "finish",
+                               "reset",         "advance", "compliance", "yield",    "resolve",    "observe",
+                               "exchange",      "change",  "ties",       "tied"};
 
 constexpr std::array kMisdeeds = {"nothing",
                                   "returned an error",

@@ -44,7 +44,12 @@ enum class Call : uint32_t {
   kResolve,
   kObserve,
   kExchange,  // [rt], [io]
-  kChange     // [rt]
+  kChange,    // [rt]
+  kTies,
+  kTied,
+  kDisplacement,
+  kDents,
+  kTears  // [rt]
 };
 
 const char* text(Misdeed misdeed);  // "returned an error", ...

@@ -34,7 +34,9 @@ struct Follow {
 struct ObjectSlot {
   std::unique_ptr<Instance> instance;
   const swage_object* object = nullptr;
-  const swage_solver* solver = nullptr;  // own mechanics, or nullptr
+  const swage_solver* solver = nullptr;    // own mechanics, or nullptr
+  const swage_surface* surface = nullptr;  // where its free surface is, or nullptr
+  const swage_dents* dents = nullptr;      // what is drawn of it, or nullptr
   Range body, particle, shape, hinge, state, signal;
   Follow follow;
   swage_pose X_WO{};  // where the lesson placed the object's frame
@@ -43,6 +45,8 @@ struct ObjectSlot {
 struct CouplingSlot {
   std::unique_ptr<Instance> instance;
   const swage_coupling* coupling = nullptr;
+  const swage_ties* ties = nullptr;    // links that it makes, or nullptr
+  const swage_tears* tears = nullptr;  // what is drawn of it, or nullptr
   uint32_t object_a = kNone, object_b = kNone;
   uint32_t pair = kNone;       // index into Rig::pairs; couplings that only look share the pair that detects
   Range state, signal, event;  // event: into Script::events

@@ -17,6 +17,10 @@ namespace swage::host {
 inline bool complete(const swage_object& t) { return t.forces && t.finish && t.reset; }
 inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
+inline bool complete(const swage_surface& t) { return t.displacement; }
+inline bool complete(const swage_dents& t) { return t.dents; }
+inline bool complete(const swage_ties& t) { return t.ties && t.tied; }
+inline bool complete(const swage_tears& t) { return t.tears; }
 inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }
 inline bool complete(const swage_device_sight& t) { return t.bind && t.look; }
 inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }

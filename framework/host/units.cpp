@@ -18,6 +18,8 @@ constexpr std::array kUnits = {
     Unit{"m", 1, "m", "a length"},
     Unit{"mm", 1e-3, "m", "a length"},
     Unit{"um", 1e-6, "m", "a length"},
+    Unit{"m2", 1, "m2", "an area"},
+    Unit{"mm2", 1e-6, "m2", "an area"},
     Unit{"s", 1, "s", "a time"},
     Unit{"ms", 1e-3, "s", "a time"},
     Unit{"N", 1, "N", "a force"},

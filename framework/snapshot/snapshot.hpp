@@ -3,6 +3,7 @@
 // What leaves the step: plain data, fixed capacities, no pointers. Static things go once, in the scene card.
 #pragma once
 
+#include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 
 #include <cstdint>
@@ -19,6 +20,8 @@ inline constexpr uint32_t kMaxMetrics = 64;
 inline constexpr uint32_t kMaxMarks = 32;
 inline constexpr uint32_t kMaxDevices = 4;
 inline constexpr uint32_t kMaxContacts = 64;
+inline constexpr uint32_t kMaxDents = 16;
+inline constexpr uint32_t kMaxTears = 64;
 inline constexpr uint32_t kPhases = 12;
 
 /// Health of the loop, counted since the start of the run. Wall times say how the machine did, processor
@@ -50,6 +53,16 @@ struct ContactMark {
   swage_vec3 p_W{}, f_W{};
 };
 
+/// A dent in the surface of an object, and a torn place in it (see the ABI for what the numbers mean).
+struct DentMark {
+  swage_dent dent{};
+  uint32_t object = 0, reserved = 0;
+};
+struct TearMark {
+  swage_tear tear{};
+  uint32_t object = 0, coupling = 0;
+};
+
 struct Snapshot {
   uint64_t step = 0;
   double time_s = 0;
@@ -57,6 +70,7 @@ struct Snapshot {
   uint32_t n_body = 0, n_particle = 0, n_object = 0, n_signal = 0;
   uint32_t n_metric = 0, n_mark = 0, n_device = 0, n_contact = 0;
   uint32_t outcome = 0, reason = 0, phase = 0, paused = 0;
+  uint32_t n_dent = 0, n_tear = 0;
   double score = 0;
   LoopHealth health;
   swage_pose X_WB[kMaxBodies];
@@ -68,6 +82,8 @@ struct Snapshot {
   swage_vec3 mark_p_W[kMaxMarks];
   DeviceState device[kMaxDevices];
   ContactMark contact[kMaxContacts];
+  DentMark dent[kMaxDents];
+  TearMark tear[kMaxTears];
   double particle_p_W[3 * kMaxParticles];  // last: what a scene does not have is not copied (channel.hpp)
 };
 

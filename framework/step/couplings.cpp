@@ -23,19 +23,23 @@ void turn(swage_contact& c) {
 }
 
 bool sensible(const swage_contact& c) {
-  return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness > 0 &&
+  return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
          c.restitution >= 0 && c.restitution <= 1;
 }
 
 }  // namespace
 
-Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts)
+Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts,
+                     uint32_t max_ties)
     : rig_(rig), objects_(objects), events_(events) {
   const auto count = static_cast<uint32_t>(rig.couplings.size());
   step_.resize(count);
   context_.resize(count);
   shown_.resize(max_contacts);
   mine_.resize(max_contacts);
+  shown_tie_.resize(max_ties);
+  ties_of_.resize(count);
+  tie_.reserve(max_ties);
   for (uint32_t i = 0; i < count; ++i) {
     const host::CouplingSlot& slot = rig.couplings[i];
     context_[i] = {this, i};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_set.hpp"
+#include "dynamics/tie.hpp"
 #include "host/rig.hpp"
 #include "step/events.hpp"
 #include "step/objects.hpp"
@@ -16,12 +17,18 @@ namespace swage::step {
 class Couplings {
  public:
   /// [main]
-  Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts);
+  Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts, uint32_t max_ties);
 
   void reset() noexcept;                                 // [rt] all
   void reset_those_of(uint32_t object) noexcept;         // [rt]
   void resolve(contact::ContactSet& contacts) noexcept;  // [rt] detected, not solved: they may change the law
   void finish(contact::ContactSet& contacts) noexcept;   // [rt] solved: forces are known
+  /// The links of this step, for the solve: coupling by coupling. [rt] after resolve
+  std::span<dynamics::Tie> ties() noexcept;
+  void tied() noexcept;  // [rt] solved: hands each coupling its own, before finish
+  /// Torn places to draw; how many. [rt] between steps
+  uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
+  std::span<const dynamics::Tie> solved_ties() const noexcept { return tie_; }
 
  private:
   struct Context {
@@ -38,6 +45,7 @@ class Couplings {
   void reset(uint32_t coupling) noexcept;
   swage_coupling_step& begin(uint32_t coupling, std::span<swage_contact> contacts) noexcept;
   std::span<swage_contact> mine(uint32_t coupling, const scene::Range& range) noexcept;
+  void ask_ties(uint32_t coupling) noexcept;
   static void on_event(const swage_coupling_step* step, uint32_t event, double value);
 
   host::Rig& rig_;
@@ -45,8 +53,11 @@ class Couplings {
   Events& events_;
   std::vector<swage_coupling_step> step_;
   std::vector<Context> context_;
-  std::vector<swage_contact> shown_;  // shown_[i] stands for contact i of the set
-  std::vector<swage_contact> mine_;   // what one coupling gets to see and change
+  std::vector<swage_contact> shown_;   // shown_[i] stands for contact i of the set
+  std::vector<swage_contact> mine_;    // what one coupling gets to see and change
+  std::vector<swage_tie> shown_tie_;   // as couplings see them, one after the other
+  std::vector<scene::Range> ties_of_;  // coupling
+  std::vector<dynamics::Tie> tie_;     // tie_[i] stands for shown_tie_[i]
 };
 
 }  // namespace swage::step

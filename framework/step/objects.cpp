@@ -35,6 +35,13 @@ void clear(std::vector<T>& array, const scene::Range& range, uint32_t width = 1)
   std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(first), count, T{});
 }
 
+// an object that could, but has no body of its own to move, answers for nothing
+bool moves_itself(const scene::World& world, const scene::Range& body) {
+  for (uint32_t b = body.first; b < body.first + body.count; ++b)
+    if (world.body[b].motion == SWAGE_MOTION_SELF) return true;
+  return false;
+}
+
 }  // namespace
 
 Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts) : rig_(rig), hands_(hands) {
@@ -49,7 +56,8 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts) : ri
   for (uint32_t i = 0; i < rig.objects.size(); ++i) {
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
-    if (slot.solver) self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_contacts));
+    if (slot.solver && moves_itself(world, slot.body))
+      self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_contacts));
   }
   self_now_.reserve(self_.size());
 }
@@ -143,6 +151,22 @@ void Objects::finish() noexcept {
                                     slot.signal.count, kAnyNumber);
     if (!whole) clear(world.signal, slot.signal);
   }
+}
+
+uint32_t Objects::dents(uint32_t object, std::span<swage_dent> out) const noexcept {
+  const host::ObjectSlot& slot = rig_.objects[object];
+  if (slot.dents == nullptr || out.empty()) return 0;
+  uint32_t n = 0;
+  const auto room = static_cast<uint32_t>(out.size());
+  const swage_object_step& view = view_[object];
+  const bool given = host::guarded(*slot.instance, host::Call::kDents, view.step, [&] {
+    return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n);
+  });
+  if (!given || n > room) return 0;
+  return host::accept(*slot.instance, host::Call::kDents, view.step, numbers(out.data()), 7 * std::size_t{n},
+                      kMaxPosition)
+             ? n
+             : 0;
 }
 
 std::span<dynamics::SelfSolver* const> Objects::self() noexcept {

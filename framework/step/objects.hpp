@@ -27,6 +27,9 @@ class Objects {
   void freeze() noexcept;                // [rt] what is in quarantine stands where it stood
   void guard() noexcept;                 // [rt] looks through the state that the solve has left
 
+  /// Dents to draw; how many. [rt] between steps
+  uint32_t dents(uint32_t object, std::span<swage_dent> out) const noexcept;
+
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
   std::span<dynamics::SelfSolver* const> self() noexcept;  // own mechanics that are not in quarantine

@@ -34,6 +34,16 @@ bool SelfPort::compliance(std::span<const swage_contact_point> point, double* v_
          host::accept(instance, host::Call::kCompliance, step, W, std::size_t{9} * n * n, kMaxMobility);
 }
 
+bool SelfPort::displacement(std::span<const swage_contact_point> point, double* u_W) noexcept {
+  if (slot_.surface == nullptr) return true;
+  const uint32_t n = local(point);
+  host::Instance& instance = *slot_.instance;
+  const bool given = host::guarded(instance, host::Call::kDisplacement, view_.step, [&] {
+    return slot_.surface->displacement(instance.raw, &view_, n, local_.data(), u_W);
+  });
+  return given && host::accept(instance, host::Call::kDisplacement, view_.step, u_W, 3 * n, kMaxPosition);
+}
+
 void SelfPort::yield(std::span<const swage_contact_point> point, const double* impulse) noexcept {
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;

@@ -48,7 +48,8 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
       events_(rig.script),
       hands_(rig, std::move(ports)),
       objects_(rig, hands_, options.dynamics.max_contacts),
-      couplings_(rig, objects_, events_, std::max(options.contact.capacity, options.dynamics.max_contacts)),
+      couplings_(rig, objects_, events_, std::max(options.contact.capacity, options.dynamics.max_contacts),
+                 options.dynamics.max_ties),
       judging_(rig, objects_, events_) {
   detector_.reserve(contacts_);
   command_.reserve(kMaxCommands);
@@ -128,7 +129,7 @@ void Engine::couple() noexcept {
 }
 
 void Engine::solve() noexcept {
-  dynamics_.solve(rig_.world, contacts_, objects_.self());
+  dynamics_.solve(rig_.world, contacts_, objects_.self(), couplings_.ties());
   dynamics_.finish(rig_.world);
   objects_.freeze();
   done(Phase::kSolve);
@@ -136,6 +137,7 @@ void Engine::solve() noexcept {
 
 void Engine::finish() noexcept {
   objects_.finish();
+  couplings_.tied();
   couplings_.finish(contacts_);
   done(Phase::kFinish);
 }

@@ -133,17 +133,20 @@ void Needle::finish(const Step& step) {
   step.signal(broken_, now.broken);
 }
 
-/// The stretch of wire that is nearest: its pose with the circle in it, as an arc about its own middle.
-Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const {
-  if (!bends()) {
-    return {toolkit::Pose(step.pose(body_)), toolkit::Pose(centre_B_, turn_B_), arc_, 0, 1};
-  }
+/// One piece of the wire: its pose with the circle in it, as an arc about its own middle. A rigid needle is one piece.
+Needle::Stretch Needle::stretch(const Step& step, int i) const {
+  if (!bends()) return {toolkit::Pose(step.pose(body_)), toolkit::Pose(centre_B_, turn_B_), arc_, 0, 1, 0};
   const int n = bending_.pieces();
   const Arc arc{arc_.radius, bending_.piece_sweep(), arc_.wire_radius};
-  const auto stretch = [&](int i) {
-    const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
-    return Stretch{bending_.piece(step, i), X_PA, arc, static_cast<double>(i) / n, (i + 1.0) / n};
-  };
+  const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
+  return {bending_.piece(step, i),    X_PA,          arc,
+          static_cast<double>(i) / n, (i + 1.0) / n, static_cast<uint32_t>(i)};
+}
+
+/// The piece that is nearest.
+Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const {
+  if (!bends()) return stretch(step, 0);
+  const int n = bending_.pieces();
   int nearest = 0;
   double least = 1e300;
   for (int i = 0; i < n; ++i) {
@@ -151,7 +154,7 @@ Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const
     if (d < least) least = d, nearest = i;
   }
   // at its end its neighbour may be as near
-  const Stretch best = stretch(nearest);
+  const Stretch best = stretch(step, nearest);
   const double s = nearest_place(best.arc, best.in_circle(p_W)).s;
   const int beside = s <= 0 ? nearest - 1 : s >= 1 ? nearest + 1 : nearest;
   if (beside == nearest || beside < 0 || beside >= n) return best;
@@ -159,7 +162,7 @@ Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const
     const Vec3 p_A = wire.in_circle(p_W);
     return (nearest_place(wire.arc, p_A).p - p_A).squaredNorm();
   };
-  const Stretch other = stretch(beside);
+  const Stretch other = stretch(step, beside);
   return distance(other) < distance(best) ? other : best;
 }
 
@@ -171,6 +174,27 @@ void Needle::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out
   out.p_W = toolkit::raw(wire.X_WB * (wire.X_BA * place.p));
   out.tangent_W = toolkit::raw(wire.X_WB.q * (wire.X_BA.q * place.tangent));
   out.normal_W = toolkit::raw(wire.X_WB.q * Vec3::UnitZ());
+}
+
+void Needle::place(const Step& step, double s, swage_piercing_place& out) {
+  const int n = std::max(1, bending_.pieces());
+  const Stretch wire = stretch(step, std::clamp(static_cast<int>(s * n), 0, n - 1));
+  tell(wire, place_at(wire.arc, (s - wire.s0) / (wire.s1 - wire.s0)), out);
+}
+
+void Needle::nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) {
+  const Stretch wire = nearest_stretch(step, toolkit::vec(p_W));
+  tell(wire, nearest_place(wire.arc, wire.in_circle(toolkit::vec(p_W))), out);
+}
+
+void Needle::tell(const Stretch& wire, const ArcPlace& place, swage_piercing_place& out) const {
+  out = {wire.s0 + (wire.s1 - wire.s0) * place.s,
+         arc_.length(),
+         arc_.wire_radius,
+         toolkit::raw(wire.X_WB * (wire.X_BA * place.p)),
+         toolkit::raw(wire.X_WB.q * (wire.X_BA.q * place.tangent)),
+         wire.body,
+         0};
 }
 
 }  // namespace swage::needle

@@ -34,7 +34,11 @@ struct NeedleParams {
   int pieces = 12;
 };
 
-class Needle final : public Object<NeedleParams>, public Solid, public Graspable, public Solver {
+class Needle final : public Object<NeedleParams>,
+                     public Solid,
+                     public Graspable,
+                     public Piercing,
+                     public Solver {
  public:
   static constexpr auto id = "swage.object.needle";
   static constexpr auto version = "1.0.0";
@@ -117,6 +121,8 @@ class Needle final : public Object<NeedleParams>, public Solid, public Graspable
   void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
   void finish(const Step& step) override;
   void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) override;
+  void place(const Step& step, double s, swage_piercing_place& out) override;
+  void nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) override;
 
  private:
   /// A piece of the wire that is one arc: its body in W, its circle frame in that, and the share of the wire that it is.
@@ -124,10 +130,13 @@ class Needle final : public Object<NeedleParams>, public Solid, public Graspable
     toolkit::Pose X_WB, X_BA;
     Arc arc;
     double s0 = 0, s1 = 1;
+    uint32_t body = 0;
 
     Vec3 in_circle(const Vec3& p_W) const { return X_BA.q.conjugate() * (X_WB.inverse() * p_W - X_BA.p); }
   };
+  Stretch stretch(const Step& step, int piece) const;
   Stretch nearest_stretch(const Step& step, const Vec3& p_W) const;
+  void tell(const Stretch& wire, const ArcPlace& place, swage_piercing_place& out) const;
   bool read_form(const NeedleParams& params, ObjectBuilder& builder);
   void build_bending(int pieces, const toolkit::Pose& X_OB, ObjectBuilder& builder);
   bool bends() const { return bending_.pieces() > 0; }

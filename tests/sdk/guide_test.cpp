@@ -49,6 +49,8 @@ std::map<std::string, std::string> instantiated() {
     for (const auto& entry : fs::directory_iterator(kRoot / "resources/plugin_template" / e.kind))
       files[std::string(e.kind) + "/" + fill(entry.path().filename().string())] = fill(read(entry.path()));
   }
+  // and what no template has: a plugin that our tests build and run
+  files["leash/leash.cpp"] = read(kRoot / "tests/plugins_for_tests/leash/leash.cpp");
   return files;
 }
 

@@ -100,7 +100,7 @@ TEST(Couplings, ALawWithoutSenseCostsTheCoupling) {
       swage_contact& c = step->contact[0];
       if (fault == 0) c.friction = -0.1;
       if (fault == 1) c.stiffness = std::numeric_limits<double>::quiet_NaN();
-      if (fault == 2) c.stiffness = 0;
+      if (fault == 2) c.stiffness = -1;
       if (fault == 3) c.restitution = 1.5;
       return swage_result{SWAGE_OK};
     };

@@ -50,6 +50,25 @@ class CouplingStep {
   const swage_coupling_step* raw_;
 };
 
+/// Compliant links between the two objects: slide along an axis up to a limit, springs across it. A coupling inherits it beside
+/// Coupling; what a tie remembers (where it is at rest) is its own state.
+class Ties {
+ public:
+  virtual ~Ties() = default;
+  /// After resolve(): writes at most out.size() ties, returns how many. [rt]
+  virtual uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) SWAGE_RT = 0;
+  /// Before finish(): the same ties with their forces, and what each gave up. [rt]
+  virtual void tied(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
+};
+
+/// Leaves torn places on the surface of object b; for the eye only.
+class Tearing {
+ public:
+  virtual ~Tearing() = default;
+  /// Writes at most out.size() capsules, returns how many. After finish(). [rt]
+  virtual uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) SWAGE_RT = 0;
+};
+
 namespace detail {
 template <class T>
 struct CouplingTables;
@@ -89,6 +108,9 @@ inline constexpr Entry kBindCoupling{"bind", 12, kMain, When::kReady};
 inline constexpr Entry kResolve{"resolve", 13, kRt, When::kActive};
 inline constexpr Entry kFinishCoupling{"finish", 14, kRt, When::kActive};
 inline constexpr Entry kResetCoupling{"reset", 15, kRt, When::kActive};
+inline constexpr Entry kTies{"ties", 23, kRt, When::kActive};
+inline constexpr Entry kTied{"tied", 24, kRt, When::kActive};
+inline constexpr Entry kTears{"tears", 31, kRt, When::kActive};
 
 template <class List>
 constexpr auto null_terminated(const List& list) {
@@ -119,6 +141,23 @@ struct CouplingTables {
     guarded<T>(i, kResetCoupling, [&](typename T::Kind& plugin, auto&) { plugin.reset(CouplingStep(s)); });
   }
 
+  static swage_result ties(swage_instance* i, Raw s, uint32_t capacity, swage_tie* out,
+                           uint32_t* n) noexcept {
+    return guarded<T>(i, kTies, [&](auto&, Holder<T>& h) {
+      *n = part<Ties>(h).ties(CouplingStep(s), {out, capacity});
+    });
+  }
+  static swage_result tied(swage_instance* i, Raw s, uint32_t n, const swage_tie* tie) noexcept {
+    return guarded<T>(i, kTied, [&](auto&, Holder<T>& h) { part<Ties>(h).tied(CouplingStep(s), {tie, n}); });
+  }
+
+  static swage_result tears(swage_instance* i, Raw s, uint32_t capacity, swage_tear* out,
+                            uint32_t* n) noexcept {
+    return guarded<T>(i, kTears, [&](auto&, Holder<T>& h) {
+      *n = part<Tearing>(h).tears(CouplingStep(s), {out, capacity});
+    });
+  }
+
   static const void* find(const char* id) {
     static_assert(
         requires { T::needs_a.size() + T::needs_b.size(); },
@@ -130,7 +169,22 @@ struct CouplingTables {
     static constexpr auto needs_b = null_terminated(T::needs_b);
     static constexpr swage_coupling table{
         needs_a.data(), needs_b.data(), T::detects ? 1u : 0u, 0, bind, resolve, finish, reset};
-    return same(id, SWAGE_EXT_COUPLING) ? &table : nullptr;
+    if (same(id, SWAGE_EXT_COUPLING)) return &table;
+    if constexpr (std::is_base_of_v<Ties, T>) {
+      static constexpr swage_ties links{ties, tied};
+      if (same(id, SWAGE_EXT_TIES)) return &links;
+    }
+    if constexpr (std::is_base_of_v<Tearing, T>) {
+      static constexpr swage_tears torn{tears};
+      if (same(id, SWAGE_EXT_TEARS)) return &torn;
+    }
+    return nullptr;
+  }
+
+ private:
+  template <class Part>
+  static Part& part(Holder<T>& holder) {
+    return *holder.plugin;
   }
 };
 

@@ -54,6 +54,23 @@ class Solver {
                      const double* impulse) SWAGE_RT = 0;
 };
 
+/// Beside a Solver: the free surface is not where the shapes are.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// By how much the free surface is displaced from the shape at each point: 3 n [m]. Asked after compliance. [rt]
+  virtual void displacement(const Step& step, std::span<const swage_contact_point> points,
+                            double* u_W) SWAGE_RT = 0;
+};
+
+/// Its surface has dents that the shapes do not show; for the eye only.
+class Dented {
+ public:
+  virtual ~Dented() = default;
+  /// Writes at most out.size() dents, returns how many. After finish(). [rt]
+  virtual uint32_t dents(const Step& step, std::span<swage_dent> out) SWAGE_RT = 0;
+};
+
 /// Its COLLIDES shapes resist penetration. A promise without functions.
 class Solid {};
 
@@ -73,6 +90,26 @@ class Gripper {
   virtual void describe(const Step& step, swage_gripper_state& out) SWAGE_RT = 0;
 };
 
+/// Has a point that goes through tissue.
+class Piercing {
+ public:
+  virtual ~Piercing() = default;
+  /// The place on the centre line at s, 0 at the point and 1 at the swage. [rt]
+  virtual void place(const Step& step, double s, swage_piercing_place& out) SWAGE_RT = 0;
+  /// The place on the centre line nearest to p_W. [rt]
+  virtual void nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) SWAGE_RT = 0;
+};
+
+/// Can be pierced.
+class Pierceable {
+ public:
+  virtual ~Pierceable() = default;
+  /// Its laws, constant while it is active. [rt]
+  virtual void law(const Step& step, swage_pierceable_law& out) SWAGE_RT = 0;
+  /// Where a point is in it. [rt]
+  virtual void locate(const Step& step, swage_vec3 p_W, swage_pierceable_place& out) SWAGE_RT = 0;
+};
+
 namespace detail {
 
 inline constexpr Entry kForces{"forces", 4, kRt, When::kActive};
@@ -83,6 +120,12 @@ inline constexpr Entry kCompliance{"compliance", 8, kRt, When::kActive};
 inline constexpr Entry kYield{"yield", 9, kRt, When::kActive};
 inline constexpr Entry kLocate{"locate", 10, kRt, When::kActive};
 inline constexpr Entry kDescribe{"describe", 11, kRt, When::kActive};
+inline constexpr Entry kPlace{"place", 25, kRt, When::kActive};
+inline constexpr Entry kNearest{"nearest", 32, kRt, When::kActive};
+inline constexpr Entry kLaw{"law", 33, kRt, When::kActive};
+inline constexpr Entry kLocateIn{"locate", 28, kRt, When::kActive};
+inline constexpr Entry kDisplacement{"displacement", 29, kRt, When::kActive};
+inline constexpr Entry kDents{"dents", 30, kRt, When::kActive};
 
 /// The tables that object T offers, and the list of its traits.
 template <class T>
@@ -92,6 +135,8 @@ struct ObjectTables {
   static constexpr bool kSolid = std::is_base_of_v<Solid, T>;
   static constexpr bool kGraspable = std::is_base_of_v<Graspable, T>;
   static constexpr bool kGripper = std::is_base_of_v<Gripper, T>;
+  static constexpr bool kPiercing = std::is_base_of_v<Piercing, T>;
+  static constexpr bool kPierceable = std::is_base_of_v<Pierceable, T>;
 
   static swage_result forces(swage_instance* i, Raw s) noexcept {
     return guarded<T>(i, kForces, [&](typename T::Kind& plugin, auto&) { plugin.forces(Step(s)); });
@@ -125,6 +170,34 @@ struct ObjectTables {
     return guarded<T>(i, kDescribe, [&](auto&, Holder<T>& h) { part<Gripper>(h).describe(Step(s), *out); });
   }
 
+  static swage_result displacement(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+                                   double* u_W) noexcept {
+    return guarded<T>(i, kDisplacement, [&](auto&, Holder<T>& h) {
+      part<Surface>(h).displacement(Step(s), {point, n}, u_W);
+    });
+  }
+  static swage_result dents(swage_instance* i, Raw s, uint32_t capacity, swage_dent* out,
+                            uint32_t* n) noexcept {
+    return guarded<T>(i, kDents, [&](auto&, Holder<T>& h) {
+      *n = part<Dented>(h).dents(Step(s), {out, capacity});
+    });
+  }
+  static swage_result place(swage_instance* i, Raw s, double where, swage_piercing_place* out) noexcept {
+    return guarded<T>(i, kPlace, [&](auto&, Holder<T>& h) { part<Piercing>(h).place(Step(s), where, *out); });
+  }
+  static swage_result nearest(swage_instance* i, Raw s, swage_vec3 p_W, swage_piercing_place* out) noexcept {
+    return guarded<T>(i, kNearest,
+                      [&](auto&, Holder<T>& h) { part<Piercing>(h).nearest(Step(s), p_W, *out); });
+  }
+  static swage_result law(swage_instance* i, Raw s, swage_pierceable_law* out) noexcept {
+    return guarded<T>(i, kLaw, [&](auto&, Holder<T>& h) { part<Pierceable>(h).law(Step(s), *out); });
+  }
+  static swage_result locate_in(swage_instance* i, Raw s, swage_vec3 p_W,
+                                swage_pierceable_place* out) noexcept {
+    return guarded<T>(i, kLocateIn,
+                      [&](auto&, Holder<T>& h) { part<Pierceable>(h).locate(Step(s), p_W, *out); });
+  }
+
   static const void* find(const char* id) {
     static constexpr swage_object object{forces, finish, reset};
     static constexpr uint32_t promise = 1;
@@ -140,6 +213,23 @@ struct ObjectTables {
     if constexpr (kGripper) {
       static constexpr swage_gripper gripper{describe};
       if (same(id, SWAGE_TRAIT_GRIPPER)) return &gripper;
+    }
+    if constexpr (std::is_base_of_v<Surface, T>) {
+      static_assert(kSolves, "a Surface stands beside a Solver");
+      static constexpr swage_surface surface{displacement};
+      if (same(id, SWAGE_EXT_SURFACE)) return &surface;
+    }
+    if constexpr (std::is_base_of_v<Dented, T>) {
+      static constexpr swage_dents dented{dents};
+      if (same(id, SWAGE_EXT_DENTS)) return &dented;
+    }
+    if constexpr (kPiercing) {
+      static constexpr swage_piercing piercing{place, nearest};
+      if (same(id, SWAGE_TRAIT_PIERCING)) return &piercing;
+    }
+    if constexpr (kPierceable) {
+      static constexpr swage_pierceable pierceable{law, locate_in};
+      if (same(id, SWAGE_TRAIT_PIERCEABLE)) return &pierceable;
     }
     if (kSolid && same(id, SWAGE_TRAIT_SOLID)) return &promise;
     return nullptr;
@@ -157,11 +247,13 @@ struct ObjectTables {
     return 0;
   }
   static constexpr auto list_traits() {
-    std::array<const char*, n_own() + 4> list{};
+    std::array<const char*, n_own() + 6> list{};
     size_t n = 0;
     if (kSolid) list[n++] = SWAGE_TRAIT_SOLID;
     if (kGraspable) list[n++] = SWAGE_TRAIT_GRASPABLE;
     if (kGripper) list[n++] = SWAGE_TRAIT_GRIPPER;
+    if (kPiercing) list[n++] = SWAGE_TRAIT_PIERCING;
+    if (kPierceable) list[n++] = SWAGE_TRAIT_PIERCEABLE;
     if constexpr (n_own() > 0) {
       for (const char* trait : T::traits) list[n++] = trait;
     }

@@ -18,7 +18,9 @@ class Peer {
   explicit Peer(swage_instance* raw)
       : raw_(raw),
         graspable_(table<swage_graspable>(raw, SWAGE_TRAIT_GRASPABLE)),
-        gripper_(table<swage_gripper>(raw, SWAGE_TRAIT_GRIPPER)) {}
+        gripper_(table<swage_gripper>(raw, SWAGE_TRAIT_GRIPPER)),
+        piercing_(table<swage_piercing>(raw, SWAGE_TRAIT_PIERCING)),
+        pierceable_(table<swage_pierceable>(raw, SWAGE_TRAIT_PIERCEABLE)) {}
 
   bool graspable() const { return graspable_ != nullptr; }
   bool gripper() const { return gripper_ != nullptr; }
@@ -44,6 +46,34 @@ class Peer {
     return state;
   }
 
+  /// Place of a piercing thing at s; nothing when it cannot say. [rt]
+  std::optional<swage_piercing_place> place(const Step& step, double s) const SWAGE_RT {
+    swage_piercing_place place{};
+    if (piercing_ == nullptr || piercing_->place(raw_, step.raw(), s, &place) != SWAGE_OK)
+      return std::nullopt;
+    return place;
+  }
+  /// Its place nearest to p_W. [rt]
+  std::optional<swage_piercing_place> nearest(const Step& step, swage_vec3 p_W) const SWAGE_RT {
+    swage_piercing_place place{};
+    if (piercing_ == nullptr || piercing_->nearest(raw_, step.raw(), p_W, &place) != SWAGE_OK)
+      return std::nullopt;
+    return place;
+  }
+  /// The laws of a pierceable thing. [rt]
+  std::optional<swage_pierceable_law> law(const Step& step) const SWAGE_RT {
+    swage_pierceable_law law{};
+    if (pierceable_ == nullptr || pierceable_->law(raw_, step.raw(), &law) != SWAGE_OK) return std::nullopt;
+    return law;
+  }
+  /// Where p_W is in a pierceable thing. [rt]
+  std::optional<swage_pierceable_place> inside(const Step& step, swage_vec3 p_W) const SWAGE_RT {
+    swage_pierceable_place place{};
+    if (pierceable_ == nullptr || pierceable_->locate(raw_, step.raw(), p_W, &place) != SWAGE_OK)
+      return std::nullopt;
+    return place;
+  }
+
   swage_instance* raw() const { return raw_; }
 
  private:
@@ -55,6 +85,8 @@ class Peer {
   swage_instance* raw_ = nullptr;
   const swage_graspable* graspable_ = nullptr;
   const swage_gripper* gripper_ = nullptr;
+  const swage_piercing* piercing_ = nullptr;
+  const swage_pierceable* pierceable_ = nullptr;
 };
 
 }  // namespace swage

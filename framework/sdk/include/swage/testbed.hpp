@@ -105,6 +105,7 @@ class CouplingBench : public Bench<T> {
   std::vector<swage_contact> contacts;
   std::vector<double> state, signal;
   std::vector<std::pair<uint32_t, double>> events;  // index, value
+  std::vector<swage_tie> ties;
   swage_object_step a{}, b{};
   swage_coupling_step step{};
 
@@ -119,10 +120,22 @@ class CouplingBench : public Bench<T> {
     return true;
   }
   swage_result resolve() { return table()->resolve(this->raw, fill()); }
+  /// Of a coupling with Ties: asks for them; `ties` has them then. Lay f_a_W and slid_W into them before tied().
+  swage_result ask_ties(uint32_t capacity = 64) {
+    uint32_t n = 0;
+    ties.assign(capacity, {});
+    const swage_result result = links()->ties(this->raw, fill(), capacity, ties.data(), &n);
+    ties.resize(n);
+    return result;
+  }
+  swage_result tied() {
+    return links()->tied(this->raw, fill(), static_cast<uint32_t>(ties.size()), ties.data());
+  }
   swage_result finish() { return table()->finish(this->raw, fill()); }
 
  private:
   const swage_coupling* table() const { return this->template get<swage_coupling>(SWAGE_EXT_COUPLING); }
+  const swage_ties* links() const { return this->template get<swage_ties>(SWAGE_EXT_TIES); }
   const swage_coupling_step* fill() {
     step.struct_size = sizeof step;
     step.n_contact = static_cast<uint32_t>(contacts.size());

@@ -18,7 +18,7 @@ typedef struct swage_contact {
   double slip;                               /* m/s tangential speed; same timing as f_a_W */
   /* the law at this contact: a coupling may change these in resolve() */
   double friction;    /* Coulomb coefficient */
-  double stiffness;   /* N/m normal compliance of the touching surfaces */
+  double stiffness;   /* N/m normal compliance of the touching surfaces; 0: here they pass through each other */
   double restitution; /* 0..1, for what flies free */
 } swage_contact;
 
@@ -48,7 +48,49 @@ typedef struct swage_coupling {
   void (*reset)(swage_instance*, const swage_coupling_step*);                    /* [rt & active] */
 } swage_coupling;
 
+/* A compliant link between a body of object a and one of object b, solved together with the contacts. Along its axis it sticks like
+ * a bristle and slides beyond a limit; across it is a spring that gives way beyond its strength. With s the displacement of a
+ * against b from where the tie is at rest:
+ *     f_along  = clamp(-stiffness_along s_along, -drag_forth, drag_back)
+ *     f_across = -stiffness_across s_across, returned radially to `strength` */
+typedef struct swage_tie {
+  uint32_t body_a, body_b;   /* each object's own indices; SWAGE_NONE: the world */
+  swage_vec3 p_W;            /* m, where it acts on both */
+  swage_vec3 axis_W;         /* unit, direction in which a slides along b */
+  swage_vec3 offset_W;       /* m, s at the poses that resolve() sees */
+  double stiffness_across;   /* N/m */
+  double stiffness_along;    /* N/m */
+  double strength;           /* N, most that it holds across the axis; HUGE_VAL: it never gives way */
+  double drag_forth;         /* N, most that it holds back a moving along +axis; HUGE_VAL: it never slides */
+  double drag_back;          /* N, the same for a moving along -axis */
+  swage_vec3 f_a_W;          /* N on a; written by the host before tied() */
+  swage_vec3 slid_W;         /* m, the part of s that it gave up: slid along the axis, torn across it; same timing */
+} swage_tie;
+
+/* Offered by a coupling that has such links; anchors and bristles are its own state. resolve, then ties; the solve; tied, then finish. */
+#define SWAGE_EXT_TIES "swage.coupling.ties/1"
+typedef struct swage_ties {
+  swage_result (*ties)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tie* out, uint32_t* n); /* [rt] */
+  swage_result (*tied)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] same, solved */
+} swage_ties;
+
+/* What is drawn on the surface of object b: torn places, as flat capsules. Those of one wound are one region. */
+#define SWAGE_EXT_TEARS "swage.coupling.tears/1"
+typedef struct swage_tear {
+  swage_vec3 a_W, b_W; /* m, ends of the capsule's middle line */
+  swage_vec3 normal_W; /* unit, of the surface */
+  double radius;       /* m */
+  uint32_t wound;      /* counts from 0 */
+  uint32_t reserved;
+} swage_tear;
+typedef struct swage_tears {
+  swage_result (*tears)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n); /* [rt] */
+} swage_tears;
+
+SWAGE_STATIC_ASSERT(sizeof(swage_tear) == 88, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact) == 136, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_tie) == 168, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_ties) == 16, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_coupling_step) == 96, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_coupling) == 56, "frozen layout");
 

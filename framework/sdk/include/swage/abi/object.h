@@ -59,9 +59,9 @@ typedef struct swage_object {
 
 /* A place where something touches a SELF body. */
 typedef struct swage_contact_point {
-  uint32_t body, shape; /* the object's own indices */
+  uint32_t body, shape; /* the object's own indices; shape is SWAGE_NONE where a tie holds it */
   swage_vec3 p_W;       /* m */
-  swage_vec3 n_W;       /* unit, pointing into the object */
+  swage_vec3 n_W;       /* unit, pointing into the object; of a tie: its axis */
 } swage_contact_point;
 
 /* Own mechanics. Per step: advance, then compliance for all contact points at once, then yield with the impulses. advance
@@ -77,6 +77,27 @@ typedef struct swage_solver {
   swage_result (*yield)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
                         const double* impulse); /* [rt] 3n, N s on the object; write final SELF poses and twists */
 } swage_solver;
+
+/* Beside a solver: an object whose surface is not where its shapes say, as tissue that still bears the mark of an earlier touch.
+ * Asked together with compliance, for the same points: 3n [m], by how much the free surface at each point is displaced from the
+ * shape. Contacts take its part along their normal as gap; v_free is the motion of the point over this step, as ever. */
+#define SWAGE_EXT_SURFACE "swage.object.surface/1"
+typedef struct swage_surface {
+  swage_result (*displacement)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                               double* u_W); /* [rt] */
+} swage_surface;
+
+/* What is drawn on top of the shapes: dents in a surface. A place of the surface at a distance r from p is displaced by
+ * u / sqrt(1 + (r/radius)^2); dents add up. */
+#define SWAGE_EXT_DENTS "swage.object.dents/1"
+typedef struct swage_dent {
+  swage_vec3 p_W; /* m, on the undeformed surface */
+  swage_vec3 u_W; /* m */
+  double radius;  /* m */
+} swage_dent;
+typedef struct swage_dents {
+  swage_result (*dents)(swage_instance*, const swage_object_step*, uint32_t capacity, swage_dent* out, uint32_t* n); /* [rt] */
+} swage_dents;
 
 /* Traits: how a coupling speaks to an object it has never heard of. Offered through get_extension under the trait's id and
  * listed in the descriptor. A trait without functions is a promise only: get_extension returns any non-NULL pointer. */
@@ -107,11 +128,55 @@ typedef struct swage_gripper {
   swage_result (*describe)(swage_instance*, const swage_object_step*, swage_gripper_state* out); /* [rt] */
 } swage_gripper;
 
+#define SWAGE_TRAIT_PIERCING "swage.trait.piercing/1"
+typedef struct swage_piercing_place {
+  double s;               /* 0 at the point .. 1 at the swage */
+  double length;          /* m, arc length that s spans */
+  double radius;          /* m, of the wire there */
+  swage_vec3 p_W;         /* m, on the centre line */
+  swage_vec3 tangent_W;   /* unit, towards the swage */
+  uint32_t body;          /* the object's own index: which body is there */
+  uint32_t reserved;
+} swage_piercing_place;
+typedef struct swage_piercing {
+  swage_result (*place)(swage_instance*, const swage_object_step*, double s, swage_piercing_place* out);          /* [rt] */
+  swage_result (*nearest)(swage_instance*, const swage_object_step*, swage_vec3 p_W, swage_piercing_place* out); /* [rt] */
+} swage_piercing;
+
+#define SWAGE_TRAIT_PIERCEABLE "swage.trait.pierceable/1"
+typedef struct swage_pierceable_law {
+  double stiffness;      /* N/m, of a touch of its surface: force = (stiffness + stiffening x) x at an overlap x */
+  double stiffening;     /* N/m2 */
+  double friction;       /* Coulomb coefficient, on the surface and inside */
+  double puncture_force; /* N, normal, at a sharp point square to the surface */
+  double cutting_force;  /* N, at a point that goes on through the tissue */
+  double drag;           /* N per m of inserted length */
+  double side_stiffness; /* N/m per m of inserted length, across the needle */
+  double failure_stress; /* Pa, mean pressure on the needle's side at which the tissue tears */
+} swage_pierceable_law;
+typedef struct swage_pierceable_place {
+  double depth;        /* m below the entry surface, negative outside */
+  double beyond;       /* m from the far surface, negative inside and before it */
+  double edge;         /* m inside the rim and the edges of a slit, negative beyond them */
+  swage_vec3 p_W;      /* m, the nearest place of the entry surface */
+  swage_vec3 normal_W; /* unit, of the entry surface, out of the tissue */
+  uint32_t body;       /* the object's own index: which body is there */
+  uint32_t reserved;
+} swage_pierceable_place;
+typedef struct swage_pierceable {
+  swage_result (*law)(swage_instance*, const swage_object_step*, swage_pierceable_law* out); /* [rt] */
+  swage_result (*locate)(swage_instance*, const swage_object_step*, swage_vec3 p_W, swage_pierceable_place* out); /* [rt] */
+} swage_pierceable;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_input) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_drive) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_object_step) == 192, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact_point) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_graspable_place) == 88, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_gripper_state) == 96, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_dent) == 56, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_piercing_place) == 80, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_law) == 64, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_pierceable_place) == 80, "frozen layout");
 
 #endif

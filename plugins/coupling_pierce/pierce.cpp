@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pierce.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::coupling_pierce {
+
+using toolkit::Quat;
+using toolkit::raw;
+using toolkit::vec;
+
+namespace {
+
+// What touches within this many wire radii of the point is the point's touch.
+constexpr double kPoint = 6;
+// Around its holes the needle's stretch outside does not touch either, in wire radii.
+constexpr double kMouth = 6;
+// A touch that overlaps by more than this many radii when first seen is inside a hole, not on the surface.
+constexpr double kNewTouch = 2;
+// A new touch counts as one only after so long a pause, s.
+constexpr double kTouchPause = 0.15;
+// A point is deflected once it has slid by this many radii from where it was refused.
+constexpr double kSlides = 2;
+// It has come back out when it is this many radii outside its entry, and goes in again when that deep.
+constexpr double kClear = 1;
+// Cosine of the angle to a surface's normal above which a touch is one of that surface, and not of an edge.
+constexpr double kFaceOn = 0.7;
+// A second puncture this near to a wound, in radii, belongs to it.
+constexpr double kSameHole = 2;
+
+void put(double* to, const Vec3& a) {
+  for (int i = 0; i < 3; ++i) to[i] = a[i];
+}
+Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
+
+/// Where on the needle a contact is, from its place midway between the undisturbed surfaces: however deep, the needle's lies as far
+/// on again as the tissue's lies back.
+std::optional<swage_piercing_place> place_of(const Site& site, const swage_contact& contact) {
+  const Vec3 p = vec(contact.p_W), n = vec(contact.n_W);
+  double half = -0.5 * contact.gap;
+  const auto in = site.tissue.inside(site.b, contact.p_W);
+  if (in && n.dot(vec(in->normal_W)) > kFaceOn) half = in->depth;
+  return site.needle.nearest(site.a, raw(Vec3(p - half * n)));
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace
+
+void Pierce::build(const PierceParams& params, CouplingBuilder& builder) {
+  params_ = params;
+  for (size_t i = 1; i < params.table_angle.size(); ++i)
+    if (params.table_angle[i] < params.table_angle[i - 1])
+      builder.error("table_angle", "the angles of the table must rise");
+  reaction_ = {params.law, params.null_angle, params.reaction, params.table_angle, params.table_force};
+  builder.state<PierceState>();
+  declare(builder);
+}
+
+void Pierce::bind(const Peer& a, const Peer& b) {
+  needle_ = a;
+  tissue_ = b;
+}
+
+void Pierce::reset(const CouplingStep& step) {
+  auto& state = step.state<PierceState>();
+  state = {};
+  state.last_entry = state.last_exit = -1;
+}
+
+/// What is in a hole, or just came out of one, does not touch the surface.
+bool Pierce::passes(const PierceState& state, const Site& site, const swage_contact& contact,
+                    double s) const {
+  const double mouth = kMouth * site.radius / site.length;
+  if (state.clearing != 0 && s < kPoint * site.radius / site.length) return true;
+  for (const Track& track : state.track) {
+    if (track.open == 0 || s > track.s_in + mouth) continue;
+    const bool beyond = track.out == Track::kOut && s < track.s_out - mouth;
+    const bool on_surface = contact.gap > -kNewTouch * site.radius || !vec(contact.f_a_W).isZero(0);
+    if (!beyond || !on_surface) return true;
+  }
+  return false;
+}
+
+void Pierce::resolve(const CouplingStep& step) {
+  const Site site(needle_, tissue_, step.a(), step.b());
+  if (!site.good) return discard();
+  auto& state = step.state<PierceState>();
+  along_ = lateral_ = pull_ = 0;
+  bool overlaps = false;
+  for (swage_contact& contact : step.contacts()) {
+    const auto place = place_of(site, contact);
+    if (!place) continue;
+    const double overlap = std::max(0.0, -contact.gap);
+    contact.friction = site.law.friction;
+    contact.stiffness = site.law.stiffness + site.law.stiffening * overlap;
+    contact.restitution = 0;
+    if (passes(state, site, contact, place->s)) contact.stiffness = contact.friction = 0;
+    overlaps = overlaps || (contact.gap < 0 && place->s < kPoint * site.radius / site.length);
+  }
+  if (!overlaps) state.clearing = 0;
+}
+
+uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
+  const Site site(needle_, tissue_, step.a(), step.b());
+  auto& state = step.state<PierceState>();
+  uint32_t n = 0;
+  for (uint32_t t = 0; site.good && t < PierceState::kTracks; ++t) {
+    Track& track = state.track[t];
+    if (track.open == 0 || out.size() - n < Track::kHolds + 1) continue;
+    follow(site, track);
+    swage_piercing_place place{};
+    const Wound& entry = state.wound[static_cast<uint32_t>(track.entry)];
+    track.s_in = crossing(site, entry, track.s_in, place);
+    const double theta = angle_in(site, track, state);
+    const double exit_force = params_.exit_share * params_.bluntness * site.law.puncture_force;
+    uint32_t of[Track::kHolds + 1];
+    const uint32_t made = make_ties(site, track, reaction_(theta), exit_force, out.data() + n, of);
+    for (uint32_t i = 0; i < made; ++i) made_[n + i] = {t, of[i]};
+    n += made;
+  }
+  return n;
+}
+
+void Pierce::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
+  const Site site(needle_, tissue_, step.a(), step.b());
+  auto& state = step.state<PierceState>();
+  if (!site.good) return discard();
+  along_ = lateral_ = pull_ = 0;
+  Vec3 across = Vec3::Zero(), on_tissue = Vec3::Zero();
+  const auto newest = static_cast<uint32_t>(state.newest);
+  for (size_t i = 0; i < ties.size(); ++i) {
+    const Made& made = made_[i];
+    state.swept += take_tie(site, state.track[made.track], ties[i], made.of);
+    if (made.track != newest) continue;
+    const Vec3 f = vec(ties[i].f_a_W), axis_W = vec(ties[i].axis_W);
+    along_ -= axis_W.dot(f);
+    across += f - axis_W.dot(f) * axis_W;
+    on_tissue -= f;
+  }
+  const Track& track = state.track[newest];
+  if (track.open == 0) return;
+  const Vec3 n = site.X_WO.q * axis(state.wound[static_cast<uint32_t>(track.entry)], 0);
+  lateral_ = across.norm();
+  pull_ = (on_tissue - n.dot(on_tissue) * n).norm();
+}
+
+Press Pierce::press(const CouplingStep& step, const Site& site) const {
+  Press press;
+  for (const swage_contact& contact : step.contacts()) {
+    const auto place = place_of(site, contact);
+    if (!place || place->s * site.length > kPoint * site.radius || contact.stiffness <= 0) continue;
+    const Vec3 n = vec(contact.n_W);
+    const double force = vec(contact.f_a_W).dot(n);
+    press.overlap = std::max(press.overlap, -contact.gap);
+    if (!(force > 0)) continue;
+    press.force += force;
+    press.normal_W += force * n;
+    press.surface_W += force * (vec(contact.p_W) - 0.5 * contact.gap * n);
+  }
+  if (!(press.force > 0)) return press;
+  press.surface_W /= press.force;
+  press.normal_W.normalize();
+
+  // on the entry or the far surface: where that is when nothing presses, not where it is dented to
+  const Vec3 up = vec(site.point_in.normal_W);
+  const double along = up.dot(press.normal_W);
+  if (std::abs(along) < kFaceOn) return press;
+  press.normal_W = along > 0 ? up : Vec3(-up);
+  press.surface_W =
+      along > 0 ? vec(site.point_in.p_W) : Vec3(vec(site.point.p_W) + site.point_in.beyond * up);
+  return press;
+}
+
+double Pierce::angle_of_point(const Site& site, const Vec3& normal_W) const {
+  return angle_between(vec(site.point.tangent_W), normal_W);
+}
+
+/// Angle between the needle and the inward normal where it crosses its entry; the same hole seen from the other side is 180 deg on.
+double Pierce::angle_in(const Site& site, const Track& track, const PierceState& state) const {
+  const auto place = needle_.place(site.a, track.s_in);
+  if (!place) return 0;
+  const Vec3 n = site.X_WO.q * axis(state.wound[static_cast<uint32_t>(track.entry)], 0);
+  return std::min(angle_between(vec(place->tangent_W), n), 0.5 * std::numbers::pi);
+}
+
+void Pierce::touch(const CouplingStep& step, PierceState& state, const Site& site, const Press& press) const {
+  if (!(press.force > 0)) {
+    state.untouched_s += step.dt();
+    if (state.untouched_s >= kTouchPause) state.touching = 0, state.peak = 0;
+    return;
+  }
+  if (state.touching == 0) step.event(touched_, angle_of_point(site, press.normal_W));
+  state.touching = 1;
+  state.untouched_s = 0;
+  state.peak = std::max(state.peak, press.force);
+}
+
+/// It bore what would have let it in square. It is deflected when it then slides away or is taken away.
+void Pierce::refuse(const CouplingStep& step, PierceState& state, const Site& site, const Press& press,
+                    double angle) const {
+  const Vec3 point_O = site.local(vec(site.point.p_W));
+  if (state.refused == 0) {
+    if (press.force < params_.bluntness * site.law.puncture_force) return;
+    state.refused = angle;
+    put(state.refused_p, point_O);
+  }
+  const Vec3 n_O = site.X_WO.q.conjugate() * vec(site.point_in.normal_W),
+             way = point_O - vec3(state.refused_p);
+  const bool slid = (way - n_O.dot(way) * n_O).norm() >= kSlides * site.radius;
+  if (!slid && press.force > 0) return;
+  step.event(deflected_, state.refused);
+  state.deflections += 1;
+  state.refused = 0;
+}
+
+uint32_t Pierce::wound_at(PierceState& state, const Vec3& p_O, const Vec3& n_O, const Vec3& along_O,
+                          double radius) const {
+  uint32_t slot = PierceState::kWounds - 1;  // no room: the last one is given up
+  for (uint32_t i = PierceState::kWounds; i-- > 0;)
+    if (state.wound[i].open == 0) slot = i;
+  for (uint32_t i = 0; i < PierceState::kWounds; ++i)
+    if (state.wound[i].open != 0 && (origin(state.wound[i]) - p_O).norm() < kSameHole * radius) return i;
+  open_wound(state.wound[slot], p_O, n_O, along_O, radius);
+  return slot;
+}
+
+void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& site, const Press& press,
+                   double angle) const {
+  uint32_t t = 0;
+  while (t < PierceState::kTracks && state.track[t].open != 0) ++t;
+  if (t == PierceState::kTracks) return;
+
+  // where the needle's line meets the surface: on the needle, or ahead of its point
+  const Vec3 n = press.normal_W, tip = vec(site.point.p_W), back = vec(site.point.tangent_W);
+  Vec3 entry = tip + n.dot(press.surface_W - tip) / std::max(0.1, n.dot(back)) * back;
+  swage_piercing_place place{};
+  const bool in = n.dot(tip - press.surface_W) < 0;
+  const double s_in = in ? crossing(site, press.surface_W, n, 0, place) : 0;
+  if (in) entry = vec(place.p_W);
+  const Quat to_O = site.X_WO.q.conjugate();
+  Track& track = state.track[t];
+  const uint32_t wound = wound_at(state, site.local(entry), to_O * n, to_O * back, site.radius);
+  open_track(site, track, entry, s_in);
+  track.entry = wound;
+  track.age = state.entries += 1;
+  state.newest = t;
+  state.last_entry = wound;
+  state.last_exit = -1;
+  state.peak_entry = state.peak;
+  state.peak_exit = state.peak = state.refused = state.clearing = 0;
+  put(state.entry_p, entry);
+  put(state.exit_p, Vec3::Zero());
+  step.event(entered_, angle);
+}
+
+void Pierce::tear(const CouplingStep& step, const Site& site, Wound& wound, const swage_piercing_place& place,
+                  const Vec3& centre_O) const {
+  const Vec3 t_O = site.X_WO.q.conjugate() * vec(place.tangent_W);
+  sweep(wound, centre_O, std::abs(axis(wound, 0).dot(t_O)), t_O);
+  const double ratio = wound.reach / wound.radius;
+  if (wound.told != 0 || ratio <= params_.torn_from) return;
+  wound.told = 1;
+  step.event(torn_, ratio);
+}
+
+/// A face is met from inside, broken, left.
+void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
+  Vec3 n_W = Vec3::Zero();
+  const bool outside = site.inside(n_W) < 0;
+  if (track.out == Track::kInside) {
+    // at the end of its cut, and no longer in the mouth of its entry
+    const bool new_ground = track.progress > track.cut - kClear * site.radius;
+    if (!outside || !new_ground || track.progress < 2 * kClear * site.radius) return;
+    track.out = Track::kBreaking;
+    track.cut = track.progress;
+  }
+  if (track.out != Track::kOut || track.exit >= 0) return;
+
+  const Quat to_O = site.X_WO.q.conjugate();
+  const Vec3 tip = vec(site.point.p_W), way = -vec(site.point.tangent_W);
+  const Vec3 exit = tip + site.inside(n_W) / std::max(0.1, n_W.dot(way)) * way;
+  track.exit = wound_at(state, site.local(exit), to_O * n_W, to_O * way, site.radius);
+  state.last_exit = track.exit;
+  state.peak_exit = track.peak_exit;
+  put(state.exit_p, exit);
+  step.event(exited_, angle_between(way, n_W));
+}
+
+/// A track after the step: crossings, wounds, exits, its end.
+void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
+  follow(site, track);
+  Wound& entry = state.wound[static_cast<uint32_t>(track.entry)];
+  swage_piercing_place place{};
+  track.s_in = crossing(site, entry, track.s_in, place);
+  if (track.progress < -kClear * site.radius) {
+    track.open = 0;
+    state.clearing = 1;
+    step.event(back_out_, track.deepest);
+    return;
+  }
+  const bool through = track.s_in > 0 && track.s_in < 1;
+  const bool by_needle = params_.sweep == Sweep::kNeedle;
+  if (through) tear(step, site, entry, place, by_needle ? site.local(vec(place.p_W)) : vec3(track.hold[0].p));
+  come_out(step, state, site, track);
+  if (track.exit >= 0) {
+    Wound& exit = state.wound[static_cast<uint32_t>(track.exit)];
+    track.s_out = crossing(site, exit, track.s_out, place);
+    const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
+    if (track.s_out > 0 && track.s_out < 1)
+      tear(step, site, exit, place, by_needle ? site.local(vec(place.p_W)) : vec3(last.p));
+  }
+  lengthen(site, track);
+  if (track.s_in >= 1 && track.passed == 0) {
+    track.passed = 1;
+    step.event(passed_, entry.reach / entry.radius);
+  }
+  // the whole needle is beyond its last hold
+  if (track.passed != 0 && spot(site, track.hold[static_cast<uint32_t>(track.count) - 1]).s > 1)
+    track.open = 0;
+}
+
+void Pierce::finish(const CouplingStep& step) {
+  const Site site(needle_, tissue_, step.a(), step.b());
+  if (!site.good) return discard();
+  auto& state = step.state<PierceState>();
+  for (Track& track : state.track)
+    if (track.open != 0) go_on(step, state, site, track);
+
+  const Press press = this->press(step, site);
+  touch(step, state, site, press);
+  const double angle = press.force > 0 ? angle_of_point(site, press.normal_W) : 0;
+  const bool may = press.force > 0 && angle < params_.limit_angle;
+  if (may && press.force >= params_.bluntness * site.law.puncture_force + reaction_(angle)) {
+    enter(step, state, site, press, angle);
+  } else {
+    refuse(step, state, site, press, angle);
+  }
+  tell(step, state, site, press);
+}
+
+uint32_t Pierce::tears(const CouplingStep& step, std::span<swage_tear> out) {
+  const Site site(needle_, tissue_, step.a(), step.b());
+  uint32_t n = 0;
+  for (uint32_t i = 0; site.good && i < PierceState::kWounds; ++i) {
+    const Wound& wound = step.state<PierceState>().wound[i];
+    if (wound.open == 0) continue;
+    const auto world = [&](const double* at) {
+      return raw(site.X_WO * (origin(wound) + at[0] * axis(wound, 1) + at[1] * axis(wound, 2)));
+    };
+    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count) && n < out.size(); ++k)
+      out[n++] = {world(wound.capsule[k].a),
+                  world(wound.capsule[k].b),
+                  raw(site.X_WO.q * axis(wound, 0)),
+                  wound.radius,
+                  i,
+                  0};
+  }
+  return n;
+}
+
+}  // namespace swage::coupling_pierce
+
+SWAGE_EXPORT(swage::coupling_pierce::Pierce)

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::coupling_pierce {
+
+using toolkit::raw;
+using toolkit::vec;
+
+namespace {
+
+// Stiffness of the bristle over that across the needle: it breaks away after drag / (4 side_stiffness), 1 um by default.
+constexpr double kStick = 4;
+// The point builds up its cutting force over this share of the wire's radius: 2.5 um.
+constexpr double kFront = 0.05;
+// First distance between holds, in wire radii: 0.2 mm. Doubled whenever the track has grown full.
+constexpr double kSpacing = 4;
+// A hold stands for no less than this, in wire radii: at the start there is a point and no length.
+constexpr double kLeast = 1;
+// A needle this flat (sine of its angle to the plane) has no crossing to speak of.
+constexpr double kFlat = 0.05;
+
+void put(double* to, const Vec3& a) {
+  for (int i = 0; i < 3; ++i) to[i] = a[i];
+}
+
+uint32_t holds(const Track& track) { return static_cast<uint32_t>(track.count); }
+
+}  // namespace
+
+Site::Site(const Peer& pa, const Peer& pb, const Step& step_a, const Step& step_b)
+    : needle(pa), tissue(pb), a(step_a), b(step_b) {
+  const auto tip = needle.place(a, 0);
+  const auto laws = tissue.law(b);
+  if (!tip || !laws) return;
+  const auto place = tissue.inside(b, tip->p_W);
+  if (!place || place->body >= b->n_body) return;
+  point = *tip;
+  point_in = *place;
+  law = *laws;
+  body = place->body;
+  X_WO = Pose(b->X_WB[body]);
+  length = point.length;
+  radius = point.radius;
+  good = true;
+}
+
+double Site::inside(Vec3& normal_W) const {
+  const Vec3 n = vec(point_in.normal_W);
+  const double depth = point_in.depth, to_far = -point_in.beyond, edge = point_in.edge;
+  if (depth <= to_far && depth <= edge) {
+    normal_W = n;
+    return depth;
+  }
+  if (to_far <= edge) {
+    normal_W = -n;
+    return to_far;
+  }
+  // through a rim or an edge: the way the point goes, along the surface
+  const Vec3 way = -vec(point.tangent_W), flat = way - n.dot(way) * n;
+  normal_W = flat.norm() > 1e-6 ? Vec3(flat.normalized()) : n;
+  return edge;
+}
+
+Spot spot(const Site& site, const Hold& hold) {
+  Spot out;
+  const Vec3 p_W = site.world(hold.p);
+  const auto place = site.needle.nearest(site.a, raw(p_W));
+  if (!place) return out;
+  out.p_W = vec(place->p_W);
+  out.advance_W = -vec(place->tangent_W);
+  out.s = place->s;
+  out.body = place->body;
+  // beyond its ends the needle is as long as it goes straight on
+  if (out.s <= 0 || out.s >= 1) out.s -= out.advance_W.dot(p_W - out.p_W) / site.length;
+  return out;
+}
+
+double crossing(const Site& site, const Wound& wound, double s0, swage_piercing_place& place) {
+  return crossing(site, site.X_WO * origin(wound), site.X_WO.q * axis(wound, 0), s0, place);
+}
+
+double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage_piercing_place& place) {
+  double s = std::clamp(s0, 0.0, 1.0);
+  for (int i = 0; i < 4; ++i) {
+    const auto at = site.needle.place(site.a, s);
+    if (!at) return s;
+    place = *at;
+    const double off = (vec(at->p_W) - o).dot(n), slope = vec(at->tangent_W).dot(n);
+    if (std::abs(slope) < kFlat) return s;
+    const double next = std::clamp(s - off / (slope * site.length), 0.0, 1.0);
+    if (next == s) return s;
+    s = next;
+  }
+  return s;
+}
+
+void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in) {
+  track = {};
+  track.open = 1;
+  track.exit = -1;
+  track.s_in = s_in;
+  track.spacing = kSpacing * site.radius;
+  track.progress = track.deepest = track.cut = s_in * site.length;
+  put(track.hold[0].p, site.local(entry_W));
+  track.hold[0].rest = s_in;
+  track.count = 1;
+  // what is in already is held where it is
+  while (track.spacing * (Track::kHolds - 2) < s_in * site.length) track.spacing *= 2;
+  for (uint32_t i = 1; i * track.spacing < s_in * site.length; ++i) {
+    const double s = s_in - i * track.spacing / site.length;
+    const auto place = site.needle.place(site.a, s);
+    if (!place) return;
+    Hold& hold = track.hold[holds(track)];
+    put(hold.p, site.local(vec(place->p_W)));
+    hold.rest = s;
+    hold.at = i * track.spacing;
+    track.count += 1;
+  }
+}
+
+void follow(const Site& site, Track& track) {
+  // holds that the point has left: the way stays cut, and is laid anew when it comes back
+  while (holds(track) > 1 && spot(site, track.hold[holds(track) - 1]).s < 0) track.count -= 1;
+  const Hold& last = track.hold[holds(track) - 1];
+  track.progress = last.at + spot(site, last).s * site.length;
+  track.deepest = std::max(track.deepest, track.progress);
+  track.below = std::max(track.below, site.point_in.depth);
+}
+
+void lengthen(const Site& site, Track& track) {
+  const double last = track.hold[holds(track) - 1].at;
+  if (track.out != Track::kInside || track.progress - last < track.spacing) return;
+  if (holds(track) == Track::kHolds) {
+    // every other one goes; its neighbours take over what it bore
+    for (uint32_t i = 0; 2 * i < Track::kHolds; ++i) {
+      const Hold& kept = track.hold[2 * i];
+      const double before = i > 0 ? track.hold[2 * i - 1].share : 0;
+      const double share = kept.share + 0.5 * (before + track.hold[2 * i + 1].share);
+      // the one before was read already where it is overwritten
+      track.hold[i] = kept;
+      track.hold[i].share = share;
+    }
+    track.count = Track::kHolds / 2;
+    track.spacing *= 2;
+    return;
+  }
+  // it takes over its share of the bristle of the one before
+  const Hold& before = track.hold[holds(track) - 1];
+  Hold hold{};
+  put(hold.p, site.local(vec(site.point.p_W)));
+  hold.at = track.progress;
+  hold.share = 0.5 * track.spacing;
+  hold.rest = before.rest - spot(site, before).s;
+  track.hold[holds(track)] = hold;
+  track.count += 1;
+}
+
+namespace {
+
+/// A longer share is stiffer: what is added to it begins unstretched, so that the force stays and no energy comes in.
+void grow(const Site& site, Hold& hold, const Spot& at, double share) {
+  if (share > hold.share) {
+    const double keep = hold.share / share;
+    const Vec3 stretch = at.p_W - site.world(hold.p);
+    const Vec3 across = stretch - at.advance_W.dot(stretch) * at.advance_W;
+    put(hold.p, site.local(site.world(hold.p) + (1 - keep) * across));
+    hold.rest = at.s - keep * (at.s - hold.rest);
+  }
+  hold.share = share;
+}
+
+swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
+  swage_tie tie{};
+  const Vec3 stretch = at.p_W - site.world(hold.p);
+  const Vec3 across = stretch - at.advance_W.dot(stretch) * at.advance_W;
+  tie.body_a = at.body;
+  tie.body_b = site.body;
+  tie.p_W = raw(at.p_W);
+  tie.axis_W = raw(at.advance_W);
+  tie.offset_W = raw(Vec3(across + (at.s - hold.rest) * site.length * at.advance_W));
+  tie.stiffness_across = site.law.side_stiffness * hold.share;
+  tie.stiffness_along = kStick * tie.stiffness_across;
+  tie.strength = site.law.failure_stress * 2 * site.radius * hold.share;
+  tie.drag_forth = tie.drag_back = site.law.drag * hold.share + site.law.friction * hold.lateral;
+  return tie;
+}
+
+/// The end of the cut: a wall that bears up to the cutting force and then goes on; a face from inside bears more, softly.
+swage_tie front_tie(const Site& site, const Track& track, double exit_force) {
+  swage_tie tie{};
+  const Vec3 advance = -vec(site.point.tangent_W);
+  const bool face = track.out == Track::kBreaking;
+  tie.body_a = site.point.body;
+  tie.body_b = site.body;
+  tie.p_W = site.point.p_W;
+  tie.axis_W = raw(advance);
+  tie.offset_W = raw(Vec3((track.progress - track.cut) * advance));
+  tie.drag_forth = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
+  tie.stiffness_along = face ? site.law.stiffness : site.law.cutting_force / (kFront * site.radius);
+  tie.strength = HUGE_VAL;
+  return tie;
+}
+
+}  // namespace
+
+uint32_t make_ties(const Site& site, Track& track, double reaction, double exit_force, swage_tie* out,
+                   uint32_t* of) {
+  const uint32_t count = holds(track);
+  Spot at[Track::kHolds];
+  for (uint32_t i = 0; i < count; ++i) at[i] = spot(site, track.hold[i]);
+  uint32_t n = 0;
+  const double tip = track.out == Track::kOut ? track.s_out : 0;
+  double upper = track.s_in;
+  for (uint32_t i = 0; i < count; ++i) {
+    Hold& hold = track.hold[i];
+    const double lower = i + 1 < count ? std::clamp(0.5 * (at[i].s + at[i + 1].s), tip, upper) : tip;
+    double share = std::max(0.0, upper - lower) * site.length;
+    upper = lower;
+    if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
+    if (share <= 0 || at[i].s >= 1) continue;  // the needle has left it
+    grow(site, hold, at[i], share);
+    out[n] = hold_tie(site, hold, at[i]);
+    if (i == 0) out[n].drag_forth += reaction;
+    of[n++] = i;
+  }
+  if (track.out != Track::kOut) {
+    out[n] = front_tie(site, track, exit_force);
+    of[n++] = Track::kHolds;
+  }
+  return n;
+}
+
+double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of) {
+  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.slid_W), f = vec(tie.f_a_W);
+  const double along = axis_W.dot(slid);
+  if (of == Track::kHolds) {
+    const double force = -axis_W.dot(f);
+    const bool gives = along > 0 && force >= (1 - 1e-9) * tie.drag_forth;
+    if (track.out == Track::kBreaking) {
+      track.peak_exit = std::max(track.peak_exit, force);
+      if (gives) track.out = Track::kOut;
+    }
+    if (gives) track.cut += along;
+    return 0;
+  }
+  Hold& hold = track.hold[of];
+  const Vec3 torn = slid - along * axis_W;
+  hold.rest += along / site.length;
+  put(hold.p, site.local(site.world(hold.p) + torn));
+  hold.lateral = (f - axis_W.dot(f) * axis_W).norm();
+  return torn.norm() * hold.share;
+}
+
+}  // namespace swage::coupling_pierce

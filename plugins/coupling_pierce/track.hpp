@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The way of a needle through tissue: places where the tissue holds it, how far its point has cut, where it comes out. Plain doubles,
+// part of the coupling's private state.
+//
+// Units SI. Frames: W, and O of the tissue's body. Needle coordinate s: 0 at the point, 1 at the swage. [rt]
+#pragma once
+
+#include <swage/abi/coupling.h>
+#include <swage/peer.hpp>
+
+#include <cstdint>
+
+#include "wound.hpp"
+
+namespace swage::coupling_pierce {
+
+using toolkit::Pose;
+
+/// A place of the tissue that holds the needle.
+struct Hold {
+  double p[3];     // m, O
+  double rest;     // s at which its bristle is at rest
+  double at;       // m, along the track from the entry
+  double share;    // m, inserted length that it stood for in the last step
+  double lateral;  // N across the needle in the last step
+};
+
+struct Track {
+  static constexpr uint32_t kHolds = 6;
+  // where the point is: inside, held by a face from inside, out again
+  static constexpr double kInside = 0, kBreaking = 1, kOut = 2;
+
+  double open;         // 0: not there
+  double out;          // kInside, kBreaking, kOut
+  double s_in, s_out;  // where the needle crosses the entry and the exit (0: the point is inside)
+  double cut;          // m along the track that the point has opened
+  double progress;     // m along the track, of the point
+  double deepest;      // m, the farthest progress so far
+  double below;        // m, the deepest of the point below the entry surface
+  double spacing;      // m between holds
+  double count;        // of holds
+  double entry, exit;  // index of the wound; exit: -1 before
+  double passed;       // 1: the swage went in
+  double peak_exit;    // N
+  double age;          // number of the entry, to tell the newer
+  Hold hold[kHolds];
+};
+
+/// What a call needs to know about the two objects.
+struct Site {
+  Site(const Peer& a, const Peer& b, const Step& step_a, const Step& step_b);
+  bool good = false;
+  const Peer &needle, &tissue;
+  Step a, b;
+  swage_pierceable_law law{};
+  uint32_t body = 0;  // of the tissue
+  Pose X_WO;
+  swage_piercing_place point{};       // at s = 0
+  swage_pierceable_place point_in{};  // where the point is in the tissue
+  double length = 1, radius = 1;      // m, of the needle and its wire
+
+  Vec3 world(const double* p_O) const { return X_WO * Vec3(p_O[0], p_O[1], p_O[2]); }
+  Vec3 local(const Vec3& p_W) const { return X_WO.q.conjugate() * (p_W - X_WO.p); }
+  /// How far the point is inside the nearest face [m], and that face's outward normal.
+  double inside(Vec3& normal_W) const;
+};
+
+/// The needle at a hold.
+struct Spot {
+  Vec3 p_W = Vec3::Zero();         // m, of the needle
+  Vec3 advance_W = Vec3::UnitX();  // unit, the way of its point
+  double s = 0;                    // goes on below 0 and above 1 beyond its ends
+  uint32_t body = 0;
+};
+
+Spot spot(const Site& site, const Hold& hold);
+/// s at which the needle crosses the plane of a wound, near s0, and the needle there.
+double crossing(const Site& site, const Wound& wound, double s0, swage_piercing_place& place);
+/// The same for a plane through o with the normal n, in W.
+double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage_piercing_place& place);
+
+/// The track of a needle that has just gone in at `entry_W`, crossed there at s_in.
+void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in);
+/// Where the point is along it; drops holds that it has left behind.
+void follow(const Site& site, Track& track);
+/// New holds where the point went on.
+void lengthen(const Site& site, Track& track);
+/// Writes its ties to `out` (up to kHolds + 1): `reaction`: N on top of the entry's drag; `exit_force`: N that a face bears
+/// from inside. Entry k of `of` is the hold of tie k, kHolds for the point.
+uint32_t make_ties(const Site& site, Track& track, double reaction, double exit_force, swage_tie* out,
+                   uint32_t* of);
+/// Takes what the solve gave one tie. Returns the area that it gave way sideways [m2].
+double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of);
+
+}  // namespace swage::coupling_pierce

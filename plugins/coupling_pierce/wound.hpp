@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A torn place: what the section of the wire has swept of the plane of a hole, as a union of capsules of the wire's radius. Area and
+// reach grow as it does.
+//
+// Plain doubles, part of a coupling's private state. Units m. Frames: O of the tissue; (1, 2) along the plane. [rt]
+#pragma once
+
+#include <cstdint>
+
+#include "toolkit/math.hpp"
+
+namespace swage::coupling_pierce {
+
+using toolkit::Vec3;
+using Vec2 = Eigen::Vector2d;
+
+struct Wound {
+  static constexpr uint32_t kCapsules = 16;  // one more only bends the last one on: a tear has one or two
+  struct Capsule {
+    double a[2], b[2];  // m, ends of the middle line
+  };
+
+  double open;                            // 0: not there
+  double origin[3], normal[3], first[3];  // O: centre of the first puncture, outward normal, axis 1
+  double radius;                          // m, of the wire
+  double count;                           // of capsules
+  double settled;                         // m2, area of all but the last
+  double area;                            // m2
+  double reach;                           // m, greatest distance of the edge from the origin
+  double bend;       // m, by how much the last capsule cuts the corners of what it stands for
+  double centre[2];  // where the section was last
+  double told;       // 1: pierce.torn was sent
+  Capsule capsule[kCapsules];
+};
+
+/// A hole with its first section at p_O.
+void open_wound(Wound& wound, const Vec3& p_O, const Vec3& normal_O, const Vec3& along_O,
+                double radius) noexcept;
+/// The section is now at p_O, cut by the plane at an angle whose cosine is `cosine`, leaning along `along_O`.
+void sweep(Wound& wound, const Vec3& p_O, double cosine, const Vec3& along_O) noexcept;
+/// Area of the union of the first n capsules [m2], by one pass over all of them: what the running sum must agree with.
+double union_area(const Wound& wound, uint32_t n) noexcept;
+
+inline Vec3 axis(const Wound& w, int i) {
+  const Vec3 n(w.normal[0], w.normal[1], w.normal[2]), e(w.first[0], w.first[1], w.first[2]);
+  return i == 0 ? n : i == 1 ? e : n.cross(e);
+}
+inline Vec3 origin(const Wound& w) { return {w.origin[0], w.origin[1], w.origin[2]}; }
+
+}  // namespace swage::coupling_pierce

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compliance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace swage::tissue {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr uint32_t kNodes = 128;       // of the table over distance
+constexpr uint32_t kIntervals = 4096;  // of the integral over wave numbers, Simpson
+constexpr double kFarthest =
+    30;  // of the table, in its scale; beyond it the skin no longer shows (below 1e-4)
+constexpr double kShortest = 60;  // of the integral: wave numbers up to this over the scale
+
+}  // namespace
+
+Compliance::Compliance(const Layers& layers) : shear_(layers.shear), e_(2 * layers.spread / kPi) {
+  if (!(layers.skin > 0)) return;
+  // plate of nu = 1/2 on a half space that resists with 2 G k
+  const double D = layers.skin_young * layers.skin * layers.skin * layers.skin / 9;
+  const double skin = std::cbrt(D / (2 * shear_));
+  scale_ = std::max(skin, e_);
+  reach_ = kFarthest * scale_;
+  table_.resize(kNodes);
+  for (uint32_t i = 0; i < kNodes; ++i) {
+    const double u = static_cast<double>(i) / (kNodes - 1) * reach_ / (reach_ + scale_),
+                 r = scale_ * u / (1 - u);
+    const double dk = kShortest / scale_ / kIntervals;
+    double sum = 0;
+    for (uint32_t j = 0; j <= kIntervals; ++j) {
+      const double k = dk * j, weight = j == 0 || j == kIntervals ? 1 : j % 2 == 1 ? 4 : 2;
+      sum += weight * ::j0(k * r) * std::exp(-k * e_) / (2 * shear_ + D * k * k * k);
+    }
+    table_[i] = sum * dk / 3 / (2 * kPi);
+  }
+}
+
+double Compliance::normal(double r) const noexcept {
+  if (table_.empty() || r >= reach_) return 1 / (4 * kPi * shear_ * std::sqrt(r * r + e_ * e_));
+  const double u = r / (r + scale_) / (reach_ / (reach_ + scale_)) * (kNodes - 1);
+  const auto i = std::min(static_cast<uint32_t>(u), kNodes - 2);
+  return table_[i] + (u - i) * (table_[i + 1] - table_[i]);
+}
+
+Mat3 Compliance::between(double x, double y) const noexcept {
+  const double rr = x * x + y * y, r_e = std::sqrt(rr + e_ * e_), sum = r_e + e_;
+  const double along = (1 / r_e - 0.5 / sum) / (2 * kPi * shear_);
+  const double across = 0.5 / (r_e * sum * sum) / (2 * kPi * shear_);
+  Mat3 C = Mat3::Zero();
+  C(0, 0) = normal(std::sqrt(rr));
+  C(1, 1) = along + across * x * x;
+  C(2, 2) = along + across * y * y;
+  C(1, 2) = C(2, 1) = across * x * y;
+  return C;
+}
+
+Creep::Creep(double relaxed, double relaxation_time, double dt) {
+  const double tau = relaxation_time / relaxed;
+  keep = std::exp(-dt / tau);
+  gain = (1 / relaxed - 1) * -std::expm1(-dt / tau);
+}
+
+}  // namespace swage::tissue

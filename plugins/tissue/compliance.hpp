@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the surface of an incompressible elastic half space, under a thin stiffer skin, gives at one place to a force at another; and the
+// standard linear solid that it does in time. Derivations: tissue.md.
+//
+// Units: m, N. Frame: n along the surface's normal, then two axes along the surface. [rt] unless said otherwise.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "toolkit/math.hpp"
+
+namespace swage::tissue {
+
+using toolkit::Mat3;
+using toolkit::Vec3;
+
+struct Layers {
+  double shear = 3.3e5;   // Pa, of the half space, at once
+  double spread = 50e-6;  // m, radius over which a touch spreads
+  double skin = 0;        // m, thickness; 0: none
+  double skin_young = 0;  // Pa
+};
+
+class Compliance {
+ public:
+  Compliance() = default;
+  /// Tabulates the normal response when there is a skin. [main]
+  explicit Compliance(const Layers& layers);
+
+  /// Displacement per force [m/N] along the normal at a distance r.
+  double normal(double r) const noexcept;
+  /// Displacement per force between places that are (x, y) apart along the surface: rows and columns n, 1, 2.
+  Mat3 between(double x, double y) const noexcept;
+  double spread() const noexcept { return e_; }  // m, e of the kernel: dents of this radius have its shape
+
+ private:
+  double shear_ = 1, e_ = 1;
+  double reach_ = 0, scale_ = 0;  // m, of the table
+  std::vector<double> table_;     // over r / (r + scale)
+};
+
+/// Creep of a standard linear solid whose force is constant over a step: displacement = C (f + v), exact for any dt.
+///   G(t) / G(0) = relaxed + (1 - relaxed) exp(-t/relaxation_time)
+struct Creep {
+  double keep = 1;  // of v over a step: exp(-dt/tau), tau = relaxation_time / relaxed
+  double gain = 0;  // v gains gain * f in a step
+  Creep() = default;
+  Creep(double relaxed, double relaxation_time, double dt);
+  double at_once() const {
+    return 1 + gain;
+  }  // displacement over C f at the end of the step in which f comes on
+};
+
+}  // namespace swage::tissue

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.object.tissue: a patch of wall that can be touched, dented and pierced. Model, levels and limits: tissue.md.
+#pragma once
+
+#include <swage/object.hpp>
+
+#include "compliance.hpp"
+#include "wall.hpp"
+
+namespace swage::tissue {
+
+inline constexpr double kDegree = 0.017453292519943295;  // rad
+
+enum class Level : int { kPlane, kCompliant };
+
+struct TissueParams {
+  Level level = Level::kPlane;
+  Form form = Form::kFlat;
+  std::array<double, 2> size{12e-3, 10e-3};  // m
+  double thickness = 1e-3;                   // m
+  double backing = 1e-3;                     // m
+  double slope = 30 * kDegree;               // rad
+  double wave_height = 1e-3;                 // m
+  double wave_length = 8e-3;                 // m
+  double radius = 8e-3;                      // m
+  std::string heights;
+  double slit = 0;           // m
+  double stiffness = 100;    // N/m
+  double stiffening = 5000;  // N/m2
+  double young = 1e6;        // Pa
+  double relaxed = 0.6;
+  double relaxation_time = 0.5;  // s
+  double spread = 50e-6;         // m
+  double skin = 0;               // m
+  double skin_young = 5e6;       // Pa
+  double friction = 0.2;
+  double puncture_force = 20e-3;   // N
+  double cutting_force = 8e-3;     // N
+  double drag = 5;                 // N/m
+  double side_stiffness = 1e6;     // N/m2
+  double failure_stress = 0.42e6;  // Pa
+};
+
+/// Where the wall is displaced from: places that bear or bore a force, in O, numbers along n, 1, 2 of the surface there.
+struct Source {
+  double p[3];  // m, foot on the surface
+  double f[3];  // N, in this step
+  double v[3];  // N, what creep remembers: displacement is C (f + v)
+  double w[3];  // N, f + v of the step before
+};
+
+class Tissue final : public Object<TissueParams>,
+                     public Solid,
+                     public Pierceable,
+                     public Solver,
+                     public Surface,
+                     public Dented {
+ public:
+  static constexpr auto id = "swage.object.tissue";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Tissue";
+  static constexpr auto summary =
+      "Patch of wall to be pierced: flat, sloping, wavy, cylindrical or from a table; rigid or a "
+      "viscoelastic half space, "
+      "small strains.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+
+  static constexpr const char* kLevels[] = {"plane", "compliant", nullptr};
+  static constexpr const char* kForms[] = {"flat",     "left slope", "right slope", "waves",
+                                           "cylinder", "table",      nullptr};
+  static constexpr std::array fields = {
+      choice<&TissueParams::level>("level", "Level", kLevels,
+                                   "Plane: the surface stands still. Compliant: it yields and relaxes."),
+      choice<&TissueParams::form>("form", "Form", kForms, "Of the entry surface."),
+      vector<&TissueParams::size>("size", "Size", "m", "mm", 1e-3, 100e-3, "Of the patch along x and y."),
+      real<&TissueParams::thickness>("thickness", "Thickness", "m", "mm", 0.05e-3, 20e-3, "Of the wall."),
+      real<&TissueParams::backing>("backing", "Backing", "m", "mm", 0, 20e-3,
+                                   "How much deeper than the wall things that press on it are held. With 0 "
+                                   "its far side can be reached, and "
+                                   "what is pressed in by half the thickness falls through."),
+      real<&TissueParams::slope>("slope", "Slope", "rad", "deg", 0, 60 * kDegree, "Of the sloping forms."),
+      real<&TissueParams::wave_height>("wave_height", "Wave height", "m", "mm", 0, 10e-3, "Crest to trough."),
+      real<&TissueParams::wave_length>("wave_length", "Wave length", "m", "mm", 1e-3, 100e-3,
+                                       "Crest to crest."),
+      real<&TissueParams::radius>("radius", "Radius", "m", "mm", 1e-3, 1, "Of the cylinder."),
+      file<&TissueParams::heights>(
+          "heights", "Table of heights",
+          "Text file for the form table: nx ny, then ny rows of nx heights in metres."),
+      real<&TissueParams::slit>("slit", "Slit", "m", "mm", 0, 5e-3,
+                                "Width of a gap along y through the middle: two wound edges; 0 for none."),
+      real<&TissueParams::stiffness>("stiffness", "Stiffness", "N/m", "N/m", 1, 1e6,
+                                     "Force per overlap of one touching place, level plane.")
+          .group("Touch"),
+      real<&TissueParams::stiffening>("stiffening", "Stiffening", "Pa", "Pa", 0, 1e9,
+                                      "How that stiffness grows with the overlap.")
+          .group("Touch"),
+      real<&TissueParams::friction>("friction", "Friction", "1", "1", 0, 3,
+                                    "Coulomb coefficient, on the surface and inside.")
+          .group("Touch"),
+      real<&TissueParams::young>("young", "Young's modulus", "Pa", "kPa", 1e3, 1e8,
+                                 "At once, level compliant. Arteries have 27 to 2700 kPa.")
+          .group("Elasticity"),
+      real<&TissueParams::relaxed>("relaxed", "Share left", "1", "1", 0.05, 1,
+                                   "Of the modulus after relaxation; 1 is purely elastic.")
+          .group("Elasticity"),
+      real<&TissueParams::relaxation_time>("relaxation_time", "Relaxation time", "s", "s", 1e-3, 1e3,
+                                           "Of the standard linear solid.")
+          .group("Elasticity"),
+      real<&TissueParams::spread>("spread", "Spread", "m", "um", 1e-6, 5e-3,
+                                  "Radius over which a touch spreads: that of the wire.")
+          .group("Elasticity"),
+      real<&TissueParams::skin>("skin", "Skin", "m", "um", 0, 2e-3,
+                                "Thickness of a stiffer layer on top; 0 for none.")
+          .group("Elasticity"),
+      real<&TissueParams::skin_young>("skin_young", "Young's modulus of the skin", "Pa", "kPa", 1e3, 1e9,
+                                      "Of that layer.")
+          .group("Elasticity"),
+      real<&TissueParams::puncture_force>(
+          "puncture_force", "Puncture force", "N", "mN", 0, 10,
+          "Normal force at which a sharp point goes in square to the surface.")
+          .group("Piercing"),
+      real<&TissueParams::cutting_force>("cutting_force", "Cutting force", "N", "mN", 0, 10,
+                                         "Against a point that goes on through tissue.")
+          .group("Piercing"),
+      real<&TissueParams::drag>("drag", "Drag", "N/m", "N/m", 0, 1e4,
+                                "Against the needle, per inserted length.")
+          .group("Piercing"),
+      real<&TissueParams::side_stiffness>("side_stiffness", "Side stiffness", "Pa", "kPa", 1e2, 1e9,
+                                          "Across the needle, per inserted length.")
+          .group("Piercing"),
+      real<&TissueParams::failure_stress>("failure_stress", "Failure stress", "Pa", "kPa", 1e2, 1e9,
+                                          "Mean pressure of the needle's side at which the tissue tears. "
+                                          "Arteries of the brain have 420 kPa and more.")
+          .group("Piercing"),
+  };
+
+  void build(const TissueParams& params, ObjectBuilder& builder) override;
+  void activate(double dt_s) override;
+  void finish(const Step& step) override;
+  void reset(const Step& step) override;
+
+  void law(const Step& step, swage_pierceable_law& out) override;
+  void locate(const Step& step, swage_vec3 p_W, swage_pierceable_place& out) override;
+
+  void advance(const Step& step) override;
+  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+                  double* W) override;
+  void displacement(const Step& step, std::span<const swage_contact_point> points, double* u_W) override;
+  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
+  uint32_t dents(const Step& step, std::span<swage_dent> out) override;
+
+ private:
+  static constexpr uint32_t kSources = 32;  // places remembered; the least one makes room
+  static constexpr uint32_t kPoints = 64;   // of one step that are remembered from compliance to yield
+  struct State {
+    Source source[kSources];
+  };
+  /// A place on the surface: flattened coordinates and the axes n, 1, 2 in W.
+  struct Spot {
+    Vec3 foot_O = Vec3::Zero();
+    Mat3 axes_W = Mat3::Identity();
+  };
+
+  void add_surface(const TissueParams& params, ObjectBuilder& builder);
+  Spot spot(const toolkit::Pose& X_WO, const Vec3& foot_O) const;
+  Spot spot_at(const toolkit::Pose& X_WO, swage_vec3 p_W) const;
+  Mat3 response(const Vec3& foot_a, const Vec3& foot_b) const;
+  Source& source_at(State& state, const Vec3& foot_O) const;
+  toolkit::Pose pose(const Step& step) const { return toolkit::Pose(step.pose(body_)); }
+
+  TissueParams params_;
+  Wall wall_;
+  Compliance compliance_;
+  Creep creep_;
+  Body body_;
+  Signal dimple_, force_;
+};
+
+}  // namespace swage::tissue

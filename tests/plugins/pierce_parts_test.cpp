@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of swage.coupling.pierce by themselves: reaction laws, wounds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "plugins/coupling_pierce/reaction.hpp"
+#include "plugins/coupling_pierce/wound.hpp"
+
+namespace swage::coupling_pierce {
+namespace {
+
+constexpr double kDeg = M_PI / 180, kR = 50e-6;
+
+TEST(Reaction, LawsOfTheThesisAndItsAlternatives) {
+  Reaction r{Law::kNullZone, 15 * kDeg, 60e-3, {0, 15 * kDeg, 45 * kDeg, 90 * kDeg}, {0, 0, 24e-3, 60e-3}};
+  EXPECT_EQ(r(0), 0);
+  EXPECT_EQ(r(15 * kDeg), 0);
+  EXPECT_NEAR(r(52.5 * kDeg), 30e-3, 1e-12);
+  EXPECT_NEAR(r(90 * kDeg), 60e-3, 1e-12);
+  r.law = Law::kThreshold;
+  EXPECT_EQ(r(14.9 * kDeg), 0);
+  EXPECT_EQ(r(15.1 * kDeg), 60e-3);
+  r.law = Law::kQuadratic;
+  EXPECT_NEAR(r(52.5 * kDeg), 15e-3, 1e-12);
+  r.law = Law::kTable;
+  EXPECT_NEAR(r(30 * kDeg), 12e-3, 1e-12);
+  EXPECT_NEAR(r(67.5 * kDeg), 42e-3, 1e-12);
+  EXPECT_EQ(r(1.6), 60e-3);
+}
+
+Wound fresh() {
+  Wound w;
+  open_wound(w, Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX(), kR);
+  return w;
+}
+
+TEST(Wound, APerfectPassIsOneSection) {
+  Wound w = fresh();
+  for (int i = 0; i < 1000; ++i) sweep(w, Vec3(0.01 * kR * std::sin(i), 0, 0), 1, Vec3::Zero());
+  EXPECT_NEAR(w.area, M_PI * kR * kR, 1e-12 * w.area);
+  EXPECT_EQ(w.reach, kR);
+  EXPECT_EQ(w.count, 1);
+}
+
+TEST(Wound, AStraightTearIsACapsule) {
+  Wound w = fresh();
+  const double length = 7 * kR;
+  for (int i = 0; i <= 500; ++i) sweep(w, Vec3(0, length * i / 500, 0), 1, Vec3::Zero());
+  EXPECT_NEAR(w.area, M_PI * kR * kR + 2 * kR * length, 0.006 * w.area);
+  EXPECT_NEAR(w.reach, length + kR, 1e-3 * length);
+  EXPECT_LE(w.count, 2);
+  // the same way back tears nothing
+  const double before = w.area;
+  for (int i = 500; i >= 0; --i) sweep(w, Vec3(0, length * i / 500, 0), 1, Vec3::Zero());
+  EXPECT_NEAR(w.area, before, 1e-3 * before);
+}
+
+TEST(Wound, ALeaningWireTearsAnEllipseOfItsSection) {
+  Wound w = fresh();
+  const double theta = 40 * kDeg;
+  sweep(w, Vec3::Zero(), std::cos(theta), Vec3(std::sin(theta), 0, std::cos(theta)));
+  // its capsule contains the ellipse of semi-axis r / cos and is no longer
+  EXPECT_NEAR(w.reach, kR / std::cos(theta), 1e-9 * kR);
+  EXPECT_GT(w.area, M_PI * kR * kR / std::cos(theta));
+  EXPECT_LT(w.area, 1.1 * M_PI * kR * kR / std::cos(theta));
+}
+
+/// Area by counting points of a fine grid.
+double counted(const Wound& w) {
+  const double step = kR / 25, far = w.reach + kR;
+  long inside = 0;
+  for (double x = -far; x < far; x += step)
+    for (double y = -far; y < far; y += step)
+      for (uint32_t i = 0; i < static_cast<uint32_t>(w.count); ++i) {
+        const Vec2 a(w.capsule[i].a[0], w.capsule[i].a[1]), b(w.capsule[i].b[0], w.capsule[i].b[1]), p(x, y);
+        const double l2 = (b - a).squaredNorm();
+        const double t = l2 > 0 ? std::clamp((p - a).dot(b - a) / l2, 0.0, 1.0) : 0;
+        if ((p - a - t * (b - a)).norm() > kR) continue;
+        ++inside;
+        break;
+      }
+  return static_cast<double>(inside) * step * step;
+}
+
+TEST(Wound, AreaOfAnyWalkIsThatOfTheUnion) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int walk = 0; walk < 6; ++walk) {
+    Wound w = fresh();
+    Vec3 p = Vec3::Zero();
+    double last = 0;
+    for (int turn = 0; turn < 6; ++turn) {
+      const Vec3 v(any(random), any(random), 0);
+      for (int i = 0; i < 40; ++i) {
+        p += 0.08 * kR * v;
+        sweep(w, p, 1, Vec3::Zero());
+        EXPECT_GE(w.area, last) << "a wound never heals";
+        last = w.area;
+      }
+    }
+    EXPECT_NEAR(w.area, counted(w), 0.012 * w.area) << walk;
+    EXPECT_NEAR(w.area, union_area(w, static_cast<uint32_t>(w.count)), 0.012 * w.area)
+        << walk;  // corners that longer capsules cut
+  }
+}
+
+TEST(Wound, WhenFullItStillGrowsAndNeverShrinks) {
+  Wound w = fresh();
+  Vec3 p = Vec3::Zero();
+  double last = 0;
+  for (int i = 0; i < 1500; ++i) {
+    p = 0.01 * kR * i * Vec3(std::cos(0.02 * i), std::sin(0.02 * i), 0);
+    sweep(w, p, 1, Vec3::Zero());
+    ASSERT_GE(w.area, last);
+    last = w.area;
+  }
+  EXPECT_EQ(w.count, Wound::kCapsules);
+  EXPECT_NEAR(w.reach, p.norm() + kR, 0.03 * w.reach);
+}
+
+}  // namespace
+}  // namespace swage::coupling_pierce

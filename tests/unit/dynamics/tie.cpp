@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ties: the law by itself, then bodies that hang on ties, against closed forms.
+#include "dynamics/tie.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+#include "dynamics/dynamics.hpp"
+
+namespace swage::dynamics {
+namespace {
+
+using toolkit::vec;
+
+TEST(TieLaw, SlidesAtItsLimitsAndRemembersTheRest) {
+  const TieLaw law{100, 1000, 2e-3, 5e-3, 1e-3};
+  // 3 um along: stuck. 8 um: 5 mN and 3 um slid. Backwards less is held
+  EXPECT_NEAR(tie_force(law, {3e-6, 0, 0}).fn, -3e-3, 1e-15);
+  EXPECT_NEAR(tie_force(law, {8e-6, 0, 0}).fn, -5e-3, 1e-15);
+  EXPECT_NEAR(tie_force(law, {-8e-6, 0, 0}).fn, 1e-3, 1e-15);
+  const Displacement far{8e-6, 30e-6, 40e-6};
+  const Force f = tie_force(law, far);
+  EXPECT_NEAR(f.f1, -2e-3 * 0.6, 1e-15);
+  EXPECT_NEAR(f.f2, -2e-3 * 0.8, 1e-15);
+  const Displacement slid = tie_slid(law, far, f);
+  EXPECT_NEAR(slid.g, 3e-6, 1e-18);
+  EXPECT_NEAR(slid.s1, 0.6 * 30e-6, 1e-18);  // of 50 um the spring keeps 20
+  EXPECT_NEAR(slid.s2, 0.8 * 30e-6, 1e-18);
+}
+
+TEST(TieLaw, ForceAndTangentAreDerivativesOfTheEnergy) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const TieLaw law{100 * std::exp(any(random)), 100 * std::exp(any(random)), 1e-3, 2e-3, 0.5e-3};
+    const double d[3] = {5e-5 * any(random), 3e-5 * any(random), 3e-5 * any(random)}, h = 1e-9;
+    const auto at = [&](int k, double e) {
+      double x[3] = {d[0], d[1], d[2]};
+      x[k] += e;
+      return Displacement{x[0], x[1], x[2]};
+    };
+    const Force f = tie_force(law, at(0, 0));
+    const double force[3] = {f.fn, f.f1, f.f2};
+    const Tangent t = tie_tangent(law, at(0, 0));
+    const double diagonal[3] = {t.nn, t.t11, t.t22};
+    for (int k = 0; k < 3; ++k) {
+      const double slope = (tie_energy(law, at(k, h)) - tie_energy(law, at(k, -h))) / (2 * h);
+      EXPECT_NEAR(-slope, force[k], 1e-7);
+      const Force p = tie_force(law, at(k, h)), m = tie_force(law, at(k, -h));
+      const double from[3] = {m.fn, m.f1, m.f2}, to[3] = {p.fn, p.f1, p.f2};
+      const double stiff = -(to[k] - from[k]) / (2 * h);
+      // but for the kinks, where the law switches within the difference
+      if (std::abs(stiff - diagonal[k]) <= 1e-3 * 300) continue;
+      const bool kink = std::abs(std::abs(law.k_along * d[0]) - 2e-3) < 1e-6 ||
+                        std::abs(std::abs(law.k_along * d[0]) - 0.5e-3) < 1e-6 ||
+                        std::abs(law.k_across * std::hypot(d[1], d[2]) - 1e-3) < 1e-6;
+      EXPECT_TRUE(kink) << stiff << " is not " << diagonal[k];
+    }
+  }
+}
+
+/// A body in a world; ties are laid before each step by the test, which plays the coupling.
+struct Scene {
+  scene::World world;
+  std::unique_ptr<Dynamics> dynamics;
+  contact::ContactSet contacts;
+
+  uint32_t add(double mass, Vec3 inertia, Vec3 p, int32_t motion = SWAGE_MOTION_DYNAMIC) {
+    scene::BodyInfo body;
+    body.motion = motion;
+    body.object = static_cast<uint32_t>(world.body.size());
+    body.mass = mass;
+    for (int i = 0; i < 3; ++i) body.inertia[i] = inertia[i];
+    world.body.push_back(body);
+    world.X_WB.push_back({toolkit::raw(p), {1, 0, 0, 0}});
+    world.V_WB.push_back({});
+    world.F_B_W.push_back({});
+    return static_cast<uint32_t>(world.body.size() - 1);
+  }
+  void step(std::span<Tie> ties) {
+    if (!dynamics) dynamics = std::make_unique<Dynamics>(world, Options());
+    dynamics->free_motion(world);
+    for (const auto& lay : before) lay();
+    dynamics->solve(world, contacts, {}, ties);
+    dynamics->finish(world);
+    ++world.step;
+  }
+  std::vector<std::function<void()>> before;  // at the predicted poses
+  toolkit::Pose pose(uint32_t body) const { return toolkit::Pose(world.X_WB[body]); }
+};
+
+// 8.3 of the reference: hung by a point at a distance d from its centre, T = (2/pi) K(sin(A/2)) 2 pi sqrt(I/(m g d)) with I
+// about the point. A tie is a stiff spring: it stretches by 0.4 nm under the needle's weight.
+TEST(Ties, PendulumSwingsWithThePeriodOfTheClosedForm) {
+  const double m = 4e-7, d = 2.7259e-3, T0 = 123.02285e-3, g = 9.80665;
+  const double I_pivot = m * g * d * std::pow(T0 / (2 * M_PI), 2), I = I_pivot - m * d * d;
+  for (const double amplitude : {5.0, 90.0}) {
+    const double expected = amplitude == 5.0 ? 123.08143e-3 : 145.20887e-3;
+    Scene s;
+    s.world.dt = 1e-5;
+    const double a = amplitude * M_PI / 180;
+    const uint32_t body = s.add(m, {0.5 * I, I, 0.7 * I}, d * Vec3(std::sin(a), 0, -std::cos(a)));
+    s.world.X_WB[body].q = toolkit::raw(toolkit::exp_rotation({0, -a, 0}));
+    const Vec3 hook_B(0, 0, d);
+    Tie tie;
+    tie.body_a = body;
+    tie.law.k_across = tie.law.k_along = 1e4;
+    s.before.push_back([&] { tie.p_W = tie.offset_W = s.pose(body) * hook_B; });
+    // a quarter swing ends where it hangs straight down
+    double before = s.pose(body).p.x(), quarter = 0;
+    for (int i = 0; quarter == 0 && i < 100000; ++i) {
+      s.step({&tie, 1});
+      const double x = s.pose(body).p.x();
+      if (x <= 0) quarter = s.world.dt * (i + before / (before - x));
+      before = x;
+    }
+    EXPECT_NEAR(4 * quarter, expected, 4e-4 * expected) << amplitude;
+    EXPECT_EQ(s.dynamics->stats().not_converged, 0u);
+  }
+}
+
+TEST(Ties, HoldUpToTheirDragAndNoFarther) {
+  const double m = 4e-7, drag = 2e-3;
+  for (const double share : {0.999, 1.001}) {
+    Scene s;
+    s.world.gravity = {0, 0, 0};
+    const uint32_t body = s.add(m, {1e-13, 1e-13, 1e-13}, Vec3::Zero());
+    Tie tie;
+    tie.body_a = body;
+    tie.law = {100, 1000, HUGE_VAL, drag, drag};
+    Vec3 rest = Vec3::Zero();
+    s.before.push_back([&] { tie.p_W = s.pose(body).p, tie.offset_W = tie.p_W - rest; });
+    for (int i = 0; i < 1000; ++i) {
+      s.world.F_B_W[body].f.x = share * drag;
+      s.step({&tie, 1});
+      rest += tie.slid_W;
+    }
+    const double x = s.pose(body).p.x(), stretch = drag / 1000;
+    if (share < 1) {
+      EXPECT_NEAR(x, share * stretch, 1e-12);
+      EXPECT_EQ(rest.x(), 0);
+    } else {
+      // what exceeds the drag accelerates it; the start costs a few steps
+      EXPECT_NEAR(x, stretch + 0.5 * (share - 1) * drag / m, 0.02 * x);
+      EXPECT_NEAR(tie.f_a_W.x(), -drag, 1e-15);
+    }
+  }
+}
+
+TEST(Ties, LinkBodiesIntoOneIslandAndKeepMomentum) {
+  Scene s;
+  s.world.gravity = {0, 0, 0};
+  const uint32_t a = s.add(1e-6, {1e-13, 2e-13, 2e-13}, {0, 0, 0}),
+                 b = s.add(3e-6, {4e-13, 4e-13, 4e-13}, {1e-3, 0, 0});
+  s.world.V_WB[a] = {{0.02, 0.01, 0}, {0, 0, 3}};
+  const Vec3 hook_A(0.5e-3, 0, 0), hook_B(-0.5e-3, 0, 0);
+  Tie tie;
+  tie.body_a = a, tie.body_b = b;
+  tie.law.k_across = tie.law.k_along = 500;
+  s.before.push_back([&] {
+    tie.p_W = s.pose(a) * hook_A;
+    tie.offset_W = tie.p_W - s.pose(b) * hook_B;
+  });
+  const Vec3 momentum = 1e-6 * vec(s.world.V_WB[a].v);
+  double energy = HUGE_VAL;
+  for (int i = 0; i < 500; ++i) {
+    s.step({&tie, 1});
+    const Vec3 now = 1e-6 * vec(s.world.V_WB[a].v) + 3e-6 * vec(s.world.V_WB[b].v);
+    ASSERT_LT((now - momentum).norm(), 1e-12 * momentum.norm());
+    const double kinetic =
+        0.5e-6 * vec(s.world.V_WB[a].v).squaredNorm() + 1.5e-6 * vec(s.world.V_WB[b].v).squaredNorm();
+    EXPECT_LT(kinetic, 1e-3);
+    energy = kinetic;
+  }
+  EXPECT_LT(energy, 0.5e-6 * (0.02 * 0.02 + 0.01 * 0.01));
+  EXPECT_LT((s.pose(a) * hook_A - s.pose(b) * hook_B).norm(), 2e-6);
+  EXPECT_GT(vec(s.world.V_WB[b].v).norm(), 1e-3) << "the other one is pulled along";
+}
+
+TEST(Ties, BetweenWhatCannotMoveStillTellTheirForce) {
+  Scene s;
+  const uint32_t tool = s.add(0, Vec3::Zero(), Vec3::Zero(), SWAGE_MOTION_FIXED);
+  Tie tie;
+  tie.body_a = tool;
+  tie.offset_W = Vec3(1e-6, 0, 2e-6);
+  tie.law = {100, 1000, HUGE_VAL, 5e-4, 5e-4};
+  s.step({&tie, 1});
+  EXPECT_NEAR(tie.f_a_W.x(), -5e-4, 1e-12);
+  EXPECT_NEAR(tie.f_a_W.z(), -2e-4, 1e-12);
+  EXPECT_NEAR(tie.slid_W.x(), 0.5e-6, 1e-15);
+}
+
+TEST(Ties, BeyondTheCapacityAreCountedAndHoldNothing) {
+  Scene s;
+  const uint32_t body = s.add(4e-7, {1e-13, 1e-13, 1e-13}, Vec3::Zero());
+  std::vector<Tie> ties(Options().max_ties + 3);
+  for (Tie& tie : ties)
+    tie.body_a = body, tie.law.k_across = tie.law.k_along = 10, tie.offset_W = Vec3(0, 0, 1e-6);
+  s.step(ties);
+  EXPECT_EQ(s.dynamics->stats().dropped, 3u);
+  EXPECT_NE(ties[0].f_a_W.z(), 0);
+  EXPECT_EQ(ties.back().f_a_W.z(), 0);
+}
+
+}  // namespace
+}  // namespace swage::dynamics
