@@ -140,7 +140,7 @@ Needle::Stretch Needle::stretch(const Step& step, int i) const {
   const Arc arc{arc_.radius, bending_.piece_sweep(), arc_.wire_radius};
   const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
   return {bending_.piece(step, i),    X_PA,          arc,
-          static_cast<double>(i) / n, (i + 1.0) / n, static_cast<uint32_t>(i)};
+          static_cast<double>(i) / n, (i + 1.0) / n, bending_.body_of(i)};
 }
 
 /// The piece that is nearest.
