@@ -159,7 +159,7 @@ class Coupling final : public Onlooker {
  private:
   static host::Instance& instance_of(const Stepped& scene) { return *scene.rig->couplings.back().instance; }
   static bool sensible(const swage_contact& c) {
-    return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness > 0 &&
+    return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
            c.restitution >= 0 && c.restitution <= 1;
   }
   static double poison(base::Xoshiro256& random) {

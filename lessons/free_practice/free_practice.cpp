@@ -87,7 +87,8 @@ void FreePractice::look_at(const Thing& thing, ThingMemory& memory, PracticeMemo
     verdict.event(grasped_, which);
   }
 
-  if (drop_.look(memory.drop, p_W, held)) {
+  // the sign of a hold lasts a little longer than the hold, and by then what falls has landed: the force tells at once
+  if (drop_.look(memory.drop, p_W, held && view.signal(thing.grasp.force) > 0)) {
     all.drops += 1;
     verdict.event(dropped_, which);
   }

@@ -118,7 +118,8 @@ void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) con
 }
 
 void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held);
+  // the sign of a hold lasts a little longer than the hold, and by then what falls has landed: the force tells at once
+  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held && look.force > 0);
   if (finding.dropped) {
     memory.drops += 1;
     memory.engaged = 0;
