@@ -74,7 +74,7 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
     if (seeks_[i].tissue == kNone)
       return refuse(where + " aims into \"" + act.tissue + "\", which is not there");
     seeks_[i].tissue_peer = Peer(scene->object[seeks_[i].tissue].instance);
-    if (!seeks_[i].tissue_peer.has("swage.trait.pierceable/1"))
+    if (!seeks_[i].tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
       return refuse(where + ": \"" + act.tissue + "\" cannot be pierced");
   }
 }
@@ -97,6 +97,9 @@ void Skilled::look(const Sight& sight) {
   const Seeks& seeks = seeks_[act_];
   if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
   seen_.into_W = plan_.acts[act_].into;
+  if (seeks.tissue == kNone) return;
+  if (const auto p = seeks.tissue_peer.inside(scene.object(seeks.tissue), toolkit::raw(seen_.mark_W)))
+    seen_.into_W = -vec(p->normal_W);
 }
 
 // a new attempt begins at time 0

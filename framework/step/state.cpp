@@ -93,6 +93,8 @@ void mirror(snapshot::Snapshot& out) {
 }  // namespace
 
 void Engine::fill(snapshot::Snapshot& out) const noexcept {
+  // the first picture is taken on [main], before the step thread lives; the plugins it asks are between steps all the same
+  const host::ScopedRole rt(SWAGE_THREAD_RT);
   using namespace snapshot;
   const scene::World& w = rig_.world;
   const judge::Verdict& v = judging_.verdict();

@@ -22,7 +22,8 @@ const std::string kBasic = kSeries + "020_grasp_basic.json";
 const std::string kCarry = kSeries + "040_grasp_advanced_2.json";
 const char* const kLessons[] = {"010_practice_solids",          "020_grasp_basic",
                                 "030_grasp_advanced_1_quarter", "031_grasp_advanced_1_three_eighths",
-                                "032_grasp_advanced_1_half",    "040_grasp_advanced_2"};
+                                "032_grasp_advanced_1_half",    "040_grasp_advanced_2",
+                                "110_insertion"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);

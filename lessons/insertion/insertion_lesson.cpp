@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "insertion_lesson.hpp"
+
+#include <algorithm>
+
+namespace swage::lesson_insertion {
+
+using toolkit::vec;
+
+namespace {
+
+constexpr double kMarkRadius = 60e-6;  // m, drawn; the hole in its middle leaves the needle's point visible
+
+template <class Enum>
+size_t index(Enum value) {
+  return static_cast<size_t>(value);
+}
+
+}  // namespace
+
+void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builder) {
+  params_ = params;
+  builder.state<Kept>();
+  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
+  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+
+  phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
+  phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, square to the tissue.");
+  phase_[index(Stage::kDrive)] = builder.phase("drive", "Drive it in along its own curve.");
+  phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
+  phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
+  phase_[index(Stage::kPull)] = builder.phase("pull", "Pull it through along its curve.");
+  phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
+
+  dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
+  missed_ = builder.event("entry.missed", "The point went in too far from the mark.");
+  const auto failure = [&](End end, const char* code, const char* doc) {
+    failed_[index(end)] = builder.event(code, doc);
+  };
+  failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
+  failure(End::kMissed, "failed.missed", "The needle went in too far from the mark.");
+  failure(End::kTorn, "failed.torn", "The wound became too large.");
+  failure(End::kDeflected, "failed.deflected", "The tissue refused the point too often.");
+  failure(End::kOutOfTime, "failed.out_of_time",
+          "The time was over before the needle was where it should be.");
+}
+
+void InsertionLesson::bind(const Scene& scene, Binder& binder) {
+  gripper_ = lessons::find_gripper(scene, binder, params_.gripper, gripper_object_);
+  needle_object_ = lessons::find_object(scene, binder, params_.needle);
+  tissue_object_ = lessons::find_object(scene, binder, params_.tissue);
+  const std::vector<std::string> owners = lessons::grasp_owners(scene);
+  if (owners.empty())
+    binder.error("nothing in the scene tells about a grasp; add to \"couplings\" a \"swage.coupling.grasp\"");
+  if (binder.failed()) return;
+  grasp_ = lessons::find_grasp(scene, binder, owners.front());
+  needle_ = Peer(scene->object[needle_object_].instance);
+  tissue_ = Peer(scene->object[tissue_object_].instance);
+  if (!needle_.has(SWAGE_TRAIT_PIERCING)) binder.error("\"" + params_.needle + "\" cannot pierce");
+  if (!tissue_.has(SWAGE_TRAIT_PIERCEABLE)) binder.error("\"" + params_.tissue + "\" cannot be pierced");
+  if (scene->object[needle_object_].n_body == 0 || scene->object[tissue_object_].n_body == 0)
+    binder.error("needle and tissue must have bodies");
+  find_pierce(scene, binder);
+  if (binder.failed()) return;
+  needle_body_ = scene->object[needle_object_].first_body;
+  tissue_body_ = scene->object[tissue_object_].first_body;
+  target_ = binder.mark_point({0, 0, 0}, kMarkRadius, "target.point");
+}
+
+void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
+  std::string owner;
+  for (uint32_t i = 0; i < scene->n_signal && owner.empty(); ++i)
+    if (view(scene->signal[i].id) == "pierce.state") owner = view(scene->signal[i].owner);
+  if (owner.empty())
+    return binder.error(
+        "nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
+  const auto signal = [&](const std::string& word) {
+    const Signal found = scene.find_signal(owner, "pierce." + word);
+    if (!found.valid())
+      binder.error("\"" + owner + "\" has no signal \"pierce." + word + "\", which this lesson watches");
+    return found;
+  };
+  const auto event = [&](const std::string& word) {
+    const Event found = scene.find_event(owner, "pierce." + word);
+    if (!found.valid())
+      binder.error("\"" + owner + "\" has no event \"pierce." + word + "\", which this lesson watches");
+    return found;
+  };
+  pierce_ = {signal("state"),
+             signal("angle"),
+             signal("cosine"),
+             signal("s"),
+             {signal("at_x"), signal("at_y"), signal("at_z")},
+             {signal("entry_x"), signal("entry_y"), signal("entry_z")},
+             signal("wound"),
+             signal("area_ratio"),
+             signal("swept"),
+             signal("below"),
+             signal("pull"),
+             event("entered"),
+             event("exited"),
+             event("passed"),
+             event("deflected")};
+}
+
+void InsertionLesson::activate(double dt_s) {
+  const InsertionParams& p = params_;
+  Rules rules;
+  rules.task = p.task;
+  rules.tolerance = p.tolerance;
+  rules.in_angle = p.in_angle;
+  rules.drive = p.drive;
+  rules.max_wound = p.max_wound;
+  rules.force_high = p.max_force;
+  rules.par_time = p.par_time;
+  rules.max_time = p.max_time;
+  rules.max_drops = p.max_drops;
+  rules.max_deflections = p.max_deflections;
+  rules.drop_distance = p.drop_distance;
+  judge_ = Judge(rules, dt_s);
+}
+
+/// The mark: somewhere on the surface, drawn once per attempt.
+bool InsertionLesson::draw(const View& scene, Kept& kept) {
+  const toolkit::Pose X_WO(scene.pose(tissue_body_));
+  const auto between = [this](const Interval& range) {
+    return range.low + (range.high - range.low) * random();
+  };
+  const double x = between(params_.target_x), y = between(params_.target_y);
+  const auto place = tissue_.inside(scene.object(tissue_object_), toolkit::raw(X_WO * Vec3(x, y, 0)));
+  if (!place) return false;
+  Eigen::Map<Vec3>(kept.target) = vec(place->p_W);
+  Eigen::Map<Vec3>(kept.normal) = vec(place->normal_W);
+  kept.drawn = 1;
+  return true;
+}
+
+bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) const {
+  const auto jaws = gripper_.describe(scene.object(gripper_object_));
+  const auto point = needle_.place(scene.object(needle_object_), 0);
+  if (!jaws || !point) return false;
+  const auto number = [&](Signal signal) { return scene.signal(signal); };
+  look.time_s = scene.time();
+  look.dt_s = scene.dt();
+  look.held = number(grasp_.held) != 0;
+  look.force = number(grasp_.force);
+  look.grip_s = number(grasp_.s);
+  look.tip_W = vec(jaws->tip_W);
+  look.needle_W = vec(scene.pose(needle_body_).p);
+  look.length = point->length;
+  look.point_W = vec(point->p_W);
+  look.target_W = Eigen::Map<const Vec3>(kept.target);
+  look.normal_W = Eigen::Map<const Vec3>(kept.normal);
+
+  constexpr double kInTissue = 2, kOutAgain = 3;
+  look.in_tissue = number(pierce_.state) >= kInTissue;
+  look.out_again = number(pierce_.state) >= kOutAgain;
+  look.entered = scene.happened(pierce_.entered);
+  look.passed = scene.happened(pierce_.passed);
+  look.deflected = scene.happened(pierce_.deflected);
+  for (const swage_view_event& event : scene.events()) {
+    if (event.event != pierce_.exited) continue;
+    look.exited = true;
+    look.exit_angle = event.value;
+  }
+  look.angle = number(pierce_.angle);
+  look.cosine = number(pierce_.cosine);
+  look.s = number(pierce_.s);
+  for (int i = 0; i < 3; ++i) look.entry_W[i] = number(pierce_.entry[i]);
+  look.wound = number(pierce_.wound);
+  look.area_ratio = number(pierce_.area_ratio);
+  look.swept = number(pierce_.swept);
+  look.below = number(pierce_.below);
+  look.pull = number(pierce_.pull);
+  if (!look.in_tissue) return true;
+  const auto nearest = needle_.nearest(scene.object(needle_object_), toolkit::raw(look.entry_W));
+  if (nearest) look.arc_error = (vec(nearest->p_W) - look.entry_W).norm();
+  return true;
+}
+
+void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::span<double> state) {
+  auto& kept = as<Kept>(state);
+  Look look;
+  if ((kept.drawn == 0 && !draw(scene, kept)) || !read(scene, kept, look)) return discard();
+  const Finding finding = judge_.look(kept.memory, look);
+  report(look, finding, kept.memory, verdict);
+  say(finding, kept, verdict);
+}
+
+void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdict& verdict) const {
+  // signs
+  const auto show = [&](uint32_t object, Cue cue) {
+    cue.valid() ? verdict.cue(object, cue) : verdict.clear_cue(object);
+  };
+  Cue needle;
+  if (finding.angle_good) needle = sign(Sign::kAngleGood);
+  if (finding.angle_off) needle = sign(Sign::kAngleOff);
+  if (finding.stuck) needle = sign(Sign::kStuck);
+  show(needle_object_, needle);
+  show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
+  show(tissue_object_, finding.torn ? sign(Sign::kTorn) : Cue());
+  const swage_vec3 p_W{kept.target[0], kept.target[1], kept.target[2]};
+  const Cue near = finding.near ? sign(Sign::kNear) : Cue();
+  verdict.mark(target_, finding.end == End::kPassed ? sign(Sign::kDone) : near, &p_W);
+
+  // what happened
+  if (finding.dropped) verdict.event(dropped_);
+  if (finding.missed) verdict.event(missed_, kept.memory.entry_distance);
+  verdict.phase(phase_[index(finding.stage)]);
+
+  // the end
+  if (finding.end == End::kRunning) return;
+  if (finding.end == End::kPassed) return verdict.pass(finding.score);
+  const Event reason = failed_[index(finding.end)];
+  verdict.event(reason);
+  verdict.fail(reason, finding.score);
+}
+
+void InsertionLesson::report(const Look& look, const Finding& finding, const Memory& m,
+                             const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  const Rules& rules = judge_.rules();
+  tell(Measure::kTime, task_time(m, look.time_s));
+  tell(Measure::kSuccess, finding.end == End::kPassed ? 1 : 0);
+  tell(Measure::kDrops, m.drops);
+  tell(Measure::kForce, m.held_s > 0 ? m.force_s / m.held_s : 0);
+  tell(Measure::kPeak, m.peak);
+  tell(Measure::kPath, m.path.length);
+  tell(Measure::kEntries, m.entries);
+  tell(Measure::kDeflections, m.deflections);
+  tell(Measure::kProgress, std::min(1.0, m.deepest / rules.drive));
+  // what has no value before the point went in is not told
+  if (m.entries == 0) return;
+  tell(Measure::kEntryDistance, m.entry_distance);
+  tell(Measure::kEntryAngle, m.entry_angle);
+  tell(Measure::kCosine, m.inside_s > 0 ? m.cosine_s / m.inside_s : 0);
+  tell(Measure::kAngle, angle_rms(m));
+  tell(Measure::kInAngle, m.travel > 0 ? m.travel_in / m.travel : 0);
+  tell(Measure::kDepth, look.below);
+  tell(Measure::kArc, arc_rms(m));
+  tell(Measure::kWound, look.wound);
+  tell(Measure::kArea, look.area_ratio);
+  tell(Measure::kPull, m.pull_s);
+  tell(Measure::kSwept, look.swept);
+  if (m.exited != 0) tell(Measure::kExitAngle, m.exit_angle);
+}
+
+}  // namespace swage::lesson_insertion
+
+SWAGE_EXPORT(swage::lesson_insertion::InsertionLesson)

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.lesson.insertion: take a needle, put its point to a mark on a tissue and drive it in along its own curve. See
+// insertion.md.
+#pragma once
+
+#include <swage/lesson.hpp>
+
+#include <string>
+
+#include "card.hpp"
+#include "common/watching.hpp"
+#include "judge.hpp"
+
+namespace swage::lesson_insertion {
+
+/// Names of Task, in its order.
+inline constexpr const char* kTasks[] = {"insert", "stitch", nullptr};
+
+struct InsertionParams {
+  std::string gripper = "holder", needle = "needle", tissue = "tissue";
+  Task task = Task::kInsert;
+  Interval target_x = {-1e-3, 1e-3}, target_y = {-1e-3, 1e-3};  // m, of the tissue's frame
+  double tolerance = Rules{}.tolerance;                         // m
+  double in_angle = Rules{}.in_angle;                           // rad
+  double drive = Rules{}.drive;
+  double max_force = Rules{}.force_high;  // N
+  double par_time = Rules{}.par_time;     // s
+  double max_time = Rules{}.max_time;     // s
+  double max_wound = Rules{}.max_wound;
+  int max_drops = Rules{}.max_drops;
+  int max_deflections = Rules{}.max_deflections;
+  double drop_distance = Rules{}.drop_distance;  // m
+};
+
+class InsertionLesson final : public Lesson<InsertionParams> {
+ public:
+  static constexpr auto id = "swage.lesson.insertion";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Insert a needle";
+  static constexpr auto summary =
+      "Take the needle, put its point to a mark on the tissue and drive it in square and along its own "
+      "curve; as a stitch also "
+      "out again, let go, taken on the other side and pulled through.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr std::span<const swage_metric_info> metrics{kMetrics};
+  static constexpr std::span<const swage_cue_info> cues{kCues};
+
+  static constexpr std::array fields = {
+      text<&InsertionParams::gripper>("gripper", "Gripper", "Name of the object that grips."),
+      text<&InsertionParams::needle>("needle", "Needle", "Name of the needle."),
+      text<&InsertionParams::tissue>("tissue", "Tissue", "Name of what it goes into."),
+      choice<&InsertionParams::task>(
+          "task", "Task", kTasks,
+          "Insert: in until enough of it is inside. Stitch: also out, let go, taken on the other "
+          "side, pulled through."),
+      interval<&InsertionParams::target_x>(
+          "target_x", "Mark, x", "m", "mm", -0.1, 0.1,
+          "The mark is drawn evenly between these two, along x of the tissue."),
+      interval<&InsertionParams::target_y>("target_y", "Mark, y", "m", "mm", -0.1, 0.1,
+                                           "The same along its y."),
+      real<&InsertionParams::tolerance>("tolerance", "Tolerance", "m", "mm", 1e-6, 0.1,
+                                        "The point must go in within this distance from the mark."),
+      real<&InsertionParams::in_angle>(
+          "in_angle", "Angle", "rad", "deg", 0.01, 1.5,
+          "Up to this angle to the tissue's normal a needle counts as square to it."),
+      real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
+                                    "Share of the needle that is to be inside at the end."),
+      real<&InsertionParams::max_force>("max_force", "Force", "N", "N", 0.01, 100,
+                                        "Above this grip force the jaws show too much force."),
+      real<&InsertionParams::par_time>(
+          "par_time", "Par time", "s", "s", 0.1, 3600,
+          "Up to here no points are lost for time; twice this costs all that time can cost.")
+          .group("Limits"),
+      real<&InsertionParams::max_time>("max_time", "Time limit", "s", "s", 1, 36000,
+                                       "The attempt fails when it is over.")
+          .group("Limits"),
+      real<&InsertionParams::max_wound>(
+          "max_wound", "Wound", "1", "%", 1, 1000,
+          "The attempt fails when the wound size exceeds this; 100 % is perfect.")
+          .group("Limits"),
+      integer<&InsertionParams::max_drops>("max_drops", "Drops", 0, 100,
+                                           "The attempt fails with one drop more than this.")
+          .group("Limits"),
+      integer<&InsertionParams::max_deflections>("max_deflections", "Deflections", 0, 1000,
+                                                 "The attempt fails with one refused entry more than this.")
+          .group("Limits"),
+      real<&InsertionParams::drop_distance>(
+          "drop_distance", "Drop distance", "m", "mm", 1e-5, 1,
+          "The needle has dropped when it is further than this from where it was left.")
+          .group("Limits")
+          .hidden(),
+  };
+
+  void build(const InsertionParams& params, LessonBuilder& builder) override;
+  void bind(const Scene& scene, Binder& binder) override;
+  void activate(double dt_s) override;
+  void observe(const View& view, const Verdict& verdict, std::span<double> state) override;
+  void reset(std::span<double> state) override { as<Kept>(state) = {}; }
+
+ private:
+  /// Private numbers: what the judge remembers, and where the mark is.
+  struct Kept {
+    Memory memory;
+    double drawn = 0;                                     // 0 or 1
+    double target[3] = {0, 0, 0}, normal[3] = {0, 0, 1};  // m, unit; W
+  };
+  /// Signals and events of the coupling that pierces.
+  struct Pierce {
+    Signal state, angle, cosine, s, at[3], entry[3], wound, area_ratio, swept, below, pull;
+    Event entered, exited, passed, deflected;
+  };
+
+  void find_pierce(const Scene& scene, Binder& binder);
+  bool draw(const View& view, Kept& kept);
+  bool read(const View& view, const Kept& kept, Look& look) const;
+  void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
+  void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
+  Cue sign(Sign sign) const { return cue_[static_cast<size_t>(sign)]; }
+
+  InsertionParams params_;
+  Judge judge_;
+  lessons::GraspSignals grasp_;
+  Pierce pierce_;
+  Peer gripper_, needle_, tissue_;
+  uint32_t gripper_object_ = kNone, needle_object_ = kNone, needle_body_ = kNone, tissue_object_ = kNone,
+           tissue_body_ = kNone;
+  Mark target_;
+  Metric metric_[static_cast<size_t>(Measure::kCount)];
+  Cue cue_[static_cast<size_t>(Sign::kCount)];
+  Phase phase_[7];                      // by Stage
+  Event dropped_, missed_, failed_[7];  // by End
+};
+
+}  // namespace swage::lesson_insertion

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "judge.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace swage::lesson_insertion {
+namespace {
+
+// Forces are judged without what the hand cannot control: above this is noise of contact, Hz.
+constexpr double kForceBand = 20;
+// The sign for too much force stays at least this long, s, and goes when the force falls below this share of the limit.
+constexpr double kSignTime = 0.3, kSignLeaves = 0.9;
+// A wound up to this many radii is what careful hands leave.
+constexpr double kGoodWound = 2;
+// So much of the needle must be behind the jaws' place before a second grasp counts as one on the other side.
+constexpr double kOtherSide = 0.02;
+
+}  // namespace
+
+Judge::Judge(const Rules& rules, double dt)
+    : rules_(rules),
+      path_(dt),
+      drop_(rules.drop_distance),
+      force_filter_(kForceBand, dt, LowPass::kCritical) {}
+
+Finding Judge::look(Memory& memory, const Look& look) const noexcept {
+  Finding finding;
+  if (memory.begun == 0) {
+    memory.begun = 1;
+    DropWatch::rest(memory.drop, look.needle_W);
+  }
+  path_.look(memory.path, look.tip_W, look.time_s);
+  follow_entry(memory, look, finding);
+  integrate(memory, look);
+  follow_force(memory, look, finding);
+  follow_needle(memory, look, finding);
+  finding.stage = stage(memory, look);
+  decide(memory, look, finding);
+  return finding;
+}
+
+void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  if (look.deflected) memory.deflections += 1;
+  if (look.entered) {
+    const Vec3 off = look.entry_W - look.target_W;
+    memory.entries += 1;
+    memory.entry_distance = (off - off.dot(look.normal_W) * look.normal_W).norm();
+    memory.entry_angle = look.angle;
+    memory.missed = memory.entry_distance > rules_.tolerance ? 1 : 0;
+    memory.tracked = 0;
+    memory.deepest = 0;
+    finding.missed = memory.missed != 0;
+  }
+  if (look.exited) {
+    memory.exited = 1;
+    memory.exit_angle = look.exit_angle;
+  }
+  if (look.passed) memory.through = 1;
+
+  // where it is going to go in
+  const Vec3 ahead = look.point_W - look.target_W;
+  const Vec3 beside = ahead - ahead.dot(look.normal_W) * look.normal_W;
+  finding.near =
+      !look.in_tissue && look.held && ahead.norm() < 4 * rules_.tolerance && beside.norm() < rules_.tolerance;
+}
+
+// Everything about the angle is weighted by the needle's way through its entry: waiting costs nothing and mends nothing.
+void Judge::integrate(Memory& memory, const Look& look) const noexcept {
+  const double force = force_filter_.next(memory.force, look.force);
+  if (look.held) {
+    memory.held_s += look.dt_s;
+    memory.force_s += force * look.dt_s;
+    memory.peak = std::max(memory.peak, force);
+  }
+  if (!look.in_tissue) {
+    memory.tracked = 0;
+    return;
+  }
+  const double way = memory.tracked != 0 ? std::abs(look.s - memory.last_s) * look.length : 0;
+  memory.last_s = look.s;
+  memory.tracked = 1;
+  memory.deepest = std::max(memory.deepest, look.s);
+  memory.travel += way;
+  if (look.angle <= rules_.in_angle) memory.travel_in += way;
+  memory.angle2 += look.angle * look.angle * way;
+  memory.arc2 += look.arc_error * look.arc_error * way;
+  memory.inside_s += look.dt_s;
+  memory.cosine_s += look.cosine * look.dt_s;
+  memory.pull_s += look.pull * look.dt_s;
+}
+
+void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  if (look.held && look.force > rules_.force_high) {
+    if (memory.hard == 0) memory.hard_until_s = look.time_s + kSignTime;
+    memory.hard = 1;
+  } else if (look.force < kSignLeaves * rules_.force_high && look.time_s >= memory.hard_until_s) {
+    memory.hard = 0;
+  }
+  finding.too_hard = memory.hard != 0;
+}
+
+void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  // what sticks in the tissue has not been dropped
+  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || look.in_tissue);
+  if (finding.dropped) memory.drops += 1;
+  finding.stuck = look.in_tissue && !look.held;
+  finding.angle_off = look.in_tissue && look.angle > rules_.in_angle;
+  finding.angle_good = look.in_tissue && !finding.angle_off;
+  finding.torn = look.wound > kGoodWound;
+
+  // the other side: let go once the point is out, and taken where it came out
+  if (memory.exited != 0 && !look.held) memory.let_go = 1;
+  if (memory.let_go != 0 && look.held && look.grip_s < look.s - kOtherSide) memory.retaken = 1;
+}
+
+Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
+  if (memory.retaken != 0) return Stage::kPull;
+  if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
+  if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
+  if (look.in_tissue) return Stage::kDrive;
+  return look.held ? Stage::kAim : Stage::kTake;
+}
+
+void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
+                                                 : memory.through != 0 && memory.retaken != 0;
+  if (done)
+    finding.end = memory.missed != 0 ? End::kMissed : End::kPassed;
+  else if (look.wound > rules_.max_wound)
+    finding.end = End::kTorn;
+  else if (memory.drops > rules_.max_drops)
+    finding.end = End::kDropped;
+  else if (memory.deflections > rules_.max_deflections)
+    finding.end = End::kDeflected;
+  else if (look.time_s >= rules_.max_time)
+    finding.end = End::kOutOfTime;
+  if (finding.end == End::kRunning) return;
+  finding.stage = Stage::kDone;
+  finding.score = score(memory, look, finding.end == End::kPassed);
+}
+
+double Judge::score(const Memory& memory, const Look& look, bool passed) const noexcept {
+  // an attempt that did not pass is worth at most 40: the share of the way that was made, from the right place
+  if (!passed) return memory.missed != 0 ? 0 : 40 * std::min(1.0, memory.deepest / rules_.drive);
+
+  const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
+  const double lost = 30 * std::clamp((look.wound - 1) / 2, 0.0, 1.0) +
+                      30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0) +
+                      15 * std::clamp(memory.entry_distance / rules_.tolerance, 0.0, 1.0) +
+                      8 * std::clamp(memory.deflections, 0.0, 3.0) + 15 * memory.drops +
+                      15 * std::clamp(late, 0.0, 1.0);
+  return std::clamp(100 - lost, 40.0, 100.0);
+}
+
+}  // namespace swage::lesson_insertion

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a good insertion is, when it is over and what it is worth. Pure arithmetic on what was seen in one step; meanings and
+// formulas are explained in insertion.md.
+#pragma once
+
+#include "common/low_pass.hpp"
+#include "common/watches.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::lesson_insertion {
+
+using lessons::DropState;
+using lessons::DropWatch;
+using lessons::LowPass;
+using lessons::LowPassState;
+using lessons::PathState;
+using lessons::PathWatch;
+using toolkit::Vec3;
+
+enum class Task : int {
+  kInsert,  // in at the mark and along the arc until enough of the needle is in the tissue
+  kStitch,  // and out, let go, taken on the other side, and pulled through
+};
+
+/// What is asked of the trainee.
+struct Rules {
+  Task task = Task::kInsert;
+  double tolerance = 0.3e-3;   // m, entry from the mark
+  double in_angle = 0.2618;    // rad, 15 deg: what still counts as perpendicular
+  double drive = 0.35;         // share of the needle that is to be inside
+  double wire_radius = 50e-6;  // m, of the needle that is used
+  double max_wound = 6;        // edge of the wound from its centre over the wire's radius
+  double force_high = 1.5;     // N
+  double par_time = 30;        // s
+  double max_time = 300;       // s
+  int max_drops = 2;
+  int max_deflections = 5;
+  double drop_distance = 3e-3;  // m
+};
+
+/// What one step shows. The pierce.* signals under short names.
+struct Look {
+  double time_s = 0, dt_s = 1e-3;
+  bool held = false;
+  double force = 0;                                    // N
+  double grip_s = 0;                                   // where the jaws have it, 0 point .. 1 swage
+  Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
+  double length = 0;                                   // m, of the needle
+  Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
+  bool in_tissue = false, out_again = false;  // the track is open; the point is out again
+  bool entered = false, exited = false, passed = false, deflected = false;  // events of this step
+  double angle = 0, cosine = 0;                                             // rad, 1
+  double s = 0;                 // where it crosses the surface, 0 at the point
+  double exit_angle = 0;        // rad, with `exited`
+  Vec3 entry_W = Vec3::Zero();  // m
+  double arc_error = 0;         // m, of the entry from the needle's centre line
+  double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
+};
+
+/// Everything remembered from step to step: doubles only.
+struct Memory {
+  PathState path;
+  DropState drop;
+  LowPassState force;
+  double begun = 0;
+  double drops = 0, entries = 0, deflections = 0, missed = 0;
+  double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
+  double exit_angle = 0;                       // rad
+  double last_s = 0, tracked = 0;              // tracked: last_s is of this track
+  double travel = 0, travel_in = 0;            // m, of the needle through its entry, and within the angle
+  double angle2 = 0, arc2 = 0;                 // rad2 m, m3: integrals over the travel
+  double inside_s = 0, cosine_s = 0;           // s
+  double pull_s = 0;                           // N s
+  double held_s = 0, force_s = 0, peak = 0;    // s, N s, N
+  double hard = 0, hard_until_s = 0;
+  double deepest = 0;  // greatest share of the needle inside
+  double exited = 0, let_go = 0, retaken = 0, through = 0;
+};
+
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
+enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime };
+
+/// What is to be said after one step.
+struct Finding {
+  Stage stage = Stage::kTake;
+  End end = End::kRunning;
+  bool near = false;                           // the point is where it should go in
+  bool angle_good = false, angle_off = false;  // in the tissue
+  bool stuck = false;                          // let go in the tissue
+  bool torn = false;                           // the wound is beyond what is good
+  bool too_hard = false;
+  bool dropped = false, missed = false;  // in this step
+  double score = 0;                      // 0..100, once it has ended
+};
+
+class Judge {
+ public:
+  Judge() = default;
+  Judge(const Rules& rules, double dt);
+
+  /// [rt]
+  Finding look(Memory& memory, const Look& look) const noexcept;
+  const Rules& rules() const { return rules_; }
+
+ private:
+  void follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void integrate(Memory& memory, const Look& look) const noexcept;
+  void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  Stage stage(const Memory& memory, const Look& look) const noexcept;
+  void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
+  double score(const Memory& memory, const Look& look, bool passed) const noexcept;
+
+  Rules rules_;
+  PathWatch path_;
+  DropWatch drop_;
+  LowPass force_filter_;
+};
+
+/// Time since the hand set off, s.
+inline double task_time(const Memory& memory, double time_s) {
+  return memory.path.set_off_s < 0 ? 0 : time_s - memory.path.set_off_s;
+}
+/// Root of the mean square of the angle, weighted by travel, rad; and the same of the distance from its arc, m.
+inline double angle_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.angle2 / m.travel) : 0; }
+inline double arc_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.arc2 / m.travel) : 0; }
+
+}  // namespace swage::lesson_insertion
