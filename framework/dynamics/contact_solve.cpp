@@ -114,8 +114,7 @@ void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& s
   }
 }
 
-/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is
-/// there.
+/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there.
 void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   std::fill(touched_.begin(), touched_.end(), uint8_t{0});
   for (uint32_t i = 0; i < n_; ++i)
@@ -149,8 +148,7 @@ void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept 
   if (k.b.point != kNone) c.gap -= c.n_W.dot(off_shape(k.b, c.p_W));
 }
 
-/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said
-/// they
+/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said they
 /// would be. True when a contact has begun to overlap that took no part.
 bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   for (Group& group : island_)
@@ -238,8 +236,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   stats.rounds += outcome.rounds;
 }
 
-/// How much of the way that the linear problem asks for is gone: what Aitken's rule makes of this way and the one
-/// before, seen
+/// How much of the way that the linear problem asks for is gone: what Aitken's rule makes of this way and the one before, seen
 /// at the contacts. Where normals turn with what moves, passes that went all the way would jump to and fro.
 void ContactSolve::relax(Group& group) noexcept {
   double along = 0, change = 0;

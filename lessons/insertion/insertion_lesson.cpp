@@ -90,7 +90,6 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
              signal("angle"),
              signal("cosine"),
              signal("s"),
-             {signal("at_x"), signal("at_y"), signal("at_z")},
              {signal("entry_x"), signal("entry_y"), signal("entry_z")},
              signal("wound"),
              signal("area_ratio"),
@@ -152,9 +151,8 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.target_W = Eigen::Map<const Vec3>(kept.target);
   look.normal_W = Eigen::Map<const Vec3>(kept.normal);
 
-  constexpr double kInTissue = 2, kOutAgain = 3;
+  constexpr double kInTissue = 2;
   look.in_tissue = number(pierce_.state) >= kInTissue;
-  look.out_again = number(pierce_.state) >= kOutAgain;
   look.entered = scene.happened(pierce_.entered);
   look.passed = scene.happened(pierce_.passed);
   look.deflected = scene.happened(pierce_.deflected);

@@ -108,7 +108,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
-    Signal state, angle, cosine, s, at[3], entry[3], wound, area_ratio, swept, below, pull;
+    Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull;
     Event entered, exited, passed, deflected;
   };
 

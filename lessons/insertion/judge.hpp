@@ -26,14 +26,13 @@ enum class Task : int {
 /// What is asked of the trainee.
 struct Rules {
   Task task = Task::kInsert;
-  double tolerance = 0.3e-3;   // m, entry from the mark
-  double in_angle = 0.2618;    // rad, 15 deg: what still counts as perpendicular
-  double drive = 0.35;         // share of the needle that is to be inside
-  double wire_radius = 50e-6;  // m, of the needle that is used
-  double max_wound = 6;        // edge of the wound from its centre over the wire's radius
-  double force_high = 1.5;     // N
-  double par_time = 30;        // s
-  double max_time = 300;       // s
+  double tolerance = 0.3e-3;  // m, entry from the mark
+  double in_angle = 0.2618;   // rad, 15 deg: what still counts as perpendicular
+  double drive = 0.35;        // share of the needle that is to be inside
+  double max_wound = 6;       // edge of the wound from its centre over the wire's radius
+  double force_high = 1.5;    // N
+  double par_time = 30;       // s
+  double max_time = 300;      // s
   int max_drops = 2;
   int max_deflections = 5;
   double drop_distance = 3e-3;  // m
@@ -48,7 +47,7 @@ struct Look {
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   double length = 0;                                   // m, of the needle
   Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
-  bool in_tissue = false, out_again = false;  // the track is open; the point is out again
+  bool in_tissue = false;                                                   // the track is open
   bool entered = false, exited = false, passed = false, deflected = false;  // events of this step
   double angle = 0, cosine = 0;                                             // rad, 1
   double s = 0;                 // where it crosses the surface, 0 at the point
