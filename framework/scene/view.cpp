@@ -32,4 +32,25 @@ swage_object_step view(World& world, const Slices& s, const swage_input* input) 
   return out;
 }
 
+swage_view view(const World& world, std::span<const swage_object_step> object,
+                std::span<const swage_view_event> event) noexcept {
+  swage_view out{};
+  out.struct_size = sizeof(out);
+  out.n_body = static_cast<uint32_t>(world.X_WB.size());
+  out.n_particle = static_cast<uint32_t>(world.particle_mass.size());
+  out.n_signal = static_cast<uint32_t>(world.signal.size());
+  out.step = world.step;
+  out.time_s = world.time();
+  out.dt_s = world.dt;
+  out.X_WB = world.X_WB.data();
+  out.V_WB = world.V_WB.data();
+  out.particle_p_W = world.particle_p_W.data();
+  out.signal = world.signal.data();
+  out.event = event.data();
+  out.object_step = object.data();
+  out.n_event = static_cast<uint32_t>(event.size());
+  out.n_object = static_cast<uint32_t>(object.size());
+  return out;
+}
+
 }  // namespace swage::scene

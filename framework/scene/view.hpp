@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One object's part of the world, as plugins see it: pointers into the world's arrays, valid while the scene
-// lives.
+// The world as plugins see it, one object's part or all of it: pointers into the world's arrays, valid while the scene lives.
 #pragma once
 
+#include <span>
+
 #include "scene/world.hpp"
+#include "swage/abi/lesson.h"
 
 namespace swage::scene {
 
@@ -20,5 +22,10 @@ inline uint32_t local(const Range& range, uint32_t global) {
 
 /// The view that goes to the object's callbacks; `input` and times are those of the current step. [rt]
 swage_object_step view(World& world, const Slices& slices, const swage_input* input) noexcept;
+
+/// The whole world, for lessons and seeing devices; `object` is the view of each object, `event` what happened since they
+/// looked last. [rt]
+swage_view view(const World& world, std::span<const swage_object_step> object,
+                std::span<const swage_view_event> event) noexcept;
 
 }  // namespace swage::scene

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/guard.hpp"
+#include "scene/view.hpp"
 
 namespace swage::step {
 
@@ -97,25 +98,7 @@ swage_sight Judging::sight() noexcept {
   return {sizeof(swage_sight), static_cast<uint32_t>(mark.size()), &view_, mark.data()};
 }
 
-void Judging::refresh_view() noexcept {
-  const scene::World& world = rig_.world;
-  swage_view& view = view_;
-  view.struct_size = sizeof view;
-  view.n_body = static_cast<uint32_t>(world.X_WB.size());
-  view.n_particle = static_cast<uint32_t>(world.particle_mass.size());
-  view.n_signal = static_cast<uint32_t>(world.signal.size());
-  view.step = world.step;
-  view.time_s = world.time();
-  view.dt_s = world.dt;
-  view.X_WB = world.X_WB.data();
-  view.V_WB = world.V_WB.data();
-  view.particle_p_W = world.particle_p_W.data();
-  view.signal = world.signal.data();
-  view.event = seen_.data();
-  view.object_step = objects_.views().data();
-  view.n_event = static_cast<uint32_t>(seen_.size());
-  view.n_object = static_cast<uint32_t>(rig_.objects.size());
-}
+void Judging::refresh_view() noexcept { view_ = scene::view(rig_.world, objects_.views(), seen_); }
 
 void Judging::ask_lesson() noexcept {
   const host::LessonSlot& slot = rig_.lesson;

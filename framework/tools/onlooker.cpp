@@ -72,22 +72,7 @@ class Lesson final : public Onlooker {
     const auto known = static_cast<uint32_t>(rig().script.events.size());
     for (uint64_t n = known > 0 ? random() % 4 : 0; n > 0; --n)
       events.push_back({static_cast<uint32_t>(random() % known), 0, wild(random)});
-    swage_view view{};
-    view.struct_size = sizeof view;
-    view.n_body = static_cast<uint32_t>(world_.X_WB.size());
-    view.n_particle = static_cast<uint32_t>(world_.particle_mass.size());
-    view.n_signal = static_cast<uint32_t>(world_.signal.size());
-    view.step = world_.step;
-    view.time_s = world_.time();
-    view.dt_s = world_.dt;
-    view.X_WB = world_.X_WB.data();
-    view.V_WB = world_.V_WB.data();
-    view.particle_p_W = world_.particle_p_W.data();
-    view.signal = world_.signal.data();
-    view.event = events.data();
-    view.object_step = view_.data();
-    view.n_event = static_cast<uint32_t>(events.size());
-    view.n_object = static_cast<uint32_t>(view_.size());
+    const swage_view view = scene::view(world_, view_, events);
     call(host::Call::kObserve,
          [&] { return slot_.lesson->observe(slot_.instance->raw, &view, &verdict_, state()); });
     said_.add(state(), slot_.state.count * sizeof(double));
