@@ -262,6 +262,12 @@ session::Options RunPage::options() const {
   o.person = setup_->person().toStdString();
   o.mode = setup_->mode().toStdString();
   o.device = setup_->device().toStdString();
+  for (const QString& meaning : cue_theme_.meanings()) {
+    const CueForce f = cue_theme_.style(meaning).force;
+    if (f.pulses > 0)
+      o.cue_pulses.push_back(
+          {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
+  }
   // a demonstration is nobody's attempt
   if (o.mode == "demo") o.store_path = ":none:";
   return o;

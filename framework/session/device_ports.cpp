@@ -131,7 +131,9 @@ void IoPort::read(uint64_t, double, swage_sample& sample) noexcept {
   if (given_.latest(given) != 0) sample = given.sample;
 }
 
-void IoPort::send(const step::ToolForce& force) noexcept { wanted_.publish({force, base::wall_ns()}); }
+void IoPort::send(const step::ToolForce& force) noexcept {
+  wanted_.publish({knocked(force), base::wall_ns()});
+}
 
 swage_vec3 IoPort::force() const noexcept {
   Given given;

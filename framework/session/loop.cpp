@@ -5,6 +5,7 @@
 
 #include "base/clock.hpp"
 #include "judge/host_events.hpp"
+#include "swage/abi/lesson_card.h"
 
 namespace swage::session {
 
@@ -14,6 +15,13 @@ namespace {
 constexpr std::size_t kCommands = 64, kPointers = 256;
 // events until the console fetches them; at 60 frames a second and 5 events per step that is a whole second
 constexpr std::size_t kEvents = 8192;
+// which cues of the scene may be felt: the lesson's file says whether, each cue whether force suits it
+std::vector<bool> felt(const snapshot::SceneCard& card) {
+  std::vector<bool> out;
+  for (const uint32_t channels : card.cue_channels)
+    out.push_back((card.cues & channels & SWAGE_CHANNEL_FORCE) != 0);
+  return out;
+}
 // steps between two snapshots: 250 a second in real time; a run without a clock has hardly a reader
 constexpr uint64_t kShowRealtime = 4, kShowFastest = 64;
 // commands taken in one step; the rest waits
@@ -35,6 +43,7 @@ Loop::Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, recor
       event_out_(kEvents),
       out_(std::make_unique<snapshot::Snapshot>()),
       fault_seen_(ports_.size(), ForceFault::kNone),
+      cue_force_(rig.script, felt(rig.card), settings.cue_pulses, rig.objects.size()),
       paused_(settings.start_paused) {
   engine_.fill(*out_);
   channel_.publish(*out_);
@@ -58,6 +67,7 @@ bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   listen(tick);
   take_pointer();
   engine_.step();
+  knock();
   keep(stats);
   const Ending now = judge();
   return now == Ending::kNone || end(now, stats);
@@ -106,6 +116,12 @@ void Loop::take_pointer() noexcept {
     p.wheel += now.wheel;
     now = p;
   }
+}
+
+// a cue that has come on is felt with the forces of the next step
+void Loop::knock() noexcept {
+  const double force = cue_force_.tick(engine_.verdict(), rig_.world.dt);
+  for (Port* port : ports_) port->knock(force);
 }
 
 // records, events and snapshots of the step that was just made

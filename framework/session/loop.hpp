@@ -13,6 +13,7 @@
 #include "base/spsc_ring.hpp"
 #include "judge/verdict.hpp"
 #include "record/recorder.hpp"
+#include "session/cue_force.hpp"
 #include "session/device_ports.hpp"
 #include "session/rt_thread.hpp"
 #include "snapshot/channel.hpp"
@@ -28,8 +29,9 @@ class Loop {
   struct Settings {
     bool realtime = true;
     bool start_paused = false;
-    double max_time_s = 0;         // of the caller; 0: none
-    double lesson_max_time_s = 0;  // of the lesson; 0: none
+    double max_time_s = 0;                  // of the caller; 0: none
+    double lesson_max_time_s = 0;           // of the lesson; 0: none
+    std::vector<CuePulse> cue_pulses = {};  // how cues feel; those that the lesson lets feel
   };
 
   /// `recorder` may be nullptr. Everything outlives the loop. [main]
@@ -59,6 +61,7 @@ class Loop {
   void listen(const RtThread::Tick& tick) noexcept;
   void take_command(const step::Command& command) noexcept;
   void take_pointer() noexcept;
+  void knock() noexcept;
   void keep(const LoopStats& stats) noexcept;
   void show(const LoopStats& stats) noexcept;
   Ending judge() const noexcept;
@@ -77,6 +80,7 @@ class Loop {
   std::unique_ptr<snapshot::Snapshot> out_;
   record::StepRecord record_;
   std::vector<ForceFault> fault_seen_;
+  CueForce cue_force_;
 
   std::atomic<bool> paused_, stop_{false}, finished_{false};
   std::atomic<uint64_t> steps_{0};

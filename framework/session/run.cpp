@@ -111,6 +111,7 @@ bool Run::prepare(Problems& problems) {
   settings.start_paused = options_.start_paused;
   settings.max_time_s = options_.max_time_s;
   settings.lesson_max_time_s = rig_->max_time_s;
+  settings.cue_pulses = options_.cue_pulses;
   loop_ = std::make_unique<Loop>(*rig_, *engine_, std::move(ports), recorder_.get(), settings);
   return true;
 }

@@ -12,6 +12,7 @@
 
 #include "base/problem.hpp"
 #include "judge/verdict.hpp"
+#include "session/cue_force.hpp"
 #include "snapshot/scene_card.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -35,6 +36,7 @@ struct Options {
   std::string device_params;  // JSON object for it, "" for defaults
   std::vector<std::string>
       settings;  // other values than the file's: "needle.arc=2/8", "seed=7"; kept with the attempt
+  std::vector<CuePulse> cue_pulses;  // how cues feel, from a theme; for devices that take forces
   std::string person = "Guest";
   std::string store_path;  // attempts database; "" for the user's own, ":none:" to keep nothing
   std::string

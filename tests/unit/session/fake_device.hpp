@@ -17,7 +17,7 @@ struct FakeDevice {
   swage_instance raw{};
   swage_device table{};
   std::atomic<uint64_t> exchanges{0};
-  std::atomic<double> force{0}, most{0}, position{0};
+  std::atomic<double> force{0}, most{0}, most_y{0}, position{0};
   std::atomic<bool> frozen{false}, throws{false};
   std::atomic<int64_t> block_ns{0};
 
@@ -52,6 +52,7 @@ struct FakeDevice {
     if (self.block_ns > 0) base::sleep_until_ns(base::wall_ns() + self.block_ns);
     self.force = command->force.x;
     if (command->force.x > self.most) self.most = command->force.x;
+    if (command->force.y > self.most_y) self.most_y = command->force.y;
     if (self.frozen) return SWAGE_OK;
     out->sequence = n;
     out->time_s = command->time_s;
