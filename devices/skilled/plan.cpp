@@ -31,7 +31,7 @@ const std::map<std::string, Form>& forms() {
       {"back", {Verb::kBack, {"by"}, {"by"}}},
       {"move", {Verb::kMove, {"by"}, {"by"}}},
       {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
-      {"aim", {Verb::kAim, {"mark", "into", "across", "hover"}, {"mark", "into", "across"}}},
+      {"aim", {Verb::kAim, {"mark", "into", "across", "hover", "above"}, {"mark", "into", "across"}}},
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
   };
   return all;
@@ -85,6 +85,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   number("force", Measure::kForce, act.force);
   number("closure", Measure::kNumber, act.closure);
   number("hover", Measure::kLength, act.hover);
+  number("above", Measure::kLength, act.above);
   number("angle", Measure::kAngle, act.angle);
   if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
   if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");

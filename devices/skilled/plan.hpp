@@ -15,9 +15,9 @@
 //   back   by, time: straight back along the jaws
 //   move   by, time: a way in the world
 //   bring  mark, s, time: what is held at s to where the mark is
-//   aim    mark, into, across, hover, time: the point before the mark, so that turning about the needle's own centre leads it
-//          in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane; hover along
-//          the arc
+//   aim    mark, into, across, hover, above, time: the point before the mark, so that turning about the needle's own centre
+//          leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
+//          turned back along the arc by the hover, and straight out of the tissue by `above`
 //   drive  angle, time: along its own arc, about its centre
 #pragma once
 
@@ -49,6 +49,7 @@ struct Act {
   Vec3 into = -Vec3::UnitZ();   // unit, W
   Vec3 across = Vec3::UnitY();  // W
   double hover = 0;             // m, along the arc
+  double above = 0;             // m, against `into`
   double angle = 0;             // rad
 };
 

@@ -156,7 +156,9 @@ Pose Skilled::aim_goal(const Act& act) const {
   const Vec3 target = seen_.mark_W + missed_W_ - missed_W_.dot(into) * into;
   const Pose held{target + q * (from_.p - point.p_W), (q * from_.q).normalized()};
   const Vec3 centre = target + q * (wire.centre_W - point.p_W);
-  return turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));
+  Pose goal = turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));
+  goal.p -= act.above * into;
+  return goal;
 }
 
 void Skilled::set_goal(const Act& act) {

@@ -3,12 +3,12 @@
 // swage.lesson.free_practice: take things and put them down again, to get used to the instrument. See free_practice.md.
 #pragma once
 
-#include <swage/abi/lesson_card.h>
 #include <swage/lesson.hpp>
 
 #include <string>
 #include <vector>
 
+#include "common/card.hpp"
 #include "common/watches.hpp"
 #include "common/watching.hpp"
 
@@ -18,15 +18,15 @@ inline constexpr size_t kMostThings = 8;
 
 // clang-format off
 inline constexpr swage_metric_info kMetrics[] = {
-    {"time.task", "s", "Time since the hand set off.", "now - first time that the tips were quicker than 2 mm/s for 0.1 s", "M01", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    lessons::kTaskTime,
     {"practice.touches", "1", "How often a thing was touched.", "count", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"practice.grasps", "1", "How often a thing was taken by both jaws.", "count", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     {"practice.drops", "1", "How often a thing fell or was pushed away.", "count of: free and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"practice.different", "1", "How many different things have been held.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
-    {"motion.path", "m", "Way of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    lessons::kPath,
 };
 inline constexpr swage_cue_info kCues[] = {
-    {"grasp.good", "Held by both jaws.", SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | SWAGE_CHANNEL_SOUND, 0},
+    {"grasp.good", "Held by both jaws.", lessons::kHeard, 0},
 };
 // clang-format on
 

@@ -186,8 +186,8 @@ void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict)
   tell(Measure::kTiltPlane, mean(m, m.plane_s));
   tell(Measure::kBalance, mean(m, m.balance_s));
   tell(Measure::kSnap, m.snap_sum / grasps);
-  tell(Measure::kForce, mean(m, m.force_s));
-  tell(Measure::kPeak, judge_.peak_force(m));
+  tell(Measure::kForce, GripWatch::mean(m.grip));
+  tell(Measure::kPeak, judge_.grip().peak(m.grip));
   tell(Measure::kSteadiness, lessons::deviation(m.spread));
   tell(Measure::kOverTime, mean(m, m.over_s));
   tell(Measure::kOverDose, m.over_dose);

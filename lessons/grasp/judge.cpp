@@ -7,10 +7,6 @@
 namespace swage::lesson_grasp {
 namespace {
 
-// Forces are judged without what the hand cannot control: above this is noise of contact, Hz.
-constexpr double kForceBand = 20;
-// The sign for too much force stays at least this long, s, and goes when the force falls below this share of the limit.
-constexpr double kSignTime = 0.3, kSignLeaves = 0.9;
 // A further try needs jaws that were opened by this much in between, rad.
 constexpr double kReopened = 0.035;
 // Snapping of the needle is measured so long after both jaws have it, s.
@@ -18,8 +14,6 @@ constexpr double kSnapTime = 0.1;
 
 // A held needle is carried once it is so far from its start, m.
 constexpr double kCarried = 0.2e-3;
-// The histogram of the force ends at so many limits.
-constexpr double kTopForce = 4;
 // What a break of the hold at the target costs, and how many are counted.
 constexpr double kBreakCosts = 5, kMostBreaks = 3;
 
@@ -29,9 +23,8 @@ Judge::Judge(const Rules& rules, double dt)
     : rules_(rules),
       path_(dt),
       drop_(rules.drop_distance),
-      force_filter_(kForceBand, dt, LowPass::kCritical),
+      grip_(rules.force_high, dt),
       target_(rules.target),
-      quantile_(kTopForce * rules.force_high),
       tremor_(dt) {}
 
 double Judge::spot_error(double s) const {
@@ -44,7 +37,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   path_.look(memory.path, look.tip_W, look.time_s);
   count(memory, look);
   integrate(memory, look);
-  follow_force(memory, look, finding);
+  finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_drop(memory, look, finding);
   follow_hold(memory, look, finding);
   measure(memory, look, finding);
@@ -92,29 +85,16 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
 }
 
 void Judge::integrate(Memory& memory, const Look& look) const noexcept {
-  const double force = memory.force_now = force_filter_.next(memory.force, look.force);
+  grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
   if (!look.held) return;
-  quantile_.look(memory.quantile, force, look.dt_s);
-  memory.held_s += look.dt_s;
-  memory.force_s += force * look.dt_s;
   memory.reach_s += look.tip_reach * look.dt_s;
   memory.axis_s += std::abs(look.tilt_axis) * look.dt_s;
   memory.plane_s += std::abs(look.tilt_plane) * look.dt_s;
   memory.balance_s += look.balance * look.dt_s;
-  if (force > rules_.force_high) {
+  if (memory.grip.now > rules_.force_high) {
     memory.over_s += look.dt_s;
-    memory.over_dose += (force - rules_.force_high) * look.dt_s;
+    memory.over_dose += (memory.grip.now - rules_.force_high) * look.dt_s;
   }
-}
-
-void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  if (look.force > rules_.force_high) {
-    if (memory.hard == 0) memory.hard_until_s = look.time_s + kSignTime;
-    memory.hard = 1;
-  } else if (look.force < kSignLeaves * rules_.force_high && look.time_s >= memory.hard_until_s) {
-    memory.hard = 0;
-  }
-  finding.too_hard = memory.hard != 0;
 }
 
 void Judge::follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept {
@@ -182,7 +162,7 @@ void Judge::measure(Memory& memory, const Look& look, const Finding& finding) co
   if (!look.held || (look.needle_W - start).norm() < kCarried) return;
   memory.carried_s += look.dt_s;
   if (look.force < rules_.force_low) memory.timid_s += look.dt_s;
-  lessons::spread(memory.spread, memory.force_now, look.dt_s);
+  lessons::spread(memory.spread, memory.grip.now, look.dt_s);
 }
 
 void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noexcept {

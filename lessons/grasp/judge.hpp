@@ -4,7 +4,7 @@
 // meanings and formulas are explained in grasp.md.
 #pragma once
 
-#include "common/low_pass.hpp"
+#include "common/grip.hpp"
 #include "common/measures.hpp"
 #include "common/watches.hpp"
 #include "target.hpp"
@@ -14,8 +14,8 @@ namespace swage::lesson_grasp {
 
 using lessons::DropState;
 using lessons::DropWatch;
-using lessons::LowPass;
-using lessons::LowPassState;
+using lessons::GripState;
+using lessons::GripWatch;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Quat;
@@ -60,27 +60,23 @@ struct Look {
 struct Memory {
   PathState path;
   DropState drop;
-  LowPassState force;
+  GripState grip;
   double begun = 0;             // 0 or 1
   double start[3] = {0, 0, 0};  // m, where the needle lay
   double tries = 0, grasps = 0, good_grasps = 0, regrasps = 0, drops = 0;
-  double spot_error_sum = 0;  // along the needle, 0..1
-  double held_s = 0;          // s, the time that the following integrals span
-  double force_s = 0, reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;
-  double force_now = 0;              // N, below 20 Hz
-  double over_s = 0, over_dose = 0;  // s, N s
-  double hard = 0, hard_until_s = 0;
-  double hold_s = 0, best_hold_s = 0, holding = 0;  // s, s, 0 or 1
-  double touch_q[4] = {1, 0, 0, 0};                 // the needle's attitude when it was touched
-  double snap_wait_s = 0, snap_sum = 0;             // s, rad
-  double engaged = 0;                               // 0 or 1: touched, and not dropped since
+  double spot_error_sum = 0;                                   // along the needle, 0..1
+  double reach_s = 0, axis_s = 0, plane_s = 0, balance_s = 0;  // integrals over the held time
+  double over_s = 0, over_dose = 0;                            // s, N s
+  double hold_s = 0, best_hold_s = 0, holding = 0;             // s, s, 0 or 1
+  double touch_q[4] = {1, 0, 0, 0};                            // the needle's attitude when it was touched
+  double snap_wait_s = 0, snap_sum = 0;                        // s, rad
+  double engaged = 0;                                          // 0 or 1: touched, and not dropped since
   double tried = 0, least_opening = 0;  // 0 or 1: this closing of the jaws is counted; rad, least since then
   double wrong_s = 0;                   // s, held wrongly without a break
   double resets = 0, bending = 0, passed = 0;
   double phase_s[5] = {0, 0, 0, 0, 0};  // s, by Stage
   double carried_s = 0, timid_s = 0;    // s, carrying and holding; with less than the least force
   lessons::SpreadState spread;          // of the force while carrying and holding
-  lessons::QuantileState quantile;      // of the force while held
   lessons::IdleState idle;
   lessons::TremorState tremor;
   TargetState target;
@@ -115,14 +111,12 @@ class Judge {
   /// Distance from the region along the needle, 0 inside, 0..1.
   double spot_error(double s) const;
   const Rules& rules() const { return rules_; }
-  /// Force that was exceeded for one two-hundredth of the held time, N (M16).
-  double peak_force(const Memory& memory) const { return quantile_.at(memory.quantile, 0.995); }
+  const GripWatch& grip() const { return grip_; }
 
  private:
   void begin(Memory& memory, const Look& look) const noexcept;
   void count(Memory& memory, const Look& look) const noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
-  void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_drop(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept;
   bool grasped_well(const Memory& memory, const Look& look, const Finding& finding) const noexcept;
@@ -133,9 +127,8 @@ class Judge {
   Rules rules_;
   PathWatch path_;
   DropWatch drop_;
-  LowPass force_filter_;
+  GripWatch grip_;
   Target target_;
-  lessons::Quantile quantile_;
   lessons::IdleWatch idle_;
   lessons::TremorWatch tremor_;
 };
@@ -146,7 +139,7 @@ inline double task_time(const Memory& memory, double time_s) {
 }
 /// Mean of an integral over the held time; 0 before anything was held.
 inline double mean(const Memory& memory, double integral) {
-  return memory.held_s > 0 ? integral / memory.held_s : 0;
+  return memory.grip.held_s > 0 ? integral / memory.grip.held_s : 0;
 }
 
 }  // namespace swage::lesson_grasp

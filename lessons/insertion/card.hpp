@@ -4,9 +4,9 @@
 // Codes M.. are those of the metric catalogue that the page names.
 #pragma once
 
-#include <swage/abi/lesson_card.h>
-
 #include <cstddef>
+
+#include "common/card.hpp"
 
 namespace swage::lesson_insertion {
 
@@ -32,18 +32,25 @@ enum class Measure : size_t {
   kArea,
   kPull,
   kSwept,
+  kStray,
+  kBiteIn,
+  kBiteOut,
+  kAsymmetry,
+  kOblique,
+  kUneven,
+  kStitches,
   kProgress,
   kCount
 };
 
 // clang-format off
 inline constexpr swage_metric_info kMetrics[] = {
-    {"time.task", "s", "Time since the hand set off.", "now - first time that the tips were quicker than 2 mm/s for 0.1 s", "M01", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
-    {"task.success", "1", "1 when the attempt was passed.", "1 or 0", "M04", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C},
-    {"grasp.drops", "1", "How often the needle was dropped outside the tissue.", "count of: free and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
-    {"force.mean", "N", "Mean grip force while held.", "mean of F below 20 Hz", "M15", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C},
-    {"force.peak", "N", "Greatest grip force while held.", "max of F below 20 Hz", "M16", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
-    {"motion.path", "m", "Way of the tips.", "sum of |dx| below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    lessons::kTaskTime,
+    lessons::kTaskSuccess,
+    lessons::kDrops,
+    lessons::kForceMean,
+    lessons::kForcePeak,
+    lessons::kPath,
     {"insert.entries", "1", "How often the point went in.", "count of pierce.entered", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"insert.entry_distance", "m", "Distance of the last entry from the mark, along the surface.", "length of e - e.n n, e = entry - mark", "M36", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"insert.entry_angle", "rad", "Angle to the inward normal at the last entry.", "acos(t . n)", "M37", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
@@ -58,12 +65,19 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"wound.area", "1", "Torn area over the needle's section: 1 is perfect.", "area / (pi d^2/4)", "M50", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"tissue.pull", "N*s", "Pull on the tissue along its surface, summed over time. Compare only within one tissue.", "integral of the length of f - f.n n", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"tissue.swept", "m2", "Area swept sideways inside the tissue.", "sum over steps", "M53", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"tissue.stray", "1", "Touches of the tissue that are not part of the task.", "count of: the point begins to press outside the tolerance; the tips of the jaws get into the tissue, apart by 0.15 s", "M52", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"stitch.bite_in", "1", "Bite of the last entry: its distance from the edge, in needle diameters.", "edge(entry) / d", "M42", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_A},
+    {"stitch.bite_out", "1", "The same of the last exit.", "edge(exit) / d", "M42", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_A},
+    {"stitch.asymmetry", "1", "How unlike the two bites of the last stitch are.", "abs(b1 - b2) / mean(b1, b2)", "M43", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"stitch.obliquity", "rad", "Angle between the last stitch and the normal to the edge, along the surface.", "acos(abs(s . e) / length of s), s = exit - entry along the surface", "M44", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"stitch.unevenness", "1", "How uneven the stitches lie along the edge; from three on.", "standard deviation / mean of the distances between neighbours", "M45", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"stitch.count", "1", "Stitches that are through.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"insert.progress", "1", "Greatest share of the needle that was inside, of what is asked.", "max of s / drive", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
 
-inline constexpr uint32_t kHeard = SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | SWAGE_CHANNEL_SOUND;
-inline constexpr uint32_t kFelt = kHeard | SWAGE_CHANNEL_FORCE;
+using lessons::kFelt;
+using lessons::kHeard;
 
 /// Order of kCues.
 enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kCount };
@@ -74,7 +88,7 @@ inline constexpr swage_cue_info kCues[] = {
     {"insert.angle_off", "In the tissue, leaning more than the angle.", kFelt, 0},
     {"needle.stuck", "In the tissue, held by nobody.", kHeard, 0},
     {"tissue.tear", "The wound is larger than careful hands leave it.", kHeard, 0},
-    {"grip.too_hard", "The grip force is above the limit.", kFelt, 0},
+    lessons::kTooHard,
     {"target.done", "It went in here, and the task is done.", kHeard, 0},
 };
 // clang-format on

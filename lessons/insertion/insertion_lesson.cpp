@@ -20,6 +20,8 @@ size_t index(Enum value) {
 
 void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builder) {
   params_ = params;
+  if (params.force.low >= params.force.high)
+    builder.error("force", "the first number must be below the second");
   builder.state<Kept>();
   for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
   for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
@@ -96,6 +98,9 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
              signal("swept"),
              signal("below"),
              signal("pull"),
+             {signal("exit_x"), signal("exit_y"), signal("exit_z")},
+             {signal("at_x"), signal("at_y"), signal("at_z")},
+             event("touched"),
              event("entered"),
              event("exited"),
              event("passed"),
@@ -110,12 +115,13 @@ void InsertionLesson::activate(double dt_s) {
   rules.in_angle = p.in_angle;
   rules.drive = p.drive;
   rules.max_wound = p.max_wound;
-  rules.force_high = p.max_force;
+  rules.force_high = p.force.high;
   rules.par_time = p.par_time;
   rules.max_time = p.max_time;
   rules.max_drops = p.max_drops;
   rules.max_deflections = p.max_deflections;
   rules.drop_distance = p.drop_distance;
+  rules.stitches = p.stitches;
   judge_ = Judge(rules, dt_s);
 }
 
@@ -132,6 +138,42 @@ bool InsertionLesson::draw(const View& scene, Kept& kept) {
   Eigen::Map<Vec3>(kept.normal) = vec(place->normal_W);
   kept.drawn = 1;
   return true;
+}
+
+/// One spacing further along the edge.
+void InsertionLesson::next_mark(const View& scene, Kept& kept) const {
+  Eigen::Map<Vec3> target(kept.target), normal(kept.normal);
+  const Vec3 edge = Eigen::Map<const Vec3>(kept.memory.stitch.edge);
+  const Vec3 along = edge.norm() > 0 ? Vec3(normal.cross(edge)) : Vec3(normal.unitOrthogonal());
+  const auto place =
+      tissue_.inside(scene.object(tissue_object_), toolkit::raw(Vec3(target + params_.spacing * along)));
+  if (!place) return;
+  target = vec(place->p_W);
+  normal = vec(place->normal_W);
+}
+
+Vec3 InsertionLesson::place(const View& scene, const Signal (&signal)[3]) {
+  return {scene.signal(signal[0]), scene.signal(signal[1]), scene.signal(signal[2])};
+}
+
+/// A hole and the way to the nearest edge: where the distance from it falls quickest.
+Hole InsertionLesson::hole(const Step& tissue, const Vec3& p_W) const {
+  Hole hole;
+  hole.p_W = p_W;
+  const auto here = tissue_.inside(tissue, toolkit::raw(p_W));
+  if (!here) return hole;
+  hole.edge = here->edge;
+  hole.normal_W = vec(here->normal_W);
+  const Vec3 u = hole.normal_W.unitOrthogonal(), v = hole.normal_W.cross(u);
+  const auto slope = [&](const Vec3& way) {
+    constexpr double kBeside = 10e-6;  // m, less than any bite and more than rounding
+    const auto ahead = tissue_.inside(tissue, toolkit::raw(Vec3(p_W + kBeside * way)));
+    const auto behind = tissue_.inside(tissue, toolkit::raw(Vec3(p_W - kBeside * way)));
+    return ahead && behind ? (ahead->edge - behind->edge) / (2 * kBeside) : 0.0;
+  };
+  const Vec3 down = -slope(u) * u - slope(v) * v;
+  if (down.norm() > 0) hole.edge_W = down.normalized();
+  return hole;
 }
 
 bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) const {
@@ -164,7 +206,15 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.angle = number(pierce_.angle);
   look.cosine = number(pierce_.cosine);
   look.s = number(pierce_.s);
-  for (int i = 0; i < 3; ++i) look.entry_W[i] = number(pierce_.entry[i]);
+  look.entry_W = place(scene, pierce_.entry);
+  look.point_touched = scene.happened(pierce_.touched);
+  look.touch_W = place(scene, pierce_.at);
+  look.diameter = 2 * point->radius;
+  const Step tissue = scene.object(tissue_object_);
+  const auto tips = tissue_.inside(tissue, jaws->tip_W);
+  look.jaws_in = tips && tips->depth > 0 && tips->beyond < 0 && tips->edge > 0;
+  if (look.entered || look.exited)
+    look.hole = hole(tissue, look.exited ? place(scene, pierce_.exit) : look.entry_W);
   look.wound = number(pierce_.wound);
   look.area_ratio = number(pierce_.area_ratio);
   look.swept = number(pierce_.swept);
@@ -181,6 +231,7 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
   Look look;
   if ((kept.drawn == 0 && !draw(scene, kept)) || !read(scene, kept, look)) return discard();
   const Finding finding = judge_.look(kept.memory, look);
+  if (finding.stitched) next_mark(scene, kept);
   report(look, finding, kept.memory, verdict);
   say(finding, kept, verdict);
 }
@@ -221,11 +272,12 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kTime, task_time(m, look.time_s));
   tell(Measure::kSuccess, finding.end == End::kPassed ? 1 : 0);
   tell(Measure::kDrops, m.drops);
-  tell(Measure::kForce, m.held_s > 0 ? m.force_s / m.held_s : 0);
-  tell(Measure::kPeak, m.peak);
+  tell(Measure::kForce, GripWatch::mean(m.grip));
+  tell(Measure::kPeak, judge_.grip().peak(m.grip));
   tell(Measure::kPath, m.path.length);
   tell(Measure::kEntries, m.entries);
   tell(Measure::kDeflections, m.deflections);
+  tell(Measure::kStray, m.stray.count);
   tell(Measure::kProgress, std::min(1.0, m.deepest / rules.drive));
   // what has no value before the point went in is not told
   if (m.entries == 0) return;
@@ -240,7 +292,20 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kArea, look.area_ratio);
   tell(Measure::kPull, m.pull_s);
   tell(Measure::kSwept, look.swept);
-  if (m.exited != 0) tell(Measure::kExitAngle, m.exit_angle);
+  report_stitches(look, m, verdict);
+}
+
+void InsertionLesson::report_stitches(const Look& look, const Memory& m, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  const StitchState& s = m.stitch;
+  tell(Measure::kBiteIn, s.bite_in / look.diameter);
+  if (params_.task == Task::kStitch) tell(Measure::kStitches, s.count);
+  if (s.out == 0 && s.count == 0) return;
+  tell(Measure::kExitAngle, m.exit_angle);
+  tell(Measure::kBiteOut, s.bite_out / look.diameter);
+  tell(Measure::kAsymmetry, Stitches::asymmetry(s));
+  if (s.oblique >= 0) tell(Measure::kOblique, s.oblique);
+  if (const double uneven = Stitches::unevenness(s); uneven >= 0) tell(Measure::kUneven, uneven);
 }
 
 }  // namespace swage::lesson_insertion

@@ -24,13 +24,15 @@ struct InsertionParams {
   double tolerance = Rules{}.tolerance;                         // m
   double in_angle = Rules{}.in_angle;                           // rad
   double drive = Rules{}.drive;
-  double max_force = Rules{}.force_high;  // N
-  double par_time = Rules{}.par_time;     // s
-  double max_time = Rules{}.max_time;     // s
+  Interval force = {0.1, Rules{}.force_high};  // N
+  double par_time = Rules{}.par_time;          // s
+  double max_time = Rules{}.max_time;          // s
   double max_wound = Rules{}.max_wound;
   int max_drops = Rules{}.max_drops;
   int max_deflections = Rules{}.max_deflections;
   double drop_distance = Rules{}.drop_distance;  // m
+  int stitches = 1;
+  double spacing = 1e-3;  // m
 };
 
 class InsertionLesson final : public Lesson<InsertionParams> {
@@ -67,8 +69,9 @@ class InsertionLesson final : public Lesson<InsertionParams> {
           "Up to this angle to the tissue's normal a needle counts as square to it."),
       real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
                                     "Share of the needle that is to be inside at the end."),
-      real<&InsertionParams::max_force>("max_force", "Force", "N", "N", 0.01, 100,
-                                        "Above this grip force the jaws show too much force."),
+      interval<&InsertionParams::force>(
+          "force", "Force", "N", "N", 0, 100,
+          "Grip force of careful hands; above it the jaws show too much force."),
       real<&InsertionParams::par_time>(
           "par_time", "Par time", "s", "s", 0.1, 3600,
           "Up to here no points are lost for time; twice this costs all that time can cost.")
@@ -91,6 +94,12 @@ class InsertionLesson final : public Lesson<InsertionParams> {
           "The needle has dropped when it is further than this from where it was left.")
           .group("Limits")
           .hidden(),
+      integer<&InsertionParams::stitches>("stitches", "Stitches", 1, 8,
+                                          "How many are asked for, one beside the other along the edge.")
+          .group("Stitch"),
+      real<&InsertionParams::spacing>("spacing", "Spacing", "m", "mm", -0.1, 0.1,
+                                      "From one stitch to the next, along the edge.")
+          .group("Stitch"),
   };
 
   void build(const InsertionParams& params, LessonBuilder& builder) override;
@@ -108,15 +117,19 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
-    Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull;
-    Event entered, exited, passed, deflected;
+    Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, exit[3], at[3];
+    Event touched, entered, exited, passed, deflected;
   };
 
   void find_pierce(const Scene& scene, Binder& binder);
   bool draw(const View& view, Kept& kept);
+  void next_mark(const View& view, Kept& kept) const;
+  static Vec3 place(const View& view, const Signal (&signal)[3]);
+  Hole hole(const Step& tissue, const Vec3& p_W) const;
   bool read(const View& view, const Kept& kept, Look& look) const;
   void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
+  void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;
   Cue sign(Sign sign) const { return cue_[static_cast<size_t>(sign)]; }
 
   InsertionParams params_;

@@ -7,10 +7,6 @@
 namespace swage::lesson_insertion {
 namespace {
 
-// Forces are judged without what the hand cannot control: above this is noise of contact, Hz.
-constexpr double kForceBand = 20;
-// The sign for too much force stays at least this long, s, and goes when the force falls below this share of the limit.
-constexpr double kSignTime = 0.3, kSignLeaves = 0.9;
 // A wound up to this many radii is what careful hands leave.
 constexpr double kGoodWound = 2;
 // So much of the needle must be behind the jaws' place before a second grasp counts as one on the other side.
@@ -19,10 +15,7 @@ constexpr double kOtherSide = 0.02;
 }  // namespace
 
 Judge::Judge(const Rules& rules, double dt)
-    : rules_(rules),
-      path_(dt),
-      drop_(rules.drop_distance),
-      force_filter_(kForceBand, dt, LowPass::kCritical) {}
+    : rules_(rules), path_(dt), drop_(rules.drop_distance), grip_(rules.force_high, dt) {}
 
 Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   Finding finding;
@@ -33,8 +26,10 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   path_.look(memory.path, look.tip_W, look.time_s);
   follow_entry(memory, look, finding);
   integrate(memory, look);
-  follow_force(memory, look, finding);
+  grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
+  finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
+  follow_stitch(memory, look, finding);
   finding.stage = stage(memory, look);
   decide(memory, look, finding);
   return finding;
@@ -51,10 +46,12 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
     memory.tracked = 0;
     memory.deepest = 0;
     finding.missed = memory.missed != 0;
+    Stitches::enter(memory.stitch, look.hole);
   }
   if (look.exited) {
     memory.exited = 1;
     memory.exit_angle = look.exit_angle;
+    Stitches::exit(memory.stitch, look.hole, 2 * look.diameter);
   }
   if (look.passed) memory.through = 1;
 
@@ -67,12 +64,6 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
 
 // Everything about the angle is weighted by the needle's way through its entry: waiting costs nothing and mends nothing.
 void Judge::integrate(Memory& memory, const Look& look) const noexcept {
-  const double force = force_filter_.next(memory.force, look.force);
-  if (look.held) {
-    memory.held_s += look.dt_s;
-    memory.force_s += force * look.dt_s;
-    memory.peak = std::max(memory.peak, force);
-  }
   if (!look.in_tissue) {
     memory.tracked = 0;
     return;
@@ -90,16 +81,6 @@ void Judge::integrate(Memory& memory, const Look& look) const noexcept {
   memory.pull_s += look.pull * look.dt_s;
 }
 
-void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  if (look.held && look.force > rules_.force_high) {
-    if (memory.hard == 0) memory.hard_until_s = look.time_s + kSignTime;
-    memory.hard = 1;
-  } else if (look.force < kSignLeaves * rules_.force_high && look.time_s >= memory.hard_until_s) {
-    memory.hard = 0;
-  }
-  finding.too_hard = memory.hard != 0;
-}
-
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
   // what sticks in the tissue has not been dropped
   finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || look.in_tissue);
@@ -112,6 +93,19 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
   // the other side: let go once the point is out, and taken where it came out
   if (memory.exited != 0 && !look.held) memory.let_go = 1;
   if (memory.let_go != 0 && look.held && look.grip_s < look.s - kOtherSide) memory.retaken = 1;
+}
+
+void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const Vec3 off = look.touch_W - look.target_W;
+  const bool astray =
+      look.point_touched && (off - off.dot(look.normal_W) * look.normal_W).norm() > rules_.tolerance;
+  follow_stray(memory.stray, astray && !look.in_tissue, look.jaws_in, look.dt_s);
+  if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
+  if (memory.missed != 0) return;
+  Stitches::finish(memory.stitch);
+  if (memory.stitch.count >= rules_.stitches) return;
+  memory.exited = memory.let_go = memory.retaken = memory.through = 0;
+  finding.stitched = true;
 }
 
 Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {

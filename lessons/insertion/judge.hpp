@@ -4,16 +4,17 @@
 // formulas are explained in insertion.md.
 #pragma once
 
-#include "common/low_pass.hpp"
+#include "common/grip.hpp"
 #include "common/watches.hpp"
+#include "stitch.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lesson_insertion {
 
 using lessons::DropState;
 using lessons::DropWatch;
-using lessons::LowPass;
-using lessons::LowPassState;
+using lessons::GripState;
+using lessons::GripWatch;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Vec3;
@@ -36,6 +37,7 @@ struct Rules {
   int max_drops = 2;
   int max_deflections = 5;
   double drop_distance = 3e-3;  // m
+  int stitches = 1;             // that are asked for
 };
 
 /// What one step shows. The pierce.* signals under short names.
@@ -54,6 +56,11 @@ struct Look {
   double exit_angle = 0;        // rad, with `exited`
   Vec3 entry_W = Vec3::Zero();  // m
   double arc_error = 0;         // m, of the entry from the needle's centre line
+  Hole hole;                    // with `entered` and `exited`
+  bool point_touched = false;   // the point begins to press on the tissue, in this step
+  Vec3 touch_W = Vec3::Zero();  // m, where
+  bool jaws_in = false;         // the tips of the jaws are in the tissue
+  double diameter = 100e-6;     // m, of the wire
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
 };
 
@@ -61,7 +68,7 @@ struct Look {
 struct Memory {
   PathState path;
   DropState drop;
-  LowPassState force;
+  GripState grip;
   double begun = 0;
   double drops = 0, entries = 0, deflections = 0, missed = 0;
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
@@ -71,10 +78,10 @@ struct Memory {
   double angle2 = 0, arc2 = 0;                 // rad2 m, m3: integrals over the travel
   double inside_s = 0, cosine_s = 0;           // s
   double pull_s = 0;                           // N s
-  double held_s = 0, force_s = 0, peak = 0;    // s, N s, N
-  double hard = 0, hard_until_s = 0;
-  double deepest = 0;  // greatest share of the needle inside
+  double deepest = 0;                          // greatest share of the needle inside
   double exited = 0, let_go = 0, retaken = 0, through = 0;
+  StitchState stitch;
+  StrayState stray;
 };
 
 enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
@@ -90,6 +97,7 @@ struct Finding {
   bool torn = false;                           // the wound is beyond what is good
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
+  bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
   double score = 0;                      // 0..100, once it has ended
 };
 
@@ -101,11 +109,12 @@ class Judge {
   /// [rt]
   Finding look(Memory& memory, const Look& look) const noexcept;
   const Rules& rules() const { return rules_; }
+  const GripWatch& grip() const { return grip_; }
 
  private:
   void follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
-  void follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
@@ -114,7 +123,7 @@ class Judge {
   Rules rules_;
   PathWatch path_;
   DropWatch drop_;
-  LowPass force_filter_;
+  GripWatch grip_;
 };
 
 /// Time since the hand set off, s.

@@ -27,7 +27,8 @@ constexpr Case kCases[] = {{"010_practice_solids", "expert"},
                            {"030_grasp_advanced_1_quarter", "expert"},
                            {"031_grasp_advanced_1_three_eighths", "novice"},
                            {"032_grasp_advanced_1_half", "clumsy"},
-                           {"040_grasp_advanced_2", "expert"}};
+                           {"040_grasp_advanced_2", "expert"},
+                           {"110_insertion", "expert"}};
 
 std::string lesson_file(const std::string& name) {
   return SWAGE_SOURCE_DIR "/lessons/series/" + name + ".json";

@@ -5,6 +5,8 @@
 
 #include <swage/abi/object.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace swage::stage {
@@ -48,6 +50,61 @@ struct FakeWire {
   swage_instance raw{};
   double length = 10e-3;
   swage_vec3 tangent_W{0, 1, 0}, normal_W{1, 0, 0};
+};
+
+/// A quarter circle of 2 mm radius in the plane y = 0 that pierces: its point in the origin leads down, its centre is at +x.
+struct FakeNeedle {
+  static constexpr double kRadius = 2e-3, kSweep = 1.5707963267948966;  // m, rad
+  FakeNeedle() {
+    raw.self = this;
+    raw.get_extension = [](swage_instance*, const char* id) -> const void* {
+      static const swage_piercing table{place, nearest};
+      return std::strcmp(id, SWAGE_TRAIT_PIERCING) == 0 ? &table : nullptr;
+    };
+  }
+  static swage_result place(swage_instance*, const swage_object_step*, double s, swage_piercing_place* out) {
+    const double a = kSweep * s;
+    *out = {};
+    out->s = s;
+    out->length = kRadius * kSweep;
+    out->radius = 50e-6;
+    out->p_W = {kRadius * (1 - std::cos(a)), 0, kRadius * std::sin(a)};
+    out->tangent_W = {std::sin(a), 0, std::cos(a)};
+    return SWAGE_OK;
+  }
+  static swage_result nearest(swage_instance* i, const swage_object_step* step, swage_vec3 p,
+                              swage_piercing_place* out) {
+    const double a = std::atan2(p.z, kRadius - p.x);
+    return place(i, step, std::min(1.0, std::max(0.0, a / kSweep)), out);
+  }
+  swage_instance raw{};
+};
+
+/// The half space below z = 0, 1 mm thick, with an edge at x = kEdge beyond which there is nothing.
+struct FakeTissue {
+  static constexpr double kEdge = 1e-3;  // m
+  FakeTissue() {
+    raw.self = this;
+    raw.get_extension = [](swage_instance*, const char* id) -> const void* {
+      static const swage_pierceable table{law, locate};
+      return std::strcmp(id, SWAGE_TRAIT_PIERCEABLE) == 0 ? &table : nullptr;
+    };
+  }
+  static swage_result law(swage_instance*, const swage_object_step*, swage_pierceable_law* out) {
+    *out = {};
+    return SWAGE_OK;
+  }
+  static swage_result locate(swage_instance*, const swage_object_step*, swage_vec3 p,
+                             swage_pierceable_place* out) {
+    *out = {};
+    out->depth = -p.z;
+    out->beyond = -1e-3 - p.z;
+    out->edge = kEdge - p.x;
+    out->p_W = {p.x, p.y, 0};
+    out->normal_W = {0, 0, 1};
+    return SWAGE_OK;
+  }
+  swage_instance raw{};
 };
 
 }  // namespace swage::stage

@@ -1,236 +1,175 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The insertion lesson: what counts as good, each way to fail, every metric against a way that can be integrated by hand.
-#include <gtest/gtest.h>
-
-#include "lessons/insertion/judge.hpp"
+// The insertion lesson through the boundary: where the mark is drawn, cues, phases, metrics and the verdict; what the scene
+// lacks. Its judge has lesson_insertion_judge_test.cpp.
+#include "lesson_stage.hpp"
 
 namespace swage::lesson_insertion {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
-/// An attempt told step by step. The mark is in the origin, the tissue below it; the needle is 4 mm long.
-struct Attempt {
-  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
-    now.length = 4e-3;
-    now.point_W = now.needle_W = Vec3(0, 0, 5e-3);
+/// A needle that leads straight down into a half space, and all that the coupling that pierces would say.
+class InsertionOnStage : public ::testing::Test, public stage::LessonStage {
+ protected:
+  InsertionOnStage() : LessonStage("swage.lesson.insertion", {"needle"}) {
+    objects[1].instance = &needle_.raw;
+    add_object("tissue", &tissue_.raw);
+    add_coupling(
+        "pierce",
+        {"pierce.state", "pierce.angle", "pierce.cosine", "pierce.s", "pierce.entry_x", "pierce.entry_y",
+         "pierce.entry_z", "pierce.wound", "pierce.area_ratio", "pierce.swept", "pierce.below", "pierce.pull",
+         "pierce.exit_x", "pierce.exit_y", "pierce.exit_z", "pierce.at_x", "pierce.at_y", "pierce.at_z"},
+        {"pierce.touched", "pierce.entered", "pierce.exited", "pierce.passed", "pierce.deflected"});
+    gripper_.state.tip_W = {0, 0, 5e-3};
   }
-  Finding go(int n = 1) {
-    Finding finding;
-    for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++;
-      finding = judge.look(memory, now);
-      now.entered = now.exited = now.passed = now.deflected = false;
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
+  /// The point is in at x [m], square.
+  void enter(double x) {
+    happen("pierce.entered");
+    now("pierce.state") = 2;
+    now("pierce.entry_x") = x;
+    now("pierce.wound") = now("pierce.area_ratio") = 1;
+    observe();
   }
-  void hold(double force = 0.6) {
-    now.held = true;
-    now.force = force;
-    now.grip_s = 0.6;
-  }
-  Finding enter(const Vec3& at = Vec3::Zero(), double angle = 0) {
-    now.entered = now.in_tissue = true;
-    now.entry_W = at;
-    now.angle = angle;
-    now.cosine = std::sin(angle);
-    now.s = 0;
-    now.wound = now.area_ratio = 1;
-    return go();
-  }
-  /// Drives on to s in n steps at an angle [rad].
-  Finding drive(double s, int n, double angle) {
-    now.angle = angle;
-    now.cosine = std::sin(angle);
-    const double from = now.s;
-    Finding finding;
-    for (int i = 1; i <= n; ++i) {
-      now.s = from + (s - from) * i / n;
-      finding = go();
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
+  static stage::Params at_origin() {
+    return {{"target_x", std::vector<double>{0, 0}}, {"target_y", std::vector<double>{0, 0}}};
   }
 
-  Judge judge;
-  Memory memory;
-  Look now;
-  int step = 0;
+  stage::FakeNeedle needle_;
+  stage::FakeTissue tissue_;
 };
 
-TEST(InsertionJudge, APerfectInsertionHasFullMarks) {
-  Attempt a;
-  EXPECT_EQ(a.go().stage, Stage::kTake);
-  a.hold();
-  EXPECT_EQ(a.go().stage, Stage::kAim);
-  EXPECT_EQ(a.enter().stage, Stage::kDrive);
-  const Finding end = a.drive(0.36, 200, 0);
-  EXPECT_EQ(end.end, End::kPassed);
-  EXPECT_EQ(end.stage, Stage::kDone);
-  EXPECT_EQ(end.score, 100);
+TEST_F(InsertionOnStage, PassesAndSaysSo) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_EQ(marks[0].kind, SWAGE_MARK_POINT);
+  start();
+  observe();
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "take"));
+  EXPECT_EQ(mark_cues[0], SWAGE_NONE);
+  hold(0, 0.6, 0.7);
+  observe(800);
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "aim"));
+  EXPECT_EQ(mark_cues[0], cue("target.near"));
+  enter(0.1e-3);
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "drive"));
+  EXPECT_EQ(cues[1], cue("insert.good"));
+  now("pierce.angle") = 0.5;
+  observe();
+  EXPECT_EQ(cues[1], cue("insert.angle_off"));
+  now("pierce.angle") = 0;
+  now("pierce.wound") = 3;
+  observe();
+  EXPECT_EQ(cues[2], cue("tissue.tear"));
+  now("pierce.wound") = 1;
+  now("pierce.s") = 0.4;
+  observe();
+  EXPECT_EQ(ends, 1);
+  EXPECT_EQ(passed, 1);
+  EXPECT_EQ(reason, SWAGE_NONE);
+  EXPECT_EQ(mark_cues[0], cue("target.done"));
+  EXPECT_NEAR(metric("insert.entry_distance"), 0.1e-3, 1e-12);
+  EXPECT_NEAR(metric("stitch.bite_in"), 9, 1e-9);  // 0.9 mm from the edge, 0.1 mm of wire
+  EXPECT_NEAR(metric("force.mean"), 0.7, 0.02);
+  EXPECT_NEAR(metric("force.peak"), 0.7, 0.02);
+  EXPECT_EQ(metric("tissue.stray"), 0);
+  EXPECT_EQ(metric("wound.size"), 1);
 }
 
-TEST(InsertionJudge, NearMeansBesideTheMarkAndNotFarAbove) {
-  Attempt a;
-  a.hold();
-  a.now.point_W = Vec3(0.2e-3, 0, 0.5e-3);
-  EXPECT_TRUE(a.go().near);
-  a.now.point_W = Vec3(0.4e-3, 0, 0.5e-3);
-  EXPECT_FALSE(a.go().near);
-  a.now.point_W = Vec3(0, 0, 3e-3);
-  EXPECT_FALSE(a.go().near);
-  a.now.point_W = Vec3::Zero();
-  a.now.held = false;
-  EXPECT_FALSE(a.go().near);
+TEST_F(InsertionOnStage, TheEntryFromItsOwnCurve) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  observe();
+  // 0.1 mm outside the circle at its point, all the way
+  enter(-0.1e-3);
+  now("pierce.s") = 0.2;
+  observe(2);
+  EXPECT_NEAR(metric("insert.arc_error"), 0.1e-3, 1e-9);
 }
 
-TEST(InsertionJudge, TheAngleIsWeightedByTheWayAndNotByTheTime) {
-  Rules rules;
-  rules.drive = 0.9;
-  Attempt a(rules);
-  a.hold();
-  a.enter();
-  // half of the way at 10 deg, half at 20 deg, and a long rest at 60 deg
-  a.drive(0.2, 50, 10 * kDegree);
-  a.now.angle = 60 * kDegree;
-  a.go(5000);
-  a.drive(0.4, 400, 20 * kDegree);
-  EXPECT_NEAR(angle_rms(a.memory) / kDegree, std::sqrt((100 + 400) / 2.0), 1e-9);
-  EXPECT_NEAR(a.memory.travel, 0.4 * 4e-3, 1e-15);
-  EXPECT_NEAR(a.memory.travel_in, 0.2 * 4e-3, 1e-15);  // 10 deg is within 15, 20 is not
+TEST_F(InsertionOnStage, AStitchTellsItsBitesAndMovesTheMarkOn) {
+  stage::Params params = at_origin();
+  params.insert({"task", 1});
+  params.insert({"stitches", 2});
+  params.insert({"spacing", 0.7e-3});
+  params.insert({"tolerance", 0.5e-3});
+  ASSERT_EQ(bind(params), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  observe();
+  enter(0.4e-3);
+  happen("pierce.exited", 0.2);
+  now("pierce.exit_x") = 0.8e-3;
+  now("pierce.exit_y") = 0.4e-3;
+  observe();
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "release"));
+  EXPECT_EQ(metric("insert.exit_angle"), 0.2);
+  EXPECT_NEAR(metric("stitch.bite_in"), 6, 1e-9);
+  EXPECT_NEAR(metric("stitch.bite_out"), 2, 1e-9);
+  EXPECT_NEAR(metric("stitch.asymmetry"), 1, 1e-9);
+  EXPECT_NEAR(metric("stitch.obliquity"), 0.25 * 3.14159265358979, 1e-6);
+  let_go(0);
+  observe();
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "retake"));
+  EXPECT_EQ(cues[1], cue("needle.stuck"));
+  now("pierce.s") = 0.8;
+  hold(0, 0.2, 0.7);
+  observe();
+  EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "pull"));
+  const swage_vec3 before = mark_p_W[0];
+  happen("pierce.passed");
+  observe();
+  EXPECT_EQ(ends, 0);
+  EXPECT_EQ(metric("stitch.count"), 1);
+  EXPECT_NEAR(std::abs(mark_p_W[0].y - before.y), 0.7e-3, 1e-9);  // the edge leads along y
+  EXPECT_NEAR(mark_p_W[0].x, before.x, 1e-9);
 }
 
-TEST(InsertionJudge, TheThesissCosineIsAMeanOverTime) {
-  Rules rules;
-  rules.drive = 0.9;
-  Attempt a(rules);
-  a.hold();
-  a.enter(Vec3::Zero(), 30 * kDegree);  // one step
-  a.now.angle = 0;
-  a.now.cosine = 0;
-  a.go(3);
-  EXPECT_NEAR(a.memory.cosine_s / a.memory.inside_s, 0.5 / 4, 1e-12);
+TEST_F(InsertionOnStage, FailsWithAReasonAndCountsWhatIsStray) {
+  ASSERT_EQ(bind({{"max_wound", 2}, {"force", std::vector<double>{0.1, 0.5}}}), SWAGE_OK);
+  start();
+  gripper_.state.tip_W = {0, 0, -0.1e-3};
+  hold(0, 0.6, 0.7);
+  observe();
+  EXPECT_EQ(cues[0], cue("grip.too_hard"));
+  EXPECT_EQ(metric("tissue.stray"), 1);
+  enter(0);
+  now("pierce.wound") = 2.1;
+  observe();
+  EXPECT_EQ(passed, 0);
+  EXPECT_EQ(reason, stage.index_of(SWAGE_DECLARE_EVENT, "failed.torn"));
 }
 
-TEST(InsertionJudge, TheEntryIsMeasuredAlongTheSurface) {
-  Attempt a;
-  a.hold();
-  // 0.3 mm along, 0.4 mm of dimple
-  EXPECT_FALSE(a.enter(Vec3(0.2e-3, 0.1e-3, -0.4e-3)).missed);
-  EXPECT_NEAR(a.memory.entry_distance, std::sqrt(0.05) * 1e-3, 1e-15);
+TEST_F(InsertionOnStage, TheMarkLiesInItsFieldAndTheSameSeedDrawsItAgain) {
+  ASSERT_EQ(bind({{"target_x", std::vector<double>{-1e-3, -0.5e-3}},
+                  {"target_y", std::vector<double>{0.2e-3, 0.4e-3}}}),
+            SWAGE_OK);
+  start();
+  observe();
+  const swage_vec3 p = mark_p_W[0];
+  EXPECT_TRUE(p.x >= -1e-3 && p.x <= -0.5e-3 && p.y >= 0.2e-3 && p.y <= 0.4e-3);
+  EXPECT_EQ(p.z, 0);
+  observe();
+  EXPECT_EQ(mark_p_W[0].x, p.x);
 }
 
-TEST(InsertionJudge, AWrongPlaceFailsInTheEndAndMayBeMended) {
-  Attempt a;
-  a.hold();
-  EXPECT_TRUE(a.enter(Vec3(1e-3, 0, 0)).missed);
-  EXPECT_EQ(a.drive(0.2, 20, 0).end, End::kRunning);
-  // out again, and in at the mark
-  a.now.in_tissue = false;
-  a.go();
-  EXPECT_FALSE(a.enter().missed);
-  EXPECT_EQ(a.drive(0.36, 20, 0).end, End::kPassed);
-
-  Attempt b;
-  b.hold();
-  b.enter(Vec3(1e-3, 0, 0));
-  const Finding end = b.drive(0.36, 20, 0);
-  EXPECT_EQ(end.end, End::kMissed);
-  EXPECT_EQ(end.score, 0);
+TEST_F(InsertionOnStage, SaysWhatTheSceneLacks) {
+  EXPECT_LT(bind({{"tissue", std::string("needle")}}), 0);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0], "\"needle\" cannot be pierced");
+  problems.clear();
+  signals.pop_back();
+  EXPECT_LT(bind(), 0);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0], "\"pierce\" has no signal \"pierce.at_z\", which this lesson watches");
+  problems.clear();
+  signals.resize(7);  // nothing pierces
+  EXPECT_LT(bind(), 0);
+  EXPECT_EQ(problems.size(), 1u);
 }
 
-TEST(InsertionJudge, EachWayToFail) {
-  Attempt torn;
-  torn.hold();
-  torn.enter();
-  torn.now.wound = 7;
-  EXPECT_EQ(torn.go().end, End::kTorn);
-
-  Attempt deflected;
-  deflected.hold();
-  Finding f;
-  for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(f.end, End::kRunning);
-    deflected.now.deflected = true;
-    f = deflected.go();
-  }
-  EXPECT_EQ(f.end, End::kDeflected);
-
-  Attempt dropped;
-  for (int i = 0; i < 3; ++i) {
-    dropped.hold();
-    dropped.now.needle_W = Vec3(0, 0, 10e-3);
-    dropped.go();
-    dropped.now.held = false;
-    dropped.now.needle_W = Vec3(0, 0, 5e-3);
-    f = dropped.go();
-  }
-  EXPECT_EQ(f.end, End::kDropped);
-
-  Rules rules;
-  rules.max_time = 0.05;
-  EXPECT_EQ(Attempt(rules).go(100).end, End::kOutOfTime);
-}
-
-TEST(InsertionJudge, WhatSticksInTheTissueIsNotDropped) {
-  Attempt a;
-  a.hold();
-  a.enter();
-  a.drive(0.2, 20, 0);
-  a.now.held = false;
-  a.now.needle_W = Vec3(0, 4e-3, 0);  // it may be pushed about
-  const Finding f = a.go(10);
-  EXPECT_TRUE(f.stuck);
-  EXPECT_FALSE(f.dropped);
-  EXPECT_EQ(a.memory.drops, 0);
-}
-
-TEST(InsertionJudge, AStitchGoesOutIsTakenThereAndComesThrough) {
-  Rules rules;
-  rules.task = Task::kStitch;
-  Attempt a(rules);
-  a.hold();
-  a.enter();
-  EXPECT_EQ(a.drive(0.5, 50, 0).stage, Stage::kDrive);
-  a.now.exited = true;
-  a.now.exit_angle = 0.2;
-  EXPECT_EQ(a.go().stage, Stage::kRelease);
-  a.now.held = false;
-  EXPECT_EQ(a.go().stage, Stage::kRetake);
-  // taken behind again: not the other side
-  a.hold();
-  a.now.grip_s = 0.8;
-  EXPECT_EQ(a.go().stage, Stage::kRetake);
-  a.now.grip_s = 0.1;
-  EXPECT_EQ(a.go().stage, Stage::kPull);
-  a.now.passed = true;
-  EXPECT_EQ(a.go().end, End::kPassed);
-  EXPECT_EQ(a.memory.exit_angle, 0.2);
-}
-
-TEST(InsertionJudge, PointsAreLostForWhatTheyAreLostFor) {
-  const auto score = [](double wound, double angle, double off) {
-    Attempt a;
-    a.hold();
-    a.enter(Vec3(off, 0, 0));
-    a.now.wound = wound;
-    return a.drive(0.36, 100, angle).score;
-  };
-  EXPECT_NEAR(score(2, 0, 0), 85, 1e-9);               // half of 30
-  EXPECT_NEAR(score(1, 22.5 * kDegree, 0), 85, 1e-9);  // half of 30
-  EXPECT_NEAR(score(1, 0, 0.15e-3), 92.5, 1e-9);       // half of 15
-  EXPECT_EQ(score(5, 80 * kDegree, 0.3e-3), 40);       // passed is never less
-}
-
-TEST(InsertionJudge, TheForceSignStaysAWhile) {
-  Attempt a;
-  a.hold(2);
-  EXPECT_TRUE(a.go().too_hard);
-  a.now.force = 0.5;
-  EXPECT_TRUE(a.go(200).too_hard);
-  EXPECT_FALSE(a.go(200).too_hard);
+TEST_F(InsertionOnStage, RefusesAForceWithoutAWidth) {
+  EXPECT_LT(stage.configure({{"force", std::vector<double>{1, 1}}}), 0);
+  EXPECT_EQ(stage.errors.size(), 1u);
 }
 
 }  // namespace

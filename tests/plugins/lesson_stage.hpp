@@ -37,6 +37,38 @@ class LessonStage {
     steps_.resize(objects.size());
   }
 
+  /// One more thing with one body, which says what its traits say; not gripped by anything.
+  void add_object(const char* name, swage_instance* instance) {
+    words_.push_back(name);
+    objects.push_back({text(words_.back()), text(words_.back()), 0, 1, 0, 0, instance});
+    objects.back().first_body = static_cast<uint32_t>(X_WB.size());
+    X_WB.push_back({{0, 0, 0}, {1, 0, 0, 0}});
+    steps_.resize(objects.size());
+  }
+  /// One more coupling with its words; they follow those that are there.
+  void add_coupling(const char* name, std::initializer_list<const char*> its_signals,
+                    std::initializer_list<const char*> its_events) {
+    words_.push_back(name);
+    const swage_str owner = text(words_.back());
+    for (const char* id : its_signals) signals.push_back({owner, {id, std::strlen(id)}, {"1", 1}});
+    for (const char* id : its_events) events.push_back({owner, {id, std::strlen(id)}});
+    signal.resize(signals.size());
+  }
+  /// What a signal says, by id.
+  double& now(const std::string& id) {
+    for (size_t i = 0; i < signals.size(); ++i)
+      if (std::string(signals[i].id.data, signals[i].id.size) == id) return signal[i];
+    ADD_FAILURE() << id << " is nobody's signal";
+    return signal[0];
+  }
+  /// An event of the next step, by id.
+  void happen(const std::string& id, double value = 0) {
+    for (size_t i = 0; i < events.size(); ++i)
+      if (std::string(events[i].id.data, events[i].id.size) == id)
+        return happened.push_back({static_cast<uint32_t>(i), 0, value});
+    ADD_FAILURE() << id << " is nobody's event";
+  }
+
   swage_result bind(const Params& params = {}) {
     EXPECT_EQ(stage.configure(params), SWAGE_OK);
     table_ = &stage.table<swage_lesson>(SWAGE_EXT_LESSON);
@@ -71,7 +103,10 @@ class LessonStage {
     verdict.struct_size = sizeof(verdict);
     verdict.host_data = this;
     verdict.cue = [](const swage_verdict* v, uint32_t o, uint32_t c) { of(v).cues[o] = c; };
-    verdict.mark = [](const swage_verdict*, uint32_t, uint32_t, const swage_vec3*) {};
+    verdict.mark = [](const swage_verdict* v, uint32_t m, uint32_t c, const swage_vec3* p_W) {
+      of(v).mark_cues[m] = c;
+      if (p_W != nullptr) of(v).mark_p_W[m] = *p_W;
+    };
     verdict.metric = [](const swage_verdict* v, uint32_t i, double x) { of(v).metrics[i] = x; };
     verdict.event = [](const swage_verdict* v, uint32_t e, double x) { of(v).said.push_back({e, x}); };
     verdict.phase = [](const swage_verdict* v, uint32_t p) { of(v).phase = p; };
@@ -121,17 +156,21 @@ class LessonStage {
   std::vector<swage_mark> marks;
   std::vector<std::string> problems;
   std::map<uint32_t, uint32_t> cues;  // by object
+  std::map<uint32_t, uint32_t> mark_cues;
+  std::map<uint32_t, swage_vec3> mark_p_W;
   std::map<uint32_t, double> metrics;
   std::vector<Said> said;
   uint32_t phase = SWAGE_NONE, reason = SWAGE_NONE;
   int ends = 0, passed = -1;
   double score = -1;
 
+ protected:
+  FakeGripper gripper_;
+
  private:
   static LessonStage& of(const swage_verdict* v) { return *static_cast<LessonStage*>(v->host_data); }
   static swage_str text(const std::string& words) { return {words.data(), words.size()}; }
 
-  FakeGripper gripper_;
   std::deque<FakeWire> wires_;
   std::deque<std::string> words_;
   const swage_lesson* table_ = nullptr;

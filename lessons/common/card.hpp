@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Metrics and channels that several lessons declare alike: the same id means the same number in all of them.
+#pragma once
+
+#include <swage/abi/lesson_card.h>
+
+namespace swage::lessons {
+
+// clang-format off
+inline constexpr swage_metric_info kTaskTime = {"time.task", "s", "Time since the hand set off.", "now - first time that the tips were quicker than 2 mm/s for 0.1 s", "M01", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
+inline constexpr swage_metric_info kTaskSuccess = {"task.success", "1", "1 when the attempt was passed.", "1 or 0", "M04", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C};
+inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or knocked away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
+inline constexpr swage_metric_info kForceMean = {"force.mean", "N", "Mean grip force while held.", "mean of F below 20 Hz", "M15", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
+inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force that was exceeded for one two-hundredth of the held time.", "99.5 % quantile of F below 20 Hz while held", "M16", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
+inline constexpr swage_metric_info kPath = {"motion.path", "m", "Way of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
+
+inline constexpr uint32_t kHeard = SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | SWAGE_CHANNEL_SOUND;
+inline constexpr uint32_t kFelt = kHeard | SWAGE_CHANNEL_FORCE;
+
+inline constexpr swage_cue_info kTooHard = {"grip.too_hard", "The grip force is above the limit.", kFelt, 0};
+// clang-format on
+
+}  // namespace swage::lessons

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a surgeon says of finished stitches: bite, symmetry, obliquity, even spacing (M42 to M45). Pure arithmetic on entries and
+// exits; the edge is that of a slit, or the rim where it is nearer.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "toolkit/math.hpp"
+
+namespace swage::lesson_insertion {
+
+using toolkit::Vec3;
+
+/// Where a point went through a surface.
+struct Hole {
+  Vec3 p_W = Vec3::Zero();        // m
+  Vec3 edge_W = Vec3::Zero();     // unit, along the surface towards the nearest edge; 0: nobody knows
+  Vec3 normal_W = Vec3::UnitZ();  // unit, out of the tissue
+  double edge = 0;                // m, distance of that edge
+};
+
+/// Doubles only; the last stitch, and where all of them lie.
+struct StitchState {
+  static constexpr size_t kMost = 8;
+  double count = 0;                    // stitches that are through
+  double in = 0, out = 0;              // 0 or 1: the present one has these holes
+  double bite_in = 0, bite_out = 0;    // m
+  double entry[3] = {}, edge[3] = {};  // m, unit; W
+  double oblique = -1;                 // rad; -1: not known
+  double first[3] = {};                // m, middle of the first stitch
+  double place[kMost] = {};            // m, middles of the stitches along the edge, from the first one
+};
+
+class Stitches {
+ public:
+  static void enter(StitchState& s, const Hole& hole) noexcept {
+    s.in = 1;
+    s.out = 0;
+    s.bite_in = hole.edge;
+    Eigen::Map<Vec3>(s.entry) = hole.p_W;
+    Eigen::Map<Vec3>(s.edge) = hole.edge_W;
+    s.oblique = -1;
+  }
+  /// `least` [m]: a stitch that is shorter along the surface has no direction.
+  static void exit(StitchState& s, const Hole& hole, double least) noexcept {
+    if (s.in == 0) return;
+    s.out = 1;
+    s.bite_out = hole.edge;
+    const Vec3 entry = Eigen::Map<const Vec3>(s.entry), edge = Eigen::Map<const Vec3>(s.edge);
+    const Vec3 way = hole.p_W - entry, flat = way - way.dot(hole.normal_W) * hole.normal_W;
+    if (flat.norm() > least && edge.norm() > 0)
+      s.oblique = std::acos(std::min(1.0, std::abs(flat.dot(edge)) / flat.norm()));
+    const auto n = static_cast<size_t>(s.count);
+    if (n >= StitchState::kMost) return;
+    const Vec3 middle = entry + 0.5 * way;
+    if (n == 0) Eigen::Map<Vec3>(s.first) = middle;
+    s.place[n] = (middle - Eigen::Map<const Vec3>(s.first)).dot(hole.normal_W.cross(edge));
+  }
+  /// The present stitch is through.
+  static void finish(StitchState& s) noexcept {
+    s.count += 1;
+    s.in = s.out = 0;
+  }
+
+  /// abs(b1 - b2) / mean(b1, b2) of the last stitch (M43).
+  static double asymmetry(const StitchState& s) noexcept {
+    const double mean = 0.5 * (s.bite_in + s.bite_out);
+    return mean > 0 ? std::abs(s.bite_in - s.bite_out) / mean : 0;
+  }
+  /// Standard deviation over mean of the distances between neighbours (M45); -1 with fewer than three stitches.
+  static double unevenness(const StitchState& s) noexcept {
+    const size_t n = std::min(StitchState::kMost, static_cast<size_t>(s.count));
+    if (n < 3) return -1;
+    double place[StitchState::kMost], sum = 0, square = 0;
+    std::copy_n(s.place, n, place);
+    std::sort(place, place + n);
+    for (size_t i = 1; i < n; ++i) sum += place[i] - place[i - 1];
+    const double mean = sum / static_cast<double>(n - 1);
+    for (size_t i = 1; i < n; ++i) square += std::pow(place[i] - place[i - 1] - mean, 2);
+    return mean > 0 ? std::sqrt(square / static_cast<double>(n - 2)) / mean : 0;
+  }
+};
+
+/// Touches that are not part of the task: the point elsewhere than at the mark, the jaws in the tissue (M52).
+struct StrayState {
+  double count = 0, jaws = 0, clear_s = 0;  // 1; 0 or 1: they touch; s, since they did
+};
+inline void follow_stray(StrayState& s, bool point, bool jaws, double dt) noexcept {
+  constexpr double kPause = 0.15;  // s: what touches again sooner is still the same touch
+  if (point) s.count += 1;
+  s.clear_s = jaws ? 0 : s.clear_s + dt;
+  if (jaws && s.jaws == 0) s.count += 1;
+  if (jaws) s.jaws = 1;
+  if (s.clear_s >= kPause) s.jaws = 0;
+}
+
+}  // namespace swage::lesson_insertion

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What several lessons measure: filters, the way of a hand, spread, quantile, rest, tremor.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "lessons/common/measures.hpp"
+#include "lessons/common/watches.hpp"
+
+namespace swage::lessons {
+namespace {
+
+TEST(Measures, QuantileSpreadIdleAndTremor) {
+  const Quantile quantile(4);
+  QuantileState q;
+  for (int i = 0; i < 1000; ++i) quantile.look(q, i < 990 ? 0.5 : 1.5, 1e-3);  // 1 % above
+  EXPECT_NEAR(quantile.at(q, 0.995), 1.5, 4.0 / 128);
+  EXPECT_NEAR(quantile.at(q, 0.9), 0.5, 4.0 / 128);
+  EXPECT_EQ(quantile.at(QuantileState(), 0.5), 0);
+
+  SpreadState s;
+  for (int i = 0; i < 1000; ++i) spread(s, i % 2 == 0 ? 0.9 : 1.1, 1e-3);
+  EXPECT_NEAR(s.mean, 1, 1e-12);
+  EXPECT_NEAR(deviation(s), 0.1, 1e-12);
+
+  IdleState idle;
+  for (int i = 0; i < 2000; ++i) IdleWatch::look(idle, {i < 1000 ? 0 : 2e-6 * (i - 1000), 0, 0}, 1e-3, true);
+  EXPECT_NEAR(IdleWatch::share(idle), 0.5, 2e-3);
+
+  // 10 Hz of 30 um is in the band, a slow movement of 1 mm is not
+  const double pi = std::numbers::pi;
+  TremorState shaking, reaching;
+  const TremorWatch watch(1e-3);
+  for (int i = 0; i < 20000; ++i) {
+    const double t = 1e-3 * i;
+    watch.look(shaking, {30e-6 * std::sqrt(2.0) * std::sin(2 * pi * 9.8 * t), 0, 0}, t > 2);
+    watch.look(reaching, {1e-3 * std::sin(2 * pi * 0.5 * t), 0, 0}, t > 2);
+  }
+  EXPECT_NEAR(TremorWatch::rms(shaking), 30e-6, 0.3e-6);
+  EXPECT_LT(TremorWatch::rms(reaching), 1.5e-6);
+}
+
+TEST(PathWatch, CountsTheWayWithoutTheTremor) {
+  const PathWatch watch(1e-3);
+  PathState state;
+  for (int i = 0; i < 3000; ++i) {
+    const double t = i * 1e-3, shake = 50e-6 * std::sin(2 * std::numbers::pi * 10 * t);
+    watch.look(state, Vec3(10e-3 * std::min(t, 2.0), shake, 0), t);
+  }
+  // 20 mm of way; unfiltered, the shaking alone would be 30 * 4 * 50 um = 6 mm at right angles to it
+  EXPECT_NEAR(state.length, 20e-3, 0.4e-3);
+  EXPECT_NEAR(state.set_off_s, 0.05, 0.1);
+}
+
+template <class Filter, class State>
+double gain(const Filter& filter, double f) {
+  State state;
+  double most = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double y = filter.next(state, std::sin(2 * std::numbers::pi * f * i * 1e-3));
+    if (i > 2000) most = std::max(most, std::abs(y));
+  }
+  return most;
+}
+
+TEST(LowPass, PassesBelowAndStopsAbove) {
+  const LowPass4 motion(6, 1e-3);
+  const auto g4 = [&](double f) { return gain<LowPass4, LowPass4State>(motion, f); };
+  EXPECT_NEAR(g4(0.5), 1, 1e-3);
+  EXPECT_NEAR(g4(6), std::sqrt(0.5), 2e-3);
+  EXPECT_NEAR(g4(12), 1 / std::sqrt(1 + 256.0), 2e-3);  // 1 / sqrt(1 + (f / 6)^8)
+
+  const LowPass force(20, 1e-3, LowPass::kCritical);
+  const auto g2 = [&](double f) { return gain<LowPass, LowPassState>(force, f); };
+  EXPECT_NEAR(g2(1), 1, 5e-3);
+  EXPECT_NEAR(g2(20), 0.5, 2e-3);
+  EXPECT_NEAR(g2(80), 1.0 / 17, 4e-3);  // 1 / (1 + (f / 20)^2)
+}
+
+TEST(LowPass, NoOvershootAndNoStart) {
+  const LowPass force(20, 1e-3, LowPass::kCritical);
+  LowPassState state;
+  EXPECT_NEAR(force.next(state, 3.0), 3.0, 1e-12) << "the first value has stood for ever";
+  double most = 0;
+  for (int i = 0; i < 500; ++i) most = std::max(most, force.next(state, 4.0));
+  EXPECT_NEAR(most, 4, 1e-9);
+  EXPECT_LE(most, 4 + 1e-12);
+}
+
+}  // namespace
+}  // namespace swage::lessons

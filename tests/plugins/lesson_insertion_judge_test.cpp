@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The insertion lesson: what counts as good, each way to fail, every metric against a way that can be integrated by hand.
+#include <gtest/gtest.h>
+
+#include "lessons/insertion/judge.hpp"
+
+namespace swage::lesson_insertion {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+/// An attempt told step by step. The mark is in the origin, the tissue below it; the needle is 4 mm long.
+struct Attempt {
+  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
+    now.length = 4e-3;
+    now.point_W = now.needle_W = Vec3(0, 0, 5e-3);
+  }
+  Finding go(int n = 1) {
+    Finding finding;
+    for (int i = 0; i < n; ++i) {
+      now.time_s = 1e-3 * step++;
+      finding = judge.look(memory, now);
+      now.entered = now.exited = now.passed = now.deflected = false;
+      if (finding.end != End::kRunning) break;
+    }
+    return finding;
+  }
+  void hold(double force = 0.6) {
+    now.held = true;
+    now.force = force;
+    now.grip_s = 0.6;
+  }
+  Finding enter(const Vec3& at = Vec3::Zero(), double angle = 0) {
+    now.entered = now.in_tissue = true;
+    now.entry_W = at;
+    now.angle = angle;
+    now.cosine = std::sin(angle);
+    now.s = 0;
+    now.wound = now.area_ratio = 1;
+    return go();
+  }
+  /// Drives on to s in n steps at an angle [rad].
+  Finding drive(double s, int n, double angle) {
+    now.angle = angle;
+    now.cosine = std::sin(angle);
+    const double from = now.s;
+    Finding finding;
+    for (int i = 1; i <= n; ++i) {
+      now.s = from + (s - from) * i / n;
+      finding = go();
+      if (finding.end != End::kRunning) break;
+    }
+    return finding;
+  }
+
+  Judge judge;
+  Memory memory;
+  Look now;
+  int step = 0;
+};
+
+TEST(InsertionJudge, APerfectInsertionHasFullMarks) {
+  Attempt a;
+  EXPECT_EQ(a.go().stage, Stage::kTake);
+  a.hold();
+  EXPECT_EQ(a.go().stage, Stage::kAim);
+  EXPECT_EQ(a.enter().stage, Stage::kDrive);
+  const Finding end = a.drive(0.36, 200, 0);
+  EXPECT_EQ(end.end, End::kPassed);
+  EXPECT_EQ(end.stage, Stage::kDone);
+  EXPECT_EQ(end.score, 100);
+}
+
+TEST(InsertionJudge, NearMeansBesideTheMarkAndNotFarAbove) {
+  Attempt a;
+  a.hold();
+  a.now.point_W = Vec3(0.2e-3, 0, 0.5e-3);
+  EXPECT_TRUE(a.go().near);
+  a.now.point_W = Vec3(0.4e-3, 0, 0.5e-3);
+  EXPECT_FALSE(a.go().near);
+  a.now.point_W = Vec3(0, 0, 3e-3);
+  EXPECT_FALSE(a.go().near);
+  a.now.point_W = Vec3::Zero();
+  a.now.held = false;
+  EXPECT_FALSE(a.go().near);
+}
+
+TEST(InsertionJudge, TheAngleIsWeightedByTheWayAndNotByTheTime) {
+  Rules rules;
+  rules.drive = 0.9;
+  Attempt a(rules);
+  a.hold();
+  a.enter();
+  // half of the way at 10 deg, half at 20 deg, and a long rest at 60 deg
+  a.drive(0.2, 50, 10 * kDegree);
+  a.now.angle = 60 * kDegree;
+  a.go(5000);
+  a.drive(0.4, 400, 20 * kDegree);
+  EXPECT_NEAR(angle_rms(a.memory) / kDegree, std::sqrt((100 + 400) / 2.0), 1e-9);
+  EXPECT_NEAR(a.memory.travel, 0.4 * 4e-3, 1e-15);
+  EXPECT_NEAR(a.memory.travel_in, 0.2 * 4e-3, 1e-15);  // 10 deg is within 15, 20 is not
+}
+
+TEST(InsertionJudge, TheThesissCosineIsAMeanOverTime) {
+  Rules rules;
+  rules.drive = 0.9;
+  Attempt a(rules);
+  a.hold();
+  a.enter(Vec3::Zero(), 30 * kDegree);  // one step
+  a.now.angle = 0;
+  a.now.cosine = 0;
+  a.go(3);
+  EXPECT_NEAR(a.memory.cosine_s / a.memory.inside_s, 0.5 / 4, 1e-12);
+}
+
+TEST(InsertionJudge, TheEntryIsMeasuredAlongTheSurface) {
+  Attempt a;
+  a.hold();
+  // 0.3 mm along, 0.4 mm of dimple
+  EXPECT_FALSE(a.enter(Vec3(0.2e-3, 0.1e-3, -0.4e-3)).missed);
+  EXPECT_NEAR(a.memory.entry_distance, std::sqrt(0.05) * 1e-3, 1e-15);
+}
+
+TEST(InsertionJudge, AWrongPlaceFailsInTheEndAndMayBeMended) {
+  Attempt a;
+  a.hold();
+  EXPECT_TRUE(a.enter(Vec3(1e-3, 0, 0)).missed);
+  EXPECT_EQ(a.drive(0.2, 20, 0).end, End::kRunning);
+  // out again, and in at the mark
+  a.now.in_tissue = false;
+  a.go();
+  EXPECT_FALSE(a.enter().missed);
+  EXPECT_EQ(a.drive(0.36, 20, 0).end, End::kPassed);
+
+  Attempt b;
+  b.hold();
+  b.enter(Vec3(1e-3, 0, 0));
+  const Finding end = b.drive(0.36, 20, 0);
+  EXPECT_EQ(end.end, End::kMissed);
+  EXPECT_EQ(end.score, 0);
+}
+
+TEST(InsertionJudge, EachWayToFail) {
+  Attempt torn;
+  torn.hold();
+  torn.enter();
+  torn.now.wound = 7;
+  EXPECT_EQ(torn.go().end, End::kTorn);
+
+  Attempt deflected;
+  deflected.hold();
+  Finding f;
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_EQ(f.end, End::kRunning);
+    deflected.now.deflected = true;
+    f = deflected.go();
+  }
+  EXPECT_EQ(f.end, End::kDeflected);
+
+  Attempt dropped;
+  for (int i = 0; i < 3; ++i) {
+    dropped.hold();
+    dropped.now.needle_W = Vec3(0, 0, 10e-3);
+    dropped.go();
+    dropped.now.held = false;
+    dropped.now.needle_W = Vec3(0, 0, 5e-3);
+    f = dropped.go();
+  }
+  EXPECT_EQ(f.end, End::kDropped);
+
+  Rules rules;
+  rules.max_time = 0.05;
+  EXPECT_EQ(Attempt(rules).go(100).end, End::kOutOfTime);
+}
+
+TEST(InsertionJudge, WhatSticksInTheTissueIsNotDropped) {
+  Attempt a;
+  a.hold();
+  a.enter();
+  a.drive(0.2, 20, 0);
+  a.now.held = false;
+  a.now.needle_W = Vec3(0, 4e-3, 0);  // it may be pushed about
+  const Finding f = a.go(10);
+  EXPECT_TRUE(f.stuck);
+  EXPECT_FALSE(f.dropped);
+  EXPECT_EQ(a.memory.drops, 0);
+}
+
+TEST(InsertionJudge, AStitchGoesOutIsTakenThereAndComesThrough) {
+  Rules rules;
+  rules.task = Task::kStitch;
+  Attempt a(rules);
+  a.hold();
+  a.enter();
+  EXPECT_EQ(a.drive(0.5, 50, 0).stage, Stage::kDrive);
+  a.now.exited = true;
+  a.now.exit_angle = 0.2;
+  EXPECT_EQ(a.go().stage, Stage::kRelease);
+  a.now.held = false;
+  EXPECT_EQ(a.go().stage, Stage::kRetake);
+  // taken behind again: not the other side
+  a.hold();
+  a.now.grip_s = 0.8;
+  EXPECT_EQ(a.go().stage, Stage::kRetake);
+  a.now.grip_s = 0.1;
+  EXPECT_EQ(a.go().stage, Stage::kPull);
+  a.now.passed = true;
+  EXPECT_EQ(a.go().end, End::kPassed);
+  EXPECT_EQ(a.memory.exit_angle, 0.2);
+}
+
+TEST(InsertionJudge, TheNextStitchBeginsWhereTheLastOneEnded) {
+  Rules rules;
+  rules.task = Task::kStitch;
+  rules.stitches = 3;
+  Attempt a(rules);
+  const double places[] = {0, 1e-3, 2.5e-3};
+  Finding f;
+  for (int i = 0; i < 3; ++i) {
+    a.hold();
+    a.now.hole = {Vec3(0, places[i], 0), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3};
+    a.enter();
+    a.drive(0.5, 20, 0);
+    a.now.exited = true;
+    a.now.hole = {Vec3(0.8e-3, places[i], 0), -Vec3::UnitX(), Vec3::UnitZ(), 0.5e-3};
+    a.go();
+    a.now.held = false;
+    a.go();
+    a.hold();
+    a.now.grip_s = 0.1;
+    a.go();
+    EXPECT_EQ(Stitches::unevenness(a.memory.stitch), -1);
+    a.now.passed = true;
+    f = a.go();
+    EXPECT_EQ(f.stitched, i < 2);
+    a.now.in_tissue = false;
+    if (i == 2) break;
+    EXPECT_EQ(a.go().stage, Stage::kAim);
+  }
+  EXPECT_EQ(f.end, End::kPassed);
+  EXPECT_EQ(a.memory.stitch.count, 3);
+  EXPECT_NEAR(Stitches::asymmetry(a.memory.stitch), 0.2 / 0.4, 1e-12);
+  EXPECT_NEAR(a.memory.stitch.oblique, 0, 1e-7);
+  // distances 1 and 1.5 mm: mean 1.25, standard deviation 0.25 sqrt(2)
+  EXPECT_NEAR(Stitches::unevenness(a.memory.stitch), 0.25 * std::sqrt(2.0) / 1.25, 1e-12);
+}
+
+TEST(InsertionJudge, AStitchAslantIsOblique) {
+  StitchState s;
+  Stitches::enter(s, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3});
+  Stitches::exit(s, {Vec3(1e-3, 1e-3, -0.2e-3), -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
+  EXPECT_NEAR(s.oblique, 45 * kDegree, 1e-12);
+  EXPECT_EQ(Stitches::asymmetry(s), 0);
+  // straight through a wall it has no direction; out without in is none at all
+  Stitches::enter(s, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3});
+  Stitches::exit(s, {Vec3(0.1e-3, 0, -1e-3), -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
+  EXPECT_EQ(s.oblique, -1);
+  StitchState none;
+  Stitches::exit(none, {}, 0);
+  EXPECT_EQ(none.out, 0);
+}
+
+TEST(InsertionJudge, StrayTouchesAreCountedOnceEach) {
+  Attempt a;
+  a.now.point_touched = true;
+  a.now.touch_W = Vec3(0.2e-3, 0, 0);  // at the mark
+  a.go();
+  EXPECT_EQ(a.memory.stray.count, 0);
+  a.now.touch_W = Vec3(2e-3, 0, 0);
+  a.go();
+  a.now.point_touched = false;
+  EXPECT_EQ(a.memory.stray.count, 1);
+  // the jaws, with a gap too short to count twice, and one that is not
+  for (const int gap : {100, 200}) {
+    a.now.jaws_in = true;
+    a.go(5);
+    a.now.jaws_in = false;
+    a.go(gap);
+  }
+  EXPECT_EQ(a.memory.stray.count, 2);
+  a.now.jaws_in = true;
+  a.go();
+  EXPECT_EQ(a.memory.stray.count, 3);
+}
+
+TEST(InsertionJudge, PointsAreLostForWhatTheyAreLostFor) {
+  const auto score = [](double wound, double angle, double off) {
+    Attempt a;
+    a.hold();
+    a.enter(Vec3(off, 0, 0));
+    a.now.wound = wound;
+    return a.drive(0.36, 100, angle).score;
+  };
+  EXPECT_NEAR(score(2, 0, 0), 85, 1e-9);               // half of 30
+  EXPECT_NEAR(score(1, 22.5 * kDegree, 0), 85, 1e-9);  // half of 30
+  EXPECT_NEAR(score(1, 0, 0.15e-3), 92.5, 1e-9);       // half of 15
+  EXPECT_EQ(score(5, 80 * kDegree, 0.3e-3), 40);       // passed is never less
+}
+
+TEST(InsertionJudge, TheForceSignStaysAWhile) {
+  Attempt a;
+  a.hold(2);
+  EXPECT_TRUE(a.go().too_hard);
+  a.now.force = 0.5;
+  EXPECT_TRUE(a.go(200).too_hard);
+  EXPECT_FALSE(a.go(200).too_hard);
+}
+
+}  // namespace
+}  // namespace swage::lesson_insertion
