@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts of a curve: what is left of it below planes. Room-internal.
+// Parts of a curve: what is left of it below planes, and near a polyhedron. Room-internal.
 #pragma once
 
 #include "contact/curve.hpp"
+#include "contact/narrow_phase.hpp"
 #include "toolkit/fixed_vector.hpp"
 
 namespace swage::contact {
@@ -39,6 +40,33 @@ void clip(Stretches<Curve>& list, const typename Curve::Height& h, Border border
     ++kept;
   }
   list.shrink(kept);
+}
+
+/// Makes `list` what of the curve is within reach(n) of every face, n its normal, or a little further, by `slack`; ends that this
+/// cuts are called `border`. False: nothing; `memory` learns what separates.
+template <class Curve, class Reach>
+bool clip_to_reach(Stretches<Curve>& list, const Curve& curve, const toolkit::Convex& convex,
+                   const Reach& reach, double slack, Border border, Separation& memory) {
+  const auto apart = [&](const Vec3& n, double support) {
+    return curve.lowest(curve.height(n, support)) > reach(n);
+  };
+  if (!memory.n_B.isZero() && apart(memory.n_B, convex.support(memory.n_B))) return false;
+  fill(list, curve);
+  for (const toolkit::Convex::Face& f : convex.face) {
+    clip<Curve>(list, curve.height(f.n, f.d + reach(f.n) + slack), border);
+    if (!list.empty()) continue;
+    if (apart(f.n, f.d)) memory.n_B = f.n;
+    return false;
+  }
+  return true;
+}
+
+/// The lowest of h over all stretches.
+template <class Curve>
+double lowest(const Stretches<Curve>& list, const typename Curve::Height& h) {
+  double least = 1e300;
+  for (const auto& s : list) least = std::min(least, Curve::lowest(h, s.from, s.to));
+  return least;
 }
 
 }  // namespace swage::contact

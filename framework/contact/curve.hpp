@@ -38,6 +38,14 @@ struct LineHeight {
   double slope(double) const { return h1; }
 };
 
+/// h + s g.
+inline LineHeight plus(const LineHeight& h, double s, const LineHeight& g) {
+  return {h.h0 + s * g.h0, h.h1 + s * g.h1};
+}
+inline toolkit::ArcHeight plus(const toolkit::ArcHeight& h, double s, const toolkit::ArcHeight& g) {
+  return {h.h0 + s * g.h0, h.hx + s * g.hx, h.hy + s * g.hy};
+}
+
 /// Squared distance of a straight piece to a line, halved, as a function of the place; convex. See toolkit::ArcLine.
 struct LineLine {
   double kd = 0, ku = 0, du = 0;  // start - q along d and u; d along u
@@ -54,6 +62,7 @@ class LineCurve {
   using Height = LineHeight;
   using ToLine = LineLine;
 
+  LineCurve() = default;
   LineCurve(const Vec3& start, const Vec3& end) : start_(start) {
     const Vec3 d = end - start;
     length_ = d.norm();
@@ -72,6 +81,7 @@ class LineCurve {
 
   Height height(const Vec3& n, double d) const { return {n.dot(start_) - d, n.dot(direction_)}; }
   double lowest(const Height& h) const { return std::min(h.at(0), h.at(length_)); }
+  static double lowest(const Height& h, Place from, Place to) { return std::min(h.at(from), h.at(to)); }
   static bool has_peak(const Height&, Place, Place) { return false; }
   static bool has_valley(const Height&, Place, Place) { return false; }
   static Place valley(const Height&, Place from, Place) { return from; }
@@ -99,7 +109,7 @@ class LineCurve {
  private:
   static Place crossing(const Height& h, Place from, Place to) { return std::clamp(-h.h0 / h.h1, from, to); }
 
-  Vec3 start_, direction_;
+  Vec3 start_ = Vec3::Zero(), direction_ = Vec3::UnitZ();
   double length_ = 0;
 };
 
@@ -110,6 +120,7 @@ class ArcCurve {
   using Height = toolkit::ArcHeight;  // slopes per radian
   using ToLine = toolkit::ArcLine;
 
+  ArcCurve() = default;
   explicit ArcCurve(const toolkit::Arc& arc) : arc_(arc) {
     while (stretches_ < 3 && kCut[stretches_].order() < arc.end_order) ++stretches_;
   }
@@ -141,6 +152,10 @@ class ArcCurve {
     const double amplitude = std::sqrt(h.hx * h.hx + h.hy * h.hy);
     if (amplitude > 0 && arc_.contains({-h.hx / amplitude, -h.hy / amplitude})) return h.h0 - amplitude;
     return std::min(h.at(Turn{}), h.at(arc_.end));
+  }
+  static double lowest(const Height& h, Place from, Place to) {
+    if (h.slope(from) < 0 && h.slope(to) > 0) return h.h0 - std::sqrt(h.hx * h.hx + h.hy * h.hy);
+    return std::min(h.at(from), h.at(to));
   }
   /// Whether h rises above zero and sinks again, or the reverse, between two places.
   static bool has_peak(const Height& h, Place from, Place to) {

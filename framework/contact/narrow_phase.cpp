@@ -9,11 +9,6 @@
 namespace swage::contact {
 namespace {
 
-bool is_wire(const Solid& s) {
-  return s.kind == SWAGE_SHAPE_SPHERE || s.kind == SWAGE_SHAPE_CAPSULE || s.kind == SWAGE_SHAPE_ARC;
-}
-bool has_vertices(const Solid& s) { return !s.convex.vertex.empty(); }
-
 /// Turns contacts of (b, a) into contacts of (a, b).
 void swap_sides(Manifold& out, const Frame& X_WB) {
   for (int i = 0; i < out.count; ++i) {

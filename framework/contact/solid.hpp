@@ -41,6 +41,13 @@ struct Solid {
   double bound = 0;            // m, radius of the bounding sphere
 };
 
+/// [any] A point, segment or arc, thickened.
+inline bool is_wire(const Solid& s) {
+  return s.kind == SWAGE_SHAPE_SPHERE || s.kind == SWAGE_SHAPE_CAPSULE || s.kind == SWAGE_SHAPE_ARC;
+}
+/// [any] Whether the solid is a polyhedron, or the one edge or vertex of a capsule or sphere, thickened.
+inline bool has_vertices(const Solid& s) { return !s.convex.vertex.empty(); }
+
 /// [any] How far the solid reaches along n (any length) in the frame of its body: the largest n . p, m times |n|.
 double support(const Solid& solid, const Vec3& n) noexcept;
 

@@ -3,30 +3,11 @@
 
 #include <algorithm>
 
+#include "contact/relative_motion.hpp"
+#include "contact/sweep_wire.hpp"
+
 namespace swage::contact {
 namespace {
-
-/// Each advance closes a fixed share of the gap when bodies approach head on: 3 or 4 are usual. Sliding ones take more.
-constexpr int kMaxAdvances = 48;
-
-/// How points of a move against b from time t on, per step: no faster than v + anything of length `spin` + `bend`.
-///   v(p) = v(c) + (w_a - w_b) x (p - c), c the centre of a, so spin = |w_a - w_b| bound(a);
-///   v(c) changes by less than bend = |w_a|^2 r + |w_b| (|d_a - d_b| + |w_a| r), r the arm of c in its body.
-struct RelativeMotion {
-  Vec3 v = Vec3::Zero();  // m
-  double spin = 0, bend = 0;
-
-  RelativeMotion(const Solid& a, const Motion& motion_a, const Pose& X_WA, const Motion& motion_b,
-                 const Pose& X_WB) {
-    const Vec3 r = X_WA.q * a.centre;
-    v = motion_a.d + motion_a.turn.cross(r) - motion_b.d - motion_b.turn.cross(X_WA.p + r - X_WB.p);
-    const double w_a = motion_a.turn.norm(), w_b = motion_b.turn.norm(), arm = r.norm();
-    spin = (motion_a.turn - motion_b.turn).norm() * a.bound;
-    bend = w_a * w_a * arm + w_b * ((motion_a.d - motion_b.d).norm() + w_a * arm);
-  }
-  double speed() const { return v.norm() + spin + bend; }
-  double closing(const Vec3& n) const { return -n.dot(v) + spin + bend; }
-};
 
 /// Width of the empty slab across n between b (below) and a (above); negative when they overlap along n.
 double slab(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB, const Vec3& n) {
@@ -73,27 +54,36 @@ class Nearest {
 }  // namespace
 
 double relative_motion(const Solid& a, const Motion& motion_a, const Motion& motion_b) noexcept {
-  return RelativeMotion(a, motion_a, motion_a.X0, motion_b, motion_b.X0).speed();
+  RelativeMotion motion(a, motion_a, motion_b);
+  motion.look(motion_a.X0.p, Frame(motion_b.X0));
+  return motion.fastest(motion_b.X0.q.conjugate() * (motion_a.X0.q * a.centre), a.bound);
 }
 
 FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
                        double tolerance, Separation& memory, Manifold& work) noexcept {
-  // apart by more than they move
-  const double speed = relative_motion(a, motion_a, motion_b);
+  // bounding spheres apart by more than their centres move
   const Vec3 centres = motion_a.X0 * a.centre - motion_b.X0 * b.centre;
-  const double reach = a.bound + b.bound + std::max(speed, tolerance);
+  const double moved = (motion_a.d - motion_b.d).norm() + motion_a.turn.norm() * a.centre.norm() +
+                       motion_b.turn.norm() * b.centre.norm();
+  const double reach = a.bound + b.bound + std::max(moved, tolerance);
   if (centres.squaredNorm() > reach * reach) return {};
+  if (is_wire(a) && has_vertices(b)) return first_touch_wire(a, motion_a, b, motion_b, tolerance, memory);
+  if (is_wire(b) && has_vertices(a)) return first_touch_wire(b, motion_b, a, motion_a, tolerance, memory);
 
+  const double speed = relative_motion(a, motion_a, motion_b);
+  RelativeMotion motion(a, motion_a, motion_b);
   Nearest nearest(a, b, tolerance, memory, work);
   double t = 0;
   for (int i = 0; i < kMaxAdvances && t < 1; ++i) {
-    const Pose X_a = motion_a.at(t), X_b = motion_b.at(t);
-    const Frame X_WA(X_a), X_WB(X_b);
-    const RelativeMotion motion(a, motion_a, X_a, motion_b, X_b);
+    const Frame X_WA(motion_a.at(t)), X_WB(motion_b.at(t));
+    motion.look(X_WA.p, X_WB);
     const double rest = speed * (1 - t);
     // how long the slab across n, which turns with b, stays open at least; 0 when there is none
     const auto open_for = [&](const Vec3& n) {
-      const double width = slab(a, X_WA, b, X_WB, n), closing = motion.closing(n);
+      const Vec3 n_B = X_WB.turn_back(n), centre_B = X_WB.turn_back(X_WA.turn(a.centre));
+      const double closing = -n_B.dot(motion.at(centre_B)) + n_B.cross(motion.spin()).norm() * a.bound +
+                             0.5 * (1 - t) * motion.bend();
+      const double width = slab(a, X_WA, b, X_WB, n);
       return width <= tolerance ? 0.0 : closing * (1 - t) <= width ? 1.0 : width / closing;
     };
 

@@ -16,7 +16,10 @@ struct Motion {
   Vec3 d = Vec3::Zero();     // m, way of the body's origin
   Vec3 turn = Vec3::Zero();  // rad, rotation vector
 
-  Pose at(double t) const { return t > 0 ? Pose(X0.p + t * d, toolkit::exp_rotation(t * turn) * X0.q) : X0; }
+  Pose at(double t) const {
+    if (turn.isZero(0)) return {X0.p + t * d, X0.q};
+    return t > 0 ? Pose(X0.p + t * d, toolkit::exp_rotation(t * turn) * X0.q) : X0;
+  }
 };
 
 /// A bound on how far any point of a moves against b over the step, m. Small when both move together.

@@ -133,22 +133,9 @@ class Walk {
   using Pieces = toolkit::FixedVector<Piece<Place>, 48>;
   using Dips = toolkit::FixedVector<Dip<Place>, 24>;
 
-  /// Looks for places of the curve nearer than `reach`, and a little further, by `slack`, at pieces around them.
-  Walk(const Curve& curve, const Convex& convex, double radius, double reach, double slack)
-      : curve_(curve), convex_(convex), radius_(radius), reach_(reach), slack_(slack) {}
-
-  /// Leaves of the curve only what is within reach of every face. False: nothing; `memory` learns what separates.
-  bool clip(Separation& memory) {
-    if (!memory.n_B.isZero() && apart(memory.n_B, convex_.support(memory.n_B))) return false;
-    fill(stretch_, curve_);
-    for (const Convex::Face& f : convex_.face) {
-      contact::clip<Curve>(stretch_, curve_.height(f.n, f.d + reach_ + slack_));
-      if (!stretch_.empty()) continue;
-      if (apart(f.n, f.d)) memory.n_B = f.n;
-      return false;
-    }
-    return true;
-  }
+  /// Looks along `stretch` for places of the curve nearer than `reach`.
+  Walk(const Curve& curve, const Convex& convex, double radius, double reach, const Stretches<Curve>& stretch)
+      : curve_(curve), convex_(convex), radius_(radius), reach_(reach), stretch_(stretch) {}
 
   void walk() {
     for (const Stretch<Place>& s : stretch_) {
@@ -164,10 +151,6 @@ class Walk {
   const Dips& dips() const { return dip_; }
 
  private:
-  bool apart(const Vec3& n, double support) const {
-    return curve_.lowest(curve_.height(n, support)) > reach_;
-  }
-
   void cross_regions(const Stretch<Place>& s) {
     Place from = s.from;
     bool joined = s.at_from == Border::kJoined;
@@ -220,10 +203,10 @@ class Walk {
 
   const Curve& curve_;
   const Convex& convex_;
-  double radius_, reach_, slack_;
+  double radius_, reach_;
+  const Stretches<Curve>& stretch_;
   Region region_;
   bool falling_ = false;
-  Stretches<Curve> stretch_;
   Pieces piece_;
   Dips dip_;
 };

@@ -144,29 +144,10 @@ class Writer {
 
   /// Gap, point and normal, in the frame of b, of the wire's place p with the feature of a region.
   Touch touch(Region region, const Vec3& p) const {
+    const Offset from = offset(b_, region, p, a_.radius);
     Touch t;
-    double distance;
-    if (region.kind == Region::kFace || region.kind == Region::kInside) {
-      const toolkit::Convex::Face& f = b_.convex.face[region.index];
-      distance = f.n.dot(p) - f.d;
-      t.n_W = f.n;
-    } else {
-      Vec3 w, outward;
-      if (region.kind == Region::kEdge) {
-        const toolkit::Convex::Edge& e = b_.convex.edge[region.index];
-        w = p - b_.convex.vertex[e.v0];
-        w -= w.dot(e.u) * e.u;
-        outward = e.side_left + e.side_right;
-      } else {
-        w = p - b_.convex.vertex[region.index];
-        outward = b_.convex.vertex[region.index] - b_.centre;
-      }
-      distance = w.norm();
-      if (outward.isZero())
-        outward = Vec3::UnitZ();  // the axes of two round wires cross: any direction will do
-      t.n_W = distance > 1e-6 * a_.radius ? Vec3(w / distance) : outward.normalized();
-    }
-    t.gap = distance - a_.radius - b_.radius;
+    t.gap = from.distance - a_.radius - b_.radius;
+    t.n_W = from.n;
     t.p_W = p - (a_.radius + 0.5 * t.gap) * t.n_W;
     return t;
   }
@@ -185,8 +166,10 @@ template <class Curve>
 [[gnu::flatten]] void collide_curve(const Curve& curve, const Solid& a, const Solid& b, const Frame& X_WB,
                                     const Query& query, Separation& memory, Manifold& out) noexcept {
   const double reach = a.radius + b.radius + query.margin, slack = 2 * query.flatness * query.length;
-  Walk<Curve> walk(curve, b.convex, a.radius, reach, slack);
-  if (!walk.clip(memory)) return;
+  Stretches<Curve> stretch;
+  const auto anywhere = [=](const Vec3&) { return reach; };
+  if (!clip_to_reach(stretch, curve, b.convex, anywhere, slack, Border::kClipped, memory)) return;
+  Walk<Curve> walk(curve, b.convex, a.radius, reach, stretch);
   walk.walk();
   Writer<Curve>(walk, curve, a, b, X_WB, query, out).write();
 }
@@ -197,11 +180,9 @@ void collide_wire_convex(const Solid& a, const Frame& X_WA, const Solid& b, cons
                          const Query& query, Separation& memory, Manifold& out) noexcept {
   const Frame X_BA = X_WB.inverse_times(X_WA);
   if (a.kind == SWAGE_SHAPE_ARC) {
-    toolkit::Arc arc = a.arc;
-    arc.centre = X_BA * arc.centre, arc.x = X_BA.turn(arc.x), arc.y = X_BA.turn(arc.y);
-    collide_curve(ArcCurve(arc), a, b, X_WB, query, memory, out);
+    collide_curve(curve_of<ArcCurve>(a, X_BA), a, b, X_WB, query, memory, out);
   } else {
-    collide_curve(LineCurve(X_BA * a.axis.a, X_BA * a.axis.b), a, b, X_WB, query, memory, out);
+    collide_curve(curve_of<LineCurve>(a, X_BA), a, b, X_WB, query, memory, out);
     if (a.kind == SWAGE_SHAPE_SPHERE && query.flatness > 0) spread_caps(a, X_BA, X_WB, out);
   }
 }

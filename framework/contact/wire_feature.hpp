@@ -3,6 +3,8 @@
 // Names and carriers of the features that touch. Room-internal.
 #pragma once
 
+#include <type_traits>
+
 #include "contact/candidate.hpp"
 #include "contact/curve.hpp"
 #include "contact/solid.hpp"
@@ -43,6 +45,43 @@ inline void set_convex_feature(const Solid& solid, Region region, Feature& f) {
       f.kind = Feature::kPoint;
       f.p = c.vertex[region.index];
       break;
+  }
+}
+
+/// How far the place p of a wire is from the feature of a polyhedron, and the way out of it there.
+struct Offset {
+  double distance;  // m, of the centre line; negative under a face
+  Vec3 n;           // unit
+};
+inline Offset offset(const Solid& b, Region region, const Vec3& p, double wire_radius) {
+  const Convex& c = b.convex;
+  if (region.kind == Region::kFace || region.kind == Region::kInside)
+    return {c.face[region.index].n.dot(p) - c.face[region.index].d, c.face[region.index].n};
+  Vec3 w, outward;
+  if (region.kind == Region::kEdge) {
+    const Convex::Edge& e = c.edge[region.index];
+    w = p - c.vertex[e.v0];
+    w -= w.dot(e.u) * e.u;
+    outward = e.side_left + e.side_right;
+  } else {
+    w = p - c.vertex[region.index];
+    outward = c.vertex[region.index] - b.centre;
+  }
+  const double distance = w.norm();
+  if (distance > 1e-6 * wire_radius) return {distance, w / distance};
+  // the axes of two round wires cross: any direction will do
+  return {distance, outward.isZero() ? Vec3(Vec3::UnitZ()) : Vec3(outward.normalized())};
+}
+
+/// The centre line of a wire, carried over into the frame B of the polyhedron.
+template <class Curve>
+Curve curve_of(const Solid& wire, const toolkit::Frame& X_BA) {
+  if constexpr (std::is_same_v<Curve, ArcCurve>) {
+    toolkit::Arc arc = wire.arc;
+    arc.centre = X_BA * arc.centre, arc.x = X_BA.turn(arc.x), arc.y = X_BA.turn(arc.y);
+    return ArcCurve(arc);
+  } else {
+    return LineCurve(X_BA * wire.axis.a, X_BA * wire.axis.b);
   }
 }
 

@@ -36,7 +36,9 @@ class Sweep : public testing::Test {
  protected:
   /// Checks one motion: a touch that the search sees is never found late; a hit is at a gap within tolerance.
   void check(const Case& c) {
-    const FirstTouch touch = first_touch(solid_, c.needle, jaw_solid_, c.jaw, kTolerance, memory_, work_);
+    const FirstTouch touch =
+        swapped_ ? first_touch(jaw_solid_, c.jaw, solid_, c.needle, kTolerance, memory_, work_)
+                 : first_touch(solid_, c.needle, jaw_solid_, c.jaw, kTolerance, memory_, work_);
     const double late = searched(needle_, jaw_, c, -0.1e-6);
     if (late <= 1) {
       ++crossings_;
@@ -49,6 +51,24 @@ class Sweep : public testing::Test {
     early_ += gap > 40 * kTolerance;
   }
 
+  /// Needle and jaw, both moving and turning, somewhere near each other.
+  void check_random(int count) {
+    base::Xoshiro256 random(7);
+    const auto draw = [&](double size) {
+      return Vec3(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
+    };
+    for (int i = 0; i < count; ++i) {
+      Case c;
+      const Quat q = toolkit::exp_rotation(draw(3));
+      c.needle.X0 = {Vec3(7e-3, 0, 0.1e-3) + draw(1e-3) - q * needle_.point(random.uniform(-1, 1)), q};
+      c.needle.d = draw(1e-3), c.needle.turn = draw(0.1);
+      c.jaw.X0 = Pose(draw(1e-4), toolkit::exp_rotation(draw(0.1)));
+      c.jaw.d = draw(1e-4), c.jaw.turn = draw(0.05);
+      check(c);
+    }
+  }
+
+  bool swapped_ = false;
   Needle needle_;
   bench::Solid jaw_{bench::jaw(1)};
   Solid solid_ = bench::contact_solid(needle_), jaw_solid_ = bench::contact_solid(bench::jaw(1));
@@ -96,21 +116,24 @@ TEST_F(Sweep, JawsClosingOnTheNeedleNeverPassThrough) {
 }
 
 TEST_F(Sweep, RandomMotionsAgreeWithTheSearch) {
-  base::Xoshiro256 random(7);
-  const auto draw = [&](double size) {
-    return Vec3(random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size));
-  };
-  for (int i = 0; i < 300; ++i) {
-    Case c;
-    const Quat q = toolkit::exp_rotation(draw(3));
-    c.needle.X0 = {Vec3(7e-3, 0, 0.1e-3) + draw(1e-3) - q * needle_.point(random.uniform(-1, 1)), q};
-    c.needle.d = draw(1e-3), c.needle.turn = draw(0.1);
-    c.jaw.X0 = Pose(draw(1e-4), toolkit::exp_rotation(draw(0.1)));
-    c.jaw.d = draw(1e-4), c.jaw.turn = draw(0.05);
-    check(c);
-  }
+  check_random(300);
   EXPECT_GT(crossings_, 60);
   EXPECT_LT(early_, 10);
+}
+
+TEST_F(Sweep, SidesMayBeSwapped) {
+  swapped_ = true;
+  check_random(100);
+  EXPECT_GT(crossings_, 20);
+  EXPECT_LT(early_, 4);
+}
+
+TEST_F(Sweep, AStraightWireDoesNotPassEither) {
+  needle_.straight = true;
+  solid_ = bench::contact_solid(needle_);
+  check_random(100);
+  EXPECT_GT(crossings_, 20);
+  EXPECT_LT(early_, 4);
 }
 
 TEST_F(Sweep, ADiscreteQueryWouldMissThem) {
