@@ -17,7 +17,10 @@ constexpr double kGeometry =
     0.01;  // by how much a contact may be elsewhere than its linear model says, in tolerances: 1 pm
 constexpr uint32_t kFreePasses = 4;  // before friction limits are held
 constexpr double kLeastShare = 0.1;  // of the way that a pass asks for
-constexpr uint32_t kPasses = 12;     // geometry evaluations before an island is left at its best
+constexpr double kMostShare =
+    8;  // the same where ties hold: what they bear turns with what moves, and passes fall short
+constexpr uint32_t kPasses = 12;      // geometry evaluations before an island is left at its best
+constexpr uint32_t kTiedPasses = 24;  // the same where ties hold
 
 }  // namespace
 
@@ -40,7 +43,7 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
   let_go(contacts);
 
   bool regroup = true;
-  for (uint32_t pass = 0; pass < kPasses; ++pass) {
+  for (uint32_t pass = 0; pass < (tie_.empty() ? kPasses : kTiedPasses); ++pass) {
     if (regroup) find_islands(contacts, stats);
     bool done = true;
     for (Group& group : island_) {
@@ -54,7 +57,9 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
   for (const Group& group : island_) {
     if (group.done && group.limits_hold) continue;
     ++stats.not_converged;
-    if (!group.done) calm(contacts, group);
+    if (group.done) continue;
+    calm(contacts, group);
+    look_again(group);
   }
   write_back(motion, contacts);
 }
@@ -97,6 +102,7 @@ void ContactSolve::wake_self_points(contact::ContactSet& contacts) noexcept {
     evaluate(contacts, i);
     k.active = k.active || overlaps(contacts.contact[i]);
   }
+  expect_ties();
   place_.self().start();
   for (uint32_t i = 0; i < n_; ++i)
     if (known_[i].a.point != kNone || known_[i].b.point != kNone) evaluate(contacts, i);
@@ -179,9 +185,10 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   refresh_ties();
   for (Group& group : island_) {
     if (group.done) continue;
-    group.done = group.converged && group.share == 1 && group.off <= kGeometry * tolerance_;
+    const bool all_the_way = group.share == 1 || (group.tied && group.left <= tolerance_);
+    group.done = group.converged && all_the_way && group.off <= kGeometry * tolerance_;
     // two surfaces that meet at the edge of a feature can send each other to and fro: no later pass is better
-    if (group.passes > kFreePasses && !(group.off < 0.5 * group.off_before[1])) {
+    if (group.passes > (group.tied ? kPasses : kFreePasses) && !(group.off < 0.5 * group.off_before[1])) {
       group.stuck = true;
       group.done = group.done || (group.converged && group.off <= tolerance_);
     }
@@ -213,6 +220,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   ++group.passes;
   const Outcome outcome = solver_.solve(problem, tolerance_, limits);
   relax(group);
+  group.left = std::abs(1 - group.share) * outcome.moved;
   for (uint32_t i = 0; i < group.unknowns; ++i) move_[i] = group.share * solver_.d()[i];
   for (uint32_t i = 0; i < group.movers; ++i) {
     const uint32_t m = member_[group.first_mover + i];
@@ -251,7 +259,7 @@ void ContactSolve::relax(Group& group) noexcept {
     row.asked = {now[0], now[1], now[2]};
   }
   if (group.passes > 1 && change > 0)
-    group.share = std::clamp(-group.share * along / change, kLeastShare, 1.0);
+    group.share = std::clamp(-group.share * along / change, kLeastShare, group.tied ? kMostShare : 1.0);
 }
 
 /// The contact at the present poses: axes, law, gap and tangential displacement.

@@ -43,7 +43,8 @@ class ContactSolve {
   struct KnownTie {
     Side a, b;
     Vec3 p_A = Vec3::Zero(), p_B = Vec3::Zero();
-    Vec3 p_W = Vec3::Zero();  // now
+    Vec3 p_W = Vec3::Zero();      // now
+    Vec3 axis_A = Vec3::UnitX();  // its axis, in body a
     uint32_t row = scene::kNone;
     bool active = false;  // something that it holds can be moved
   };
@@ -56,6 +57,8 @@ class ContactSolve {
     uint32_t passes = 0;
     double share = 1;  // of the way that the last linear problem asked for
     bool converged = false, limits_hold = true, held = false, done = false;
+    double left = 0;                              // m of that way that were not gone
+    bool tied = false;                            // ties are among its rows
     bool stuck = false;                           // passes bring it no nearer
     double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };
@@ -84,6 +87,7 @@ class ContactSolve {
 
   // ties: contact_solve_ties.cpp
   void begin_ties(std::span<Tie> ties, Stats& stats) noexcept;
+  void expect_ties() noexcept;
   void start_ties() noexcept;
   void touch_ties() noexcept;
   void join_ties() noexcept;
@@ -93,6 +97,7 @@ class ContactSolve {
   Vec3 moved(const Side& side, const Vec3& p_own, const Vec3& p_W) const noexcept;
   void look(const Tie& tie, KnownTie& k, Row& row) noexcept;
   uint32_t first_mover(const KnownTie& k) const noexcept;
+  void look_again(const Group& group) noexcept;
   void write_ties() noexcept;
   void mark_held_by_ties(Motion& motion) noexcept;
   void hold(Motion& motion, const Side& side) const noexcept;

@@ -11,6 +11,11 @@ namespace swage::dynamics {
 
 using scene::kNone;
 
+namespace {
+// N/m, for which the solve's tolerance is meant: what is softer may be off by as much more for the same force.
+constexpr double kContactStiffness = 1e6;
+}  // namespace
+
 /// Sides and, where an object answers for itself, its points.
 void ContactSolve::begin_ties(std::span<Tie> ties, Stats& stats) noexcept {
   tie_ = ties.first(std::min(ties.size(), known_tie_.size()));
@@ -26,12 +31,22 @@ void ContactSolve::begin_ties(std::span<Tie> ties, Stats& stats) noexcept {
       if (body == kNone) continue;
       side = place_.side(body, kNone);
       if (!place_.is_self(side.mover)) continue;
-      side.point = place_.self().add_point(place_.mover(side.mover).index, body, kNone, tie.p_W, tie.axis_W);
+      const Vec3 across = tie.offset_W - tie.axis_W.dot(tie.offset_W) * tie.axis_W;
+      const Vec3 at =
+          is_a ? tie.p_W : tie.p_W - across;  // b gives where it is held, wherever a has been pulled to
+      side.point = place_.self().add_point(place_.mover(side.mover).index, body, kNone, at, tie.axis_W);
       if (side.point != kNone) continue;
       ++stats.dropped;
       side.mover = kNone;
     }
   }
+}
+
+/// What an own solver gave way for in the last step it is expected to give way for again.
+void ContactSolve::expect_ties() noexcept {
+  for (uint32_t i = 0; i < tie_.size(); ++i)
+    for (const Side* s : {&known_tie_[i].a, &known_tie_[i].b})
+      if (s->point != kNone) place_.expect(*s, tie_[i].p_W);
 }
 
 /// The material points that each tie holds, once it is known who can be moved.
@@ -40,7 +55,9 @@ void ContactSolve::start_ties() noexcept {
     KnownTie& k = known_tie_[i];
     k.active = place_.moves(k.a.mover) || place_.moves(k.b.mover);
     k.p_W = tie_[i].p_W;
+    k.axis_A = tie_[i].axis_W;
     if (k.a.body != kNone) k.p_A = place_.frame(k.a).inverse_times(tie_[i].p_W);
+    if (k.a.body != kNone) k.axis_A = place_.frame(k.a).R.transpose() * tie_[i].axis_W;
     if (k.b.body != kNone) k.p_B = place_.frame(k.b).inverse_times(tie_[i].p_W);
   }
 }
@@ -88,6 +105,7 @@ void ContactSolve::fill_ties(uint32_t island) noexcept {
     row.contact = i;
     row.tie = &tie_[i].law;
     row.limit = 0;
+    group.tied = true;
     look(tie_[i], k, row);
   }
 }
@@ -102,7 +120,9 @@ void ContactSolve::refresh_ties() noexcept {
     const Vec3 said(row.at.g + share * row.asked.g, row.at.s1 + share * row.asked.s1,
                     row.at.s2 + share * row.asked.s2);
     look(tie_[i], k, row);
-    const double off = (Vec3(row.at.g, row.at.s1, row.at.s2) - said).norm();
+    const TieLaw& law = tie_[i].law;
+    const double off = (Vec3(row.at.g, row.at.s1, row.at.s2) - said).norm() *
+                       std::min(1.0, std::max(law.k_across, law.k_along) / kContactStiffness);
     for (Group* group : moved)
       if (group) group->off = std::max(group->off, off);
   }
@@ -115,14 +135,21 @@ Vec3 ContactSolve::moved(const Side& side, const Vec3& p_own, const Vec3& p_W) c
   return place_.frame(side) * p_own - p_W;
 }
 
-/// The tie at the present poses; its axes stay those of the step.
+/// The tie at the present poses. Its axis turns with a; what it is stretched across the axis stands in the world.
 void ContactSolve::look(const Tie& tie, KnownTie& k, Row& row) noexcept {
-  row.n = tie.axis_W;
+  row.n = k.a.body != kNone ? Vec3(place_.frame(k.a).R * k.axis_A) : k.axis_A;
   axes_across(row.n, row.t1, row.t2);
   const Vec3 a = moved(k.a, k.p_A, tie.p_W), b = moved(k.b, k.p_B, tie.p_W);
-  k.p_W = tie.p_W + (place_.moves(k.a.mover) ? a : b);
-  const Vec3 s = tie.offset_W + a - b;
-  row.at = {row.n.dot(s), row.t1.dot(s), row.t2.dot(s)};
+  const double along = tie.axis_W.dot(tie.offset_W);
+  const Vec3 s = tie.offset_W - along * tie.axis_W + a - b;
+  k.p_W = tie.p_W + (place_.moves(k.a.mover) ? a - s : b);
+  row.at = {along + row.n.dot(s), row.t1.dot(s), row.t2.dot(s)};
+}
+
+/// What was put elsewhere than its rows said.
+void ContactSolve::look_again(const Group& group) noexcept {
+  for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r)
+    if (row_[r].tie != nullptr) look(tie_[row_[r].contact], known_tie_[row_[r].contact], row_[r]);
 }
 
 void ContactSolve::write_ties() noexcept {
@@ -137,6 +164,7 @@ void ContactSolve::write_ties() noexcept {
     }
     const Row& row = k.active ? row_[k.row] : fixed;
     const Displacement slid = tie_slid(tie.law, row.at, tie_force(tie.law, row.at));
+    tie.axis_W = row.n;
     tie.slid_W = slid.g * row.n + slid.s1 * row.t1 + slid.s2 * row.t2;
     const Vec3 impulse = h_ * tie.f_a_W;
     if (k.a.point != kNone) place_.self().add_impulse(place_.mover(k.a.mover).index, k.a.point, impulse);

@@ -78,6 +78,7 @@ void Couplings::ask_ties(uint32_t coupling) noexcept {
 
 void Couplings::tied() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
+    shown_tie_[i].axis_W = toolkit::raw(tie_[i].axis_W);
     shown_tie_[i].f_a_W = toolkit::raw(tie_[i].f_a_W);
     shown_tie_[i].slid_W = toolkit::raw(tie_[i].slid_W);
   }

@@ -71,6 +71,7 @@ class Engine {
   std::span<const swage_sample> samples() const noexcept { return hands_.samples(); }
   const judge::Verdict& verdict() const noexcept { return judging_.verdict(); }
   const contact::ContactSet& contacts() const noexcept { return contacts_; }
+  std::span<const dynamics::Tie> ties() const noexcept { return couplings_.solved_ties(); }
   const scene::World& world() const noexcept { return rig_.world; }
   const dynamics::Stats& stats() const noexcept { return dynamics_.stats(); }
   uint32_t quarantined() const noexcept {

@@ -104,18 +104,14 @@ void Pierce::resolve(const CouplingStep& step) {
 
 uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
   const Site site(needle_, tissue_, step.a(), step.b());
-  auto& state = step.state<PierceState>();
+  const auto& state = step.state<PierceState>();
   uint32_t n = 0;
   for (uint32_t t = 0; site.good && t < PierceState::kTracks; ++t) {
-    Track& track = state.track[t];
-    if (track.open == 0 || out.size() - n < Track::kHolds + 1) continue;
-    follow(site, track);
-    swage_piercing_place place{};
-    const Wound& entry = state.wound[static_cast<uint32_t>(track.entry)];
-    track.s_in = crossing(site, entry, track.s_in, place);
+    const Track& track = state.track[t];
+    if (track.open == 0 || out.size() - n < Track::kTies) continue;
     const double theta = angle_in(site, track, state);
     const double exit_force = params_.exit_share * params_.bluntness * site.law.puncture_force;
-    uint32_t of[Track::kHolds + 1];
+    uint32_t of[Track::kTies];
     const uint32_t made = make_ties(site, track, reaction_(theta), exit_force, out.data() + n, of);
     for (uint32_t i = 0; i < made; ++i) made_[n + i] = {t, of[i]};
     n += made;
@@ -133,7 +129,7 @@ void Pierce::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
   for (size_t i = 0; i < ties.size(); ++i) {
     const Made& made = made_[i];
     state.swept += take_tie(site, state.track[made.track], ties[i], made.of);
-    if (made.track != newest) continue;
+    if (made.track != newest || made.of == Track::kOfRoll) continue;
     const Vec3 f = vec(ties[i].f_a_W), axis_W = vec(ties[i].axis_W);
     along_ -= axis_W.dot(f);
     across += f - axis_W.dot(f) * axis_W;
@@ -243,6 +239,7 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   Track& track = state.track[t];
   const uint32_t wound = wound_at(state, site.local(entry), to_O * n, to_O * back, site.radius);
   open_track(site, track, entry, s_in);
+  share_out(site, track);
   track.entry = wound;
   track.age = state.entries += 1;
   state.newest = t;
@@ -275,6 +272,7 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
     if (!outside || !new_ground || track.progress < 2 * kClear * site.radius) return;
     track.out = Track::kBreaking;
     track.cut = track.progress;
+    set_front(site, track);
   }
   if (track.out != Track::kOut || track.exit >= 0) return;
 
@@ -311,6 +309,7 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     if (track.s_out > 0 && track.s_out < 1)
       tear(step, site, exit, place, by_needle ? site.local(vec(place.p_W)) : vec3(last.p));
   }
+  share_out(site, track);
   lengthen(site, track);
   if (track.s_in >= 1 && track.passed == 0) {
     track.passed = 1;

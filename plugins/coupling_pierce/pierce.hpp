@@ -137,7 +137,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   struct Made {
     uint32_t track = 0, of = 0;
   };
-  Made made_[PierceState::kTracks * (Track::kHolds + 1)];
+  Made made_[PierceState::kTracks * Track::kTies];
   double along_ = 0, lateral_ = 0, pull_ = 0;  // N, of the newer track
 
   Signal state_, angle_, cosine_, force_, lateral_signal_, pull_signal_, peak_entry_, peak_exit_, s_, depth_,

@@ -19,12 +19,18 @@ constexpr double kFront = 0.05;
 constexpr double kSpacing = 4;
 // A hold stands for no less than this, in wire radii: at the start there is a point and no length.
 constexpr double kLeast = 1;
+// Lever at the end of which what keeps the needle from rolling acts, in wire radii: 0.5 mm. Longer, it bears less across the needle.
+constexpr double kLever = 10;
+// With so little a hold begins, in wire radii: a hundredth of what it will have.
+constexpr double kSprout = 0.02;
 // A needle this flat (sine of its angle to the plane) has no crossing to speak of.
 constexpr double kFlat = 0.05;
 
 void put(double* to, const Vec3& a) {
   for (int i = 0; i < 3; ++i) to[i] = a[i];
 }
+
+Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 
 uint32_t holds(const Track& track) { return static_cast<uint32_t>(track.count); }
 
@@ -105,6 +111,7 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.spacing = kSpacing * site.radius;
   track.progress = track.deepest = track.cut = s_in * site.length;
   put(track.hold[0].p, site.local(entry_W));
+  set_front(site, track);
   track.hold[0].rest = s_in;
   track.count = 1;
   // what is in already is held where it is
@@ -121,61 +128,112 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   }
 }
 
+double progress(const Site& site, const Track& track) {
+  const Hold& last = track.hold[holds(track) - 1];
+  return last.at + spot(site, last).s * site.length;
+}
+
 void follow(const Site& site, Track& track) {
   // holds that the point has left: the way stays cut, and is laid anew when it comes back
   while (holds(track) > 1 && spot(site, track.hold[holds(track) - 1]).s < 0) track.count -= 1;
-  const Hold& last = track.hold[holds(track) - 1];
-  track.progress = last.at + spot(site, last).s * site.length;
+  track.progress = progress(site, track);
   track.deepest = std::max(track.deepest, track.progress);
   track.below = std::max(track.below, site.point_in.depth);
 }
 
+namespace {
+
+/// How far a hold is stretched beyond what the tissue gives: across [m, O] and along the needle's advance [m].
+struct Stretch {
+  Vec3 across_O = Vec3::Zero();
+  double along = 0;
+};
+
+Stretch stretch(const Site& site, const Hold& hold) {
+  const double k = site.law.side_stiffness * hold.share;
+  if (!(k > 0)) return {};
+  return {-vec3(hold.across) / k, -hold.along / (kStick * k)};
+}
+
+/// Moves where it is at rest so that it is stretched by `to` and no more by what it is.
+void stretch_to(const Site& site, Hold& hold, const Stretch& is, const Stretch& to) {
+  put(hold.p, vec3(hold.p) + is.across_O - to.across_O);
+  hold.rest += (is.along - to.along) / site.length;
+}
+
+/// A longer share is stiffer: what is added to it begins unstretched, so that the force stays and no energy comes in.
+void grow(const Site& site, Hold& hold, double share) {
+  if (share > hold.share) {
+    const Stretch is = stretch(site, hold);
+    const double keep = hold.share / share;
+    stretch_to(site, hold, is, {keep * is.across_O, keep * is.along});
+  }
+  hold.share = share;
+}
+
+/// Every other hold goes. Those that stay bear what all bore, with the mean of their stretches, which stores no more than they did.
+void thin_out(const Site& site, Track& track) {
+  Hold merged[Track::kHolds / 2];
+  for (uint32_t i = 0; i < Track::kHolds / 2; ++i) {
+    Hold& kept = merged[i] = track.hold[2 * i];
+    const Stretch is = stretch(site, kept);
+    Stretch mean{kept.share * is.across_O, kept.share * is.along};
+    for (const uint32_t gone : {2 * i - 1, 2 * i + 1}) {
+      if (gone >= Track::kHolds) continue;
+      const Hold& hold = track.hold[gone];
+      // the last one has no neighbour beyond it
+      const double part = gone + 1 < Track::kHolds ? 0.5 : 1;
+      const Stretch of = stretch(site, hold);
+      kept.share += part * hold.share;
+      mean.across_O += part * hold.share * of.across_O, mean.along += part * hold.share * of.along;
+      put(kept.across, vec3(kept.across) + part * vec3(hold.across));
+      kept.along += part * hold.along;
+    }
+    if (kept.share > 0) stretch_to(site, kept, is, {mean.across_O / kept.share, mean.along / kept.share});
+  }
+  std::copy_n(merged, Track::kHolds / 2, track.hold);
+  track.count = Track::kHolds / 2;
+  track.spacing *= 2;
+}
+
+}  // namespace
+
+void share_out(const Site& site, Track& track) {
+  const uint32_t count = holds(track);
+  double at[Track::kHolds];
+  for (uint32_t i = 0; i < count; ++i) at[i] = spot(site, track.hold[i]).s;
+  const double tip = track.out == Track::kOut ? track.s_out : 0;
+  double upper = track.s_in;
+  for (uint32_t i = 0; i < count; ++i) {
+    const double lower = i + 1 < count ? std::clamp(0.5 * (at[i] + at[i + 1]), tip, upper) : tip;
+    double share = std::max(0.0, upper - lower) * site.length;
+    upper = lower;
+    if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
+    if (at[i] >= 1) share = 0;  // the needle has left it
+    grow(site, track.hold[i], share);
+  }
+}
+
 void lengthen(const Site& site, Track& track) {
   const double last = track.hold[holds(track) - 1].at;
-  if (track.out != Track::kInside || track.progress - last < track.spacing) return;
-  if (holds(track) == Track::kHolds) {
-    // every other one goes; its neighbours take over what it bore
-    for (uint32_t i = 0; 2 * i < Track::kHolds; ++i) {
-      const Hold& kept = track.hold[2 * i];
-      const double before = i > 0 ? track.hold[2 * i - 1].share : 0;
-      const double share = kept.share + 0.5 * (before + track.hold[2 * i + 1].share);
-      // the one before was read already where it is overwritten
-      track.hold[i] = kept;
-      track.hold[i].share = share;
-    }
-    track.count = Track::kHolds / 2;
-    track.spacing *= 2;
-    return;
-  }
-  // it takes over its share of the bristle of the one before
-  const Hold& before = track.hold[holds(track) - 1];
+  if (track.out != Track::kInside || track.cut - last < track.spacing) return;
+  if (holds(track) == Track::kHolds) return thin_out(site, track);
+  // Across the needle it is not known yet where that place is when nothing pulls at the tissue. So little of it cannot store much,
+  // tells within a step, and what is then added to it begins unstretched.
   Hold hold{};
-  put(hold.p, site.local(vec(site.point.p_W)));
-  hold.at = track.progress;
-  hold.share = 0.5 * track.spacing;
-  hold.rest = before.rest - spot(site, before).s;
+  std::copy_n(track.front, 3, hold.p);
+  hold.at = track.progress - spot(site, hold).s * site.length;
+  hold.share = kSprout * site.radius;
   track.hold[holds(track)] = hold;
   track.count += 1;
 }
 
 namespace {
 
-/// A longer share is stiffer: what is added to it begins unstretched, so that the force stays and no energy comes in.
-void grow(const Site& site, Hold& hold, const Spot& at, double share) {
-  if (share > hold.share) {
-    const double keep = hold.share / share;
-    const Vec3 stretch = at.p_W - site.world(hold.p);
-    const Vec3 across = stretch - at.advance_W.dot(stretch) * at.advance_W;
-    put(hold.p, site.local(site.world(hold.p) + (1 - keep) * across));
-    hold.rest = at.s - keep * (at.s - hold.rest);
-  }
-  hold.share = share;
-}
-
 swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
   swage_tie tie{};
-  const Vec3 stretch = at.p_W - site.world(hold.p);
-  const Vec3 across = stretch - at.advance_W.dot(stretch) * at.advance_W;
+  const Vec3 way = at.p_W - site.world(hold.p);
+  const Vec3 across = way - at.advance_W.dot(way) * at.advance_W;
   tie.body_a = at.body;
   tie.body_b = site.body;
   tie.p_W = raw(at.p_W);
@@ -184,7 +242,7 @@ swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
   tie.stiffness_across = site.law.side_stiffness * hold.share;
   tie.stiffness_along = kStick * tie.stiffness_across;
   tie.strength = site.law.failure_stress * 2 * site.radius * hold.share;
-  tie.drag_forth = tie.drag_back = site.law.drag * hold.share + site.law.friction * hold.lateral;
+  tie.drag_forth = tie.drag_back = site.law.drag * hold.share + site.law.friction * vec3(hold.across).norm();
   return tie;
 }
 
@@ -195,9 +253,9 @@ swage_tie front_tie(const Site& site, const Track& track, double exit_force) {
   const bool face = track.out == Track::kBreaking;
   tie.body_a = site.point.body;
   tie.body_b = site.body;
-  tie.p_W = site.point.p_W;
+  tie.p_W = raw(site.world(track.front));
   tie.axis_W = raw(advance);
-  tie.offset_W = raw(Vec3((track.progress - track.cut) * advance));
+  tie.offset_W = raw(Vec3((progress(site, track) - track.cut) * advance));
   tie.drag_forth = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
   tie.stiffness_along = face ? site.law.stiffness : site.law.cutting_force / (kFront * site.radius);
   tie.strength = HUGE_VAL;
@@ -206,29 +264,53 @@ swage_tie front_tie(const Site& site, const Track& track, double exit_force) {
 
 }  // namespace
 
-uint32_t make_ties(const Site& site, Track& track, double reaction, double exit_force, swage_tie* out,
-                   uint32_t* of) {
-  const uint32_t count = holds(track);
-  Spot at[Track::kHolds];
-  for (uint32_t i = 0; i < count; ++i) at[i] = spot(site, track.hold[i]);
-  uint32_t n = 0;
+void set_front(const Site& site, Track& track) {
+  put(track.front,
+      site.local(vec(site.point.p_W) + (track.progress - track.cut) * vec(site.point.tangent_W)));
+}
+
+/// The surface of the wire rubs when it rolls as it does when it slides: a bristle at the end of a lever across the middle of what is
+/// inside. Without it nothing but its own curve keeps the needle from swinging about that.
+swage_tie roll_tie(const Site& site, const Track& track, double stiffness, double drag) {
+  swage_tie tie{};
   const double tip = track.out == Track::kOut ? track.s_out : 0;
-  double upper = track.s_in;
-  for (uint32_t i = 0; i < count; ++i) {
-    Hold& hold = track.hold[i];
-    const double lower = i + 1 < count ? std::clamp(0.5 * (at[i].s + at[i + 1].s), tip, upper) : tip;
-    double share = std::max(0.0, upper - lower) * site.length;
-    upper = lower;
-    if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
-    if (share <= 0 || at[i].s >= 1) continue;  // the needle has left it
-    grow(site, hold, at[i], share);
-    out[n] = hold_tie(site, hold, at[i]);
+  const auto middle = site.needle.place(site.a, 0.5 * (tip + track.s_in));
+  if (!middle) return tie;
+  const Vec3 advance = -vec(middle->tangent_W), lever = kLever * site.radius * advance.unitOrthogonal();
+  const double ratio = 1 / kLever;
+  tie.body_a = middle->body;
+  tie.body_b = site.body;
+  tie.p_W = raw(Vec3(vec(middle->p_W) + lever));
+  tie.axis_W = raw(Vec3(advance.cross(lever).normalized()));
+  tie.stiffness_along = stiffness * ratio * ratio;
+  tie.drag_forth = tie.drag_back = drag * ratio;
+  tie.strength = HUGE_VAL;
+  // as it was, and as far as it is predicted to roll
+  const double rolls = vec(site.a->V_WB[middle->body].w).dot(advance) * site.a.dt() * lever.norm();
+  const double stretch = -track.roll / (lever.norm() * tie.stiffness_along);
+  tie.offset_W = raw(Vec3((stretch + rolls) * vec(tie.axis_W)));
+  return tie;
+}
+
+uint32_t make_ties(const Site& site, const Track& track, double reaction, double exit_force, swage_tie* out,
+                   uint32_t* of) {
+  uint32_t n = 0;
+  double stiffness = 0, drag = 0;
+  for (uint32_t i = 0; i < holds(track); ++i) {
+    const Hold& hold = track.hold[i];
+    if (!(hold.share > 0)) continue;
+    out[n] = hold_tie(site, hold, spot(site, hold));
+    stiffness += out[n].stiffness_along, drag += out[n].drag_back;
     if (i == 0) out[n].drag_forth += reaction;
     of[n++] = i;
   }
+  if (stiffness > 0) {
+    out[n] = roll_tie(site, track, stiffness, drag);
+    of[n++] = Track::kOfRoll;
+  }
   if (track.out != Track::kOut) {
     out[n] = front_tie(site, track, exit_force);
-    of[n++] = Track::kHolds;
+    of[n++] = Track::kOfPoint;
   }
   return n;
 }
@@ -236,21 +318,30 @@ uint32_t make_ties(const Site& site, Track& track, double reaction, double exit_
 double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of) {
   const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.slid_W), f = vec(tie.f_a_W);
   const double along = axis_W.dot(slid);
-  if (of == Track::kHolds) {
+  if (of == Track::kOfRoll) {
+    track.roll = kLever * site.radius * axis_W.dot(f);
+    return 0;
+  }
+  if (of == Track::kOfPoint) {
     const double force = -axis_W.dot(f);
     const bool gives = along > 0 && force >= (1 - 1e-9) * tie.drag_forth;
     if (track.out == Track::kBreaking) {
       track.peak_exit = std::max(track.peak_exit, force);
       if (gives) track.out = Track::kOut;
     }
-    if (gives) track.cut += along;
+    if (gives) {
+      track.cut += along;
+      track.progress = progress(site, track);
+      set_front(site, track);
+    }
     return 0;
   }
   Hold& hold = track.hold[of];
   const Vec3 torn = slid - along * axis_W;
   hold.rest += along / site.length;
   put(hold.p, site.local(site.world(hold.p) + torn));
-  hold.lateral = (f - axis_W.dot(f) * axis_W).norm();
+  put(hold.across, site.X_WO.q.conjugate() * (f - axis_W.dot(f) * axis_W));
+  hold.along = axis_W.dot(f);
   return torn.norm() * hold.share;
 }
 

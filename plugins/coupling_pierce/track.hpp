@@ -19,15 +19,18 @@ using toolkit::Pose;
 
 /// A place of the tissue that holds the needle.
 struct Hold {
-  double p[3];     // m, O
-  double rest;     // s at which its bristle is at rest
-  double at;       // m, along the track from the entry
-  double share;    // m, inserted length that it stood for in the last step
-  double lateral;  // N across the needle in the last step
+  double p[3];              // m, O, where it is when nothing pulls at the tissue
+  double rest;              // s at which its bristle is at rest
+  double at;                // m, along the track from the entry
+  double share;             // m, inserted length that it stands for
+  double across[3], along;  // N on the needle in the last step, across it in O and along its advance
 };
 
 struct Track {
   static constexpr uint32_t kHolds = 6;
+  static constexpr uint32_t kTies = kHolds + 2;  // and the point, and what keeps it from rolling
+  static constexpr uint32_t kOfPoint = kHolds,
+                            kOfRoll = kHolds + 1;  // whose a tie is: of a hold, or of these
   // where the point is: inside, held by a face from inside, out again
   static constexpr double kInside = 0, kBreaking = 1, kOut = 2;
 
@@ -35,10 +38,12 @@ struct Track {
   double out;          // kInside, kBreaking, kOut
   double s_in, s_out;  // where the needle crosses the entry and the exit (0: the point is inside)
   double cut;          // m along the track that the point has opened
+  double front[3];     // m, O, where the cut ends when nothing pulls at the tissue
   double progress;     // m along the track, of the point
   double deepest;      // m, the farthest progress so far
   double below;        // m, the deepest of the point below the entry surface
   double spacing;      // m between holds
+  double roll;         // N m, about its advance, that kept it from rolling in the last step
   double count;        // of holds
   double entry, exit;  // index of the wound; exit: -1 before
   double passed;       // 1: the swage went in
@@ -84,11 +89,15 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
 void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in);
 /// Where the point is along it; drops holds that it has left behind.
 void follow(const Site& site, Track& track);
+/// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet.
+void share_out(const Site& site, Track& track);
 /// New holds where the point went on.
 void lengthen(const Site& site, Track& track);
-/// Writes its ties to `out` (up to kHolds + 1): `reaction`: N on top of the entry's drag; `exit_force`: N that a face bears
-/// from inside. Entry k of `of` is the hold of tie k, kHolds for the point.
-uint32_t make_ties(const Site& site, Track& track, double reaction, double exit_force, swage_tie* out,
+/// The cut ends where the point is, but for what the tissue gives ahead of it.
+void set_front(const Site& site, Track& track);
+/// Writes its ties to `out` (up to kTies): `reaction`: N on top of the entry's drag; `exit_force`: N that a face bears from inside.
+/// Entry k of `of` is the hold of tie k, or kOfPoint, kOfRoll. Changes nothing.
+uint32_t make_ties(const Site& site, const Track& track, double reaction, double exit_force, swage_tie* out,
                    uint32_t* of);
 /// Takes what the solve gave one tie. Returns the area that it gave way sideways [m2].
 double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of);

@@ -26,6 +26,8 @@ Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 void put(double* to, const Vec3& a) {
   for (int i = 0; i < 3; ++i) to[i] = a[i];
 }
+/// Where a source is seen: where it bears, or bore.
+Vec3 place_of(const Source& s) { return vec3(vec3(s.f).isZero(0) ? s.p : s.q); }
 
 }  // namespace
 
@@ -136,13 +138,14 @@ void Tissue::advance(const Step& step) {
   if (params_.level != Level::kCompliant) return;
   for (Source& s : step.state<State>().source)
     for (int i = 0; i < 3; ++i) {
-      s.w[i] = s.f[i] + s.v[i];
-      s.v[i] *= creep_.keep;
+      s.q_old[i] = s.q[i], s.w[i] = s.f[i];
+      s.dv[i] = (creep_.keep - 1) * s.v[i];
+      s.v[i] += s.dv[i];
       s.f[i] = 0;
     }
 }
 
-/// u = C (f + v): while nothing new presses, the surface goes from C w to C v over the step.
+/// u = C (f + v): while nothing new presses, the surface goes over the step by C dv - C w.
 void Tissue::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                         double* W) {
   const Pose X_WO = pose(step);
@@ -154,8 +157,8 @@ void Tissue::compliance(const Step& step, std::span<const swage_contact_point> p
     spots[i] = spot_at(X_WO, points[i].p_W);
     Vec3 v = Vec3::Zero();
     for (const Source& s : state.source) {
-      const Vec3 change = vec3(s.v) - vec3(s.w);
-      if (!change.isZero(0)) v += response(spots[i].foot_O, vec3(s.p)) * change;
+      if (!vec3(s.dv).isZero(0)) v += response(spots[i].foot_O, vec3(s.p)) * vec3(s.dv);
+      if (!vec3(s.w).isZero(0)) v -= response(spots[i].foot_O, vec3(s.q_old)) * vec3(s.w);
     }
     put(v_free + 3 * i, spots[i].axes_W * v / h);
     for (size_t j = 0; j <= i; ++j) {
@@ -176,23 +179,21 @@ void Tissue::displacement(const Step& step, std::span<const swage_contact_point>
   const State& state = step.state<State>();
   for (size_t i = 0; i < points.size(); ++i) {
     const Spot at = spot_at(X_WO, points[i].p_W);
-    Vec3 u = Vec3::Zero();
-    for (const Source& s : state.source)
-      if (!vec3(s.v).isZero(0)) u += response(at.foot_O, vec3(s.p)) * vec3(s.v);
-    put(u_W + 3 * i, at.axes_W * u);
+    put(u_W + 3 * i, at.axes_W * displaced(state, at.foot_O));
   }
 }
 
-/// The source at a place: one that is there, a free one, or the one that matters least.
+/// The source that remembers for a place and bears nothing yet in this step: the nearest one, or the one that matters least.
 Source& Tissue::source_at(State& state, const Vec3& foot_O) const {
-  Source* least = state.source;
-  double least_size = HUGE_VAL;
-  const double near = kMerge * params_.spread;
+  Source *least = state.source, *nearest = nullptr;
+  double least_size = HUGE_VAL, near = kMerge * params_.spread;
   for (Source& s : state.source) {
     const double size = (vec3(s.f) + vec3(s.v)).norm();
-    if (size > 0 && (vec3(s.p) - foot_O).norm() < near) return s;
     if (size < least_size) least = &s, least_size = size;
+    const double distance = (vec3(s.p) - foot_O).norm();
+    if (size > 0 && vec3(s.f).isZero(0) && distance < near) nearest = &s, near = distance;
   }
+  if (nearest != nullptr) return *nearest;
   *least = {};
   put(least->p, foot_O);
   return *least;
@@ -206,27 +207,35 @@ void Tissue::yield(const Step& step, std::span<const swage_contact_point> points
     if (f_W.isZero(0)) continue;
     const Spot at = spot_at(X_WO, points[i].p_W);
     Source& s = source_at(state, at.foot_O);
-    put(s.f, vec3(s.f) + at.axes_W.transpose() * f_W);
+    put(s.q, at.foot_O);
+    put(s.f, at.axes_W.transpose() * f_W);
   }
   for (Source& s : state.source) put(s.v, vec3(s.v) + creep_.gain * vec3(s.f));
+}
+
+/// Where a place of the surface is displaced to [m, along n, 1, 2].
+Vec3 Tissue::displaced(const State& state, const Vec3& foot_O) const {
+  Vec3 u = Vec3::Zero();
+  for (const Source& s : state.source) {
+    if (!vec3(s.v).isZero(0)) u += response(foot_O, vec3(s.p)) * vec3(s.v);
+    if (!vec3(s.f).isZero(0)) u += response(foot_O, vec3(s.q)) * vec3(s.f);
+  }
+  return u;
 }
 
 void Tissue::finish(const Step& step) {
   double dimple = 0, force = 0;
   if (params_.level == Level::kCompliant) {
+    State& state = step.state<State>();
     const Source* deepest = nullptr;
     double most = 0;
-    for (Source& s : step.state<State>().source) {
+    for (Source& s : state.source) {
       const double size = (vec3(s.f) + vec3(s.v)).norm();
       if (vec3(s.f).isZero(0) && size < kForgotten) s = {};
       force += std::max(0.0, -s.f[0]);
       if (size > most) deepest = &s, most = size;
     }
-    Vec3 u = Vec3::Zero();
-    for (const Source& s : step.state<State>().source)
-      if (deepest != nullptr && most > 0)
-        u += response(vec3(deepest->p), vec3(s.p)) * (vec3(s.f) + vec3(s.v));
-    dimple = u.norm();
+    if (most > 0) dimple = displaced(state, place_of(*deepest)).norm();
   }
   step.signal(dimple_, dimple);
   step.signal(force_, force);
@@ -240,7 +249,7 @@ uint32_t Tissue::dents(const Step& step, std::span<swage_dent> out) {
   for (const Source& s : step.state<State>().source) {
     const Vec3 amplitude = vec3(s.f) + vec3(s.v);
     if (amplitude.norm() < 1e3 * kForgotten || n == out.size()) continue;
-    const Spot at = spot(X_WO, vec3(s.p));
+    const Spot at = spot(X_WO, place_of(s));
     out[n++] = {raw(X_WO * at.foot_O), raw(Vec3(at.axes_W * (own * amplitude))), compliance_.spread()};
   }
   return n;

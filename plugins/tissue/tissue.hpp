@@ -42,12 +42,13 @@ struct TissueParams {
   double failure_stress = 0.42e6;  // Pa
 };
 
-/// Where the wall is displaced from: places that bear or bore a force, in O, numbers along n, 1, 2 of the surface there.
+/// Where the wall is displaced from: a place that bears or bore a force. Places in O, on the surface; numbers along n, 1, 2 there.
 struct Source {
-  double p[3];  // m, foot on the surface
-  double f[3];  // N, in this step
-  double v[3];  // N, what creep remembers: displacement is C (f + v)
-  double w[3];  // N, f + v of the step before
+  double p[3];            // m, of what creep remembers
+  double v[3];            // N, that: displacement is C (f + v)
+  double dv[3];           // N, by how much it faded in this step
+  double q[3], f[3];      // m, N, force of this step: its place moves with what touches
+  double q_old[3], w[3];  // m, N, the same of the step before
 };
 
 class Tissue final : public Object<TissueParams>,
@@ -167,6 +168,7 @@ class Tissue final : public Object<TissueParams>,
   Spot spot(const toolkit::Pose& X_WO, const Vec3& foot_O) const;
   Spot spot_at(const toolkit::Pose& X_WO, swage_vec3 p_W) const;
   Mat3 response(const Vec3& foot_a, const Vec3& foot_b) const;
+  Vec3 displaced(const State& state, const Vec3& foot_O) const;
   Source& source_at(State& state, const Vec3& foot_O) const;
   toolkit::Pose pose(const Step& step) const { return toolkit::Pose(step.pose(body_)); }
 

@@ -8,19 +8,12 @@ namespace swage::test {
 namespace {
 
 constexpr double kDeg = M_PI / 180;
-// how long a released needle is watched [s]; the promise of a minute was measured with 68
-#ifndef SWAGE_STAY_S
-#define SWAGE_STAY_S 14
-#endif
 constexpr double kR = PierceScene::kRadius, kWire = PierceScene::kWire;
 
 /// Turned about its circle's centre, which lies in the surface: square to it all the way. 1 rad/s is 2.5 mm/s.
 Path about_its_centre(double rate, double from, double upto) {
   return [=](double t) { return PierceScene::turned({-kR, 0, 0}, std::min(from + rate * t, upto)); };
 }
-
-/// The needle's point: its body's origin is the centre of mass, 2 R / pi from that of the circle (plus 0.01 % for a wire so thin).
-Vec3 tip(const PierceScene& s) { return s.needle_pose() * Vec3(-2 / M_PI * kR, -kR, 0); }
 
 // a hand that gives so little that it does not show
 const char* const kFirm = R"("stiffness": "50000 N/m")";
@@ -68,7 +61,7 @@ TEST(PierceScene, ForcesAreThoseOfTheInsertionModel) {
     const double force = s.signal("pierce.force"), depth = s.signal("pierce.depth"),
                  t = s.engine->world().time();
     if (s.signal("pierce.state") == 1) {
-      const double x = kWire - tip(s).z();
+      const double x = kWire - s.tip().z();
       const double normal = force / std::cos(s.signal("pierce.angle"));
       before = std::max(before, std::abs(normal - (20 * x + 5000 * x * x)));
     }
@@ -123,15 +116,7 @@ TEST(PierceScene, AtAWrongAngleALooseHandIsDeflected) {
   EXPECT_GE(s.count("pierce.deflected"), 1);
   EXPECT_GT(s.value("pierce.deflected"), 45 * kDeg);
   // it has twisted in the hand: its point is above where the hand wanted it
-  EXPECT_GT(tip(s).z(), 0.06e-3 - 1.3e-3 * std::cos(60 * kDeg) + 0.2e-3);
-}
-
-void release(PierceScene& s) {
-  step::Command command;
-  command.kind = step::CommandKind::kLiveParameter;
-  command.object = 3;     // holder, needle, tissue, leash
-  command.parameter = 0;  // its stiffness
-  ASSERT_TRUE(s.engine->push(command));
+  EXPECT_GT(s.tip().z(), 0.06e-3 - 1.3e-3 * std::cos(60 * kDeg) + 0.2e-3);
 }
 
 TEST(PierceScene, ReleasedInTheMiddleItStays) {
@@ -142,14 +127,18 @@ TEST(PierceScene, ReleasedInTheMiddleItStays) {
   s.rig->world.gravity = {0, 0, -9.80665};
   s.run_until(1);
   ASSERT_EQ(s.signal("pierce.state"), 2);
-  release(s);
+  ASSERT_TRUE(s.hold(0));
   s.run_until(8);  // what the tissue had stretched comes back, with 0.83 s
   const Pose rest = s.needle_pose();
-  s.run_until(SWAGE_STAY_S);
   const double d = 2 * kWire;
-  EXPECT_LT((s.needle_pose().p - rest.p).norm(), 0.01 * d);
-  EXPECT_LT((s.needle_pose() * Vec3(0, kR, 0) - rest * Vec3(0, kR, 0)).norm(), 0.01 * d);
+  double worst = 0;
+  s.run_until(68, [&] {
+    const Pose now = s.needle_pose();
+    worst = std::max({worst, (now.p - rest.p).norm(), (now * Vec3(0, kR, 0) - rest * Vec3(0, kR, 0)).norm()});
+  });
+  EXPECT_LT(worst, 0.01 * d) << "a minute";
   EXPECT_EQ(s.signal("pierce.state"), 2);
+  EXPECT_EQ(s.engine->stats().not_converged, 0u);
 }
 
 TEST(PierceScene, PushedAboutItTearsAndTheWoundTellsByHowMuch) {
@@ -263,26 +252,53 @@ TEST(PierceScene, GrazingAnglesNeverThrowIt) {
   }
 }
 
+/// Tissue of another stiffness: softer tissue is as much weaker, stiffer tissue as strong as the usual one.
+std::string tissue_of(double young, double strength) {
+  char text[300];
+  std::snprintf(text, sizeof text,
+                R"("level": "compliant", "thickness": "4 mm", "size": ["8 mm", "8 mm"], "young": "%g Pa",
+    "side_stiffness": %g, "puncture_force": "%g mN", "cutting_force": "%g mN", "drag": %g, "failure_stress": "%g kPa")",
+                young, young, 20 * strength, 8 * strength, 5 * strength, 420 * strength);
+  return text;
+}
+
 TEST(PierceScene, StiffnessOverFourDecades) {
   for (const double young : {1e4, 1e5, 1e6, 1e8}) {
     PierceScene s;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  R"("level": "compliant", "thickness": "4 mm", "young": "%g Pa", "side_stiffness": %g,
-      "puncture_force": "%g mN")",
-                  young, young, young < 1e6 ? 1.0 : 20.0);
-    s.tissue = text;
+    s.tissue = tissue_of(young, std::min(1.0, young / 1e6));
     s.duration = 1.2;
     s.make(about_its_centre(2, -0.12, 1.2));
     EXPECT_LT(excess(s, 1.2, 5e-3), kGivenBack) << young;
-    release(s);
+    EXPECT_EQ(s.signal("pierce.state"), 2) << young;
+    ASSERT_TRUE(s.hold(0));
     EXPECT_LT(excess(s, 1.4, 0), 2 * kGivenBack) << young;
     s.run_until(1.6);
-    // open: at 100 kPa a third of the steps do not converge and it goes on twitching by some 20 um (coupling_pierce.md, limits)
-    if (young != 1e5) {
-      EXPECT_LT(s.needle_energy(), 1e-13) << young << ": it comes to rest";
-    }
+    EXPECT_LT(s.needle_energy(), 1e-13) << young << ": it comes to rest";
+    EXPECT_EQ(s.engine->stats().not_converged, 0u) << young;
   }
+}
+
+// Pressed into soft tissue with the force of stiff tissue, it is displaced by six times what the touch is wide. Its axis turns within a
+// step: solved with the axis that it had before, it swings to and fro for ever.
+TEST(PierceScene, InTissueMuchTooSoftItComesToRestAsWell) {
+  PierceScene s;
+  s.tissue =
+      R"("level": "compliant", "thickness": "4 mm", "size": ["8 mm", "8 mm"], "young": "100 kPa", "side_stiffness": 1e5,
+    "puncture_force": "1 mN")";
+  s.duration = 1.2;
+  s.make(about_its_centre(2, -0.12, 1.2));
+  s.run_until(1.2);
+  ASSERT_TRUE(s.hold(0));
+  s.run_until(2);
+  const Pose rest = s.needle_pose();
+  double twitch = 0;
+  s.run_until(2.4, [&, before = rest.p]() mutable {
+    twitch = std::max(twitch, (s.needle_pose().p - before).norm());
+    before = s.needle_pose().p;
+  });
+  EXPECT_LT(twitch, 0.5e-6) << "only what the tissue creeps in a step";
+  EXPECT_LT(s.needle_energy(), 1e-13);
+  EXPECT_EQ(s.engine->stats().not_converged, 0u);
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ typedef struct swage_coupling {
  *     f_across = -stiffness_across s_across, returned radially to `strength` */
 typedef struct swage_tie {
   uint32_t body_a, body_b;   /* each object's own indices; SWAGE_NONE: the world */
-  swage_vec3 p_W;            /* m, where it acts on both */
-  swage_vec3 axis_W;         /* unit, direction in which a slides along b */
+  swage_vec3 p_W;            /* m, where it acts on both; a b with a solver of its own gives at p_W less what offset_W is across */
+  swage_vec3 axis_W;         /* unit, direction in which a slides along b; turns with a, and tied() sees it turned */
   swage_vec3 offset_W;       /* m, s at the poses that resolve() sees */
   double stiffness_across;   /* N/m */
   double stiffness_along;    /* N/m */
