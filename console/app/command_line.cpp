@@ -33,9 +33,12 @@ Launch read_command_line(const QStringList& arguments) {
       option("plugin-dir", "Folder to look for plugins in first; may be repeated.", "folder"),
       option("store", "Attempts database: a file, postgresql://user@host/database, or :none:.", "store"),
       option("safe-mode", "Stock plugins only."),
+      option("seed",
+             "Of every attempt, so that targets and tremor are the same again; otherwise each draws its own.",
+             "number"),
       option("theme", "light, dark or contrast.", "theme"),
       option("cues", "thesis or safe: colours of the cues.", "cues"),
-      option("view", "orbit, side or top.", "view"),
+      option("view", "orbit, side, top or near.", "view"),
       option("page", "run or progress.", "page"),
       option("review", "Open a recorded attempt: its id, or latest.", "attempt"),
       option("size", "Size of the window, as in 1440x900.", "size"),
@@ -59,6 +62,9 @@ Launch read_command_line(const QStringList& arguments) {
   launch.mode_given = given("mode");
   launch.options.store_path = text("store").toStdString();
   launch.options.safe_mode = given("safe-mode");
+  if (given("seed")) launch.options.settings.push_back("seed=" + text("seed").toStdString());
+  // a picture can be taken again
+  launch.draws_seed = !given("seed") && !given("screenshot");
   launch.start = given("start");
   launch.theme = text("theme");
   launch.cues = text("cues");

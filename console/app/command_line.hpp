@@ -14,6 +14,7 @@ struct Launch {
   session::Options options;  // plugin folders, store, lesson, device, person, mode as given
   bool device_given = false, person_given = false, mode_given = false;
   bool start = false;
+  bool draws_seed = true;      // a new one for every attempt; false: as given, or as the lesson says
   QString theme, cues, view;   // "" as remembered
   QString page;                // "run" or "progress"
   QString review;              // attempt to open on the Review page, "latest" for the newest

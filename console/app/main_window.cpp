@@ -39,10 +39,11 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
   connect(progress_, &ProgressPage::review, this, &MainWindow::review);
   connect(review_, &ReviewPage::back, this, [this] { show_page(1); });
-  progress_->set_targets([this](const QString& lesson, const QString& metric) -> std::optional<double> {
+  progress_->set_metric_finder([this](const QString& lesson, const std::string& metric) {
     const int row = lessons_.row_of(lesson);
-    if (row < 0) return {};
-    return run_->metric_target(lessons_.data(lessons_.index(row, 0), LessonsModel::kPath).toString(), metric);
+    const QModelIndex index = lessons_.index(row, 0);
+    return row < 0 ? MetricSaid{metric_facts(nullptr, metric), {}}
+                   : run_->metric_said(index.data(LessonsModel::kPath).toString(), metric);
   });
   connect(progress_, &ProgressPage::recovered, this, [this](int n) {
     run_->set_notice(
@@ -178,9 +179,11 @@ void MainWindow::restore(const Launch& launch) {
   resize(launch.size.isValid() ? launch.size : QSize(1440, 900));
   if (!launch.size.isValid()) restoreGeometry(settings_.bytes("geometry"));
   run_->set_base_options(launch.options);
+  run_->set_draws_seed(launch.draws_seed);
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   SetupPanel* setup = run_->setup();
+  setup->set_left_handed(settings_.text("left_handed") == QLatin1String("true"));
   progress_->refresh();
   const QString person =
       launch.person_given ? QString::fromStdString(launch.options.person) : settings_.text("person");
@@ -191,6 +194,7 @@ void MainWindow::restore(const Launch& launch) {
   select_first(launch);
   if (launch.view == QLatin1String("side")) run_->look(CameraPreset::kSide);
   if (launch.view == QLatin1String("top")) run_->look(CameraPreset::kTop);
+  if (launch.view == QLatin1String("near")) run_->look(CameraPreset::kNear);
   if (launch.page == QLatin1String("progress")) show_page(1);
   if (!launch.review.isEmpty()) review_given(launch);
   // once the event loop runs and the window is there
@@ -203,6 +207,7 @@ void MainWindow::review_given(const Launch& launch) {
   const std::vector<record::AttemptRow> all = progress_->store()->attempts("");
   if (id == QLatin1String("latest")) id = all.empty() ? QString() : QString::fromStdString(all.front().id);
   review(id);
+  if (launch.view == QLatin1String("near")) review_->view()->look(CameraPreset::kNear);
   if (!launch.start) review_->go(launch.screenshot_at_s);
 }
 
@@ -219,6 +224,7 @@ void MainWindow::remember() {
   settings_.set("cues", cues_id_);
   settings_.set("geometry", saveGeometry());
   settings_.set("sound", run_->sound_on());
+  settings_.set("left_handed", run_->setup()->left_handed());
   settings_.set("volume", run_->speaker().volume());
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());

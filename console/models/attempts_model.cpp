@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "console/models/review.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -113,7 +112,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
   MetricSeries series;
   series.id = id;
   series.name = human_id(id);
-  series.better = better_direction(id);
+  series.better = metric_facts(nullptr, id.toStdString()).better;
   series.unit = id == kTimeId ? QStringLiteral("s") : QString();
   QVector<const record::AttemptRow*> order;
   for (const record::AttemptRow& a : attempts) order += &a;
@@ -125,7 +124,8 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
     double value = id == kScoreId ? a->score : id == kTimeId ? a->simulated_s : std::nan("");
     for (const record::MetricValue& m : a->metrics) {
       if (qt(m.id) != id) continue;
-      value = m.value * display_factor(qt(m.unit));
+      series.factor = display_factor(qt(m.unit));
+      value = m.value * series.factor;
       series.unit = display_unit(qt(m.unit));
     }
     if (!std::isfinite(value)) continue;

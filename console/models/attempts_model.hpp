@@ -5,6 +5,7 @@
 #include <QVector>
 #include <optional>
 
+#include "console/models/metric_facts.hpp"
 #include "record/store.hpp"
 
 namespace swage::console {
@@ -37,8 +38,10 @@ struct MetricPoint {
 };
 struct MetricSeries {
   QString id, name, unit;
-  int better = 0;                // -1 lower, +1 higher, 0 not known
-  std::optional<double> target;  // what the lesson asks for, as shown
+  int32_t better = SWAGE_BETTER_NONE;
+  QString formula;      // how it is computed, where the lesson says
+  MetricTarget target;  // as shown
+  double factor = 1;    // from SI to what is shown
   QVector<MetricPoint> points;
 };
 

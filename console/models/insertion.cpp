@@ -30,6 +30,21 @@ class Columns {
   const record::Recording& r_;
 };
 
+// over time while the needle is in the tissue; a line for each stay
+void add_cosine(const record::Recording& r, const Columns& c, int state, EntryTrack& out) {
+  const int cosine = c.find("pierce.cosine");
+  bool inside = false;
+  size_t n = 0;
+  for (size_t i = 0; cosine >= 0 && i < r.step.size(); ++i) {
+    const bool was = inside;
+    inside = c.at(i, state) > kPierced && std::isfinite(c.at(i, cosine));
+    if (!inside) continue;
+    if (!was) out.cosine.append(QPolygonF());
+    out.cosine.last() << QPointF(static_cast<double>(r.step[i] + 1) * r.info.dt, c.at(i, cosine));
+    out.mean_cosine += (c.at(i, cosine) - out.mean_cosine) / static_cast<double>(++n);
+  }
+}
+
 struct Place {
   double x, y, z, time_s;
   bool first;  // of a pass
@@ -89,6 +104,7 @@ std::optional<EntryTrack> entry_track(const record::Recording& r) {
     out.passes.last() << QPointF(u, std::copysign(std::sqrt(std::max(0.0, v2)), p.y + b * p.z));
     out.time_s.last() += p.time_s;
   }
+  add_cosine(r, c, state, out);
   const int area = c.find("pierce.area"), ratio = c.find("pierce.area_ratio"), wound = c.find("pierce.wound");
   for (size_t i = 0; i < r.step.size(); ++i) {
     if (wound >= 0) out.wound = std::max(out.wound, c.at(i, wound));

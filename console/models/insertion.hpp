@@ -16,7 +16,10 @@ struct EntryTrack {
   QVector<QPolygonF> passes;        // one per entry; mm in the surface, the first puncture at (0, 0)
   QVector<QVector<double>> time_s;  // of every point
   double radius_mm = 0;             // of the needle, 0 when the recording does not tell it
-  double wound = 0;                 // greatest distance of the wound's edge over that radius; 1 is perfect
+  QVector<QPolygonF>
+      cosine;  // one per stay in the tissue: time, s, and cosine of the penetration angle: 0 perfect, 1 worst
+  double mean_cosine = 0;  // over the time in the tissue
+  double wound = 0;        // greatest distance of the wound's edge over that radius; 1 is perfect
 };
 
 /// Nothing when the recording has no signals pierce.at_* or the needle never went in.

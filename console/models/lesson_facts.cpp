@@ -43,24 +43,39 @@ std::optional<swage_value> lesson_value(const std::string& lesson_path, const ch
 }  // namespace
 
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue) {
-  const auto value = lesson_value(lesson_path, "force", "N", 2, catalogue);
-  if (!value) return {};
-  return ForceBand{value->number[0], value->number[1]};
+  if (const auto value = lesson_value(lesson_path, "force", "N", 2, catalogue))
+    return ForceBand{value->number[0], value->number[1]};
+  if (const auto value = lesson_value(lesson_path, "max_force", "N", 1, catalogue))
+    return ForceBand{0, value->number[0]};
+  return {};
 }
 
-std::optional<double> metric_target(const std::string& lesson_path, const std::string& metric_id,
-                                    const host::Catalogue& catalogue) {
-  const auto number = [&](const char* id, const char* unit) -> std::optional<double> {
-    const auto value = lesson_value(lesson_path, id, unit, 1, catalogue);
-    return value ? std::optional(value->number[0]) : std::nullopt;
-  };
-  if (metric_id == "force.peak" || metric_id == "force.mean") {
+MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
+                           const host::Catalogue& catalogue) {
+  if (metric_id == "force.peak") {
     const auto band = force_band(lesson_path, catalogue);
-    return band ? std::optional(band->high) : std::nullopt;
+    return band ? MetricTarget{{}, band->high} : MetricTarget{};
   }
-  if (metric_id == "time" || metric_id == "time.task") return number("par_time", "s");
-  if (metric_id == "grasp.drops") return number("max_drops", "1");
-  if (metric_id == "force.over_time") return number("max_over_time", "s");
+  // a limit of the greatest force says nothing about its mean; an interval does
+  if (metric_id == "force.mean") {
+    const auto value = lesson_value(lesson_path, "force", "N", 2, catalogue);
+    return value ? MetricTarget{value->number[0], value->number[1]} : MetricTarget{};
+  }
+  static constexpr struct {
+    const char *metric, *param, *unit;
+  } kMost[] = {{"time", "par_time", "s"},
+               {"time.task", "par_time", "s"},
+               {"grasp.drops", "max_drops", "1"},
+               {"insert.entry_distance", "tolerance", "m"},
+               {"insert.entry_angle", "in_angle", "rad"},
+               {"insert.angle", "in_angle", "rad"},
+               {"insert.deflections", "max_deflections", "1"},
+               {"wound.size", "max_wound", "1"}};
+  for (const auto& most : kMost) {
+    if (metric_id != most.metric) continue;
+    if (const auto value = lesson_value(lesson_path, most.param, most.unit, 1, catalogue))
+      return {{}, value->number[0]};
+  }
   return {};
 }
 

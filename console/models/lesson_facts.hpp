@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "console/models/metric_facts.hpp"
 #include "host/catalogue.hpp"
 
 namespace swage::console {
@@ -13,12 +14,12 @@ struct ForceBand {
   double low = 0, high = 0;
 };
 
-/// Reads the lesson's interval "force", checked against its plugin's table, defaults included. Nothing when the file, the
-/// plugin or the parameter is not there.
+/// Reads the lesson's interval "force", or its limit "max_force" without a least force, checked against its plugin's table,
+/// defaults included. Nothing when the file, the plugin or the parameter is not there.
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue);
 
-/// What the lesson asks of a metric, SI: at most so much force, time, drops. Nothing where it does not say.
-std::optional<double> metric_target(const std::string& lesson_path, const std::string& metric_id,
-                                    const host::Catalogue& catalogue);
+/// What the lesson asks of a metric, SI: at most so much peak force, time, drops; a mean force inside its interval.
+MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
+                           const host::Catalogue& catalogue);
 
 }  // namespace swage::console

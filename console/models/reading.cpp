@@ -32,6 +32,8 @@ Reader::Reader(const snapshot::SceneCard& card) {
       force_ = i;
     if (s.unit == "rad" && s.id.find("tilt") != std::string::npos) tilt_.append(i);
     if (ends_with(s.id, "grasp.held")) held_ = i;
+    if (ends_with(s.id, "pierce.angle")) angle_ = i;
+    if (ends_with(s.id, "pierce.state")) pierced_ = i;
   }
   // what is counted is live; metrics with a unit are told at the end
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
@@ -42,7 +44,10 @@ Reader::Reader(const snapshot::SceneCard& card) {
   for (size_t i = 0; i < script.metrics.size(); ++i) {
     if (ends_with(script.metrics[i].id, "hold.progress")) hold_ = static_cast<int>(i);
   }
-  for (const judge::Name& cue : script.cues) cues_.append(QString::fromStdString(cue.id));
+  for (const judge::Name& cue : script.cues) {
+    cues_.append(QString::fromStdString(cue.id));
+    grasp_ |= cues_.last() == QLatin1String("grasp.good");
+  }
   for (const judge::Name& phase : script.phases) {
     phases_.append(phase.doc.empty() ? human_id(QString::fromStdString(phase.id))
                                      : QString::fromStdString(phase.doc));
@@ -64,7 +69,10 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   };
   if (force_ >= 0) r.force = signal(force_);
   const bool held = held_ < 0 || signal(held_) > 0.5;
-  for (const int i : tilt_) {
+  // what only lies against the tissue has no angle yet
+  if (angle_ >= 0 && signal(pierced_) > (held_ >= 0 && signal(held_) > 0.5 ? 0.5 : 1.5))
+    r.tilt = signal(angle_);
+  for (const int i : angle_ < 0 ? tilt_ : QVector<int>()) {
     if (held && r.force.value_or(1) > 0) r.tilt = std::max(r.tilt.value_or(0), std::abs(signal(i)));
   }
   // the four grasp meanings are two yes/no facts

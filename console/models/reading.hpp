@@ -16,8 +16,9 @@ namespace swage::console {
 
 /// What the panel shows of one snapshot; absent what the scene does not say.
 struct Reading {
-  std::optional<double> force;     // N
-  std::optional<double> tilt;      // rad, the larger of the two
+  std::optional<double> force;  // N
+  std::optional<double>
+      tilt;  // rad, the larger of the two; while inserting, between needle and tissue's normal
   std::optional<double> hold;      // share of the hold that is done, 0..1
   std::optional<bool> spot, tips;  // of the current grasp
   QString phase;                   // in words
@@ -37,14 +38,20 @@ class Reader {
   bool has_force() const { return force_ >= 0; }
   /// What this scene's cues and marks can mean, each once, in the order in which the lesson declares them.
   static QStringList meanings(const snapshot::SceneCard& card);
-  bool has_tilt() const { return !tilt_.isEmpty(); }
+  bool has_tilt() const { return !tilt_.isEmpty() || angle_ >= 0; }
+  /// The tilt is that of the needle against the tissue.
+  bool inserts() const { return angle_ >= 0; }
+  bool has_hold() const { return hold_ >= 0; }
+  /// The lesson judges spot and tips.
+  bool has_grasp() const { return grasp_; }
 
  private:
   struct Counter {
     int metric;
     QString name, unit;
   };
-  int force_ = -1, held_ = -1, hold_ = -1;
+  int force_ = -1, held_ = -1, hold_ = -1, angle_ = -1, pierced_ = -1;
+  bool grasp_ = false;
   QVector<int> tilt_;
   QVector<Counter> counters_;
   QVector<QString> cues_, phases_;

@@ -27,15 +27,6 @@ int rank(const judge::Name& signal) {
   return -1;
 }
 
-double nice_up(double value) {
-  if (!(value > 0)) return 0;
-  const double ten = std::pow(10, std::floor(std::log10(value)));
-  for (const double m : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-    if (value <= m * ten * (1 + 1e-9)) return m * ten;
-  }
-  return 10 * ten;
-}
-
 Trace make_trace(const record::Recording& r, size_t index) {
   const judge::Name& name = r.info.script.signals[index];
   const QString unit = qt(name.unit);
@@ -56,8 +47,8 @@ Trace make_trace(const record::Recording& r, size_t index) {
     low = std::min(low, v);
     high = std::max(high, v);
   }
-  t.low = -nice_up(-low);
-  t.high = nice_up(high);
+  t.low = -nice_end(-low);
+  t.high = nice_end(high);
   if (t.high <= t.low) t.high = t.low + 1;
   t.wanted = !t.flat && rank(name) >= 0;
   return t;
@@ -81,20 +72,17 @@ void add_moments(const record::Recording& r, const std::vector<record::EventRow>
                    [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
 }
 
-void add_metrics(const record::Recording& r, Review& out) {
-  const auto better = [](int direction) {
-    return direction < 0   ? QObject::tr("↓ lower is better")
-           : direction > 0 ? QObject::tr("↑ higher is better")
-                           : QString();
-  };
+void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Review& out) {
   for (const record::MetricValue& m : out.attempt.metrics) {
+    const MetricFacts facts = metric_facts(card, m.id);
     MetricLine line;
     line.name = human_id(qt(m.id));
     line.value = quantity_text(m.value, qt(m.unit));
-    line.better = better(better_direction(qt(m.id)));
+    line.better = facts.better;
     for (const judge::Name& name : r.info.script.metrics) {
       if (name.id == m.id) line.doc = qt(name.doc);
     }
+    if (!facts.formula.isEmpty()) line.doc += QStringLiteral("\n") + facts.formula;
     out.metrics += line;
   }
 }
@@ -115,22 +103,10 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-// what is known of the metrics that the stock lessons use; of others no direction is claimed
-int better_direction(const QString& id) {
-  static const QStringList lower = {"time", "tries",  "drops",   "error",     "over_",   "peak",
-                                    "tilt", "path",   "regrasp", "different", "balance", "slip",
-                                    "snap", "tremor", "bend",    "tear"};
-  static const QStringList higher = {"score", "in_zone", "success", "progress", "smooth"};
-  const auto names = [&](const QStringList& words) {
-    return std::any_of(words.begin(), words.end(), [&](const QString& w) { return id.contains(w); });
-  };
-  return names(higher) ? 1 : names(lower) ? -1 : 0;
-}
-
 QString Review::headline() const {
   return QStringList({qt(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
-                      qt(attempt.person_name), when_text(qt(attempt.started_utc)),
-                      human_id(qt(attempt.mode))})
+                      qt(attempt.person_name), when_text(qt(attempt.started_utc)), human_id(qt(attempt.mode)),
+                      QObject::tr("seed %1").arg(seed)})
       .join(QStringLiteral("  ·  "));
 }
 
@@ -145,10 +121,11 @@ QString Review::verdict() const {
 }
 
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
-                   const std::vector<record::EventRow>& events) {
+                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card) {
   Review out;
   out.attempt = attempt;
   out.dt_s = recording.info.dt;
+  out.seed = recording.info.seed;
   out.length_s = recording.step.empty() ? 0 : static_cast<double>(recording.step.back() + 1) * out.dt_s;
   for (size_t i = 0; i < recording.info.script.signals.size(); ++i) out.traces += make_trace(recording, i);
   const auto order = [&](const Trace& t) {
@@ -158,7 +135,7 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   std::stable_sort(out.traces.begin(), out.traces.end(),
                    [&](const Trace& a, const Trace& b) { return order(a) < order(b); });
   add_moments(recording, events, out);
-  add_metrics(recording, out);
+  add_metrics(recording, card, out);
   return out;
 }
 
@@ -206,14 +183,13 @@ std::string summary_csv(const Review& review) {
                                     {"outcome", a.outcome},
                                     {"reason", a.reason}})
     line("attempt", name, none, none, "", words);
+  line("attempt", "seed", none, none, "", std::to_string(review.seed));
   line("attempt", "score", none, a.score, "1", "0 to 100");
   line("attempt", "simulated", none, a.simulated_s, "s", "");
-  for (const record::MetricValue& m : a.metrics) {
-    const int better = better_direction(qt(m.id));
-    line("metric", m.id, none, m.value, m.unit,
-         better < 0   ? "lower is better"
-         : better > 0 ? "higher is better"
-                      : "");
+  for (size_t i = 0; i < a.metrics.size(); ++i) {
+    const record::MetricValue& m = a.metrics[i];
+    const int32_t better = review.metrics[static_cast<int>(i)].better;
+    line("metric", m.id, none, m.value, m.unit, better_words(better, false).toStdString());
   }
   for (const Moment& m : review.moments)
     line("event", m.what.toStdString(), m.time_s, none, "", m.means.toStdString());

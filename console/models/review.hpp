@@ -8,6 +8,7 @@
 #include <QVector>
 #include <string>
 
+#include "console/models/metric_facts.hpp"
 #include "record/recorder.hpp"
 #include "record/store.hpp"
 
@@ -30,7 +31,8 @@ struct Moment {
 };
 
 struct MetricLine {
-  QString name, value, better, doc;
+  QString name, value, doc;  // doc: what it is and, where the lesson says, how it is computed
+  int32_t better = SWAGE_BETTER_NONE;
 };
 
 struct Review {
@@ -39,13 +41,16 @@ struct Review {
   QVector<Moment> moments;
   QVector<MetricLine> metrics;
   double dt_s = 1e-3, length_s = 0;
+  uint64_t seed = 0;  // targets and tremor were drawn from it
 
   QString headline() const;  // "Basic grasp, Arun P., 21 Nov 2026 10:30"
   QString verdict() const;   // "✓ Met, 87 of 100"
 };
 
+/// `card`: of the replayed scene, where there is one; its lesson's card then says which way metrics are better, and how they
+/// are computed.
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
-                   const std::vector<record::EventRow>& events);
+                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card = nullptr);
 
 /// Value of a trace at a recorded step, as shown.
 double value_at(const Trace& trace, const record::Recording& recording, size_t step);
@@ -54,8 +59,5 @@ double value_at(const Trace& trace, const record::Recording& recording, size_t s
 std::string signals_csv(const record::Recording& recording);
 /// Long form: kind, time or value, unit, words; the attempt's facts first, then metrics, then events.
 std::string summary_csv(const Review& review);
-
-/// Better with less: -1, with more: +1, not known: 0.
-int better_direction(const QString& metric_id);
 
 }  // namespace swage::console

@@ -24,6 +24,8 @@ QString human_id(const QString& id) {
 
 double display_factor(const QString& unit) {
   if (unit == QLatin1String("m") || unit == QLatin1String("m/s") || unit == QLatin1String("kg")) return 1000;
+  if (unit == QLatin1String("m2")) return 1e6;
+  if (unit == QLatin1String("N*s")) return 1000;
   if (unit == QLatin1String("rad")) return 180 / std::numbers::pi;
   return 1;
 }
@@ -32,12 +34,18 @@ QString display_unit(const QString& unit) {
   if (unit == QLatin1String("m")) return QStringLiteral("mm");
   if (unit == QLatin1String("m/s")) return QStringLiteral("mm/s");
   if (unit == QLatin1String("kg")) return QStringLiteral("g");
+  if (unit == QLatin1String("m2")) return QStringLiteral("mm²");
+  if (unit == QLatin1String("N*s")) return QStringLiteral("mN·s");
   if (unit == QLatin1String("rad")) return QStringLiteral("°");
   return unit == QLatin1String("1") ? QString() : unit;
 }
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
+  // a tenth of a wire and less is told in micrometres
+  if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
+    return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
+           QStringLiteral("µm");
   const double shown = value * display_factor(unit);
   const QString suffix = display_unit(unit);
   // counts without decimals, everything else with three digits that mean something
@@ -47,6 +55,15 @@ QString quantity_text(double value, const QString& unit) {
   const QString number = QLocale().toString(shown, 'f', decimals);
   if (suffix.isEmpty()) return number;
   return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
+}
+
+double nice_end(double value) {
+  if (!(value > 0)) return 0;
+  const double ten = std::pow(10, std::floor(std::log10(value)));
+  for (const double m : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (value <= m * ten * (1 + 1e-9)) return m * ten;
+  }
+  return 10 * ten;
 }
 
 QString clock_text(double seconds) {

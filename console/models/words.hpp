@@ -14,6 +14,8 @@ QString quantity_text(double value, const QString& unit);
 /// The factor and the unit in which a quantity is shown: m -> 1000 mm.
 double display_factor(const QString& unit);
 QString display_unit(const QString& unit);
+/// The end of an axis that holds `value`: rounded up to a number that is easily read.
+double nice_end(double value);
 /// 62.4 -> "01:02".
 QString clock_text(double seconds);
 /// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".

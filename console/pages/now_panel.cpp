@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "console/models/words.hpp"
-#include "console/widgets/metric_chart.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -32,18 +31,18 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   auto* facts = new QGridLayout;
   facts->setHorizontalSpacing(8);
   facts->setColumnStretch(2, 1);
-  const auto add = [&](int row, const QString& name, CueBadge** badge) {
-    facts->addWidget(new QLabel(name, now.frame), row, 0);
-    if (badge) facts->addWidget(*badge = new CueBadge(now.frame), row, 1);
-    auto* value = new QLabel(QStringLiteral("–"), now.frame);
-    value->setObjectName(name);
-    facts->addWidget(value, row, 2);
-    return value;
+  const auto add = [&](int row, const QString& name, bool with_badge) {
+    Fact fact{new QLabel(name, now.frame), new QLabel(QStringLiteral("–"), now.frame),
+              with_badge ? new CueBadge(now.frame) : nullptr};
+    facts->addWidget(fact.name, row, 0);
+    if (fact.badge) facts->addWidget(fact.badge, row, 1);
+    facts->addWidget(fact.value, row, 2);
+    return fact;
   };
-  spot_ = add(0, tr("Spot"), &spot_badge_);
-  tips_ = add(1, tr("Tips"), &tips_badge_);
-  tilt_ = add(2, tr("Tilt"), nullptr);
-  hold_ = add(3, tr("Hold"), nullptr);
+  spot_ = add(0, tr("Spot"), true);
+  tips_ = add(1, tr("Tips"), true);
+  tilt_ = add(2, tr("Tilt"), false);
+  hold_ = add(3, tr("Hold"), false);
   now.body->addLayout(facts);
   counts_ = new QGridLayout;
   counts_->setColumnStretch(0, 1);
@@ -103,7 +102,15 @@ void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {
 
 void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task) {
   phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);
-  const double axis = MetricChart::nice_step(0, 1.4 * band.high, 1);
+  spot_.set_visible(reader.has_grasp());
+  tips_.set_visible(reader.has_grasp());
+  tilt_.set_visible(reader.has_tilt());
+  hold_.set_visible(reader.has_hold());
+  tilt_.name->setText(reader.inserts() ? tr("Angle") : tr("Tilt"));
+  tilt_.name->setToolTip(reader.inserts() ? tr("Between the needle and the straight way into the tissue")
+                                          : tr("Away from a right-angled grasp"));
+  tilt_plot_->set_title(reader.inserts() ? tr("Angle to the straight way in") : tr("Tilt"));
+  const double axis = nice_end(1.4 * band.high);
   meter_->set_range(axis, band.low, band.high);
   force_plot_->set_range(0, axis);
   force_plot_->clear();
@@ -114,23 +121,29 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   show_reading({}, 0);
 }
 
-void NowPanel::show_fact(CueBadge* badge, QLabel* text, std::optional<bool> fact, QChar filled,
-                         const QString& yes, const QString& no) {
+void NowPanel::Fact::set_visible(bool shown) const {
+  name->setVisible(shown);
+  value->setVisible(shown);
+  if (badge) badge->setVisible(shown);
+}
+
+void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled, const QString& yes,
+                         const QString& no) {
   CueStyle style =
-      cues_.style(fact.value_or(false) ? QStringLiteral("grasp.good") : QStringLiteral("grasp.wrong"));
-  style.shape = fact ? QString(*fact ? filled : filled.toLower()) : QString();
-  badge->set_style(style);
-  text->setText(!fact ? QStringLiteral("–") : *fact ? yes : no);
+      cues_.style(is.value_or(false) ? QStringLiteral("grasp.good") : QStringLiteral("grasp.wrong"));
+  style.shape = is ? QString(*is ? filled : filled.toLower()) : QString();
+  fact.badge->set_style(style);
+  fact.value->setText(!is ? QStringLiteral("–") : *is ? yes : no);
 }
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
   if (!r.phase.isEmpty()) phase_->setText(r.phase);
   const bool contact = r.force && *r.force > 0;
   meter_->set_value(contact ? r.force : std::nullopt);
-  show_fact(spot_badge_, spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
-  show_fact(tips_badge_, tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));
-  tilt_->setText(r.tilt ? quantity_text(*r.tilt, QStringLiteral("rad")) : QStringLiteral("–"));
-  hold_->setText(r.hold ? QStringLiteral("%1 %").arg(100 * *r.hold, 0, 'f', 0) : QStringLiteral("–"));
+  show_fact(spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
+  show_fact(tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));
+  tilt_.value->setText(r.tilt ? quantity_text(*r.tilt, QStringLiteral("rad")) : QStringLiteral("–"));
+  hold_.value->setText(r.hold ? QStringLiteral("%1 %").arg(100 * *r.hold, 0, 'f', 0) : QStringLiteral("–"));
   while (count_names_.size() < r.counts.size()) {
     const int row = static_cast<int>(count_names_.size());
     count_names_.append(make_muted({}, this));

@@ -30,12 +30,17 @@ class NowPanel : public QWidget {
 
  private:
   QWidget* make_lower();
-  void show_fact(CueBadge* badge, QLabel* text, std::optional<bool> fact, QChar filled, const QString& yes,
-                 const QString& no);
   CueTheme cues_;
-  QLabel *phase_, *spot_, *tips_, *tilt_, *hold_;
-  CueBadge *spot_badge_, *tips_badge_;
+  struct Fact {
+    QLabel *name, *value;
+    CueBadge* badge;
+    void set_visible(bool shown) const;
+  };
+  Fact spot_, tips_, tilt_, hold_;
+  QLabel* phase_;
   ForceMeter* meter_;
+  void show_fact(const Fact& fact, std::optional<bool> is, QChar filled, const QString& yes,
+                 const QString& no);
   QGridLayout* counts_;
   QVector<QLabel*> count_names_, count_values_;
   TracePlot *force_plot_, *tilt_plot_;

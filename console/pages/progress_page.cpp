@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
@@ -143,14 +144,27 @@ void ProgressPage::review_current() {
   if (!rows.isEmpty()) Q_EMIT review(rows.first().data(AttemptsModel::kId).toString());
 }
 
-// one line for one lesson; attempts of several have several
-std::optional<double> ProgressPage::target() const {
-  if (!targets_ || attempts_->attempts().isEmpty()) return {};
-  const std::string& lesson = attempts_->attempts().first().lesson_id;
+// Asked only while it is seen: a lesson is opened for that. A target is of one lesson; attempts of several have several.
+void ProgressPage::ask_lesson(MetricSeries& series) const {
+  if (!finder_ || !isVisible()) return;
+  const std::string id = series.id.toStdString();
+  std::string lesson;
+  bool several = false;
   for (const record::AttemptRow& a : attempts_->attempts()) {
-    if (a.lesson_id != lesson) return {};
+    const bool own =
+        id == "score" || id == "time" ||
+        std::any_of(a.metrics.begin(), a.metrics.end(), [&](const auto& m) { return m.id == id; });
+    if (!own) continue;
+    several |= !lesson.empty() && lesson != a.lesson_id;
+    lesson = a.lesson_id;
   }
-  return targets_(QString::fromStdString(lesson), metric_->currentData().toString());
+  if (lesson.empty()) return;
+  const MetricSaid said = finder_(QString::fromStdString(lesson), id);
+  series.better = said.facts.better;
+  series.formula = said.facts.formula;
+  if (several) return;
+  if (said.target.low) series.target.low = series.factor * *said.target.low;
+  if (said.target.high) series.target.high = series.factor * *said.target.high;
 }
 
 void ProgressPage::set_theme(const UiTheme& theme) { chart_->set_theme(theme); }
@@ -233,7 +247,7 @@ void ProgressPage::show_attempts() {
 
 void ProgressPage::show_metric() {
   MetricSeries series = metric_series(attempts_->attempts(), metric_->currentData().toString());
-  series.target = target();
+  ask_lesson(series);
   chart_->set_series(series);
   const auto n = static_cast<int>(series.points.size());
   curve_->setText(n >= kCurve

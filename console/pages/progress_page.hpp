@@ -13,7 +13,6 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
-#include <optional>
 
 #include "console/models/attempts_model.hpp"
 #include "console/models/people_model.hpp"
@@ -34,10 +33,9 @@ class ProgressPage : public QWidget {
   MetricChart* chart() { return chart_; }
   /// nullptr before the first refresh() and where nothing is kept.
   record::Store* store() { return store_.get(); }
-  /// What a lesson asks of a metric, as shown, if it says; for the line in the chart.
-  using TargetFinder =
-      std::function<std::optional<double>(const QString& lesson_id, const QString& metric_id)>;
-  void set_targets(TargetFinder finder) { targets_ = std::move(finder); }
+  /// What a lesson says about a metric: which way it is better, and what is asked.
+  using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
+  void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
 
  public Q_SLOTS:
   /// Reads the store again; keeps the person and the lesson when they are still there.
@@ -59,10 +57,10 @@ class ProgressPage : public QWidget {
   void show_attempts();
   void show_metric();
   void review_current();
-  std::optional<double> target() const;
+  void ask_lesson(MetricSeries& series) const;
 
   StoreOpener opener_;
-  TargetFinder targets_;
+  MetricFinder finder_;
   std::unique_ptr<record::Store> store_;
   PeopleModel* people_;
   AttemptsModel* attempts_;

@@ -94,7 +94,9 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
   }
   kept_->setText(kept ? tr("Recorded.") : tr("Not recorded."));
   QStringList notes;
-  for (const base::Problem& p : r.problems) notes += QString::fromStdString(p.where + ": " + p.message);
+  for (const base::Problem& p : r.problems) {
+    if (p.severity != base::Severity::kNote) notes += QString::fromStdString(p.where + ": " + p.message);
+  }
   problems_->setText(notes.join(QLatin1Char('\n')));
   problems_->setVisible(!notes.isEmpty());
   outcome_->setAccessibleName(tr("Result"));

@@ -158,12 +158,18 @@ QWidget* ReviewPage::make_transport() {
   connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
   row->addWidget(time_);
   row->addStretch(1);
+  add_cameras(row, box);
+  return box;
+}
+
+void ReviewPage::add_cameras(QHBoxLayout* row, QWidget* box) {
   const struct {
     QString text;
     CameraPreset preset;
   } presets[] = {{tr("Orbit"), CameraPreset::kOrbit},
                  {tr("Side"), CameraPreset::kSide},
-                 {tr("Top"), CameraPreset::kTop}};
+                 {tr("Top"), CameraPreset::kTop},
+                 {tr("Near"), CameraPreset::kNear}};
   for (const auto& p : presets) {
     auto* button = make_button(p.text, {}, QStringLiteral("review_") + p.text.toLower(), box);
     button->setToolTip(tr("%1 view").arg(p.text));
@@ -175,7 +181,6 @@ QWidget* ReviewPage::make_transport() {
   forces->setToolTip(tr("Show contact forces in the picture"));
   connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
   row->addWidget(forces);
-  return box;
 }
 
 void ReviewPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
@@ -213,14 +218,22 @@ bool ReviewPage::open(record::Store& store, const QString& id) {
     show_problem(tr("The attempt cannot be read: %1").arg(QString::fromStdString(error)));
     return false;
   }
-  review_ = make_review(row, recording_, store.events(id.toStdString()));
   base::Problems problems;
   if (opener_) player_ = opener_(recording_, problems);
+  review_ =
+      make_review(row, recording_, store.events(id.toStdString()), player_ ? &player_->card() : nullptr);
+  show_review(problems);
+  go(0);
+  return true;
+}
+
+void ReviewPage::show_review(const base::Problems& problems) {
   pages_->setCurrentIndex(0);
   for (const char* name : {"save_swage", "save_signals", "save_summary"})
     findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(true);
   headline_->setText(review_.headline());
   verdict_->setText(review_.verdict());
+  play_->setText(tr("Play"));
   timeline_->set_review(&review_, &recording_);
   const QSignalBlocker quiet(time_);
   time_->setRange(0, review_.length_s);
@@ -230,13 +243,11 @@ bool ReviewPage::open(record::Store& store, const QString& id) {
     const QString why = problems.empty() ? QString() : QString::fromStdString(problems.front().message);
     note_->setText(
         tr("The picture cannot be replayed: %1 Traces, events and metrics are as recorded.").arg(why));
-  } else {
-    reading_ = Reader(player_->card());
-    legend_->set_meanings(Reader::meanings(player_->card()));
-    view_->set_card(player_->card(), CameraPreset::kOrbit);
+    return;
   }
-  go(0);
-  return true;
+  reading_ = Reader(player_->card());
+  legend_->set_meanings(Reader::meanings(player_->card()));
+  view_->set_card(player_->card(), CameraPreset::kOrbit);
 }
 
 void ReviewPage::go(double time_s) {

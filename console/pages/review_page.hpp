@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -58,7 +59,9 @@ class ReviewPage : public QWidget {
   QWidget* make_head();
   QWidget* make_view();
   QWidget* make_transport();
+  void add_cameras(QHBoxLayout* row, QWidget* box);
   QWidget* make_side();
+  void show_review(const base::Problems& problems);
   void fill_side();
   void fill_traces();
   void show_traces();

@@ -90,7 +90,7 @@ void ReviewPage::fill_side() {
     metrics_->setItem(i, 0, item(m.name, m.doc));
     metrics_->setItem(i, 1, item(m.value, m.doc));
     metrics_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    metrics_->setItem(i, 2, item(m.better, m.doc));
+    metrics_->setItem(i, 2, item(better_words(m.better), m.doc));
   }
   moments_->setRowCount(0);
   for (const Moment& m : review_.moments) {

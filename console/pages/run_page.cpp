@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QRandomGenerator>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -19,7 +20,9 @@ constexpr int kPreviewDelay_ms =
 // the thesis: 0.6 N holds a needle well
 constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
-constexpr int kBottom_px = 140;  // five events, or eight cues in two columns
+constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
+
+constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
 
 }  // namespace
 
@@ -128,7 +131,8 @@ QWidget* RunPage::make_view_bar() {
     CameraPreset preset;
   } presets[] = {{tr("Orbit"), QStringLiteral("view_orbit"), CameraPreset::kOrbit},
                  {tr("Side"), QStringLiteral("view_side"), CameraPreset::kSide},
-                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop}};
+                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop},
+                 {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
   for (const auto& p : presets) {
     auto* button = make_button(p.text, {}, p.name, bar);
     button->setToolTip(tr("%1 view").arg(p.text));
@@ -244,9 +248,20 @@ void RunPage::set_base_options(const session::Options& options) {
   catalogue_ = host::Catalogue(where);
 }
 
-std::optional<double> RunPage::metric_target(const QString& lesson_path, const QString& metric_id) const {
-  // what is asked for comes in N, s and counts, which are shown as they are
-  return console::metric_target(lesson_path.toStdString(), metric_id.toStdString(), catalogue_);
+MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& metric_id) {
+  return {metric_facts(card_of(lesson_path), metric_id),
+          metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
+}
+
+// a lesson's card does not change while the program runs; a running session is not disturbed for it
+const snapshot::SceneCard* RunPage::card_of(const QString& lesson_path) {
+  const auto known = cards_.find(lesson_path);
+  if (known != cards_.end()) return known->second.get();
+  if (control_->running()) return nullptr;
+  session::Options o = base_;
+  o.lesson_path = lesson_path.toStdString();
+  base::Problems problems;
+  return (cards_[lesson_path] = control_->preview(o, problems)).get();
 }
 
 void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
@@ -268,6 +283,7 @@ session::Options RunPage::options() const {
       o.cue_pulses.push_back(
           {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
   }
+  if (setup_->left_handed()) o.settings.push_back("mirror=true");
   // a demonstration is nobody's attempt
   if (o.mode == "demo") o.store_path = ":none:";
   return o;
@@ -279,7 +295,10 @@ void RunPage::start() {
   events_->clear();
   sounds_.reset();
   problem_->hide();
-  if (control_->start(options())) view_->setFocus();
+  session::Options o = options();
+  if (draws_seed_)
+    o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
+  if (control_->start(o)) view_->setFocus();
 }
 
 void RunPage::preview() {

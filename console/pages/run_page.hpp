@@ -11,11 +11,14 @@
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
+#include <map>
+#include <memory>
 
 #include "console/cues/speaker.hpp"
 #include "console/link/run_control.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
+#include "console/models/metric_facts.hpp"
 #include "console/models/reading.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
@@ -34,14 +37,16 @@ class RunPage : public QWidget {
 
   /// What every session is opened with; person, lesson, mode and device are set from the page.
   void set_base_options(const session::Options& options);
+  /// Whether every attempt gets a seed of its own: new targets, new tremor.
+  void set_draws_seed(bool on) { draws_seed_ = on; }
   /// A camera preset, now and for every lesson opened from now on.
   void look(CameraPreset preset);
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   /// Shown at the bottom until the next start.
   void set_notice(const QString& text);
   RunControl* control() { return control_; }
-  /// What a lesson asks of a metric, as shown.
-  std::optional<double> metric_target(const QString& lesson_path, const QString& metric_id) const;
+  /// What a lesson says about a metric. Opens the lesson once, unless an attempt runs.
+  MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
   SetupPanel* setup() { return setup_; }
   SceneView* view() { return view_; }
   ResultPanel* result() { return result_; }
@@ -71,6 +76,7 @@ class RunPage : public QWidget {
   bool cues_hidden() const { return setup_->mode() == QLatin1String("test"); }
   session::Options options() const;
   void preview();
+  const snapshot::SceneCard* card_of(const QString& lesson_path);
   void show_card(const snapshot::SceneCard& card);
   void show_problems(const base::Problems& problems);
   void update_state();
@@ -79,6 +85,7 @@ class RunPage : public QWidget {
   void show_finished();
 
   session::Options base_;
+  bool draws_seed_ = false;
   host::Catalogue catalogue_;
   CameraPreset preset_ = CameraPreset::kOrbit;
   RunControl* control_;
@@ -101,6 +108,7 @@ class RunPage : public QWidget {
   CueSounds sounds_;
   Speaker speaker_;
   Reader reader_;
+  std::map<QString, std::unique_ptr<snapshot::SceneCard>> cards_;  // by lesson file, as far as one was opened
   QTimer preview_timer_;
   QElapsedTimer rate_clock_;
   uint64_t rate_steps_ = 0;

@@ -40,6 +40,11 @@ QWidget* SetupPanel::make_who() {
   person_->lineEdit()->setPlaceholderText(tr("Guest"));
   person_->setToolTip(tr("Choose a name or type a new one. Without a name the attempt is kept for Guest."));
   card.body->addWidget(person_);
+  left_ = new QCheckBox(tr("Left-handed"), card.frame);
+  left_->setObjectName(QStringLiteral("left_handed"));
+  left_->setToolTip(tr("Mirrors the whole lesson, hand and picture; kept with the attempt"));
+  connect(left_, &QCheckBox::toggled, this, &SetupPanel::lesson_changed);
+  card.body->addWidget(left_);
   return card.frame;
 }
 
@@ -178,7 +183,7 @@ QString SetupPanel::task() const {
 
 void SetupPanel::set_running(bool running) {
   running_ = running;
-  for (QWidget* w : std::initializer_list<QWidget*>{person_, lessons_}) w->setEnabled(!running);
+  for (QWidget* w : std::initializer_list<QWidget*>{person_, left_, lessons_}) w->setEnabled(!running);
   for (QAbstractButton* b : modes_->buttons()) b->setEnabled(!running);
   device_->setEnabled(!running && modes_->checkedId() != 2);
   update_start();

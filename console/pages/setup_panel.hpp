@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QListView>
@@ -27,6 +28,8 @@ class SetupPanel : public QWidget {
   void set_mode(const QString& mode);
   QString device() const;  // for session::Options::device
   void set_device(const QString& device);
+  bool left_handed() const { return left_->isChecked(); }  // the lesson is mirrored
+  void set_left_handed(bool on) { left_->setChecked(on); }
   QString task() const;  // what the lesson is about, and what it is for
   void set_running(bool running);
 
@@ -43,6 +46,7 @@ class SetupPanel : public QWidget {
   void update_start();
 
   QComboBox *person_, *device_;
+  QCheckBox* left_ = nullptr;
   QListView* lessons_;
   QLabel* no_lessons_;
   QButtonGroup* modes_;

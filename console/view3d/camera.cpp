@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kGlide_s = 0.09;  // time constant; longer feels sluggish, shorter jumps
 constexpr float kStray = 0.5F;     // of the half height of the picture
+constexpr float kNear = 0.5F;      // of the distance at which everything is framed
 constexpr float kDeg = 0.017453292F;
 
 }  // namespace
@@ -33,7 +34,16 @@ void OrbitCamera::look(CameraPreset preset) {
     case CameraPreset::kTop:
       goal_.yaw = -90, goal_.pitch = 89.9F;
       break;
+    case CameraPreset::kNear:
+      goal_.yaw = -60, goal_.pitch = 32;
+      goal_.distance *= kNear;
+      break;
   }
+}
+
+void OrbitCamera::stay_at(const QVector3D& point) {
+  goal_.focus = point;
+  follows_ = false;
 }
 
 void OrbitCamera::turn(float yaw_deg, float pitch_deg) {

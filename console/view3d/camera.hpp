@@ -11,7 +11,7 @@
 
 namespace swage::console {
 
-enum class CameraPreset { kOrbit, kSide, kTop };
+enum class CameraPreset { kOrbit, kSide, kTop, kNear };
 
 /// Turns about a focus. What the person asks for is the goal; the picture glides there.
 class OrbitCamera {
@@ -25,6 +25,9 @@ class OrbitCamera {
   /// Keeps a point (mm) near the middle: the goal moves along when it strays further than half way to the edge. Not after
   /// a pan, until the next preset: then the person wants to look elsewhere.
   void follow(const QVector3D& point);
+
+  /// Looks at a point (mm) and stays there, until the next preset.
+  void stay_at(const QVector3D& point);
 
   /// Moves towards the goal; returns whether the picture changed.
   bool advance(double dt_s);

@@ -73,13 +73,15 @@ void append_cylinder(const snapshot::CardShape& s, Mesh& mesh) {
   revolve(mesh, s.X_BS, {{h, r, 1, 0}, {h, 0, 1, 0}});
 }
 
+constexpr double kPoint = 0.12;  // of the wire's radius: the very tip of a pointed wire
+
 // one ring of a tube: centre, tangent, and two directions across it
 struct Station {
   Vec centre, tangent, out, side;
 };
 
-// a tube with round ends through stations; normals point away from the centre line
-void tube(Mesh& mesh, const std::vector<Station>& line, double radius) {
+// a tube with round ends through stations, pointed over a length of `taper` at its start; normals point away from the centre line
+void tube(Mesh& mesh, const std::vector<Station>& line, double radius, double taper = 0) {
   const auto first = static_cast<uint32_t>(mesh.vertex.size());
   uint32_t rings = 0;
   const auto ring = [&](const Station& st, const Ring& shape) {
@@ -92,10 +94,14 @@ void tube(Mesh& mesh, const std::vector<Station>& line, double radius) {
     ++rings;
   };
   std::vector<Ring> start, end;
-  cap_profile(start, 0, radius, -1);
+  cap_profile(start, 0, taper > 0 ? kPoint * radius : radius, -1);
   cap_profile(end, 0, radius, +1);
   for (const Ring& r : start) ring(line.front(), r);
-  for (size_t i = 1; i + 1 < line.size(); ++i) ring(line[i], {0, radius, 0, 1});
+  double along = 0;
+  for (size_t i = 1; i + 1 < line.size(); ++i) {
+    along += norm(line[i].centre - line[i - 1].centre);
+    ring(line[i], {0, radius * (along < taper ? std::max(along / taper, kPoint) : 1), 0, 1});
+  }
   for (const Ring& r : end) ring(line.back(), r);
   stitch(mesh, first, rings);
 }
@@ -114,7 +120,8 @@ void append_convex(const snapshot::CardShape& s, Mesh& mesh) {
 }
 
 // part of an arc; one ring every 3 degrees keeps its outline smooth
-void arc_tube(const snapshot::CardShape& arc, double from, double to, double grow, Mesh& mesh) {
+void arc_tube(const snapshot::CardShape& arc, double from, double to, double grow, Mesh& mesh,
+              double taper = 0) {
   const int steps = std::max(2, static_cast<int>(std::ceil(arc.sweep * (to - from) / (kPi / 60))));
   std::vector<Station> line;
   for (int i = 0; i <= steps; ++i) {
@@ -124,7 +131,7 @@ void arc_tube(const snapshot::CardShape& arc, double from, double to, double gro
                     rotate(arc.X_BS.q, {-s, c, 0}), rotate(arc.X_BS.q, {c, s, 0}),
                     rotate(arc.X_BS.q, {0, 0, -1})});
   }
-  tube(mesh, line, arc.radius * grow);
+  tube(mesh, line, arc.radius * grow, taper);
 }
 
 }  // namespace
@@ -141,7 +148,7 @@ void append_range(const snapshot::CardShape& wire, double from, double to, doubl
   append_shape(piece, mesh);
 }
 
-void append_thread(const double* points, uint32_t n, double radius, Mesh& mesh) {
+void append_thread(const double* points, uint32_t n, double radius, Mesh& mesh, double taper) {
   if (n < 2) return;
   const auto at = [&](uint32_t i) { return Vec(points[3 * i], points[3 * i + 1], points[3 * i + 2]); };
   std::vector<Station> line;
@@ -153,10 +160,10 @@ void append_thread(const double* points, uint32_t n, double radius, Mesh& mesh) 
     out = normalized(out - tangent * dot(out, tangent));
     line.push_back({at(i), tangent, out, cross(tangent, out)});
   }
-  tube(mesh, line, radius);
+  tube(mesh, line, radius, taper);
 }
 
-void append_shape(const snapshot::CardShape& s, Mesh& mesh) {
+void append_shape(const snapshot::CardShape& s, Mesh& mesh, double taper) {
   std::vector<Ring> profile;
   switch (s.kind) {
     case SWAGE_SHAPE_SPHERE:
@@ -170,7 +177,7 @@ void append_shape(const snapshot::CardShape& s, Mesh& mesh) {
     case SWAGE_SHAPE_CYLINDER:
       return append_cylinder(s, mesh);
     case SWAGE_SHAPE_ARC:
-      return arc_tube(s, 0, 1, 1, mesh);
+      return arc_tube(s, 0, 1, 1, mesh, taper);
     case SWAGE_SHAPE_CONVEX:
     case SWAGE_SHAPE_HEIGHT_FIELD:
       return append_convex(s, mesh);

@@ -7,6 +7,10 @@
 
 namespace swage::console {
 
+namespace {
+constexpr double kBelowClock_px = 62;  // cues stand below the clock
+}
+
 double nice_scale_mm(double mm_per_pixel, double most_px) {
   const double most = std::max(mm_per_pixel * most_px, 1e-9);
   const double power = std::pow(10.0, std::floor(std::log10(most)));
@@ -58,7 +62,8 @@ void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
   // a line from the grasp to its label, out of the way of the tips
   const QFont font = p_.font();
   const double sign = 22, room = sign * static_cast<double>(style.shape.size()) + 6;
-  const QPointF label = at + QPointF(slot == 0 ? 120 : -120, -84);
+  QPointF label = at + QPointF(slot == 1 ? -120 : 120, slot == 2 ? 64 : -84);
+  label.setY(std::max(label.y(), area_.top() + kBelowClock_px));
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setPen(QPen(QColor(0, 0, 0, 110), 3));
   p_.drawLine(at, label);
@@ -81,7 +86,7 @@ void Overlay::ring(const QPointF& at, double share, double radius_px) {
 }
 
 void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style) {
-  const double r = std::max(radius_px, 5.0);
+  const double r = std::max(radius_px, kLeastMark_px);
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setBrush(Qt::NoBrush);
   for (const auto& [colour, width] :

@@ -16,11 +16,14 @@ namespace swage::console {
 double nice_scale_mm(double mm_per_pixel, double most_px);
 QString length_text(double mm);
 
+/// A mark is at least so large: what happens in its middle is to be seen.
+inline constexpr double kLeastMark_px = 9;
+
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui) {}
   void scale_bar(double mm_per_pixel);
-  /// `slot` 0 above right of the place, 1 above left: two cues at one grasp do not cover each other.
+  /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
   void cue(const QPointF& at, const CueStyle& style, int slot);
   /// A ring that fills clockwise while something is held.
   void ring(const QPointF& at, double share, double radius_px = 17);

@@ -115,7 +115,7 @@ void main() {
   vec3 p = vec3(modelMatrix * vec4(vertexPosition, 1.0));
   float i = float(gl_InstanceID);
   vec2 lamp = vec2(0.30, 0.18) + 0.10 * sqrt((i + 0.5) / 8.0) * vec2(cos(i * golden), sin(i * golden));
-  float height = max(p.z - floor_z, 0.0);
+  float height = p.z - floor_z;
   place = vec3(p.xy + lamp * height, height);
   gl_Position = viewProjectionMatrix * vec4(place.xy, floor_z, 1.0);
 })";
@@ -128,11 +128,13 @@ uniform vec2 extent;
 uniform float radius;
 uniform float reach;
 uniform float strength;
+const float sunk = -0.06;  // mm: what rests may start a little inside, what goes deeper is hidden there
 void main() {
   float fade = 1.0 - smoothstep(0.25, 1.0, length(place.xy - centre.xy) / radius);
   vec2 inside = step(abs(place.xy - centre.xy), extent);
-  float near = exp(-place.z / reach);
-  fragColor = vec4(0.0, 0.0, 0.0, strength * fade * near * inside.x * inside.y);
+  float near = exp(-max(place.z, 0.0) / reach);
+  float above = step(sunk, place.z);
+  fragColor = vec4(0.0, 0.0, 0.0, strength * fade * near * above * inside.x * inside.y);
 })";
 
 Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex,

@@ -41,13 +41,13 @@ class Qt3dRenderer final : public Renderer {
 
   void clear() override {
     for (Part& part : parts_) {
-      delete part.shadow;
+      for (Shadow& shadow : part.shadow) delete shadow.entity;
       delete part.entity;
     }
     parts_.clear();
   }
 
-  int add_part(const Mesh& mesh, const Surface& surface, bool casts_shadow) override {
+  int add_part(const Mesh& mesh, const Surface& surface, Casts casts) override {
     Part part;
     part.entity = new Qt3DCore::QEntity(root_);
     part.geometry = new MeshGeometry(part.entity);
@@ -58,37 +58,41 @@ class Qt3dRenderer final : public Renderer {
     part.entity->addComponent(part.geometry);
     part.entity->addComponent(part.material);
     part.entity->addComponent(part.transform);
-    part.casts_shadow = casts_shadow;
-    add_shadow(part, mesh);
+    part.shadow[0].wanted = casts.on_floor;
+    part.shadow[1].wanted = casts.on_shelf;
+    for (size_t level = 0; level < 2; ++level)
+      if (part.shadow[level].wanted) add_shadow(part.shadow[level], *shadow_material_[level], mesh);
     parts_.push_back(part);
     return static_cast<int>(parts_.size()) - 1;
   }
 
   void set_mesh(int part, const Mesh& mesh) override {
     at(part).geometry->set(mesh);
-    at(part).shadow_geometry->set(mesh);
+    for (Shadow& shadow : at(part).shadow)
+      if (shadow.entity) shadow.geometry->set(mesh);
   }
   void set_pose(int part, const QMatrix4x4& X) override {
     at(part).transform->setMatrix(X);
-    at(part).shadow_transform->setMatrix(X);
+    for (Shadow& shadow : at(part).shadow)
+      if (shadow.entity) shadow.transform->setMatrix(X);
   }
   void set_surface(int part, const Surface& surface) override { at(part).material->set(surface); }
   void set_visible(int part, bool visible) override {
     at(part).entity->setEnabled(visible);
-    at(part).shadow->setEnabled(visible && at(part).casts_shadow);
+    show_shadows(at(part));
   }
 
   void set_floor(const Floor& floor) override {
     floor_entity_->setEnabled(floor.shown);
     floor_material_->set(floor);
-    shadow_material_->set(floor);
-    for (Part& part : parts_)
-      part.shadow->setEnabled(floor.shown && part.casts_shadow && part.entity->isEnabled());
+    set_level(0, floor);
     QMatrix4x4 m;
     m.translate(floor.centre.x(), floor.centre.y(), floor.z);
     m.scale(std::min(floor.radius, floor.half_x), std::min(floor.radius, floor.half_y), 1);
     floor_transform_->setMatrix(m);
   }
+
+  void set_shelf(const Floor& shelf) override { set_level(1, shelf); }
 
   void set_camera(const OrbitCamera& camera) override {
     target_->camera()->lens()->setProjectionMatrix(camera.projection(aspect_));
@@ -115,32 +119,47 @@ class Qt3dRenderer final : public Renderer {
   }
 
  private:
+  struct Shadow {
+    bool wanted = false;
+    Qt3DCore::QEntity* entity = nullptr;
+    MeshGeometry* geometry = nullptr;
+    Qt3DCore::QTransform* transform = nullptr;  // components with a pose are not shared
+  };
   struct Part {
     Qt3DCore::QEntity* entity = nullptr;
     MeshGeometry* geometry = nullptr;
     SolidMaterial* material = nullptr;
     Qt3DCore::QTransform* transform = nullptr;
-    Qt3DCore::QEntity* shadow = nullptr;
-    bool casts_shadow = true;
-    MeshGeometry* shadow_geometry = nullptr;
-    Qt3DCore::QTransform* shadow_transform = nullptr;  // components with a pose are not shared
+    Shadow shadow[2];  // on the floor, on the shelf
   };
   Part& at(int part) { return parts_[static_cast<size_t>(part)]; }
 
-  void add_shadow(Part& part, const Mesh& mesh) {
-    part.shadow = new Qt3DCore::QEntity(root_);
-    part.shadow_geometry = new MeshGeometry(part.shadow);
-    part.shadow_geometry->set(mesh);
-    part.shadow_geometry->setInstanceCount(kShadowLayers);
-    part.shadow->addComponent(part.shadow_geometry);
-    part.shadow->addComponent(shadow_material_);
-    part.shadow_transform = new Qt3DCore::QTransform(part.shadow);
-    part.shadow->addComponent(part.shadow_transform);
-    part.shadow->addComponent(target_->shadow_layer());
+  void add_shadow(Shadow& shadow, ShadowMaterial& material, const Mesh& mesh) {
+    shadow.entity = new Qt3DCore::QEntity(root_);
+    shadow.geometry = new MeshGeometry(shadow.entity);
+    shadow.geometry->set(mesh);
+    shadow.geometry->setInstanceCount(kShadowLayers);
+    shadow.entity->addComponent(shadow.geometry);
+    shadow.entity->addComponent(&material);
+    shadow.transform = new Qt3DCore::QTransform(shadow.entity);
+    shadow.entity->addComponent(shadow.transform);
+    shadow.entity->addComponent(target_->shadow_layer());
+  }
+
+  void show_shadows(Part& part) {
+    for (size_t level = 0; level < 2; ++level)
+      if (part.shadow[level].entity)
+        part.shadow[level].entity->setEnabled(level_shown_[level] && part.entity->isEnabled());
+  }
+
+  void set_level(size_t level, const Floor& floor) {
+    level_shown_[level] = floor.shown;
+    shadow_material_[level]->set(floor);
+    for (Part& part : parts_) show_shadows(part);
   }
 
   void add_floor() {
-    shadow_material_ = new ShadowMaterial(root_);
+    for (ShadowMaterial*& material : shadow_material_) material = new ShadowMaterial(root_);
     floor_entity_ = new Qt3DCore::QEntity(root_);
     auto* geometry = new MeshGeometry(floor_entity_);
     Mesh square;
@@ -165,7 +184,8 @@ class Qt3dRenderer final : public Renderer {
   std::vector<Part> parts_;
   Qt3DCore::QEntity* floor_entity_ = nullptr;
   FloorMaterial* floor_material_ = nullptr;
-  ShadowMaterial* shadow_material_ = nullptr;
+  ShadowMaterial* shadow_material_[2] = {};
+  bool level_shown_[2] = {};
   Qt3DCore::QTransform* floor_transform_ = nullptr;
   float aspect_ = 1;
 };

@@ -40,6 +40,11 @@ struct Floor {
   QColor colour{70, 84, 84}, line{96, 112, 112};
 };
 
+/// Where a part casts its shadow.
+struct Casts {
+  bool on_floor = false, on_shelf = false;
+};
+
 /// Whether this machine can draw, and why not. Asked once at start.
 struct GlProbe {
   bool ok = false, software = false;
@@ -52,12 +57,14 @@ class Renderer {
  public:
   virtual ~Renderer() = default;
   virtual void clear() = 0;
-  virtual int add_part(const Mesh& mesh, const Surface& surface, bool casts_shadow) = 0;
+  virtual int add_part(const Mesh& mesh, const Surface& surface, Casts casts) = 0;
   virtual void set_mesh(int part, const Mesh& mesh) = 0;  // for threads: new triangles every picture
   virtual void set_pose(int part, const QMatrix4x4& X_WB_mm) = 0;
   virtual void set_surface(int part, const Surface& surface) = 0;
   virtual void set_visible(int part, bool visible) = 0;
   virtual void set_floor(const Floor& floor) = 0;
+  /// A second level on which only shadows fall.
+  virtual void set_shelf(const Floor& shelf) = 0;
   virtual void set_camera(const OrbitCamera& camera) = 0;
   virtual void resize(const QSize& pixels) = 0;
   /// Draws one picture; `done` gets an earlier or this one, with transparent background, premultiplied.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace swage::console {
 namespace {
@@ -13,11 +14,21 @@ namespace {
 // the sleeve of a region is a little thicker than the wire, so that neither flickers through the other
 constexpr double kSleeve = 1.06;
 // what lies on a stage may start a little inside it
+constexpr float kBeside = 1.8F;  // radii of the work from its middle
+// the collars at the ends of a region: how long, m, and how much thicker than the wire
+// length of a needle's point over the radius of its wire: 0.8 mm of a wire of 100 um
+constexpr double kTaper = 16;
+constexpr double kCollar = 0.1e-3, kCollarGrow = 1.12;
 constexpr float kTouch_mm = 0.05F;
 
 bool has_trait(const snapshot::CardObject& object, const char* trait) {
   return std::any_of(object.traits.begin(), object.traits.end(),
                      [&](const std::string& t) { return t.find(trait) != std::string::npos; });
+}
+
+// A needle is drawn with a point, which its shapes do not have: what pierces is pointed.
+double taper_of(const snapshot::SceneCard& card, uint32_t object, double radius) {
+  return object < card.objects.size() && has_trait(card.objects[object], "piercing") ? kTaper * radius : 0;
 }
 
 void add_bounds(const snapshot::SceneCard& card, const ScenePart& part, Bounds& bounds) {
@@ -38,6 +49,8 @@ void add_chain(const snapshot::SceneCard& card, int chain, const ScenePart& like
   ScenePart part = like;
   part.chain = chain;
   part.wire = true;
+  parts.chains[static_cast<size_t>(chain)].taper =
+      taper_of(card, part.object, parts.chains[static_cast<size_t>(chain)].radius);
   part.mesh = chain_mesh(parts, part, card.start);
   parts.part.push_back(std::move(part));
 }
@@ -48,7 +61,7 @@ void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
   parts.chains = find_chains(card);
   for (int i = 0; i < static_cast<int>(parts.chains.size()); ++i) {
     const uint32_t object = parts.chains[static_cast<size_t>(i)].object;
-    add_chain(card, i, {role_of(card, object), card.objects[object].first_body, object, 0, true, {}}, parts);
+    add_chain(card, i, {role_of(card, object), card.objects[object].first_body, object, 0, true}, parts);
   }
   for (const snapshot::CardShape& shape : card.shapes) {
     if (shape.kind == SWAGE_SHAPE_ARC && chain_of(parts, shape.object) >= 0) continue;
@@ -56,11 +69,38 @@ void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
     int& at = part_of_body[shape.body];
     if (at < 0) {
       at = static_cast<int>(parts.part.size());
-      parts.part.push_back({role_of(card, shape.object), shape.body, shape.object, 0, false, {}});
+      parts.part.push_back({role_of(card, shape.object), shape.body, shape.object});
+      parts.part.back().soft =
+          shape.object < card.objects.size() && has_trait(card.objects[shape.object], "pierceable");
     }
     parts.part[static_cast<size_t>(at)].wire |= shape.kind == SWAGE_SHAPE_ARC;
-    append_shape(shape, parts.part[static_cast<size_t>(at)].mesh);
+    append_shape(shape, parts.part[static_cast<size_t>(at)].mesh, taper_of(card, shape.object, shape.radius));
   }
+}
+
+// one stretch of a wire, on a chain or on a single shape
+void add_stretch(const snapshot::SceneCard& card, const ScenePart& like, SceneParts& parts) {
+  if (!(like.to > like.from)) return;
+  if (const int chain = chain_of(parts, like.object); chain >= 0) return add_chain(card, chain, like, parts);
+  for (const snapshot::CardShape& shape : card.shapes) {
+    const bool wire = shape.kind == SWAGE_SHAPE_ARC || shape.kind == SWAGE_SHAPE_CAPSULE ||
+                      shape.kind == SWAGE_SHAPE_CYLINDER;
+    if (shape.object != like.object || !wire) continue;
+    ScenePart part = like;
+    part.body = shape.body;
+    append_range(shape, like.from, like.to, like.collar ? kCollarGrow : kSleeve, part.mesh);
+    parts.part.push_back(std::move(part));
+    return;
+  }
+}
+
+// length along a wire, m
+double wire_length(const snapshot::SceneCard& card, uint32_t object) {
+  double length = 0;
+  for (const snapshot::CardShape& s : card.shapes) {
+    if (s.object == object) length += s.kind == SWAGE_SHAPE_ARC ? s.arc_radius * s.sweep : 2 * s.half_length;
+  }
+  return length;
 }
 
 // regions that a lesson marks on a wire
@@ -68,21 +108,17 @@ void add_marks(const snapshot::SceneCard& card, SceneParts& parts) {
   for (uint32_t m = 0; m < card.script.marks.size(); ++m) {
     const swage_mark& mark = card.script.marks[m].mark;
     if (mark.kind != SWAGE_MARK_ARC_RANGE) continue;
-    if (const int chain = chain_of(parts, mark.object); chain >= 0) {
-      ScenePart like{Role::kMark, 0, mark.object, m, true, {}};
-      like.from = mark.number[0];
-      like.to = mark.number[1];
-      add_chain(card, chain, like, parts);
-      continue;
-    }
-    for (const snapshot::CardShape& shape : card.shapes) {
-      const bool wire = shape.kind == SWAGE_SHAPE_ARC || shape.kind == SWAGE_SHAPE_CAPSULE ||
-                        shape.kind == SWAGE_SHAPE_CYLINDER;
-      if (shape.object != mark.object || !wire) continue;
-      ScenePart part{Role::kMark, shape.body, shape.object, m, true, {}};
-      append_range(shape, mark.number[0], mark.number[1], kSleeve, part.mesh);
-      parts.part.push_back(std::move(part));
-      break;
+    ScenePart part{Role::kMark, 0, mark.object, m, true};
+    part.from = mark.number[0];
+    part.to = mark.number[1];
+    add_stretch(card, part, parts);
+    const double length = wire_length(card, mark.object), share = length > 0 ? kCollar / length : 0;
+    part.collar = true;
+    for (const auto& [from, to] :
+         {std::pair{mark.number[0] - share, mark.number[0]}, {mark.number[1], mark.number[1] + share}}) {
+      part.from = std::max(from, 0.0);
+      part.to = std::min(to, 1.0);
+      add_stretch(card, part, parts);
     }
   }
 }
@@ -93,8 +129,10 @@ bool is_marked(const snapshot::SceneCard& card, uint32_t object) {
   });
 }
 
-// the largest level face of the stage below the work
-Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
+// the largest level face of some parts that is not above `highest`
+template <class Wanted>
+Ground find_level(const snapshot::SceneCard& card, const SceneParts& parts, float highest,
+                  const Wanted& wanted) {
   struct Level {
     Bounds bounds;
     double area = 0;
@@ -103,7 +141,7 @@ Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
   std::map<long, Level> levels;  // by height, in hundredths of a millimetre
   for (size_t k = 0; k < parts.part.size(); ++k) {
     const ScenePart& part = parts.part[k];
-    if (part.role != Role::kStage) continue;
+    if (!wanted(part)) continue;
     const QQuaternion q = to_qt(card.start[part.body].q);
     const QVector3D p = to_mm(card.start[part.body].p);
     const auto at = [&](uint32_t i) {
@@ -114,7 +152,7 @@ Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
       const QVector3D a = at(part.mesh.index[i]), b = at(part.mesh.index[i + 1]),
                       c = at(part.mesh.index[i + 2]);
       const QVector3D n = QVector3D::crossProduct(b - a, c - a);
-      if (n.z() < 0.999F * n.length() || n.length() <= 0 || a.z() > parts.work.low.z() + kTouch_mm) continue;
+      if (n.z() < 0.999F * n.length() || n.length() <= 0 || a.z() > highest) continue;
       Level& level = levels[std::lround(100 * a.z())];
       level.part = k;
       level.area += 0.5 * static_cast<double>(n.length());
@@ -129,10 +167,30 @@ Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
     const QVector3D size = level.bounds.high - level.bounds.low, c = level.bounds.centre();
     ground = {level.bounds.high.z(), true, level.part, {c.x(), c.y(), 0}, 0.5F * size.x(), 0.5F * size.y()};
   }
-  // nothing to stand on: a plane right below
-  if (!ground.on_stage)
-    ground = {parts.work.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
   return ground;
+}
+
+// the stage below the work; nothing to stand on: a plane right below
+Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
+  const Ground ground = find_level(card, parts, parts.work.low.z() + kTouch_mm,
+                                   [](const ScenePart& p) { return p.role == Role::kStage && !p.soft; });
+  return ground.on_stage
+             ? ground
+             : Ground{parts.work.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
+}
+
+// the vertex of a part nearest to a place, both in the frame of its mesh; in that of its body
+QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part, const QVector3D& place) {
+  QVector3D best;
+  float least = 1e30F;
+  for (const Vertex& v : part.mesh.vertex) {
+    const QVector3D p(v.p[0], v.p[1], v.p[2]);
+    if ((p - place).lengthSquared() >= least) continue;
+    least = (p - place).lengthSquared();
+    best = p;
+  }
+  const swage_pose& X = card.start[part.body];
+  return part.chain < 0 ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
 }
 
 // the marked thing, or the only one that is worked on
@@ -150,6 +208,7 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
       const swage_pose& X = card.start[p.body];
       parts.watched_middle = to_qt(X.q).conjugated().rotatedVector(own.centre() - to_mm(X.p));
     }
+    parts.watched_on = nearest_vertex(card, p, own.centre());
     if (marked) return;
   }
   if (works != 1) parts.watched = -1;
@@ -191,8 +250,11 @@ Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const 
   const bool sleeve = part.role == Role::kMark;
   if (sleeve) line = part_of_line(line, part.from, part.to);
   Mesh mesh;
-  append_thread(line.data(), static_cast<uint32_t>(line.size() / 3), chain.radius * (sleeve ? kSleeve : 1),
-                mesh);
+  append_thread(line.data(), static_cast<uint32_t>(line.size() / 3),
+                chain.radius * (part.collar ? kCollarGrow
+                                : sleeve    ? kSleeve
+                                            : 1),
+                mesh, sleeve ? 0 : chain.taper);
   return mesh;
 }
 
@@ -211,15 +273,19 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   }
   if (parts.work.empty()) parts.work.add({0, 0, 0});
   parts.ground = find_ground(card, parts);
+  parts.shelf = find_level(card, parts, 1e9F, [](const ScenePart& p) { return p.soft; });
   watch(card, parts);
 
   // the tool is long: only its point nearest to the work has to be in the picture
   parts.focus = parts.work;
   if (!tools.empty()) {
     const QVector3D c = parts.work.centre();
-    parts.focus.add({std::clamp(c.x(), tools.low.x(), tools.high.x()),
-                     std::clamp(c.y(), tools.low.y(), tools.high.y()),
-                     std::clamp(c.z(), tools.low.z(), tools.high.z())});
+    const QVector3D tip(std::clamp(c.x(), tools.low.x(), tools.high.x()),
+                        std::clamp(c.y(), tools.low.y(), tools.high.y()),
+                        std::clamp(c.z(), tools.low.z(), tools.high.z()));
+    // a picture is wider than high: what is further away is still in it
+    const float most = kBeside * std::max(parts.work.radius(), 0.3F), far = (tip - c).length();
+    parts.focus.add(far > most ? c + (tip - c) * (most / far) : tip);
   }
   add_marks(card, parts);
   return parts;

@@ -23,9 +23,11 @@ struct ScenePart {
   uint32_t object = 0;      // whose cue colours it
   uint32_t mark = 0;        // kMark: which
   bool wire = false;        // has a bent wire: steel
-  Mesh mesh;                // in the body's frame; of a chain in the world, as it stands at the start
+  bool soft = false;        // tissue: bears dents and wounds
+  Mesh mesh{};              // in the body's frame; of a chain in the world, as it stands at the start
   int chain = -1;           // >= 0: of SceneParts::chains, made anew for each picture
   double from = 0, to = 1;  // which part of the chain
+  bool collar = false;      // kMark: one of the two bright ends of a region, seen on a wire of any colour
 };
 
 /// A sphere that holds something, mm.
@@ -52,9 +54,11 @@ struct SceneParts {
   Bounds work;   // what is worked on, at the start
   Bounds focus;  // that, and the point of the tool near it
   Ground ground;
+  Ground shelf;  // level top of something soft, on_stage where there is one
   /// The one thing that is watched, when there is one: its body, and its middle in the body's frame, mm.
   int watched = -1;
   QVector3D watched_middle;
+  QVector3D watched_on;  // a place on it near that, same frame
 };
 
 SceneParts make_parts(const snapshot::SceneCard& card);

@@ -19,7 +19,7 @@ constexpr qint64 kPatience_ms =
     30000;  // so long an empty picture is taken for one that is still being loaded
 constexpr double kThreadRadius_m = 15e-6;  // 10-0 suture
 constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
-constexpr float kRoom = 1.35F;      // space around what is framed
+constexpr float kRoom = 1.2F;       // space around what is framed
 
 // steel while it only springs, orange where it begins to stay bent, red at one and a half times that
 QColor stressed(const QColor& steel, double share) {
@@ -30,6 +30,19 @@ QColor stressed(const QColor& steel, double share) {
                             a.blueF() + f * (b.blueF() - a.blueF()));
   };
   return share <= 1 ? mix(steel, yields, 2 * share - 1) : mix(yields, ruined, 2 * share - 2);
+}
+
+// the top of the tissue: shadows alone, which tell how far a point still is from it
+Floor shelf_of(const Ground& level) {
+  Floor floor;
+  floor.shown = level.on_stage;
+  floor.z = level.z + kLift_mm;
+  floor.centre = level.centre;
+  floor.half_x = level.half_x;
+  floor.half_y = level.half_y;
+  floor.radius = 4 * std::max(level.half_x, level.half_y);
+  floor.reach = 2;
+  return floor;
 }
 
 // one colour only
@@ -83,32 +96,39 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   image_ = {};
   since_card_.start();
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
-  camera_.look(preset);
+  camera_.look(preset_ = preset);
   camera_.jump();
   if (!renderer_) return update();
   renderer_->clear();
   for (size_t i = 0; i < parts_.part.size(); ++i) {
     const ScenePart& part = parts_.part[i];
     const bool carries = parts_.ground.on_stage && i == parts_.ground.part;
-    renderer_->add_part(part.mesh, surface_of(part), part.role != Role::kMark && !carries);
+    const bool casts = part.role != Role::kMark && !carries;
+    const bool moves = casts && !part.soft && part.role != Role::kStage;
+    renderer_->add_part(part.mesh, surface_of(part), {casts, moves});
   }
   thread_part_.assign(card_.objects.size(), -1);
   for (size_t i = 0; i < card_.objects.size(); ++i) {
     if (card_.objects[i].n_particle > 1)
-      thread_part_[i] = renderer_->add_part({}, {ui_["thread"], 0, 30}, true);
+      thread_part_[i] = renderer_->add_part({}, {ui_["thread"], 0, 30}, {true, true});
   }
+  add_wounds();
+  dented_.clear();
+  wounded_ = false;
   colour_parts();
   place_parts();
   touch(kFirstPictures);
 }
 
 Surface SceneView::surface_of(const ScenePart& part) const {
+  if (part.soft) return {ui_["tissue"], 0, 60};
   switch (part.role) {
     case Role::kTool:
       return {ui_["tool"], 0.7F, 60};
     case Role::kStage:
       return {ui_["stage"], 0, 12};
     case Role::kMark: {
+      if (part.collar) return {Qt::white, 0, 30};
       const judge::Script::Mark& mark = card_.script.marks[part.mark];
       return {cues_.style(QString::fromStdString(mark.meaning)).colour, 0, 30};
     }
@@ -133,9 +153,12 @@ void SceneView::colour_parts() {
     const QString cue = cue_of(part.object);
     if (part.role == Role::kWork && part.chain >= 0 && stress_shown_)
       surface.colour = stressed(surface.colour, stress_);
-    if (part.role != Role::kMark && !cue.isEmpty()) surface = {cues_.style(cue).colour, 0.25F, 40};
+    // a wound is seen on tissue in its own colour only
+    if (part.role != Role::kMark && !part.soft && !cue.isEmpty())
+      surface = {cues_.style(cue).colour, 0.25F, 40};
     renderer_->set_surface(static_cast<int>(i), surface);
   }
+  colour_wounds();
   const Ground& ground = parts_.ground;
   const float size = std::max(parts_.focus.radius(), 0.5F);
   Floor floor;
@@ -153,6 +176,7 @@ void SceneView::colour_parts() {
   floor.colour = ui_["floor"];
   floor.line = ui_["floor_line"];
   renderer_->set_floor(floor);
+  renderer_->set_shelf(shelf_of(parts_.shelf));
 }
 
 void SceneView::place_parts() {
@@ -172,6 +196,7 @@ void SceneView::place_parts() {
     renderer_->set_pose(static_cast<int>(i), m);
   }
   if (!have_snapshot_) return;
+  place_soft();
   for (size_t i = 0; i < thread_part_.size(); ++i) {
     if (thread_part_[i] < 0) continue;
     Mesh mesh;
@@ -183,10 +208,13 @@ void SceneView::place_parts() {
 }
 
 // in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
-bool SceneView::read_stress(const snapshot::Snapshot& snapshot) {
+bool SceneView::read_signals(const snapshot::Snapshot& snapshot) {
   double stress = 0;
-  for (uint32_t i = 0; stress_shown_ && i < snapshot.n_signal && i < card_.script.signals.size(); ++i) {
-    if (card_.script.signals[i].id == "needle.stress") stress = std::max(stress, snapshot.signal[i]);
+  pierced_ = false;
+  for (uint32_t i = 0; i < snapshot.n_signal && i < card_.script.signals.size(); ++i) {
+    const std::string& id = card_.script.signals[i].id;
+    if (id == "pierce.state") pierced_ |= snapshot.signal[i] > 1.5;  // 2: in the tissue
+    if (stress_shown_ && id == "needle.stress") stress = std::max(stress, snapshot.signal[i]);
   }
   const double rounded = std::round(16 * std::min(stress, 2.0)) / 16;
   return std::exchange(stress_, rounded) != rounded;
@@ -194,19 +222,20 @@ bool SceneView::read_stress(const snapshot::Snapshot& snapshot) {
 
 void SceneView::set_stress_shown(bool shown) {
   stress_shown_ = shown;
-  if (have_snapshot_) read_stress(*snapshot_);
+  if (have_snapshot_) read_signals(*snapshot_);
   if (have_card_) colour_parts();
   touch();
 }
 
 void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   const bool recolour =
-      read_stress(snapshot) || !have_snapshot_ ||
+      read_signals(snapshot) || !have_snapshot_ ||
       !std::equal(snapshot.object_cue, snapshot.object_cue + snapshot.n_object, snapshot_->object_cue);
   const bool same =
       have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
   *snapshot_ = snapshot;
-  have_snapshot_ = true;
+  // only now it is known where the marks are
+  if (!std::exchange(have_snapshot_, true) && preset_ == CameraPreset::kNear) look(preset_), camera_.jump();
   if (!renderer_) return;
   if (recolour) colour_parts();
   if (same) return;
@@ -218,8 +247,14 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   touch();
 }
 
+// near: at the mark that is in the world, else at what is watched
 void SceneView::look(CameraPreset preset) {
-  camera_.look(preset);
+  camera_.look(preset_ = preset);
+  for (uint32_t m = 0; preset == CameraPreset::kNear && have_snapshot_ && m < card_.script.marks.size();
+       ++m) {
+    if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT && m < snapshot_->n_mark)
+      camera_.stay_at(to_mm(snapshot_->mark_p_W[m]));
+  }
   touch();
 }
 

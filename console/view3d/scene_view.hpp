@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <set>
 
 #include "console/cues/cue_theme.hpp"
 #include "console/cues/ui_theme.hpp"
@@ -78,9 +79,12 @@ class SceneView : public QWidget {
   void tick();
   void touch(int pictures = 3);
   void arrived(const QImage& image);
-  bool read_stress(const snapshot::Snapshot& snapshot);  // true when the colour changes
+  bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
   void colour_parts();
+  void add_wounds();
+  void colour_wounds();
+  void place_soft();
   Surface surface_of(const ScenePart& part) const;
   QString cue_of(uint32_t object) const;
   bool moves_camera(const QMouseEvent& event) const;
@@ -101,6 +105,9 @@ class SceneView : public QWidget {
   snapshot::SceneCard card_;
   SceneParts parts_;
   std::vector<int> thread_part_;  // renderer's part per object with particles, or -1
+  std::set<int> dented_;          // parts that are not as they were at rest
+  bool wounded_ = false, pierced_ = false;
+  int wound_ = -1, wound_rim_ = -1;
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
@@ -110,6 +117,7 @@ class SceneView : public QWidget {
   QString clock_text_, banner_;
   QImage image_;
   QPixmap background_;
+  CameraPreset preset_ = CameraPreset::kOrbit;
   int to_draw_ = 0;  // pictures still wanted
   int alike_ = 0;    // pictures in a row that were the same
   QElapsedTimer since_card_;

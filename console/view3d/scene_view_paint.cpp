@@ -18,11 +18,23 @@ constexpr double kForceScale_px = 60;  // arrow of 1 N
 }  // namespace
 
 QVector3D SceneView::grasp_point(uint32_t object) const {
-  // the middle of the contacts when there are some, else the object itself
-  if (snapshot_->n_contact > 0) {
-    QVector3D sum;
-    for (uint32_t i = 0; i < snapshot_->n_contact; ++i) sum += to_mm(snapshot_->contact[i].p_W);
-    return sum / static_cast<float>(snapshot_->n_contact);
+  // a wound; else where the forces of contact act, which are greatest in the jaws; else the object itself
+  for (uint32_t i = 0; i < snapshot_->n_tear; ++i) {
+    if (snapshot_->tear[i].object == object) return to_mm(snapshot_->tear[i].tear.b_W);
+  }
+  QVector3D sum;
+  double weight = 0;
+  for (uint32_t i = 0; i < snapshot_->n_contact; ++i) {
+    const swage_vec3& f = snapshot_->contact[i].f_W;
+    const double w = f.x * f.x + f.y * f.y + f.z * f.z;
+    sum += static_cast<float>(w) * to_mm(snapshot_->contact[i].p_W);
+    weight += w;
+  }
+  if (weight > 0) return sum / static_cast<float>(weight);
+  if (parts_.watched >= 0 && static_cast<uint32_t>(parts_.watched) < snapshot_->n_body) {
+    const swage_pose& X = snapshot_->X_WB[parts_.watched];
+    if (role_of(card_, object) == Role::kWork)
+      return to_mm(X.p) + to_qt(X.q).rotatedVector(parts_.watched_on);
   }
   const uint32_t body = card_.objects[object].first_body;
   return to_mm(body < snapshot_->n_body ? snapshot_->X_WB[body].p : swage_vec3{});
@@ -61,11 +73,12 @@ void SceneView::paint_marks(Overlay& overlay) const {
     const auto& mark = card_.script.marks[m];
     if (mark.mark.kind != SWAGE_MARK_POINT) continue;
     const uint32_t cue = cues_shown_ ? snapshot_->mark_cue[m] : SWAGE_NONE;
+    if (cue == SWAGE_NONE && pierced_) continue;  // the wound is there now, and is to be seen
     const std::string meaning = cue < card_.script.cues.size() ? card_.script.cues[cue].id : mark.meaning;
     const QPointF at = camera_.project(to_mm(snapshot_->mark_p_W[m]), size());
     const double radius = mark.mark.number[0] * kMmPerM / camera_.mm_per_pixel(height());
     overlay.target(at, radius, cues_.style(QString::fromStdString(meaning)));
-    if (cues_shown_ && hold_ > 0) overlay.ring(at, hold_, std::max(radius, 5.0) + 7);
+    if (cues_shown_ && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
 }
 
@@ -81,15 +94,15 @@ void SceneView::paint_forces(Overlay& overlay) const {
 
 void SceneView::paint_cues(Overlay& overlay) const {
   int slot = 0;
+  bool ringed = false;
   for (uint32_t o = 0; o < card_.objects.size(); ++o) {
     const QString cue = cue_of(o);
     if (cue.isEmpty()) continue;
     const QPointF at = camera_.project(grasp_point(o), size());
-    if (slot == 0 && hold_ > 0 && !has_target()) overlay.ring(at, hold_);
+    if (!ringed && hold_ > 0 && !has_target()) overlay.ring(at, hold_), ringed = true;
     // the tool's own cue (too much force) goes to the left, that of the work to the right
     const bool tool = role_of(card_, o) == Role::kTool;
-    overlay.cue(at, cues_.style(cue), tool ? 1 : 0);
-    ++slot;
+    overlay.cue(at, cues_.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2);
   }
 }
 

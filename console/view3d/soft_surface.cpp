@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace swage::console {
 namespace {
 
-constexpr int kRound = 12;        // corners of half a disc: 1 um off a circle of 50 um
-constexpr int kMostPieces = 160;  // of one edge: a patch of 20 mm in pieces of an eighth of a millimetre
+constexpr int kRound = 12;       // corners of half a disc: 1 um off a circle of 50 um
+constexpr int kMostRounds = 12;  // of halving: from a wall of 20 mm to 5 um
+constexpr float kStill_mm =
+    0.05F;  // a dent that moves less than this leaves the triangles alone, so that light does not flicker
 
 QVector3D at(const float v[3]) { return {v[0], v[1], v[2]}; }
 
@@ -23,44 +27,68 @@ QVector3D across(const QVector3D& n) {
       .normalized();
 }
 
-}  // namespace
-
-// every triangle in n x n alike pieces, n the same for all, so that shared edges stay shared
-Mesh subdivided(const Mesh& mesh, float longest_mm) {
-  float longest = 0;
+// Halves edges and parts their triangles in two, three or four. False when there was nothing to halve.
+template <class TooLong>
+bool halve_edges(Mesh& mesh, const TooLong& too_long) {
+  std::vector<uint32_t> parted;
+  parted.reserve(2 * mesh.index.size());
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+  const auto middle = [&](uint32_t a, uint32_t b) {
+    const auto [it, fresh] =
+        middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh.vertex.size()));
+    if (fresh) {
+      const Vertex va = mesh.vertex[a], vb = mesh.vertex[b];
+      put(0.5F * (at(va.p) + at(vb.p)), (at(va.n) + at(vb.n)).normalized(), mesh);
+    }
+    return it->second;
+  };
   for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
-    for (size_t k = 0; k < 3; ++k) {
-      const QVector3D a = at(mesh.vertex[mesh.index[i + k]].p),
-                      b = at(mesh.vertex[mesh.index[i + (k + 1) % 3]].p);
-      longest = std::max(longest, (a - b).length());
+    uint32_t v[3];
+    bool cut[3];
+    for (size_t k = 0; k < 3; ++k) v[k] = mesh.index[i + k];
+    for (size_t k = 0; k < 3; ++k) cut[k] = too_long(mesh.vertex[v[k]], mesh.vertex[v[(k + 1) % 3]]);
+    const int n = cut[0] + cut[1] + cut[2];
+    // turned so that an odd edge comes first: the only one cut, or, of two, the only one whole
+    size_t first = 0;
+    while (n > 0 && n < 3 && cut[first] != (n == 1)) ++first;
+    const uint32_t a = v[first], b = v[(first + 1) % 3], c = v[(first + 2) % 3];
+    if (n == 0) {
+      parted.insert(parted.end(), {a, b, c});
+    } else if (n == 1) {
+      const uint32_t m = middle(a, b);
+      parted.insert(parted.end(), {a, m, c, m, b, c});
+    } else if (n == 2) {
+      const uint32_t p = middle(b, c), q = middle(c, a);
+      parted.insert(parted.end(), {a, b, p, a, p, q, q, p, c});
+    } else {
+      const uint32_t m = middle(a, b), p = middle(b, c), q = middle(c, a);
+      parted.insert(parted.end(), {a, m, q, m, b, p, q, p, c, m, p, q});
     }
   }
-  const int n = std::clamp(static_cast<int>(std::ceil(longest / longest_mm)), 1, kMostPieces);
-  Mesh out;
-  for (size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
-    const Vertex &a = mesh.vertex[mesh.index[i]], &b = mesh.vertex[mesh.index[i + 1]],
-                 &c = mesh.vertex[mesh.index[i + 2]];
-    const auto first = static_cast<uint32_t>(out.vertex.size());
-    // rows from the side a-b towards c
-    for (int row = 0; row <= n; ++row) {
-      for (int k = 0; k <= n - row; ++k) {
-        const float v = static_cast<float>(k) / static_cast<float>(n),
-                    w = static_cast<float>(row) / static_cast<float>(n);
-        const float u = 1 - v - w;
-        put(u * at(a.p) + v * at(b.p) + w * at(c.p), (u * at(a.n) + v * at(b.n) + w * at(c.n)).normalized(),
-            out);
-      }
-    }
-    uint32_t row_start = first;
-    for (int row = 0; row < n; ++row) {
-      const auto width = static_cast<uint32_t>(n - row + 1);
-      for (uint32_t k = 0; k + 1 < width; ++k) {
-        const uint32_t p = row_start + k, q = row_start + width + k;
-        out.index.insert(out.index.end(), {p, p + 1, q});
-        if (k + 2 < width) out.index.insert(out.index.end(), {p + 1, q + 1, q});
-      }
-      row_start += width;
-    }
+  mesh.index.swap(parted);
+  return !middles.empty();
+}
+
+}  // namespace
+
+// Whether an edge is halved depends on the edge alone, so both its triangles agree and no gap opens between them.
+Mesh refined(const Mesh& mesh, const QMatrix4x4& X_WB, const std::vector<Dent>& dents, float share) {
+  const QMatrix4x4 X_BW = X_WB.inverted();
+  std::vector<Dent> near;
+  for (const Dent& d : dents) {
+    const QVector3D p = X_BW.map(d.p) / kStill_mm;
+    near.push_back(
+        {kStill_mm * QVector3D(std::round(p.x()), std::round(p.y()), std::round(p.z())), {}, d.radius});
+  }
+  const auto too_long = [&](const Vertex& a, const Vertex& b) {
+    const QVector3D middle = 0.5F * (at(a.p) + at(b.p));
+    const float length = (at(a.p) - at(b.p)).length();
+    return std::any_of(near.begin(), near.end(), [&](const Dent& d) {
+      return length > share * std::max((middle - d.p).length() - kStill_mm, d.radius);
+    });
+  };
+  Mesh out = mesh;
+  for (int round = 0; round < kMostRounds && halve_edges(out, too_long); ++round) {
   }
   return out;
 }

@@ -23,8 +23,9 @@ struct Tear {
   float radius = 0;
 };
 
-/// The same surface in triangles with no edge longer than `longest_mm`; neighbours that shared an edge still do.
-Mesh subdivided(const Mesh& mesh, float longest_mm);
+/// The same surface in smaller triangles near the dents: no edge is longer than `share` of its distance from the nearest dent, but
+/// for those shorter than `share` of its radius. Neighbours that shared an edge still do. `X_WB`: from the mesh to the world.
+Mesh refined(const Mesh& mesh, const QMatrix4x4& X_WB, const std::vector<Dent>& dents, float share = 0.4F);
 
 /// Displacement of a place, mm.
 QVector3D displacement(const std::vector<Dent>& dents, const QVector3D& p);

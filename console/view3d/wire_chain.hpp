@@ -13,6 +13,7 @@ namespace swage::console {
 struct WireChain {
   uint32_t object = 0;
   double radius = 0;                       // m
+  double taper = 0;                        // m, drawn pointed so far; 0: not
   std::vector<snapshot::CardShape> piece;  // arcs, from the point to the swage
 
   /// Centre line as x y z [m, world] through the pieces where their bodies stand now. No point lies on a joint, so that a tube

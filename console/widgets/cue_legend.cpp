@@ -3,21 +3,25 @@
 
 #include <QPainter>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
 namespace {
 
-constexpr int kSign_px = 18, kRow_px = 23;
+constexpr int kSign_px = 18, kRow_px = 26;
 constexpr int kColumns = 2;
+constexpr double kSmall = 0.82;  // of the usual size: words that take two lines
 
 }  // namespace
 
 /// One meaning: its signs in its colour, its words.
 class CueLegend::Row : public QWidget {
  public:
-  Row(const CueStyle& style, const UiTheme& ui, QWidget* parent) : QWidget(parent), style_(style), ui_(ui) {
+  /// `wide`: some sign of this legend has two parts, and all words stand behind that.
+  Row(const CueStyle& style, bool wide, const UiTheme& ui, QWidget* parent)
+      : QWidget(parent), style_(style), ui_(ui), wide_(wide) {
     setFixedHeight(kRow_px);
     setMinimumWidth(120);
     QStringList tip = {style.text};
@@ -46,16 +50,19 @@ class CueLegend::Row : public QWidget {
     text.setBold(active_);
     p.setFont(text);
     p.setPen(ui_["text"]);
-    const double left = 5 + 2 * kSign_px + 6;
-    const QString words =
-        QFontMetrics(text).elidedText(style_.text, Qt::ElideRight, static_cast<int>(width() - left - 4));
-    p.drawText(QRectF(left, 0, width() - left, kRow_px), Qt::AlignLeft | Qt::AlignVCenter, words);
+    const double left = 5 + (wide_ ? 2 : 1) * kSign_px + 6;
+    const QRectF room(left, 0, width() - left - 2, kRow_px);
+    if (QFontMetricsF(text).horizontalAdvance(style_.text) > room.width()) {
+      text.setPointSizeF(text.pointSizeF() * kSmall);
+      p.setFont(text);
+    }
+    p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
   }
 
  private:
   CueStyle style_;
   UiTheme ui_;
-  bool active_ = false;
+  bool wide_, active_ = false;
 };
 
 CueLegend::CueLegend(QWidget* parent) : QFrame(parent) {
@@ -63,14 +70,14 @@ CueLegend::CueLegend(QWidget* parent) : QFrame(parent) {
   setAccessibleName(tr("What the cues mean"));
   setProperty("card", true);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 10, 6);
+  column->setContentsMargins(10, 5, 10, 4);
   column->setSpacing(2);
   heading_ = make_heading(tr("Cues"), this);
   column->addWidget(heading_);
   grid_ = new QGridLayout;
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
-  grid_->setVerticalSpacing(1);
+  grid_->setVerticalSpacing(0);
   for (int i = 0; i < kColumns; ++i) grid_->setColumnStretch(i, 1);
   column->addLayout(grid_);
   empty_ = make_muted(tr("This lesson shows no cues."), this);
@@ -94,8 +101,10 @@ void CueLegend::fill() {
   for (Row* row : rows_) delete row;
   rows_.clear();
   const auto lines = static_cast<int>((meanings_.size() + kColumns - 1) / kColumns);
+  const bool wide = std::any_of(meanings_.begin(), meanings_.end(),
+                                [this](const QString& m) { return cues_.style(m).shape.size() > 1; });
   for (int i = 0; i < meanings_.size(); ++i) {
-    auto* row = new Row(cues_.style(meanings_[i]), ui_, this);
+    auto* row = new Row(cues_.style(meanings_[i]), wide, ui_, this);
     grid_->addWidget(row, i % std::max(lines, 1), i / std::max(lines, 1));
     rows_ += row;
   }

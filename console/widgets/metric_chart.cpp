@@ -51,7 +51,9 @@ void MetricChart::set_series(const MetricSeries& series) {
     low = std::min(low, p.value);
     high = std::max(high, p.value);
   }
-  if (series_.target) high = std::max(high, *series_.target), low = std::min(low, *series_.target);
+  for (const std::optional<double>& target : {series_.target.low, series_.target.high}) {
+    if (target) high = std::max(high, *target), low = std::min(low, *target);
+  }
   if (high <= low) high = low + 1;
   step_ = nice_step(low, high, 4);
   low_ = std::floor(low / step_) * step_;
@@ -103,16 +105,28 @@ void MetricChart::paint_axes(QPainter& p) const {
   p.drawText(QRectF(a.left(), height() - 15, a.width(), 15), Qt::AlignRight | Qt::AlignBottom, tr("attempt"));
 }
 
-// what the lesson asks for: a dashed line with its value, on the side where the words are read
+// what the lesson asks for: a dashed line with its value, on the side where the words are read, or a band between two
 void MetricChart::paint_target(QPainter& p) const {
-  if (!series_.target) return;
+  const MetricTarget& target = series_.target;
+  if (!target.high && !target.low) return;
   const QRectF a = area();
-  const double y = a.bottom() - a.height() * (*series_.target - low_) / (high_ - low_);
+  const auto y = [&](double v) { return a.bottom() - a.height() * (v - low_) / (high_ - low_); };
+  const auto number = [](double v) { return QLocale().toString(v, 'g', 3); };
+  if (target.high && target.low) {
+    QColor band = theme_["band"];
+    band.setAlpha(130);
+    p.fillRect(QRectF(QPointF(a.left(), y(*target.high)), QPointF(a.right(), y(*target.low))), band);
+  }
   p.setPen(QPen(theme_["good"], 1.5, Qt::DashLine));
-  p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
-  const QString text =
-      tr("target %1 %2").arg(QLocale().toString(*series_.target, 'g', 3), series_.unit).trimmed();
-  p.drawText(QRectF(a.left(), y - 17, a.width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter, text);
+  for (const std::optional<double>& v : {target.low, target.high}) {
+    if (v) p.drawLine(QPointF(a.left(), y(*v)), QPointF(a.right(), y(*v)));
+  }
+  const QString words = target.high && target.low
+                            ? tr("target %1 to %2 %3").arg(number(*target.low), number(*target.high))
+                        : target.high ? tr("target at most %1 %2").arg(number(*target.high))
+                                      : tr("target at least %1 %2").arg(number(*target.low));
+  p.drawText(QRectF(a.left(), y(target.high ? *target.high : *target.low) - 17, a.width() - 4, 16),
+             Qt::AlignRight | Qt::AlignVCenter, words.arg(series_.unit).trimmed());
 }
 
 void MetricChart::paint_points(QPainter& p) const {
@@ -140,10 +154,7 @@ void MetricChart::paint_key(QPainter& p) const {
   double x = QFontMetricsF(bold).horizontalAdvance(name) + 16;
   p.setFont(font());
   p.setPen(theme_["muted"]);
-  if (series_.better != 0) {
-    p.drawText(QRectF(x, 0, 200, 22), Qt::AlignLeft | Qt::AlignVCenter,
-               series_.better < 0 ? tr("↓ lower is better") : tr("↑ higher is better"));
-  }
+  p.drawText(QRectF(x, 0, 200, 22), Qt::AlignLeft | Qt::AlignVCenter, better_words(series_.better));
   const struct {
     QString text;
     bool test, filled;
@@ -186,7 +197,10 @@ bool MetricChart::event(QEvent* event) {
         this);
     return true;
   }
-  QToolTip::hideText();
+  if (help->pos().y() < area().top() && !series_.formula.isEmpty())
+    QToolTip::showText(help->globalPos(), series_.formula, this);
+  else
+    QToolTip::hideText();
   return true;
 }
 

@@ -213,10 +213,12 @@ void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const Q
   const auto y = [&](double v) {
     return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
   };
-  for (const double v : {t.low, 0.5 * (t.low + t.high), t.high}) {
+  const bool through_zero = t.low < 0 && t.high > 0;
+  for (const double v : {t.low, through_zero ? 0 : 0.5 * (t.low + t.high), t.high}) {
     p.setPen(QPen(theme_["border"], 1));
     p.drawLine(QPointF(a.left(), y(v)), QPointF(a.right(), y(v)));
     p.setPen(theme_["muted"]);
+    if (v == t.low && through_zero && y(v) - y(0) < 14) continue;  // no room for both numbers
     p.drawText(QRectF(0, y(v) - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }

@@ -26,6 +26,12 @@ void TracePlot::set_range(double low, double high) {
   update();
 }
 
+void TracePlot::set_title(const QString& title) {
+  title_ = title;
+  setAccessibleName(title);
+  update();
+}
+
 void TracePlot::set_limit(double value) {
   limit_ = value;
   has_limit_ = true;

@@ -16,6 +16,7 @@ class TracePlot : public QWidget {
   TracePlot(const QString& title, const QString& unit, QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme, const char* colour_role);
   void set_range(double low, double high);
+  void set_title(const QString& title);
   void set_limit(double value);  // a dashed line
   void clear();
   /// Time in s, value as shown; not a number leaves a gap.

@@ -10,7 +10,8 @@
 namespace swage::console {
 namespace {
 
-constexpr double kRoom = 1.25;           // around what is shown
+constexpr double kRoom = 1.25;                     // around what is shown
+constexpr double kCosine_px = 118, kLeft_px = 30;  // the lower plot, and where its axis stands
 constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
 
 }  // namespace
@@ -28,7 +29,9 @@ void TrackPlot::set_theme(const UiTheme& theme) {
 void TrackPlot::set_track(const std::optional<EntryTrack>& track) {
   track_ = track;
   cursor_s_ = 0;
-  setAccessibleDescription(track ? tr("wound %1 % of the needle").arg(100 * track->wound, 0, 'f', 0)
+  setAccessibleDescription(track ? tr("wound %1 % of the needle, mean cosine %2")
+                                       .arg(100 * track->wound, 0, 'f', 0)
+                                       .arg(track->mean_cosine, 0, 'f', 2)
                                  : tr("nothing"));
   update();
 }
@@ -84,6 +87,41 @@ void TrackPlot::paint_track(QPainter& p, const QPointF& middle, double scale) co
   p.drawLine(middle + QPointF(0, -5), middle + QPointF(0, 5));
 }
 
+// the thesis's axis: 0 is square to the surface, 1 along it
+void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
+  const double from = track_->cosine.first().first().x(), to = track_->cosine.last().last().x();
+  const double span = std::max(to - from, 1e-3);
+  const auto at = [&](const QPointF& q) {
+    return QPointF(a.left() + a.width() * (q.x() - from) / span,
+                   a.bottom() - a.height() * std::clamp(q.y(), 0.0, 1.0));
+  };
+  p.setPen(theme_["text"]);
+  p.drawText(QRectF(0, a.top() - 24, width(), 18), Qt::AlignLeft | Qt::AlignVCenter,
+             tr("Cosine of the penetration angle, mean %1").arg(track_->mean_cosine, 0, 'f', 2));
+  for (const double v : {0.0, 0.5, 1.0}) {
+    const double y = at({from, v}).y();
+    p.setPen(QPen(theme_["border"], 1));
+    p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
+    p.setPen(theme_["muted"]);
+    p.drawText(QRectF(0, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QString::number(v));
+  }
+  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignLeft, tr("%1 s").arg(from, 0, 'f', 1));
+  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignRight, tr("%1 s").arg(to, 0, 'f', 1));
+  QColor pale = theme_["plot"];
+  pale.setAlpha(90);
+  for (const QPolygonF& stay : track_->cosine) {
+    QPolygonF all, done;
+    for (const QPointF& q : stay) {
+      all << at(q);
+      if (q.x() <= cursor_s_) done << all.last();
+    }
+    p.setPen(QPen(pale, 1.5));
+    p.drawPolyline(all);
+    p.setPen(QPen(theme_["plot"], 2));
+    p.drawPolyline(done);
+  }
+}
+
 void TrackPlot::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
@@ -92,8 +130,9 @@ void TrackPlot::paintEvent(QPaintEvent*) {
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("The needle did not go in."));
     return;
   }
-  const double text_px = 40, size = std::min<double>(width(), height() - text_px);
-  const QPointF middle(0.5 * width(), text_px + 0.5 * (height() - text_px));
+  const double below = track_->cosine.isEmpty() ? 0 : kCosine_px;
+  const double text_px = 40, bottom = height() - below, size = std::min<double>(width(), bottom - text_px);
+  const QPointF middle(0.5 * width(), text_px + 0.5 * (bottom - text_px));
   const double scale = 0.5 * size / (kRoom * reach_mm());
   p.setPen(theme_["text"]);
   p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
@@ -107,8 +146,9 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   paint_track(p, middle, scale);
   const double bar = nice_scale_mm(1 / scale, 0.3 * width());
   p.setPen(QPen(theme_["text"], 2));
-  p.drawLine(QPointF(8, height() - 8), QPointF(8 + bar * scale, height() - 8));
-  p.drawText(QRectF(8, height() - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
+  p.drawLine(QPointF(8, bottom - 8), QPointF(8 + bar * scale, bottom - 8));
+  p.drawText(QRectF(8, bottom - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
+  if (below > 0) paint_cosine(p, {kLeft_px, bottom + 30, width() - kLeft_px - 10.0, below - 50});
 }
 
 }  // namespace swage::console

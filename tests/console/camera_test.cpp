@@ -66,6 +66,25 @@ TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
   EXPECT_EQ(camera.focus(), focus);
 }
 
+TEST(Camera, NearStaysWhereItIsPut) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 5);
+  camera.look(CameraPreset::kOrbit);
+  camera.jump();
+  const float far = camera.distance();
+  camera.look(CameraPreset::kNear);
+  camera.stay_at({1, 2, 3});
+  camera.follow({0, 0, 40});
+  camera.jump();
+  EXPECT_LT(camera.distance(), 0.6F * far);
+  EXPECT_EQ(camera.focus(), QVector3D(1, 2, 3));
+  // a preset frames everything again
+  camera.look(CameraPreset::kOrbit);
+  camera.jump();
+  EXPECT_FLOAT_EQ(camera.distance(), far);
+  EXPECT_EQ(camera.focus(), QVector3D(0, 0, 0));
+}
+
 TEST(Camera, ScaleIsTrueAtTheFocus) {
   OrbitCamera camera;
   camera.frame({0, 0, 0}, 5);

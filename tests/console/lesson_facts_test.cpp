@@ -57,5 +57,46 @@ TEST(LessonFacts, DefaultsCountAndFaultsGiveNothing) {
   EXPECT_FALSE(force_band(dir.filePath("none.json").toStdString(), catalogue()));
 }
 
+// a lesson that limits the greatest force only
+host::Catalogue limits() {
+  const auto real = [](const char* id, const char* unit, double value) {
+    host::Param p;
+    p.type = SWAGE_PARAM_REAL;
+    p.id = p.label = id;
+    p.unit = p.display_unit = unit;
+    p.max = 100;
+    p.default_number = {value, 0, 0, 0};
+    return p;
+  };
+  host::PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_LESSON;
+  plugin.id = "org.example.limits";
+  plugin.params = {real("max_force", "N", 1.5), real("tolerance", "m", 3e-4)};
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  nothing.install_dir = "/nowhere";
+  host::Catalogue out(nothing);
+  out.add(plugin);
+  return out;
+}
+
+TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
+  const QTemporaryDir dir;
+  const std::string interval = lesson(dir, R"({"force": ["0.2 N", "0.9 N"]})");
+  EXPECT_EQ(metric_target(interval, "force.peak", catalogue()), (MetricTarget{{}, 0.9}));
+  EXPECT_EQ(metric_target(interval, "force.mean", catalogue()), (MetricTarget{0.2, 0.9}));
+  EXPECT_EQ(metric_target(interval, "force.over_time", catalogue()), MetricTarget{});
+
+  const std::string limit = lesson(dir, "{}", "org.example.limits");
+  const auto band = force_band(limit, limits());
+  ASSERT_TRUE(band);
+  EXPECT_DOUBLE_EQ(band->low, 0);
+  EXPECT_DOUBLE_EQ(band->high, 1.5);
+  EXPECT_EQ(metric_target(limit, "force.peak", limits()), (MetricTarget{{}, 1.5}));
+  EXPECT_EQ(metric_target(limit, "force.mean", limits()), MetricTarget{});
+  EXPECT_EQ(metric_target(limit, "insert.entry_distance", limits()), (MetricTarget{{}, 3e-4}));
+  EXPECT_EQ(metric_target(limit, "time", limits()), MetricTarget{});
+}
+
 }  // namespace
 }  // namespace swage::console

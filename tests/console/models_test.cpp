@@ -32,6 +32,10 @@ TEST(Words, SayUnitsAndVerdicts) {
   QLocale::setDefault(QLocale::c());
   EXPECT_EQ(quantity_text(0.58, "N"), QString("0.58") + QChar(0x202f) + "N");
   EXPECT_EQ(quantity_text(0.0012, "m"), QString("1.20") + QChar(0x202f) + "mm");
+  EXPECT_EQ(quantity_text(23e-6, "m"), QString("23") + QChar(0x202f) + "µm");
+  EXPECT_EQ(quantity_text(2.5e-6, "m"), QString("2.5") + QChar(0x202f) + "µm");
+  EXPECT_EQ(quantity_text(0, "m"), QString("0.00") + QChar(0x202f) + "mm");
+  EXPECT_EQ(quantity_text(2e-8, "m2"), QString("0.02") + QChar(0x202f) + "mm²");
   EXPECT_EQ(quantity_text(0.2, "rad"), QString("11.5°"));
   EXPECT_EQ(quantity_text(3, "1"), "3");
   EXPECT_EQ(quantity_text(0.25, "1"), "0.25");
@@ -125,12 +129,13 @@ TEST(Metrics, AreOldestFirstAndLeaveOutWhatWasStopped) {
   const MetricSeries path = metric_series(model.attempts(), "motion.path");
   ASSERT_EQ(path.points.size(), 12);
   EXPECT_EQ(path.unit, "mm");
-  EXPECT_EQ(path.better, -1);
+  EXPECT_EQ(path.better, SWAGE_BETTER_LOWER);
+  EXPECT_DOUBLE_EQ(path.factor, 1000);
   EXPECT_DOUBLE_EQ(path.points.first().value, 90);
   EXPECT_LT(path.points.last().value, path.points.first().value);
   EXPECT_TRUE(path.points.last().test);
-  EXPECT_EQ(metric_series(model.attempts(), "score").better, 1);
-  EXPECT_EQ(metric_series(model.attempts(), "org.other.thing").better, 0);
+  EXPECT_EQ(metric_series(model.attempts(), "score").better, SWAGE_BETTER_HIGHER);
+  EXPECT_EQ(metric_series(model.attempts(), "org.other.thing").better, SWAGE_BETTER_NONE);
 }
 
 TEST(Reading, FindsTheNumbersOfAScene) {
@@ -163,6 +168,32 @@ TEST(Reading, FindsTheNumbersOfAScene) {
   const Reading none = Reader(snapshot::SceneCard{}).read(*s);
   EXPECT_FALSE(none.force || none.tilt || none.spot || none.tips || none.hold);
   EXPECT_TRUE(none.counts.isEmpty());
+}
+
+TEST(Reading, WhileInsertingTheAngleToTheTissueTakesThePlaceOfTheTilt) {
+  snapshot::SceneCard card;
+  card.script.signals = {{"pierce", "pierce.state", "1", ""},
+                         {"pierce", "pierce.angle", "rad", ""},
+                         {"grasp", "grasp.tilt_axis", "rad", ""}};
+  const Reader reader(card);
+  EXPECT_TRUE(reader.inserts());
+  EXPECT_TRUE(reader.has_tilt());
+  EXPECT_FALSE(reader.has_grasp());
+  auto s = std::make_unique<snapshot::Snapshot>();
+  s->n_signal = 3;
+  s->signal[0] = 0;
+  s->signal[1] = 0.2;
+  s->signal[2] = 0.9;
+  EXPECT_FALSE(reader.read(*s).tilt) << "away from the tissue there is no angle";
+  s->signal[0] = 2;
+  EXPECT_EQ(reader.read(*s).tilt, 0.2);
+}
+
+TEST(Words, AxesEndAtNumbersThatAreEasilyRead) {
+  EXPECT_DOUBLE_EQ(nice_end(2.1), 3);
+  EXPECT_DOUBLE_EQ(nice_end(1.26), 1.5);
+  EXPECT_DOUBLE_EQ(nice_end(0.9), 1);
+  EXPECT_DOUBLE_EQ(nice_end(0), 0);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <QSlider>
 #include <QTableView>
 #include <QTimer>
+#include <algorithm>
+#include <set>
 
 #include "window_fixture.hpp"
 
@@ -254,6 +256,68 @@ TEST_F(Pages, ProgressShowsAPersonsAttempts) {
   EXPECT_EQ(progress->attempts()->rowCount(), 1);
   EXPECT_TRUE(progress->chart()->series().points.isEmpty());
   EXPECT_FALSE(progress->chart()->grab().isNull());
+}
+
+TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
+  open();
+  click("start");
+  const auto mirrored = [this] {
+    const auto& all = log->last.settings;
+    return std::find(all.begin(), all.end(), "mirror=true") != all.end();
+  };
+  EXPECT_FALSE(mirrored());
+  click("stop");
+  child<QAbstractButton>("left_handed")->click();
+  click("start");
+  EXPECT_TRUE(mirrored());
+  EXPECT_FALSE(child<QAbstractButton>("left_handed")->isEnabled());
+  window->close();
+  window.reset();
+  open();
+  EXPECT_TRUE(page()->setup()->left_handed());
+}
+
+TEST_F(Pages, EveryAttemptDrawsItsOwnSeedUnlessOneIsGiven) {
+  open();
+  std::set<std::vector<std::string>> drawn;
+  for (int i = 0; i < 3; ++i) {
+    click("start");
+    ASSERT_EQ(log->last.settings.size(), 1U);
+    EXPECT_EQ(log->last.settings[0].rfind("seed=", 0), 0U);
+    drawn.insert(log->last.settings);
+    click("stop");
+  }
+  EXPECT_GT(drawn.size(), 1U);
+  window->close();
+  window.reset();
+  launch.draws_seed = false;
+  launch.options.settings = {"seed=7"};
+  open();
+  click("start");
+  EXPECT_EQ(log->last.settings, std::vector<std::string>{"seed=7"});
+}
+
+TEST_F(Pages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
+  attempts = sample_attempts();
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* metric = child<QComboBox>("metric");
+  std::vector<std::string> asked;
+  window->progress_page()->set_metric_finder([&](const QString&, const std::string& id) {
+    asked.push_back(id);
+    return console::MetricSaid{{SWAGE_BETTER_INSIDE, "mean of F"}, {0.001, 0.002}};
+  });
+  auto* lesson = child<QComboBox>("lesson_filter");
+  lesson->setCurrentIndex(lesson->findData("swage.series.carry"));
+  metric->setCurrentIndex(metric->findData("motion.path"));
+  const console::MetricSeries& series = window->progress_page()->chart()->series();
+  EXPECT_EQ(asked.back(), "motion.path");
+  EXPECT_EQ(series.better, SWAGE_BETTER_INSIDE);
+  EXPECT_EQ(series.target, (console::MetricTarget{1, 2}));  // mm
+  // attempts of several lessons have no common target
+  lesson->setCurrentIndex(0);
+  EXPECT_EQ(series.target, console::MetricTarget{});
+  EXPECT_FALSE(window->progress_page()->chart()->grab().isNull());
 }
 
 // --- cues and what may be adjusted

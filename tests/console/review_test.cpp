@@ -2,6 +2,7 @@
 #include "console/models/review.hpp"
 
 #include <gtest/gtest.h>
+#include <swage/abi/lesson_card.h>
 
 #include <QStringList>
 #include <cmath>
@@ -44,9 +45,35 @@ TEST(ReviewModel, MetricsHaveUnitAndDirection) {
   const Review review = make_review(test::fake_attempt(), test::fake_recording(10), {});
   ASSERT_EQ(review.metrics.size(), 2);
   EXPECT_TRUE(review.metrics[0].value.endsWith("N"));
-  EXPECT_TRUE(review.metrics[0].better.contains("lower"));
-  EXPECT_EQ(review.metrics[1].better, QString());
+  EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_LOWER);
+  EXPECT_EQ(review.metrics[1].better, SWAGE_BETTER_NONE);
+  EXPECT_EQ(better_words(SWAGE_BETTER_NONE), QString());
   EXPECT_EQ(review.verdict(), "✓ Met, 87 of 100");
+}
+
+TEST(ReviewModel, TheLessonsCardKnowsBetterThanANameWhichWayIsBetter) {
+  const record::Recording recording = test::fake_recording(10);
+  snapshot::SceneCard card;
+  card.script = recording.info.script;
+  card.metrics = {{SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C, "M15", "max(f)"},
+                  {SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_D, "", "n"}};
+  Review review = make_review(test::fake_attempt(), recording, {}, &card);
+  EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_INSIDE);
+  EXPECT_TRUE(review.metrics[0].doc.contains("max(f)"));
+  EXPECT_EQ(review.metrics[1].better, SWAGE_BETTER_HIGHER);
+  EXPECT_NE(summary_csv(review).find("\"best inside its band\""), std::string::npos);
+  // a card that says nothing leaves it to the name
+  card.metrics[0].evidence = SWAGE_EVIDENCE_NONE;
+  review = make_review(test::fake_attempt(), recording, {}, &card);
+  EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_LOWER);
+}
+
+TEST(ReviewModel, TheSeedIsShownSoThatTheAttemptCanBeSetUpAgain) {
+  record::Recording recording = test::fake_recording(10);
+  recording.info.seed = 48213;
+  const Review review = make_review(test::fake_attempt(), recording, {});
+  EXPECT_TRUE(review.headline().contains("48213"));
+  EXPECT_NE(summary_csv(review).find("\"48213\""), std::string::npos);
 }
 
 TEST(ReviewModel, SignalsAsCsvAreExactAndHaveUnits) {

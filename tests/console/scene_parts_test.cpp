@@ -60,6 +60,7 @@ snapshot::SceneCard scene() {
   card.motion = {SWAGE_MOTION_FIXED, SWAGE_MOTION_FIXED, SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS,
                  SWAGE_MOTION_DYNAMIC};
   judge::Script::Mark region;
+  region.mark = {};
   region.mark.kind = SWAGE_MARK_ARC_RANGE;
   region.mark.object = 2;
   region.mark.number[1] = 0.5;
@@ -80,14 +81,19 @@ TEST(SceneParts, RolesFollowTraitsAndMotion) {
 
 TEST(SceneParts, OneMeshPerBodyAndOneSleevePerMark) {
   const SceneParts parts = make_parts(scene());
-  ASSERT_EQ(parts.part.size(), 6U);
+  ASSERT_EQ(parts.part.size(), 7U);
   EXPECT_EQ(parts.part[0].mesh.index.size(), 2 * 36U);  // both blocks of the tray
-  EXPECT_EQ(parts.part.back().role, Role::kMark);
+  EXPECT_EQ(parts.part[5].role, Role::kMark);
+  EXPECT_FALSE(parts.part[5].collar);
+  // a collar where it ends; it starts at the very point, where there is none
+  EXPECT_TRUE(parts.part.back().collar);
+  EXPECT_DOUBLE_EQ(parts.part.back().from, 0.5);
+  EXPECT_NEAR(parts.part.back().to, 0.5 + 0.1e-3 / 4e-3, 1e-9);
   EXPECT_EQ(parts.part.back().body, 2U);
   // nothing is drawn of shapes that are not to be drawn
   snapshot::SceneCard card = scene();
   for (auto& s : card.shapes) s.flags = SWAGE_SHAPE_COLLIDES;
-  EXPECT_EQ(make_parts(card).part.size(), 1U);  // the mark
+  EXPECT_EQ(make_parts(card).part.size(), 2U);  // the mark and its collar
 }
 
 TEST(SceneParts, GroundIsTheLargestLevelFaceBelowTheWork) {
@@ -104,12 +110,25 @@ TEST(SceneParts, GroundIsTheLargestLevelFaceBelowTheWork) {
   EXPECT_NEAR(make_parts(card).ground.z, 1.95, 0.01);
 }
 
+TEST(SceneParts, ShadowsFallOnTissueToo) {
+  EXPECT_FALSE(make_parts(scene()).shelf.on_stage);
+  snapshot::SceneCard card = scene();
+  card.objects[1].traits = {SWAGE_TRAIT_SOLID, "swage.trait.pierceable/1"};
+  const SceneParts parts = make_parts(card);
+  ASSERT_TRUE(parts.shelf.on_stage);
+  EXPECT_TRUE(parts.part[parts.shelf.part].soft);
+  EXPECT_NEAR(parts.shelf.z, 1, 1e-4);
+  EXPECT_NEAR(parts.shelf.half_x, 1, 1e-3);
+  EXPECT_NEAR(parts.ground.z, 0, 1e-4) << "what stands on the tray still throws its shadow there";
+}
+
 TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
   const SceneParts parts = make_parts(scene());
   EXPECT_EQ(parts.watched, 2);
   EXPECT_LT((parts.work.centre() - QVector3D(0.6F, 1, 2)).length(), 0.6F);
-  // the tool's nearest point is in the picture, its far end is not
-  EXPECT_NEAR(parts.focus.high.x(), 6, 0.01);
+  // the picture reaches towards the tool, whose nearest point is at 6 mm, and no further than keeps the work large
+  EXPECT_GT(parts.focus.high.x(), 1.3F * parts.work.high.x());
+  EXPECT_LT(parts.focus.high.x(), 6);
   // nothing marked: both things that can be taken are framed, and none is followed
   snapshot::SceneCard card = scene();
   card.script.marks.clear();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace swage::console {
@@ -31,24 +32,39 @@ double area(const Mesh& m) {
   return sum;
 }
 
-TEST(SoftSurface, SubdividingKeepsTheSurfaceAndShortensItsEdges) {
-  const Mesh fine = subdivided(square(), 0.25F);
+TEST(SoftSurface, RefiningKeepsTheSurfaceWholeAndIsFineWhereItIsDented) {
+  QMatrix4x4 X;
+  X.translate(0.3F, 0, 1);
+  const std::vector<Dent> dents = {{{0.3F, 0.2F, 1}, {0, 0, -0.05F}, 0.05F}};
+  const Mesh fine = refined(square(), X, dents);
   EXPECT_NEAR(area(fine), 16, 1e-4);
-  float longest = 0;
+  EXPECT_LT(fine.index.size(), 3U * 4000);
+  std::map<std::pair<uint32_t, uint32_t>, int> sides;
   for (size_t i = 0; i < fine.index.size(); i += 3)
-    for (size_t k = 0; k < 3; ++k)
-      longest =
-          std::max(longest, (at(fine, fine.index[i + k]) - at(fine, fine.index[i + (k + 1) % 3])).length());
-  EXPECT_LE(longest, 0.25F * 1.001F);
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t a = fine.index[i + k], b = fine.index[i + (k + 1) % 3];
+      const QVector3D middle = 0.5F * (at(fine, a) + at(fine, b));
+      const float from = (X.map(middle) - dents[0].p).length();
+      EXPECT_LE((at(fine, a) - at(fine, b)).length(), 0.4F * std::max(from, 0.05F) * 1.001F);
+      sides[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  // every inner edge has a triangle on either side; the others are the rim of the square
+  for (const auto& [edge, balance] : sides) {
+    if (balance == 0) continue;
+    const QVector3D middle = 0.5F * (at(fine, edge.first) + at(fine, edge.second));
+    EXPECT_FLOAT_EQ(std::max(std::abs(middle.x()), std::abs(middle.y())), 2);
+  }
+  // without dents nothing is made smaller
+  EXPECT_EQ(refined(square(), X, {}).index, square().index);
 }
 
 TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
   const std::vector<Dent> dents = {{{0.3F, 0, 0}, {0, 0, -0.2F}, 0.5F}};
-  const Mesh rest = subdivided(square(), 0.1F);
   Mesh dented;
   QMatrix4x4 X;
   X.translate(0.1F, 0, 0);
   X.rotate(90, 0, 0, 1);
+  const Mesh rest = refined(square(), X, dents, 0.1F);
   displace(rest, X, dents, dented);
   float deepest = 0;
   for (size_t i = 0; i < dented.vertex.size(); ++i) {

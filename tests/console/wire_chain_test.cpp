@@ -70,7 +70,7 @@ TEST(WireChain, APartOfTheLineIsCutByLength) {
 
 TEST(WireChain, IsOneWireInTheSceneWithOneSleeve) {
   const SceneParts parts = make_parts(needle());
-  ASSERT_EQ(parts.part.size(), 2U);
+  ASSERT_EQ(parts.part.size(), 4U);  // the wire, the sleeve, a collar at either end of it
   EXPECT_EQ(parts.part[0].chain, 0);
   EXPECT_EQ(parts.part[1].role, Role::kMark);
   EXPECT_TRUE(parts.part[0].wire);
