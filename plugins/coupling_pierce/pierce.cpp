@@ -309,7 +309,12 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     if (track.s_out > 0 && track.s_out < 1)
       tear(step, site, exit, place, by_needle ? site.local(vec(place.p_W)) : vec3(last.p));
   }
-  share_out(site, track);
+  if (!share_out(site, track)) {
+    track.open = 0;
+    state.clearing = 1;
+    step.event(cut_out_, entry.reach / entry.radius);
+    return;
+  }
   lengthen(site, track);
   if (track.s_in >= 1 && track.passed == 0) {
     track.passed = 1;

@@ -144,7 +144,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
       below_;
   Signal at_[3], entry_[3], exit_[3];
   Signal wound_, area_, area_ratio_, exit_wound_, exit_area_, swept_, entries_, deflections_, law_signal_;
-  Event touched_, entered_, exited_, back_out_, passed_, deflected_, torn_;
+  Event touched_, entered_, exited_, back_out_, passed_, deflected_, torn_, cut_out_;
 };
 
 }  // namespace swage::coupling_pierce

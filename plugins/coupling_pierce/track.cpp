@@ -198,20 +198,26 @@ void thin_out(const Site& site, Track& track) {
 
 }  // namespace
 
-void share_out(const Site& site, Track& track) {
+bool share_out(const Site& site, Track& track) {
   const uint32_t count = holds(track);
   double at[Track::kHolds];
   for (uint32_t i = 0; i < count; ++i) at[i] = spot(site, track.hold[i]).s;
   const double tip = track.out == Track::kOut ? track.s_out : 0;
   double upper = track.s_in;
+  bool held = false;
   for (uint32_t i = 0; i < count; ++i) {
     const double lower = i + 1 < count ? std::clamp(0.5 * (at[i] + at[i + 1]), tip, upper) : tip;
     double share = std::max(0.0, upper - lower) * site.length;
     upper = lower;
     if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
     if (at[i] >= 1) share = 0;  // the needle has left it
+    const auto place = site.tissue.inside(site.b, raw(site.world(track.hold[i].p)));
+    const bool beyond = place && place->edge < 0;  // torn as far as the rim
+    if (beyond) share = 0;
+    held = held || !beyond;
     grow(site, track.hold[i], share);
   }
+  return held;
 }
 
 void lengthen(const Site& site, Track& track) {
@@ -247,7 +253,7 @@ swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
 }
 
 /// The end of the cut: a wall that bears up to the cutting force and then goes on; a face from inside bears more, softly.
-swage_tie front_tie(const Site& site, const Track& track, double exit_force) {
+swage_tie front_tie(const Site& site, const Track& track, double progress, double exit_force) {
   swage_tie tie{};
   const Vec3 advance = -vec(site.point.tangent_W);
   const bool face = track.out == Track::kBreaking;
@@ -255,7 +261,7 @@ swage_tie front_tie(const Site& site, const Track& track, double exit_force) {
   tie.body_b = site.body;
   tie.p_W = raw(site.world(track.front));
   tie.axis_W = raw(advance);
-  tie.offset_W = raw(Vec3((progress(site, track) - track.cut) * advance));
+  tie.offset_W = raw(Vec3((progress - track.cut) * advance));
   tie.drag_forth = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
   tie.stiffness_along = face ? site.law.stiffness : site.law.cutting_force / (kFront * site.radius);
   tie.strength = HUGE_VAL;
@@ -273,6 +279,7 @@ void set_front(const Site& site, Track& track) {
 /// inside. Without it nothing but its own curve keeps the needle from swinging about that.
 swage_tie roll_tie(const Site& site, const Track& track, double stiffness, double drag) {
   swage_tie tie{};
+  tie.axis_W = {1, 0, 0};
   const double tip = track.out == Track::kOut ? track.s_out : 0;
   const auto middle = site.needle.place(site.a, 0.5 * (tip + track.s_in));
   if (!middle) return tie;
@@ -295,11 +302,13 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
 uint32_t make_ties(const Site& site, const Track& track, double reaction, double exit_force, swage_tie* out,
                    uint32_t* of) {
   uint32_t n = 0;
-  double stiffness = 0, drag = 0;
+  double stiffness = 0, drag = 0, progress = 0;
   for (uint32_t i = 0; i < holds(track); ++i) {
     const Hold& hold = track.hold[i];
+    const Spot at = spot(site, hold);
+    progress = hold.at + at.s * site.length;  // the last one's counts
     if (!(hold.share > 0)) continue;
-    out[n] = hold_tie(site, hold, spot(site, hold));
+    out[n] = hold_tie(site, hold, at);
     stiffness += out[n].stiffness_along, drag += out[n].drag_back;
     if (i == 0) out[n].drag_forth += reaction;
     of[n++] = i;
@@ -309,7 +318,7 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
     of[n++] = Track::kOfRoll;
   }
   if (track.out != Track::kOut) {
-    out[n] = front_tie(site, track, exit_force);
+    out[n] = front_tie(site, track, progress, exit_force);
     of[n++] = Track::kOfPoint;
   }
   return n;

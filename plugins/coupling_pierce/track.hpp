@@ -89,8 +89,9 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
 void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in);
 /// Where the point is along it; drops holds that it has left behind.
 void follow(const Site& site, Track& track);
-/// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet.
-void share_out(const Site& site, Track& track);
+/// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet. False when
+/// none is left in the tissue: the tear has come to its rim.
+bool share_out(const Site& site, Track& track);
 /// New holds where the point went on.
 void lengthen(const Site& site, Track& track);
 /// The cut ends where the point is, but for what the tissue gives ahead of it.

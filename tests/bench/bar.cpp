@@ -13,7 +13,7 @@ const std::vector<Goal>& goals() {
   static const std::vector<Goal> all = {
       {"G1", bar_queries}, {"G2", bar_grasp},       {"G3", bar_pinch},           {"G6", bar_free},
       {"G7", bar_tunnel},  {"G7-speed", bar_swept}, {"table-6-1", bar_table_61}, {"table-6-2", bar_table_62},
-      {"S01", bar_units},  {"grasp", bar_creep}};
+      {"S01", bar_units},  {"grasp", bar_creep},    {"insertion", bar_insertion}};
   return all;
 }
 

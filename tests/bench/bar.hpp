@@ -61,15 +61,16 @@ struct Goal {
 /// All, in the order of printing.
 const std::vector<Goal>& goals();
 
-std::vector<Line> bar_queries(const Effort&);   // G1
-std::vector<Line> bar_swept(const Effort&);     // G7, speed
-std::vector<Line> bar_units(const Effort&);     // S01
-std::vector<Line> bar_table_61(const Effort&);  // the thesis's chain and tree
-std::vector<Line> bar_table_62(const Effort&);  // the thesis's loop
-std::vector<Line> bar_grasp(const Effort&);     // G2, S04 to S06
-std::vector<Line> bar_pinch(const Effort&);     // G3
-std::vector<Line> bar_creep(const Effort&);     // grasp: 20 % more grip than the pull needs, and 20 % less
-std::vector<Line> bar_free(const Effort&);      // G6
-std::vector<Line> bar_tunnel(const Effort&);    // G7, accuracy
+std::vector<Line> bar_queries(const Effort&);    // G1
+std::vector<Line> bar_swept(const Effort&);      // G7, speed
+std::vector<Line> bar_units(const Effort&);      // S01
+std::vector<Line> bar_table_61(const Effort&);   // the thesis's chain and tree
+std::vector<Line> bar_table_62(const Effort&);   // the thesis's loop
+std::vector<Line> bar_grasp(const Effort&);      // G2, S04 to S06
+std::vector<Line> bar_pinch(const Effort&);      // G3
+std::vector<Line> bar_creep(const Effort&);      // grasp: 20 % more grip than the pull needs, and 20 % less
+std::vector<Line> bar_free(const Effort&);       // G6
+std::vector<Line> bar_tunnel(const Effort&);     // G7, accuracy
+std::vector<Line> bar_insertion(const Effort&);  // tissue: stays, energy, cost, force
 
 }  // namespace swage::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stability.hpp"
 
+#include "insertion.hpp"
 #include "queries.hpp"
 
 #include <fstream>
@@ -18,10 +19,10 @@ constexpr double kLost = std::numeric_limits<double>::infinity();
 /// "values_um" -> 1e6 display units per SI unit.
 double scale_of(const std::string& suffix) {
   static const std::pair<const char*, double> kScales[] = {
-      {"", 1},          {"_um", 1e6},    {"_mm", 1e3},       {"_ms", 1e3},
-      {"_N", 1},        {"_s", 1},       {"_per_m", 1},      {"_g", 1e3},
-      {"_kg", 1},       {"_m_per_s", 1}, {"_mm_per_s", 1e3}, {"_deg", 180 / std::numbers::pi},
-      {"_rad_per_s", 1}};
+      {"", 1},           {"_um", 1e6},      {"_mm", 1e3},       {"_ms", 1e3},
+      {"_N", 1},         {"_s", 1},         {"_per_m", 1},      {"_g", 1e3},
+      {"_kg", 1},        {"_m_per_s", 1},   {"_mm_per_s", 1e3}, {"_deg", 180 / std::numbers::pi},
+      {"_rad_per_s", 1}, {"_percent", 100}, {"_kPa", 1e-3}};
   for (const auto& [name, scale] : kScales)
     if (suffix == name) return scale;
   throw std::runtime_error("unknown unit suffix \"" + suffix + "\"");
@@ -233,6 +234,23 @@ std::vector<Sweep::Line> query_lines(const StabilityScene& s) {
   return lines;
 }
 
+/// Our ways of a needle through tissue; no peer has one.
+std::vector<Sweep::Line> insertion_lines(const StabilityScene& s) {
+  std::vector<Sweep::Line> lines;
+  for (const InsertionMethod& m : insertion_methods()) {
+    if (m.name != "swage" && m.name != "swage, level plane" && !must_fail(s, m.name)) continue;
+    Sweep::Line line{m.family, m.name, {}, false};
+    for (const double value : s.values) {
+      const double y = insertion_error(s.scenario, m.name, value);
+      line.points.push_back({value * s.value_scale, y * s.measure_scale});
+      line.broke = !std::isfinite(y);
+      if (line.broke) break;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 /// Whether a method of that name can be here: ours always, a peer's when it is compiled in.
 bool known_family(const std::string& name) {
   const auto starts = [&](const char* family) { return name.rfind(family, 0) == 0; };
@@ -246,7 +264,9 @@ bool known_family(const std::string& name) {
 StabilityResult run_scene(const StabilityScene& s) {
   StabilityResult r;
   r.chart = s.chart;
-  r.chart.lines = s.scenario.rfind("query", 0) == 0 ? query_lines(s) : method_lines(s);
+  r.chart.lines = s.scenario.rfind("query", 0) == 0 ? query_lines(s)
+                  : is_insertion(s.scenario)        ? insertion_lines(s)
+                                                    : method_lines(s);
   bool rivals = false;  // is any method here that is expected to fail? peers may not be installed
   for (const Sweep::Line& line : r.chart.lines) {
     const bool failed = exceeds(s, line), expected = must_fail(s, line.name);

@@ -4,7 +4,7 @@
 // contacts and ties, the tissue's memory.
 //
 //   stored = motion of the needle + contacts + ties + tissue
-//     contact: k d^2 / 2 + k_2 d^3 / 3 for stiffness k + k_2 d, and its bristle k_t s^2 / 2
+//     contact: level plane k d^2 / 2 + k_2 d^3 / 3 for stiffness k + k_2 d, else f_n^2 / 2 k; and its bristle k_t s^2 / 2
 //     tie:     f_along^2 / (2 k_along) + f_across^2 / (2 k_across)
 //     tissue:  a standard linear solid is a spring under a spring beside a damper: f'Cf / 2 + v'Cv / (2 (1/relaxed - 1))
 //   a step dissipates work of the hand - change of what is stored, which must not be negative
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "dynamics/contact_law.hpp"
 #include "pierce_rig.hpp"
@@ -23,12 +24,19 @@ namespace swage::test {
 
 class Ledger {
  public:
-  /// `tissue`: what its parameters are; level plane: of no account but for the stiffening of what touches.
-  Ledger(const PierceRig& scene, const tissue::TissueParams& tissue)
-      : scene_(scene),
-        params_(tissue),
-        compliance_({tissue.young / 3, tissue.spread, tissue.skin, tissue.skin_young}) {
-    holder_ = scene.rig->objects[0].body.first;
+  /// A tissue of the scene: its object, its parameters.
+  struct Wall {
+    uint32_t object = 2;
+    tissue::TissueParams params;
+    tissue::Compliance compliance;
+
+    Wall(uint32_t which, const tissue::TissueParams& p)
+        : object(which), params(p), compliance({p.young / 3, p.spread, p.skin, p.skin_young}) {}
+    bool plane() const { return params.level == tissue::Level::kPlane; }
+  };
+
+  Ledger(const PierceRig& scene, std::vector<Wall> walls)
+      : scene_(scene), walls_(std::move(walls)), holder_(scene.rig->objects[0].body.first) {
     before_ = stored();
     X_before_ = Pose(scene.engine->world().X_WB[holder_]);
   }
@@ -51,15 +59,21 @@ class Ledger {
   double deepest = 0;           // J, the least that `lost` has been
   double most_stored = 0;       // J
 
-  double stored() const { return scene_.needle_energy() + of_contacts() + of_ties() + of_tissue(); }
+  double stored() const {
+    double sum = scene_.needle_energy() + of_contacts() + of_ties();
+    for (const Wall& wall : walls_) sum += of_wall(wall);
+    return sum;
+  }
   double of_contacts() const {
     double sum = 0;
     for (const contact::Contact& c : scene_.engine->contacts().contact) {
-      const double d = std::max(0.0, -c.gap), k = c.law.stiffness * c.weight;
-      if (!(d > 0) || !(k > 0) || c.f_a_W.isZero(0)) continue;
-      const double k2 = plane() ? params_.stiffening * c.weight : 0,
-                   k1 = plane() ? params_.stiffness * c.weight : k;
-      sum += d * d * (k1 / 2 + k2 * d / 3) + 0.5 * dynamics::kTangentRatio * k * c.bristle_W.squaredNorm();
+      const double k = c.law.stiffness * c.weight, f = c.n_W.dot(c.f_a_W), d = std::max(0.0, -c.gap);
+      if (!(f > 0) || !(k > 0)) continue;
+      const Wall* wall = wall_of(c.shape_b);
+      sum += wall && wall->plane()
+                 ? c.weight * d * d * (wall->params.stiffness / 2 + wall->params.stiffening * d / 3)
+                 : 0.5 * f * f / k;
+      sum += 0.5 * dynamics::kTangentRatio * k * c.bristle_W.squaredNorm();
     }
     return sum;
   }
@@ -73,12 +87,12 @@ class Ledger {
     }
     return sum;
   }
-  double of_tissue() const {
-    if (plane()) return 0;
-    const auto sources = memory();
-    const double kept = 1 / params_.relaxed - 1;
+  double of_wall(const Wall& wall) const {
+    if (wall.plane()) return 0;
+    const auto sources = memory(wall);
+    const double kept = 1 / wall.params.relaxed - 1;
     const auto product = [&](const double* at_a, const double* a, const double* at_b, const double* b) {
-      return vec(a).dot(compliance_.between(at_a[0] - at_b[0], at_a[1] - at_b[1]) * vec(b));
+      return vec(a).dot(wall.compliance.between(at_a[0] - at_b[0], at_a[1] - at_b[1]) * vec(b));
     };
     double sum = 0;
     for (const tissue::Source& a : sources)
@@ -91,9 +105,15 @@ class Ledger {
 
  private:
   static Vec3 vec(const double* a) { return {a[0], a[1], a[2]}; }
-  bool plane() const { return params_.level == tissue::Level::kPlane; }
-  std::vector<tissue::Source> memory() const {
-    const scene::Range range = scene_.rig->objects[2].state;
+  const Wall* wall_of(uint32_t shape) const {
+    for (const Wall& wall : walls_) {
+      const scene::Range range = scene_.rig->objects[wall.object].shape;
+      if (shape >= range.first && shape < range.first + range.count) return &wall;
+    }
+    return nullptr;
+  }
+  std::vector<tissue::Source> memory(const Wall& wall) const {
+    const scene::Range range = scene_.rig->objects[wall.object].state;
     std::vector<tissue::Source> all(range.count * sizeof(double) / sizeof(tissue::Source));
     std::memcpy(all.data(), scene_.engine->world().plugin_state.data() + range.first,
                 all.size() * sizeof(tissue::Source));
@@ -114,10 +134,9 @@ class Ledger {
   }
 
   const PierceRig& scene_;
-  tissue::TissueParams params_;
-  tissue::Compliance compliance_;
+  std::vector<Wall> walls_;
   uint32_t holder_;
-  double before_;
+  double before_ = 0;
   Pose X_before_;
 };
 

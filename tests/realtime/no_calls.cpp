@@ -74,7 +74,35 @@ INSTANTIATE_TEST_SUITE_P(Stock, WholeScene,
                                            std::pair{"010_practice_solids.json", "mouse"},
                                            std::pair{"020_grasp_basic.json", "expert"},
                                            std::pair{"020_grasp_basic.json", "novice"},
-                                           std::pair{"020_grasp_basic.json", "clumsy"}));
+                                           std::pair{"020_grasp_basic.json", "clumsy"},
+                                           std::pair{"110_insertion.json", "expert"}));
+
+// the dearest scene there is: jaws, a needle that bends, tissue that yields
+TEST(Insertion, WithABendingNeedleCallsNothingThatMayBlock) {
+  SKIP_WITHOUT_COUNTING();
+  char name[] = "/tmp/swage-realtime-XXXXXX";
+  const std::string folder = mkdtemp(name);
+  std::ifstream in(kLessons + "110_insertion.json");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto replace = [&text](const std::string& what, const std::string& by) {
+    size_t at = text.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    for (; at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+  };
+  replace("../hands/", SWAGE_SOURCE_DIR "/lessons/hands/");
+  replace(R"("arc": "3/8",)", R"("level": "bending", "arc": "3/8",)");
+  std::ofstream(folder + "/insertion.json") << text;
+  {
+    Attempt attempt(folder + "/insertion.json", "expert", kPlugins, "");
+    ASSERT_TRUE(attempt.ok());
+    int ticks = 0;
+    const Calls c = play(attempt, 30000, ticks);
+    EXPECT_GT(ticks, 1000);
+    EXPECT_EQ(c.all(), 0u);
+    EXPECT_EQ(attempt.engine().quarantined(), 0u);
+  }
+  fs::remove_all(folder);
+}
 
 // putting everything back, saving and restoring are [rt] as well
 TEST(Engine, ResetSaveAndRestoreCallNothingEither) {

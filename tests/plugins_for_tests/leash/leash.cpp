@@ -18,6 +18,10 @@ void Leash::resolve(const swage::CouplingStep& step) {
 uint32_t Leash::ties(const swage::CouplingStep& step, std::span<swage_tie> out) {
   const Pose X_WA(step.a()->X_WB[0]), X_WB(step.b()->X_WB[0]);
   State& state = step.state<State>();
+  if (!(params().stiffness > 0)) {  // let go: taken hold of again, it is at rest as it then stands
+    state.known = 0;
+    return 0;
+  }
   if (state.known == 0) {
     for (int i = 0; i < 3; ++i) {
       const Vec3 p_B = params().arm * Vec3::Unit(i);

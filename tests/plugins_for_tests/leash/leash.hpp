@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ties the first body of one object to the first of another at three places, as they stand to each other at the start: a hand that
-// never slips. With a strength it is a grip that lets go. The example of the guide's part on ties.
+// never slips. With a strength it is a grip that lets go; with a stiffness of 0 it has let go. The example of the guide's part on ties.
 #pragma once
 
 #include <swage/coupling.hpp>
