@@ -33,6 +33,9 @@ const std::map<std::string, Form>& forms() {
       {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
       {"aim", {Verb::kAim, {"mark", "into", "across", "hover", "above"}, {"mark", "into", "across"}}},
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
+      {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
+      {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
+      {"again", {Verb::kAgain, {"from"}, {"from"}}},
   };
   return all;
 }
@@ -89,7 +92,22 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   number("angle", Measure::kAngle, act.angle);
   if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
   if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
-  if (value.contains("from")) act.from = direction(reader, value["from"], where + "/from");
+  if (act.verb == Verb::kAgain) {
+    if (!value["from"].is_number_unsigned())
+      reader.fail(where + "/from", "the number of an act before this one");
+    act.from_act = value["from"];
+  } else if (value.contains("from")) {
+    act.from = direction(reader, value["from"], where + "/from");
+  }
+  if (value.contains("at")) act.at = reader.vec3(value["at"], Measure::kLength, where + "/at");
+  if (value.contains("with")) {
+    const std::string with = word(reader, value["with"], where + "/with");
+    if (with != "needle" && with != "jaws")
+      reader.fail(where + "/with", "\"needle\" or \"jaws\" is needed here");
+    act.jaws = with == "jaws";
+  }
+  if (value.contains("other")) act.other = word(reader, value["other"], where + "/other");
+  if (value.contains("of")) act.of = word(reader, value["of"], where + "/of");
   if (value.contains("across")) act.across = direction(reader, value["across"], where + "/across");
   if (value.contains("mark")) act.mark = word(reader, value["mark"], where + "/mark");
   if (value.contains("into") && value["into"].is_string())
@@ -141,6 +159,9 @@ Plan parse_plan(const std::string& text, const std::string& name) {
     plan.closure = reader.number(start["closure"], Measure::kNumber, "/start/closure");
   for (size_t i = 0; i < file["acts"].size(); ++i)
     plan.acts.push_back(read_act(reader, file["acts"][i], "/acts/" + std::to_string(i)));
+  for (size_t i = 0; i < plan.acts.size(); ++i)
+    if (plan.acts[i].verb == Verb::kAgain && plan.acts[i].from_act >= i)
+      reader.fail("/acts/" + std::to_string(i) + "/from", "the number of an act before this one");
   return plan;
 }
 

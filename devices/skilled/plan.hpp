@@ -19,6 +19,11 @@
 //          leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
 //          turned back along the arc by the hover, and straight out of the tissue by `above`
 //   drive  angle, time: along its own arc, about its centre
+//   show   mark, at, with, across, time: waits until the mark moves, then holds the needle (or the jaws: `with`) up at `at`, pointing
+//          to the mark, `across` being the normal of the needle's plane (or the closing direction)
+//   answer mark, other, of, time: waits until the two marks part, then goes to the one to which the needle, or the shaft of the
+//          gripper named by `of`, leans as it sees it
+//   again  from: on with that act, counted from 0
 #pragma once
 
 #include <string>
@@ -31,7 +36,20 @@ namespace swage::skilled {
 using toolkit::Pose;
 using toolkit::Vec3;
 
-enum class Verb : int { kWait, kReach, kClose, kOpen, kBack, kMove, kBring, kAim, kDrive };
+enum class Verb : int {
+  kWait,
+  kReach,
+  kClose,
+  kOpen,
+  kBack,
+  kMove,
+  kBring,
+  kAim,
+  kDrive,
+  kShow,
+  kAnswer,
+  kAgain
+};
 
 struct Act {
   Verb verb = Verb::kWait;
@@ -51,6 +69,10 @@ struct Act {
   double hover = 0;             // m, along the arc
   double above = 0;             // m, against `into`
   double angle = 0;             // rad
+  Vec3 at = Vec3::Zero();       // m, W
+  bool jaws = false;            // show: the jaws and not the needle
+  std::string other, of;        // meaning of a mark; name of an object
+  size_t from_act = 0;
 };
 
 struct Plan {

@@ -65,18 +65,45 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
       return refuse(
           where +
           " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
-    for (uint32_t m = 0; m < marks.size() && !act.mark.empty(); ++m)
-      if (view(marks[m].meaning) == act.mark && marks[m].kind == SWAGE_MARK_POINT) seeks_[i].mark = m;
-    if (!act.mark.empty() && seeks_[i].mark == kNone)
-      return refuse(where + " looks for the point \"" + act.mark + "\", which this lesson does not show");
-    if (act.tissue.empty()) continue;
-    seeks_[i].tissue = scene.find_object(act.tissue);
-    if (seeks_[i].tissue == kNone)
-      return refuse(where + " aims into \"" + act.tissue + "\", which is not there");
-    seeks_[i].tissue_peer = Peer(scene->object[seeks_[i].tissue].instance);
-    if (!seeks_[i].tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
-      return refuse(where + ": \"" + act.tissue + "\" cannot be pierced");
+    if (!find_marks(marks, i, where) || !find_things(scene, i, where)) return;
   }
+}
+
+uint32_t Skilled::find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const {
+  for (uint32_t m = 0; m < marks.size(); ++m)
+    if (view(marks[m].meaning) == meaning && marks[m].kind == SWAGE_MARK_POINT) return m;
+  return kNone;
+}
+
+bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where) {
+  const Act& act = plan_.acts[i];
+  for (const auto& [meaning, index] :
+       {std::pair{&act.mark, &seeks_[i].mark}, {&act.other, &seeks_[i].other}}) {
+    if (meaning->empty()) continue;
+    *index = find_mark(marks, *meaning);
+    if (*index != kNone) continue;
+    refuse(where + " looks for the point \"" + *meaning + "\", which this lesson does not show");
+    return false;
+  }
+  return true;
+}
+
+bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where) {
+  const Act& act = plan_.acts[i];
+  Seeks& seeks = seeks_[i];
+  if (!act.of.empty()) {
+    seeks.thing = scene.find_object(act.of);
+    if (seeks.thing == kNone) return refuse(where + " judges \"" + act.of + "\", which is not there"), false;
+    seeks.thing_peer = Peer(scene->object[seeks.thing].instance);
+  }
+  if (act.tissue.empty()) return true;
+  seeks.tissue = scene.find_object(act.tissue);
+  if (seeks.tissue == kNone)
+    return refuse(where + " aims into \"" + act.tissue + "\", which is not there"), false;
+  seeks.tissue_peer = Peer(scene->object[seeks.tissue].instance);
+  if (!seeks.tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
+    return refuse(where + ": \"" + act.tissue + "\" cannot be pierced"), false;
+  return true;
 }
 
 void Skilled::look(const Sight& sight) {
@@ -96,6 +123,11 @@ void Skilled::look(const Sight& sight) {
   if (act_ >= plan_.acts.size()) return;
   const Seeks& seeks = seeks_[act_];
   if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
+  if (seeks.other != kNone) seen_.other_W = vec(sight.mark(seeks.other));
+  if (seen_.wire_good) seen_.up_W = seen_.wire.place(0).tangent_W;
+  if (const auto jaws =
+          seeks.thing_peer.describe(scene.object(seeks.thing == kNone ? gripper_ : seeks.thing)))
+    seen_.up_W = -vec(jaws->axis_W);
   seen_.into_W = plan_.acts[act_].into;
   if (seeks.tissue == kNone) return;
   if (const auto p = seeks.tissue_peer.inside(scene.object(seeks.tissue), toolkit::raw(seen_.mark_W)))
@@ -109,6 +141,7 @@ void Skilled::restart() {
   from_ = goal_ = now_ = plan_.start;
   from_closure_ = closure_ = plan_.closure;
   fresh_ = true;
+  shown_W_.setZero();
   if (drawn_) return;
   tremor_.draw(params_.tremor, params_.tremor_band.low, params_.tremor_band.high,
                [this] { return random(); });
@@ -141,24 +174,38 @@ Pose Skilled::reach_goal(const Act& act) const {
   return {p.p_W + (act.past - act.back) * R.col(0), Quat(R).normalized()};
 }
 
-/// The tool where the needle it holds has its point at the mark, leading in; then back along the arc by the hover.
-Pose Skilled::aim_goal(const Act& act) const {
+/// The tool where the needle it holds has its point at the target, leading in; then back along the arc by the hover.
+Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) const {
   const Wire& wire = seen_.wire;
   const Place point = wire.place(0);
   const Vec3 forward = -point.tangent_W;
-  const Vec3 into = seen_.into_W;
   const Vec3 flat = act.across - act.across.dot(into) * into;
   // the plane's normal is found from whichever side needs the smaller turn
   Vec3 across = flat.normalized();
   if (across.dot(wire.axis_W) < 0) across = -across;
   const Mat3 R = frame(into, across) * frame(forward, wire.axis_W).transpose();
   const Quat q = toolkit::exp_rotation(params_.lean * across) * Quat(R);
-  const Vec3 target = seen_.mark_W + missed_W_ - missed_W_.dot(into) * into;
   const Pose held{target + q * (from_.p - point.p_W), (q * from_.q).normalized()};
   const Vec3 centre = target + q * (wire.centre_W - point.p_W);
   Pose goal = turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));
   goal.p -= act.above * into;
   return goal;
+}
+
+/// The needle it holds, or its own jaws, held up and pointing to the mark.
+Pose Skilled::show_goal(const Act& act) const {
+  const Vec3 way = (seen_.mark_W - act.at).normalized();
+  if (!act.jaws) return lead(act, act.at, way);
+  const Vec3 closing = act.across - act.across.dot(way) * way;
+  return {act.at, Quat(frame(way, closing.normalized())).normalized()};
+}
+
+/// Whether what the act answers to has not come yet.
+bool Skilled::waits(const Act& act) const {
+  constexpr double kSame = 1e-9;  // m
+  if (act.verb == Verb::kShow)
+    return (seen_.mark_W - shown_W_).norm() < kSame || (!act.jaws && !seen_.wire_good);
+  return act.verb == Verb::kAnswer && (seen_.other_W - seen_.mark_W).norm() < kSame;
 }
 
 void Skilled::set_goal(const Act& act) {
@@ -179,8 +226,21 @@ void Skilled::set_goal(const Act& act) {
       break;
     case Verb::kAim:
       for (int k = 0; k < 3; ++k) missed_W_[k] = params_.aim_error / std::numbers::sqrt2 * normal();
-      if (seen_.wire_good) goal_ = aim_goal(act);
+      if (seen_.wire_good)
+        goal_ =
+            lead(act, seen_.mark_W + missed_W_ - missed_W_.dot(seen_.into_W) * seen_.into_W, seen_.into_W);
       break;
+    case Verb::kShow:
+      shown_W_ = seen_.mark_W;
+      goal_ = show_goal(act);
+      break;
+    case Verb::kAnswer: {
+      const Vec3 to_other = (seen_.other_W - seen_.mark_W).normalized();
+      const double lean = std::asin(std::clamp(seen_.up_W.dot(to_other), -1.0, 1.0));
+      const double seen = lean + params_.angle_bias + params_.angle_noise * normal();
+      goal_.p = seen > 0 ? seen_.other_W : seen_.mark_W;
+      break;
+    }
     case Verb::kDrive: {
       if (!seen_.wire_good) break;
       const Vec3 out = (wire.place(0).p_W - wire.centre_W).normalized();
@@ -191,6 +251,7 @@ void Skilled::set_goal(const Act& act) {
     case Verb::kWait:
     case Verb::kClose:
     case Verb::kOpen:
+    case Verb::kAgain:
       break;
   }
 }
@@ -214,12 +275,14 @@ void Skilled::exchange(const swage_command& command, swage_sample& sample) {
   if (act_ < plan_.acts.size()) {
     const Act& act = plan_.acts[act_];
     const double time = act.time / params_.speed;
+    if (fresh_ && waits(act)) act_began_s_ = t;
     const double share = std::min(1.0, (t - act_began_s_) / time);
-    follow_act(act, share, 1 / time, dt);
+    if (!fresh_ || !waits(act)) follow_act(act, share, 1 / time, dt);
     // closing to a force ends with the force, or with closed jaws
     const bool closing = act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force && closure_ < 1;
     if (share >= 1 && !closing) {
       ++act_;
+      if (act_ < plan_.acts.size() && plan_.acts[act_].verb == Verb::kAgain) act_ = plan_.acts[act_].from_act;
       begin_act(t);
     }
   }

@@ -26,6 +26,8 @@ struct SkilledParams {
   double aim_error = 0;            // m
   double lean = 0;                 // rad
   double pivot_error = 0;          // m
+  double angle_bias = 0;           // rad
+  double angle_noise = 0;          // rad
 };
 
 class Skilled final : public SeeingDevice<SkilledParams> {
@@ -74,6 +76,14 @@ class Skilled final : public SeeingDevice<SkilledParams> {
           "It drives the needle about a centre that is this much too far from the needle: "
           "how wrongly it judges the curve.")
           .group("Flaws"),
+      real<&SkilledParams::angle_bias>(
+          "angle_bias", "Angle bias", "rad", "deg", -kMaxLean, kMaxLean,
+          "What it sees as upright leans by this angle the other way, in each answer.")
+          .group("Flaws"),
+      real<&SkilledParams::angle_noise>(
+          "angle_noise", "Angle noise", "rad", "deg", 0, kMaxLean,
+          "Root mean square of the angle by which it misjudges a lean; drawn anew for each answer.")
+          .group("Flaws"),
   };
 
   void build(const SkilledParams& params, DeviceBuilder& builder) override;
@@ -84,8 +94,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
  private:
   /// What an act looks for, by index.
   struct Seeks {
-    uint32_t mark = kNone, tissue = kNone;
-    Peer tissue_peer;
+    uint32_t mark = kNone, other = kNone, tissue = kNone, thing = kNone;
+    Peer tissue_peer, thing_peer;
   };
   /// What is seen in this step.
   struct Seen {
@@ -93,6 +103,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
     bool wire_good = false;
     double force = 0;              // N
     Vec3 mark_W = Vec3::Zero();    // m, of the act under way
+    Vec3 other_W = Vec3::Zero();   // m
+    Vec3 up_W = Vec3::UnitZ();     // unit, of what is to be judged: from its point or tips to its other end
     Vec3 into_W = -Vec3::UnitZ();  // unit
   };
 
@@ -100,7 +112,12 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   void begin_act(double time_s);
   void set_goal(const Act& act);
   Pose reach_goal(const Act& act) const;
-  Pose aim_goal(const Act& act) const;
+  Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W) const;
+  Pose show_goal(const Act& act) const;
+  uint32_t find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const;
+  bool find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where);
+  bool find_things(const Scene& scene, size_t i, const std::string& where);
+  bool waits(const Act& act) const;
   void follow_act(const Act& act, double share, double rate, double dt);
   double normal();
 
@@ -119,6 +136,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose from_, goal_, now_;                // X_WT
   double from_closure_ = 0, closure_ = 0;
   Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
+  Vec3 shown_W_ = Vec3::Zero();   // m, the mark that was last shown
   double missed_m_ = 0;           // along the needle, of this reach
   Vec3 missed_W_ = Vec3::Zero();  // m, of this aim
 };

@@ -27,6 +27,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.device.mouse", "devices/mouse/mouse.md"},
     {"swage.lesson.grasp", "lessons/grasp/grasp.md"},
     {"swage.lesson.insertion", "lessons/insertion/insertion.md"},
+    {"swage.lesson.angles", "lessons/angles/angles.md"},
     {"swage.lesson.free_practice", "lessons/free_practice/free_practice.md"},
 };
 

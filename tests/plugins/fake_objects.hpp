@@ -59,17 +59,27 @@ struct FakeNeedle {
     raw.self = this;
     raw.get_extension = [](swage_instance*, const char* id) -> const void* {
       static const swage_piercing table{place, nearest};
+      static const swage_graspable grasped{locate};
+      if (std::strcmp(id, SWAGE_TRAIT_GRASPABLE) == 0) return &grasped;
       return std::strcmp(id, SWAGE_TRAIT_PIERCING) == 0 ? &table : nullptr;
     };
   }
-  static swage_result place(swage_instance*, const swage_object_step*, double s, swage_piercing_place* out) {
-    const double a = kSweep * s;
+  static swage_result place(swage_instance* i, const swage_object_step*, double s,
+                            swage_piercing_place* out) {
+    const double lean = static_cast<FakeNeedle*>(i->self)->lean, a = kSweep * s;
     *out = {};
     out->s = s;
     out->length = kRadius * kSweep;
     out->radius = 50e-6;
     out->p_W = {kRadius * (1 - std::cos(a)), 0, kRadius * std::sin(a)};
-    out->tangent_W = {std::sin(a), 0, std::cos(a)};
+    out->tangent_W = {std::sin(a + lean), 0, std::cos(a + lean)};
+    return SWAGE_OK;
+  }
+  static swage_result locate(swage_instance* i, const swage_object_step* step, swage_vec3 p,
+                             swage_graspable_place* out) {
+    swage_piercing_place at{};
+    nearest(i, step, p, &at);
+    *out = {at.s, at.length, at.p_W, at.tangent_W, {0, 1, 0}};
     return SWAGE_OK;
   }
   static swage_result nearest(swage_instance* i, const swage_object_step* step, swage_vec3 p,
@@ -77,6 +87,7 @@ struct FakeNeedle {
     const double a = std::atan2(p.z, kRadius - p.x);
     return place(i, step, std::min(1.0, std::max(0.0, a / kSweep)), out);
   }
+  double lean = 0;  // rad, of its tangents towards +x
   swage_instance raw{};
 };
 

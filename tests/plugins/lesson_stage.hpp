@@ -82,8 +82,9 @@ class LessonStage {
                                 1e-3};
     swage_lesson_binder binder{sizeof(swage_lesson_binder), 0, this,
                                [](swage_lesson_binder* b, const swage_mark* mark) {
-                                 static_cast<LessonStage*>(b->host_data)->marks.push_back(*mark);
-                                 return 0u;
+                                 auto& known = static_cast<LessonStage*>(b->host_data)->marks;
+                                 known.push_back(*mark);
+                                 return static_cast<uint32_t>(known.size() - 1);
                                },
                                [](swage_lesson_binder* b, const char* m) {
                                  static_cast<LessonStage*>(b->host_data)->problems.push_back(m);

@@ -35,9 +35,8 @@ std::string message(const std::string& acts) {
 TEST(Plan, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
   EXPECT_EQ(message(R"({"act": "jump"})"),
-            "plan.json #/acts/0/act: there is no act \"jump\"; there is: aim, back, bring, close, drive, "
-            "move, open, reach, "
-            "wait");
+            "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, back, bring, "
+            "close, drive, move, open, reach, show, wait");
   EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
   EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
             "plan.json #/acts/0/angle: \"3 mm\" is not an angle (rad, deg)");
@@ -48,6 +47,10 @@ TEST(Plan, SaysWhatIsWrongAndWhere) {
             "plan.json #/acts/0/s: s goes from 0 (point) to 1 (swage)");
   EXPECT_EQ(message(R"({"act": "reach", "s": 0.5, "from": [0, 0, 0]})"),
             "plan.json #/acts/0/from: the direction has no length");
+  EXPECT_EQ(message(R"({"act": "wait"}, {"act": "again", "from": 1})"),
+            "plan.json #/acts/1/from: the number of an act before this one");
+  EXPECT_EQ(message(R"({"act": "show", "mark": "m", "at": [0, 0, 0], "with": "feet", "across": [1, 0, 0]})"),
+            "plan.json #/acts/0/with: \"needle\" or \"jaws\" is needed here");
   EXPECT_THROW(parse_plan("[]", "x"), std::runtime_error);
   EXPECT_THROW(load_plan("/no/such/plan.json"), std::runtime_error);
 }
@@ -108,8 +111,9 @@ class SkilledHand : public ::testing::Test {
     const swage_scene_signal force{text("grasp"), text("grasp.force"), text("N")};
     const swage_scene_card scene{
         sizeof(swage_scene_card), 2, with_force ? 1u : 0u, 0, objects_.data(), &force, nullptr, 1e-3};
-    const swage_scene_mark mark{SWAGE_MARK_POINT, SWAGE_NONE, text("target.point"), {1e-4, 0}};
-    const swage_sight_card card{sizeof(swage_sight_card), 1, &scene, &mark};
+    const swage_scene_mark marks[] = {{SWAGE_MARK_POINT, SWAGE_NONE, text("target.point"), {1e-4, 0}},
+                                      {SWAGE_MARK_POINT, SWAGE_NONE, text("other.point"), {1e-4, 0}}};
+    const swage_sight_card card{sizeof(swage_sight_card), two_marks_ ? 2u : 1u, &scene, marks};
     const swage_result result = stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).bind(stage_->raw(), &card);
     EXPECT_EQ(stage_->activate(), SWAGE_OK);
     stage_->on_rt();
@@ -124,7 +128,8 @@ class SkilledHand : public ::testing::Test {
     view.signal = &force_;
     view.n_object = 2;
     view.object_step = objects;
-    const swage_sight sight{sizeof(swage_sight), 1, &view, &mark_};
+    const swage_vec3 marks[] = {mark_, other_};
+    const swage_sight sight{sizeof(swage_sight), two_marks_ ? 2u : 1u, &view, marks};
     ASSERT_EQ(stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).look(stage_->raw(), &sight), SWAGE_OK);
     swage_command command{};
     command.time_s = 1e-3 * n_++;
@@ -164,7 +169,8 @@ class SkilledHand : public ::testing::Test {
   swage_instance needle_{}, gripper_{};
   std::vector<swage_scene_object> objects_;
   Pose X_WN_{Vec3(1e-3, 0, 0), toolkit::exp_rotation({0.3, -0.2, 0.5})}, X_TN_, X_WT_;
-  swage_vec3 mark_{-4e-3, 1e-3, 2e-3};
+  swage_vec3 mark_{-4e-3, 1e-3, 2e-3}, other_{};
+  bool two_marks_ = false;
   double force_ = 0;
   bool held_ = false;
   int n_ = 0;
@@ -211,6 +217,58 @@ TEST_F(SkilledHand, AimsAndDrivesTheNeedleThroughTheMarkAlongItself) {
   EXPECT_LT(nearest, 5e-6);  // within half the way of one step
   EXPECT_GT(square, 0.9999);
   EXPECT_NEAR(std::abs(needle_at(0).normal_W.x()), 1, 1e-9);
+}
+
+TEST_F(SkilledHand, ShowsTheNeedlePointingToTheMarkWheneverThatMoves) {
+  make(
+      kGrasp +
+      R"(, {"act": "show", "mark": "target.point", "at": [0, 0, "5 mm"], "with": "needle", "across": [0, 1, 0],
+                      "time": "0.2 s"}, {"act": "again", "from": 3})");
+  mark_ = {0, 0, 0};
+  ASSERT_EQ(bind(), SWAGE_OK);
+  while (n_ < 2500) step();
+  const Pose before = X_WN_;
+  while (n_ < 2600) step();
+  EXPECT_EQ((X_WN_.p - before.p).norm(), 0) << "the mark has not moved yet";
+  for (const double x : {0.3, -0.2}) {
+    mark_ = {x, 0, -1};
+    for (const int end = n_ + 250; n_ < end;) step();
+    const Place point = needle_at(0);
+    EXPECT_LT((point.p_W - Vec3(0, 0, 5e-3)).norm(), 1e-9);
+    EXPECT_GT(-point.tangent_W.dot((vec(mark_) - Vec3(0, 0, 5e-3)).normalized()), 1 - 1e-12);
+    EXPECT_NEAR(std::abs(point.normal_W.y()), 1, 1e-9);
+  }
+}
+
+TEST_F(SkilledHand, AnswersOnceTheMarksPartAndToTheSideThatItSees) {
+  for (const double bias : {0.0, 0.6}) {
+    make(
+        R"({"act": "answer", "mark": "target.point", "other": "other.point", "of": "needle", "time": "0.2 s"},
+            {"act": "close", "closure": 0.65, "time": "0.1 s"})",
+        {{"angle_bias", bias}});
+    X_WN_ = Pose{Vec3(2e-3, 0, 0),
+                 toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};  // its point leads up and to -y by 0.3
+    two_marks_ = true;
+    n_ = 0;
+    held_ = true;
+    other_ = mark_;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    X_TN_ = Pose(Vec3(0, 0, 0), Quat::Identity());
+    while (n_ < 300) {
+      step();
+      X_WN_ = Pose{Vec3(2e-3, 0, 0), toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};
+    }
+    EXPECT_LT((X_WT_.p - Vec3(8e-3, 0, 5e-3)).norm(), 1e-12) << "nobody has asked yet";
+    other_ = {mark_.x, mark_.y - 2e-3, mark_.z};
+    const Vec3 up = needle_at(0).tangent_W;
+    for (const int end = n_ + 250; n_ < end;) {
+      step();
+      X_WN_ = Pose{Vec3(2e-3, 0, 0), toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};
+    }
+    const bool other = std::asin(-up.y()) + bias > 0;
+    EXPECT_LT((X_WT_.p - vec(other ? other_ : mark_)).norm(), 1e-9);
+    EXPECT_EQ(other, bias > 0 || -up.y() > 0);
+  }
 }
 
 TEST_F(SkilledHand, FlawsAreWhatTheySay) {

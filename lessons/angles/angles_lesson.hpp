@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.lesson.angles: to which side does it lean? Trains and measures the eye for angles. See angles.md.
+#pragma once
+
+#include <swage/lesson.hpp>
+
+#include <string>
+
+#include "card.hpp"
+#include "common/watching.hpp"
+#include "judge.hpp"
+
+namespace swage::lesson_angles {
+
+enum class Between : int { kSurface, kJaws };
+inline constexpr const char* kBetween[] = {"surface", "jaws", nullptr};
+
+struct AnglesParams {
+  std::string gripper = "holder", assistant = "assistant", needle = "needle", tissue = "tissue";
+  Between between = Between::kSurface;
+  swage_vec3 place = {0, 0, 3.3e-3};           // m, W
+  swage_vec3 sight = {0, 1, 0};                // W
+  swage_vec3 answer_place = {0, -4e-3, 3e-3};  // m, W
+  double answer_reach = 2e-3;                  // m
+  int questions = Rules{}.questions;
+  double start = Rules{}.start, least = Rules{}.least;                  // rad
+  double show_time = Rules{}.show_time, tell_time = Rules{}.tell_time;  // s
+  bool stereo = false;
+  double max_bias = Rules{}.max_bias, max_jnd = Rules{}.max_jnd;    // rad
+  double par_time = Rules{}.par_time, max_time = Rules{}.max_time;  // s
+};
+
+class AnglesLesson final : public Lesson<AnglesParams> {
+ public:
+  static constexpr auto id = "swage.lesson.angles";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Judge angles";
+  static constexpr auto summary =
+      "An assistant holds up a needle over a surface, or jaws before a needle: say to which side it leans. "
+      "Finds the smallest lean that the eye tells, and by how much it is off.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr std::span<const swage_metric_info> metrics{kMetrics};
+  static constexpr std::span<const swage_cue_info> cues{kCues};
+
+  static constexpr std::array fields = {
+      text<&AnglesParams::gripper>("gripper", "Gripper", "Name of the object that answers."),
+      text<&AnglesParams::assistant>("assistant", "Assistant", "Name of the gripper that shows."),
+      text<&AnglesParams::needle>("needle", "Needle", "Name of the needle."),
+      text<&AnglesParams::tissue>("tissue", "Tissue", "Name of the surface; not needed for jaws."),
+      choice<&AnglesParams::between>(
+          "between", "Angle to", kBetween,
+          "Surface: the needle's point against the tissue. Jaws: the assistant's jaws against the needle."),
+      vector<&AnglesParams::place>("place", "Place", "m", "mm", -1, 1,
+                                   "Where the needle's point, or the tips of the jaws, are shown, in the "
+                                   "world; the assistant's plan has the same."),
+      vector<&AnglesParams::sight>("sight", "Line of sight", "1", "1", -1, 1,
+                                   "Direction in which the trainee looks; need not have length 1."),
+      vector<&AnglesParams::answer_place>("answer_place", "Answers", "m", "mm", -1, 1,
+                                          "Middle between the two places where answers are given."),
+      real<&AnglesParams::answer_reach>("answer_reach", "Reach", "m", "mm", 1e-4, 0.1,
+                                        "Distance of either from that middle."),
+      integer<&AnglesParams::questions>("questions", "Questions", 4, 120,
+                                        "In all; each of four staircases gets a quarter of them."),
+      real<&AnglesParams::start>("start", "First lean", "rad", "deg", 0.02, 0.7,
+                                 "Of each staircase; twice this is the widest that is ever shown."),
+      real<&AnglesParams::least>("least", "Least step", "rad", "deg", 0.001, 0.2,
+                                 "The steps of a staircase are halved down to this."),
+      real<&AnglesParams::show_time>("show_time", "Show", "s", "s", 0.05, 60,
+                                     "From the movement of what is shown to the question."),
+      real<&AnglesParams::tell_time>("tell_time", "Tell", "s", "s", 0.05, 60,
+                                     "For how long the sign of right or wrong is shown."),
+      boolean<&AnglesParams::stereo>(
+          "stereo", "Stereo", "Whether the view has stereo; told with the metrics, changes nothing else."),
+      real<&AnglesParams::max_bias>("max_bias", "Bias", "rad", "deg", 0.01, 1,
+                                    "The attempt fails when the eye is off by more than this on either axis.")
+          .group("Limits"),
+      real<&AnglesParams::max_jnd>("max_jnd", "Least lean", "rad", "deg", 0.01, 1,
+                                   "It fails when the just noticeable difference is larger on either axis.")
+          .group("Limits"),
+      real<&AnglesParams::par_time>(
+          "par_time", "Par time", "s", "s", 0.1, 3600,
+          "Up to here no points are lost for time; twice this costs all that time can cost.")
+          .group("Limits"),
+      real<&AnglesParams::max_time>("max_time", "Time limit", "s", "s", 1, 36000,
+                                    "The attempt fails when it is over.")
+          .group("Limits"),
+  };
+
+  void build(const AnglesParams& params, LessonBuilder& builder) override;
+  void bind(const Scene& scene, Binder& binder) override;
+  void activate(double dt_s) override;
+  void observe(const View& view, const Verdict& verdict, std::span<double> state) override;
+  void reset(std::span<double> state) override { as<Memory>(state) = {}; }
+
+ private:
+  /// What is square to the reference, and the two axes of a lean; unit, W.
+  struct Frame {
+    Vec3 square = Vec3::UnitZ(), axis[kAxes];
+  };
+  bool see(const View& view, Frame& frame, Vec3& up_W) const;
+  void show(const Memory& memory, const Finding& finding, const Frame& frame, const Verdict& verdict) const;
+  void say(const Memory& memory, const Finding& finding, const Verdict& verdict) const;
+  void report(const Memory& memory, const Finding& finding, double time_s, const Verdict& verdict) const;
+
+  AnglesParams params_;
+  Judge judge_;
+  Peer gripper_, assistant_, needle_, tissue_;
+  uint32_t gripper_object_ = kNone, assistant_object_ = kNone, needle_object_ = kNone, tissue_object_ = kNone;
+  Mark point_, one_, other_;
+  Metric metric_[static_cast<size_t>(Measure::kCount)];
+  Cue cue_[static_cast<size_t>(Sign::kCount)];
+  Phase phase_[4];   // by Stage
+  Event failed_[5];  // by End
+  Event answered_;
+};
+
+}  // namespace swage::lesson_angles

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Both angle lessons with assistant, needle and hands, in the real host: hands come out in order, what is shown is what was asked
+// for, and the left hand gets the same.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "run_lesson.hpp"
+
+namespace swage::stage {
+namespace {
+
+const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
+constexpr double kDegree = 0.017453292519943295;
+
+class Angles : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Stock, Angles, ::testing::Values("120_angles", "121_angles_jaws"));
+
+LessonRun run(const std::string& lesson, const std::string& hand, bool mirror = false) {
+  LessonRun attempt(kSeries + lesson + ".json", {hand, ""}, [&](auto& file) { file.mirror = mirror; });
+  EXPECT_EQ(attempt.problems(), "");
+  if (attempt.ready()) attempt.run(200);
+  return attempt;
+}
+
+TEST_P(Angles, ExpertNoviceAndClumsyComeOutInThisOrder) {
+  const LessonRun expert = run(GetParam(), "expert"), novice = run(GetParam(), "novice"),
+                  clumsy = run(GetParam(), "clumsy");
+  ASSERT_TRUE(expert.ready() && novice.ready() && clumsy.ready());
+  EXPECT_EQ(expert.outcome(), "passed");
+  EXPECT_EQ(novice.outcome(), "passed");
+  EXPECT_TRUE(clumsy.reason() == "failed.unsure" || clumsy.reason() == "failed.biased") << clumsy.reason();
+  EXPECT_GT(expert.verdict().score, 95);
+  EXPECT_GT(expert.verdict().score, novice.verdict().score + 3);
+  EXPECT_GT(novice.verdict().score, clumsy.verdict().score + 3);
+  EXPECT_EQ(expert.metric("angle.answers"), 40);
+  // eyes of 1.5 deg without bias, and of 4 deg with one of 5 deg
+  for (const char* axis : {"side", "depth"}) {
+    EXPECT_LT(std::abs(expert.metric(std::string("angle.bias_") + axis)), 2.5 * kDegree);
+    EXPECT_LT(expert.metric(std::string("angle.jnd_") + axis), 3 * kDegree);
+    EXPECT_GT(novice.metric(std::string("angle.bias_") + axis), 1 * kDegree);
+  }
+  EXPECT_EQ(expert.engine().quarantined() + novice.engine().quarantined() + clumsy.engine().quarantined(),
+            0u);
+}
+
+TEST_P(Angles, TheLeftHandGetsTheSameScore) {
+  const LessonRun right = run(GetParam(), "expert"), left = run(GetParam(), "expert", true);
+  ASSERT_TRUE(right.ready() && left.ready());
+  EXPECT_EQ(left.outcome(), "passed");
+  EXPECT_NEAR(left.verdict().score, right.verdict().score, 1e-6);
+}
+
+// somebody at the mouse: nothing moves until there is an answer, and the needle stays in the assistant's jaws
+TEST(Angles, AQuestionWaitsForItsAnswer) {
+  LessonRun attempt(kSeries + "120_angles.json", "mouse");
+  ASSERT_TRUE(attempt.ready()) << attempt.problems();
+  attempt.run(1);
+  EXPECT_EQ(attempt.phase(), "ask");
+  const uint32_t needle = attempt.body("needle");
+  const toolkit::Vec3 start = toolkit::vec(attempt.world().X_WB[needle].p);
+  attempt.run(5);
+  EXPECT_EQ(attempt.phase(), "ask");
+  EXPECT_LT((toolkit::vec(attempt.world().X_WB[needle].p) - start).norm(), 1e-6);
+  EXPECT_EQ(attempt.signal("grasp", "grasp.held"), 1);
+}
+
+}  // namespace
+}  // namespace swage::stage
