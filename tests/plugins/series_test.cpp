@@ -20,10 +20,14 @@ const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 const std::string kSolids = kSeries + "010_practice_solids.json";
 const std::string kBasic = kSeries + "020_grasp_basic.json";
 const std::string kCarry = kSeries + "040_grasp_advanced_2.json";
-const char* const kLessons[] = {"010_practice_solids",          "020_grasp_basic",
-                                "030_grasp_advanced_1_quarter", "031_grasp_advanced_1_three_eighths",
-                                "032_grasp_advanced_1_half",    "040_grasp_advanced_2",
-                                "110_insertion"};
+const char* const kLessons[] = {"010_practice_solids",
+                                "020_grasp_basic",
+                                "030_grasp_advanced_1_quarter",
+                                "031_grasp_advanced_1_three_eighths",
+                                "032_grasp_advanced_1_half",
+                                "040_grasp_advanced_2",
+                                "110_insertion",
+                                "115_stitch"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);
