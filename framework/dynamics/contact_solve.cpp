@@ -112,6 +112,11 @@ void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& s
   for (const bool is_a : {true, false}) {
     Side& s = is_a ? k.a : k.b;
     if (!place_.is_self(s.mover)) continue;
+    if (!(c.law.stiffness >
+          0)) {  // passes through: never pushes, so nobody needs to know how much gives there
+      s.mover = kNone;
+      continue;
+    }
     s.point = place_.self().add_point(place_.mover(s.mover).index, s.body, is_a ? c.shape_a : c.shape_b,
                                       c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
     if (s.point != kNone) continue;

@@ -4,6 +4,7 @@
 // Matrices are row-major, n x n, without gaps. Header-only, [rt].
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -32,9 +33,9 @@ inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
       const double l = A[i * n + k] * inverse;
       A[i * n + k] = l;
       if (l == 0) continue;
-      const double* from = A + k * n;
-      double* to = A + i * n;
-      for (size_t j = k + 1; j < n; ++j) to[j] -= l * from[j];
+      const auto rest = static_cast<Eigen::Index>(n - k - 1);
+      Eigen::Map<Eigen::VectorXd>(A + i * n + k + 1, rest) -=
+          l * Eigen::Map<const Eigen::VectorXd>(A + k * n + k + 1, rest);
     }
   }
   return true;

@@ -10,8 +10,10 @@
 namespace swage::dynamics {
 namespace {
 
-constexpr uint32_t kNewtonSteps = 8;   // of Coulomb's Newton before the convex path is taken
-constexpr uint32_t kHalvings = 3;      // of one of them
+constexpr uint32_t kNewtonSteps = 8;  // of Coulomb's Newton before the convex path is taken
+constexpr uint32_t kHalvings = 3;     // of one of them
+constexpr uint32_t kTiedSteps = 20,
+                   kTiedHalvings = 6;  // the same where ties hold: they do not turn F inside out
 constexpr double kDecrease = 1e-3;     // fraction of the predicted decrease that a step must bring
 constexpr double kFlat = 0.1;          // slope that ends a line search, of the slope at its start
 constexpr uint32_t kSearch = 30;       // evaluations of one line search
@@ -19,6 +21,13 @@ constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
 constexpr double kFar = 1e6;           // tolerances that a step of the path may go: 0.1 mm
 constexpr double kNeverSlips = 1e300;  // N
+
+/// Whether a row stiffens anything where it was last evaluated.
+bool takes_part(const Row& row) { return row.tie || row.f.fn > 0 || row.limit > 0; }
+
+bool has_ties(const Island& island) {
+  return std::any_of(island.rows.begin(), island.rows.end(), [](const Row& row) { return row.tie; });
+}
 
 }  // namespace
 
@@ -55,23 +64,48 @@ double IslandSolver::merit(const Island& island) const noexcept {
   return sum;
 }
 
-/// Newton step from the point last evaluated: H step = -F.
+/// Newton step from the point last evaluated: H step = -F. Between kinks H does not change, and its factors are still there.
 bool IslandSolver::direction(const Island& island, Friction friction) noexcept {
+  const bool same = same_stiffness(island, friction);
+  if (same && factored_) return solve_factored();
   std::fill_n(H_.begin(), size_ * size_, 0.0);
   for (const Mover* mover : island.movers) mover->add_stiffness(d_.data() + mover->offset, size_, H_.data());
-  for (const Row& row : island.rows) {
-    if (!row.tie && row.f.fn <= 0 && row.limit <= 0) continue;
-    const Tangent D = row.tie ? tie_tangent(*row.tie, row.u)
-                              : tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
-    add_stiffness(row, D, size_, H_.data());
-  }
+  for (const Row& row : island.rows)
+    if (takes_part(row)) add_stiffness(row, row.D, size_, H_.data());
   return solve_linear();
+}
+
+/// Tangents of all rows, and stiffness of the drives. True when they are what H was last made of.
+bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexcept {
+  bool same = true;
+  const auto keep = [&same](double& kept, double now) {
+    same = same && kept == now;
+    kept = now;
+  };
+  for (Mover* mover : island.movers)
+    if (mover->kind == Mover::Kind::kHinge)
+      keep(mover->stiffness, mover->drive.stiffness(mover->angle + d_[mover->offset]));
+  for (Row& row : island.rows) {
+    Tangent D;
+    if (row.tie)
+      D = tie_tangent(*row.tie, row.u);
+    else if (takes_part(row))
+      D = tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
+    const double now[] = {D.nn, D.n1, D.n2, D.t11, D.t12, D.t22};
+    double* const kept[] = {&row.D.nn, &row.D.n1, &row.D.n2, &row.D.t11, &row.D.t12, &row.D.t22};
+    for (int i = 0; i < 6; ++i) keep(*kept[i], now[i]);
+  }
+  return same;
 }
 
 /// H step = -F.
 bool IslandSolver::solve_linear() noexcept {
+  factored_ = lu_factor(size_, H_.data(), pivot_.data());
+  return factored_ && solve_factored();
+}
+
+bool IslandSolver::solve_factored() noexcept {
   for (size_t i = 0; i < size_; ++i) negative_F_[i] = -F_[i];
-  if (!lu_factor(size_, H_.data(), pivot_.data())) return false;
   ++newton_;
   lu_solve(size_, H_.data(), pivot_.data(), negative_F_.data(), step_.data());
   return true;
@@ -96,9 +130,11 @@ void IslandSolver::advance(double fraction) noexcept {
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
 /// what it cannot do in a few steps the convex path does better.
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
+  const bool tied = has_ties(island);
+  const uint32_t steps = tied ? kTiedSteps : kNewtonSteps, halvings = tied ? kTiedHalvings : kHalvings;
   evaluate(island, d_.data(), Friction::kCoulomb);
   double now = merit(island);
-  for (uint32_t i = 0; i < kNewtonSteps; ++i) {
+  for (uint32_t i = 0; i < steps; ++i) {
     if (!direction(island, Friction::kCoulomb)) return false;
     const double far = length(island, step_.data());
     if (!std::isfinite(far)) return false;
@@ -111,7 +147,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
       if (far <= tolerance) break;
       next = merit(island);
       if (next <= (1 - 2 * kDecrease * fraction) * now) break;
-      if (k == kHalvings) return false;
+      if (k == halvings) return false;
     }
     d_.swap(trial_);
     if (far <= tolerance) return true;
@@ -195,6 +231,7 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
 Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limits) noexcept {
   size_ = island.size;
   newton_ = 0;
+  factored_ = false;
   std::fill_n(d_.begin(), size_, 0.0);
   Outcome outcome;
   if (limits == Limits::kHeld) {
@@ -216,8 +253,7 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
 /// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
 void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
   outcome.fell_back = true;
-  bool ties = false;
-  for (const Row& row : island.rows) ties = ties || row.tie;
+  const bool ties = has_ties(island);
   std::fill_n(d_.begin(), size_, 0.0);
   // the path knows the pieces of Coulomb's law only, not those of a tie
   outcome.converged = !ties && follow_path(island, tolerance);

@@ -41,6 +41,7 @@ struct Row {
   double limit = 0;  // N, of friction
   Piece piece = Piece::kOpen;
   Displacement way;    // along the Newton step
+  Tangent D;           // of which the last system was made
   Displacement asked;  // from `at` to `u`, in the last pass
 };
 
@@ -83,7 +84,9 @@ class IslandSolver {
   void evaluate(const Island& island, const double* d, Friction friction) noexcept;
   double merit(const Island& island) const noexcept;
   bool direction(const Island& island, Friction friction) noexcept;
+  bool same_stiffness(const Island& island, Friction friction) noexcept;
   bool solve_linear() noexcept;
+  bool solve_factored() noexcept;
   double length(const Island& island, const double* step) const noexcept;
   void advance(double fraction) noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
@@ -105,6 +108,7 @@ class IslandSolver {
 
   size_t size_ = 0;
   uint32_t newton_ = 0;
+  bool factored_ = false;  // H_ holds the factors of the last system
   std::vector<double> d_, trial_, step_, F_, negative_F_, H_;
   std::vector<double> before_;  // d_ of the last convex problem
   std::vector<uint32_t> pivot_;

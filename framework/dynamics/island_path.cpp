@@ -42,7 +42,9 @@ bool IslandSolver::direction_on_pieces(const Island& island) noexcept {
   for (const Row& row : island.rows)
     if (row.piece != Piece::kOpen)
       add_stiffness(row, tangent_on(row.piece, row.surface, row.u), size_, H_.data());
-  return solve_linear();
+  const bool solved = solve_linear();
+  factored_ = false;  // of the pieces, not of the law
+  return solved;
 }
 
 /// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just

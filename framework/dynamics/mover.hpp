@@ -24,6 +24,7 @@ struct Mover {
   Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
   Mat3 inv_I_hh = Mat3::Zero();  // its inverse
   HingeDrive drive;
+  double stiffness = 0;  // N m/rad of the drive, of which the last system was made
 
   Vec3 x = Vec3::Zero();  // m, from where it would go without contacts
   Vec3 a = Vec3::Zero();  // rad, rotation over the step

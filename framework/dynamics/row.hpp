@@ -3,6 +3,8 @@
 // What one row adds to the system of its island. Header-only, pure functions, [rt].
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/island.hpp"
 
 namespace swage::dynamics {
@@ -36,19 +38,29 @@ inline void add_force(const Row& row, double* F) {
     Fb[j] -= J0[i] * row.f.fn + J1[i] * row.f.f1 + J2[i] * row.f.f2;
 }
 
-/// H += J' D J.
+/// H += J' D J, row by row of H and some columns at a time: what is written lies side by side.
 inline void add_stiffness(const Row& row, const Tangent& D, size_t n, double* H) {
+  constexpr uint32_t kBlock = 64;
+  double k0[kBlock], k1[kBlock], k2[kBlock];
   const uint32_t columns = row.size_a + row.size_b;
   const double *J0 = row.J, *J1 = J0 + columns, *J2 = J1 + columns;
-  for (uint32_t j = 0; j < columns; ++j) {
-    const double k0 = D.nn * J0[j];
-    const double k1 = D.n1 * J0[j] + D.t11 * J1[j] + D.t12 * J2[j];
-    const double k2 = D.n2 * J0[j] + D.t12 * J1[j] + D.t22 * J2[j];
-    double* column = H + (j < row.size_a ? row.offset_a + j : row.offset_b + j - row.size_a);
-    double *Ha = column + row.offset_a * n, *Hb = column + row.offset_b * n;
-    for (uint32_t i = 0; i < row.size_a; ++i) Ha[i * n] += J0[i] * k0 + J1[i] * k1 + J2[i] * k2;
-    for (uint32_t b = 0, i = row.size_a; i < columns; ++i, ++b)
-      Hb[b * n] += J0[i] * k0 + J1[i] * k1 + J2[i] * k2;
+  for (const bool of_a : {true, false}) {
+    const uint32_t begin = of_a ? 0 : row.size_a, end = of_a ? row.size_a : columns;
+    for (uint32_t first = begin; first < end; first += kBlock) {
+      const uint32_t m = std::min(kBlock, end - first);
+      for (uint32_t j = 0; j < m; ++j) {
+        const double j0 = J0[first + j], j1 = J1[first + j], j2 = J2[first + j];
+        k0[j] = D.nn * j0;
+        k1[j] = D.n1 * j0 + D.t11 * j1 + D.t12 * j2;
+        k2[j] = D.n2 * j0 + D.t12 * j1 + D.t22 * j2;
+      }
+      double* const at = H + (of_a ? row.offset_a : row.offset_b) + first - begin;
+      const Eigen::Map<const Eigen::VectorXd> K0(k0, m), K1(k1, m), K2(k2, m);
+      for (uint32_t i = 0; i < columns; ++i) {
+        const uint32_t line = i < row.size_a ? row.offset_a + i : row.offset_b + i - row.size_a;
+        Eigen::Map<Eigen::VectorXd>(at + line * n, m) += J0[i] * K0 + J1[i] * K1 + J2[i] * K2;
+      }
+    }
   }
 }
 
