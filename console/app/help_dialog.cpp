@@ -35,10 +35,12 @@ Card make_table(const QString& heading, const QVector<Line>& lines, QWidget* par
 Card make_legend(const CueTheme& cues, QWidget* parent) {
   Card card = make_card(QObject::tr("What the cues mean"), parent);
   auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
-  for (const QString& meaning : cues.meanings()) {
-    const CueStyle style = cues.style(meaning);
-    const int row = grid->rowCount();
+  grid->setHorizontalSpacing(8);
+  const QStringList meanings = cues.meanings();
+  const auto lines = static_cast<int>((meanings.size() + 1) / 2);  // in two columns
+  for (int i = 0; i < meanings.size(); ++i) {
+    const CueStyle style = cues.style(meanings[i]);
+    const int row = i % lines, left = i < lines ? 0 : 4;
     auto* badges = new QHBoxLayout;
     badges->setSpacing(0);
     for (const QChar sign : style.shape) {
@@ -49,12 +51,13 @@ Card make_legend(const CueTheme& cues, QWidget* parent) {
       badges->addWidget(badge);
     }
     badges->addStretch(1);
-    grid->addLayout(badges, row, 0);
-    grid->addWidget(new QLabel(style.text, card.frame), row, 1);
+    grid->addLayout(badges, row, left);
+    grid->addWidget(new QLabel(style.text, card.frame), row, left + 1);
     auto* sound = make_muted(style.sound, card.frame);
     sound->setWordWrap(false);
-    grid->addWidget(sound, row, 2);
+    grid->addWidget(sound, row, left + 2);
   }
+  grid->setColumnMinimumWidth(3, 20);
   card.body->addLayout(grid);
   card.body->addStretch(1);
   return card;
@@ -92,7 +95,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                       .frame,
                   0, 1);
   grid->addWidget(make_table(tr("Picture"),
-                             {{tr("Drag,  arrows"), tr("Turn the camera")},
+                             {{tr("Orbit Side Top Near"), tr("Go to a view")},
+                              {tr("Drag,  arrows"), tr("Turn the camera")},
                               {tr("Right drag, Shift+drag"), tr("Shift the camera")},
                               {tr("Wheel,  + −"), tr("Nearer, further")},
                               {tr("Double click,  Home"), tr("Frame the scene")},

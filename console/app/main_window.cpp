@@ -5,13 +5,26 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <optional>
 
 #include "console/app/help_dialog.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
+
+namespace {
+
+std::optional<CameraPreset> preset_of(const QString& view) {
+  static const QHash<QString, CameraPreset> presets = {{QStringLiteral("side"), CameraPreset::kSide},
+                                                       {QStringLiteral("top"), CameraPreset::kTop},
+                                                       {QStringLiteral("near"), CameraPreset::kNear}};
+  return presets.contains(view) ? std::optional(presets[view]) : std::nullopt;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
@@ -192,9 +205,7 @@ void MainWindow::restore(const Launch& launch) {
   if (launch.device_given) setup->set_device(QString::fromStdString(launch.options.device));
   if (launch.mode_given) setup->set_mode(QString::fromStdString(launch.options.mode));
   select_first(launch);
-  if (launch.view == QLatin1String("side")) run_->look(CameraPreset::kSide);
-  if (launch.view == QLatin1String("top")) run_->look(CameraPreset::kTop);
-  if (launch.view == QLatin1String("near")) run_->look(CameraPreset::kNear);
+  if (const auto view = preset_of(launch.view)) run_->look(*view);
   if (launch.page == QLatin1String("progress")) show_page(1);
   if (!launch.review.isEmpty()) review_given(launch);
   // once the event loop runs and the window is there
@@ -207,7 +218,7 @@ void MainWindow::review_given(const Launch& launch) {
   const std::vector<record::AttemptRow> all = progress_->store()->attempts("");
   if (id == QLatin1String("latest")) id = all.empty() ? QString() : QString::fromStdString(all.front().id);
   review(id);
-  if (launch.view == QLatin1String("near")) review_->view()->look(CameraPreset::kNear);
+  if (const auto view = preset_of(launch.view)) review_->view()->look(*view);
   if (!launch.start) review_->go(launch.screenshot_at_s);
 }
 

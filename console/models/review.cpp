@@ -17,9 +17,9 @@ QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 // what an instructor looks at first, best first
 int rank(const judge::Name& signal) {
-  static const QStringList kWords = {"grasp.force", "grip.force", "pierce.force", "cosine", "spot",
-                                     "tilt_axis",   "tilt_plane", "tilt",         "depth",  "angle",
-                                     "force",       "bend",       "reach"};
+  static const QStringList kWords = {"grasp.force", "grip.force", "pierce.force", "cosine", "stress",
+                                     "spot",        "tilt_axis",  "tilt_plane",   "tilt",   "depth",
+                                     "angle",       "force",      "bend",         "reach"};
   const QString id = qt(signal.id);
   for (int i = 0; i < kWords.size(); ++i) {
     if (id.contains(kWords[i])) return i;
@@ -117,7 +117,8 @@ QString Review::verdict() const {
   const QString text = sign + verdict_text(attempt.is_void ? QStringLiteral("void") : qt(attempt.outcome));
   if (attempt.outcome == "passed")
     return QObject::tr("%1, %2 of 100").arg(text).arg(attempt.score, 0, 'f', 0);
-  return attempt.reason.empty() ? text : QStringLiteral("%1: %2").arg(text, human_id(qt(attempt.reason)));
+  const QString why = human_id(qt(attempt.reason));
+  return attempt.reason.empty() || why == text ? text : QStringLiteral("%1: %2").arg(text, why);
 }
 
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,

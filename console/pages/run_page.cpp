@@ -22,6 +22,7 @@ constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
+constexpr int kSide_px = 270;    // the whole page fits a screen of 1280
 constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
 
 }  // namespace
@@ -36,11 +37,11 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 10, 12, 6);
   row->setSpacing(12);
-  setup_->setFixedWidth(286);
+  setup_->setFixedWidth(kSide_px);
   row->addWidget(setup_);
   row->addWidget(make_middle(), 1);
   QWidget* right = make_right();
-  right->setFixedWidth(286);
+  right->setFixedWidth(kSide_px);
   row->addWidget(right);
 
   preview_timer_.setSingleShot(true);
@@ -122,9 +123,9 @@ QWidget* RunPage::make_view_bar() {
   title_ = new QLabel(bar);
   title_->setObjectName(QStringLiteral("lesson_title"));
   QFont font = title_->font();
-  font.setPointSizeF(font.pointSizeF() * 1.2);
-  font.setBold(true);
+  font.setPointSizeF(font.pointSizeF() * 1.2), font.setBold(true);
   title_->setFont(font);
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long one widens nothing
   row->addWidget(title_, 1);
   const struct {
     QString text, name;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGlide_s = 0.09;  // time constant; longer feels sluggish, shorter jumps
 constexpr float kStray = 0.5F;     // of the half height of the picture
-constexpr float kNear = 0.5F;      // of the distance at which everything is framed
+constexpr float kNear = 0.7F;      // of the distance at which everything is framed
 constexpr float kDeg = 0.017453292F;
 
 }  // namespace

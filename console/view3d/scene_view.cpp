@@ -19,6 +19,7 @@ constexpr qint64 kPatience_ms =
     30000;  // so long an empty picture is taken for one that is still being loaded
 constexpr double kThreadRadius_m = 15e-6;  // 10-0 suture
 constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
+constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
 constexpr float kRoom = 1.2F;       // space around what is framed
 
 // steel while it only springs, orange where it begins to stay bent, red at one and a half times that
@@ -96,6 +97,7 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   image_ = {};
   since_card_.start();
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
+  near_ = {};
   camera_.look(preset_ = preset);
   camera_.jump();
   if (!renderer_) return update();
@@ -234,8 +236,9 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   const bool same =
       have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
   *snapshot_ = snapshot;
-  // only now it is known where the marks are
-  if (!std::exchange(have_snapshot_, true) && preset_ == CameraPreset::kNear) look(preset_), camera_.jump();
+  const bool first = !std::exchange(have_snapshot_, true);
+  look_near();
+  if (first && near_) camera_.jump();
   if (!renderer_) return;
   if (recolour) colour_parts();
   if (same) return;
@@ -247,14 +250,22 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   touch();
 }
 
-// near: at the mark that is in the world, else at what is watched
+// At the mark that is in the world, else at what is watched. A lesson may draw its mark only once it runs.
+void SceneView::look_near() {
+  if (preset_ != CameraPreset::kNear || !have_snapshot_) return;
+  for (uint32_t m = 0; m < card_.script.marks.size() && m < snapshot_->n_mark; ++m) {
+    if (card_.script.marks[m].mark.kind != SWAGE_MARK_POINT) continue;
+    const QVector3D at = to_mm(snapshot_->mark_p_W[m]);
+    if (!near_ || (*near_ - at).length() > kMoved_mm) camera_.stay_at(at);
+    near_ = at;
+    return;
+  }
+}
+
 void SceneView::look(CameraPreset preset) {
   camera_.look(preset_ = preset);
-  for (uint32_t m = 0; preset == CameraPreset::kNear && have_snapshot_ && m < card_.script.marks.size();
-       ++m) {
-    if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT && m < snapshot_->n_mark)
-      camera_.stay_at(to_mm(snapshot_->mark_p_W[m]));
-  }
+  near_ = {};
+  look_near();
   touch();
 }
 

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "console/cues/cue_theme.hpp"
@@ -82,6 +83,7 @@ class SceneView : public QWidget {
   bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
   void colour_parts();
+  void look_near();
   void add_wounds();
   void colour_wounds();
   void place_soft();
@@ -118,6 +120,7 @@ class SceneView : public QWidget {
   QImage image_;
   QPixmap background_;
   CameraPreset preset_ = CameraPreset::kOrbit;
+  std::optional<QVector3D> near_;  // the mark looked at
   int to_draw_ = 0;  // pictures still wanted
   int alike_ = 0;    // pictures in a row that were the same
   QElapsedTimer since_card_;

@@ -66,8 +66,13 @@ void SceneView::wrap_pointer(const QPoint& global) {
   last_mouse_ = middle;
 }
 
+// On a busy machine the last reports of a drag are merged into the letting go: they still belong to it.
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (instrument_) Q_EMIT pointer(input_.buttons(*event));
+  const QPointF delta = event->position() - last_mouse_;
+  last_mouse_ = event->position();
+  if (!instrument_) return;
+  if (!delta.isNull()) Q_EMIT pointer(input_.moved(delta, height()));
+  Q_EMIT pointer(input_.buttons(*event));
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {

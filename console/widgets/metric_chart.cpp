@@ -82,7 +82,7 @@ void MetricChart::paint_axes(QPainter& p) const {
   const QRectF a = area();
   for (double v = low_; v <= high_ + 0.5 * step_; v += step_) {
     const double y = a.bottom() - a.height() * (v - low_) / (high_ - low_);
-    p.setPen(QPen(theme_["border"], 1));
+    p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
     p.setPen(theme_["muted"]);
     p.drawText(QRectF(0, y - 9, a.left() - 8, 18), Qt::AlignRight | Qt::AlignVCenter,

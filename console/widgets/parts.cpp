@@ -33,6 +33,8 @@ QPushButton* make_button(const QString& text, const QString& shortcut, const QSt
   auto* button = new QPushButton(shortcut.isEmpty() ? text : text + QStringLiteral("   ") + shortcut, parent);
   button->setObjectName(name);
   button->setAccessibleName(text);
+  // by keys it can be reached; a click leaves the keyboard to the instrument
+  button->setFocusPolicy(Qt::TabFocus);
   if (!shortcut.isEmpty()) button->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut));
   return button;
 }

@@ -173,7 +173,7 @@ void Timeline::paint_axis(QPainter& p) const {
   const double step =
       MetricChart::nice_step(0, review_->length_s, std::max(2, static_cast<int>(a.width() / 110)));
   for (double t = 0; t <= review_->length_s + 1e-9; t += step) {
-    p.setPen(QPen(theme_["border"], 1));
+    p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(x_of(t), a.top()), QPointF(x_of(t), a.bottom()));
     p.setPen(theme_["muted"]);
     p.drawText(QRectF(x_of(t) - 40, a.bottom() + 3, 80, kAxis_px - 3), Qt::AlignHCenter | Qt::AlignTop,
@@ -215,7 +215,7 @@ void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const Q
   };
   const bool through_zero = t.low < 0 && t.high > 0;
   for (const double v : {t.low, through_zero ? 0 : 0.5 * (t.low + t.high), t.high}) {
-    p.setPen(QPen(theme_["border"], 1));
+    p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y(v)), QPointF(a.right(), y(v)));
     p.setPen(theme_["muted"]);
     if (v == t.low && through_zero && y(v) - y(0) < 14) continue;  // no room for both numbers

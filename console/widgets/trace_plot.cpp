@@ -92,7 +92,7 @@ void TracePlot::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(0, 0, width() - 2, 18), Qt::AlignRight | Qt::AlignVCenter, unit_);
   for (int i = 0; i <= 2; ++i) {
     const double v = low_ + (high_ - low_) * i / 2;
-    p.setPen(QPen(theme_["border"], 1));
+    p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(area.left(), y(v)), QPointF(area.right(), y(v)));
     p.setPen(theme_["muted"]);
     p.drawText(QRectF(0, y(v) - 8, margin - 5, 16), Qt::AlignRight | Qt::AlignVCenter,

@@ -10,8 +10,9 @@
 namespace swage::console {
 namespace {
 
-constexpr double kRoom = 1.25;                     // around what is shown
-constexpr double kCosine_px = 118, kLeft_px = 30;  // the lower plot, and where its axis stands
+constexpr double kRoom = 1.25;  // around what is shown
+constexpr double kCosine_px = 118, kLeft_px = 30,
+                 kTitle_px = 26;         // the lower plot, and where its axis stands
 constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
 
 }  // namespace
@@ -96,14 +97,18 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
                    a.bottom() - a.height() * std::clamp(q.y(), 0.0, 1.0));
   };
   p.setPen(theme_["text"]);
-  p.drawText(QRectF(0, a.top() - 24, width(), 18), Qt::AlignLeft | Qt::AlignVCenter,
-             tr("Cosine of the penetration angle, mean %1").arg(track_->mean_cosine, 0, 'f', 2));
+  const double left = a.left() - kLeft_px;
+  p.drawText(QRectF(left, a.top() - kTitle_px, width() - left, 18), Qt::AlignLeft | Qt::AlignVCenter,
+             tr("Cosine of the penetration angle"));
+  p.setPen(theme_["muted"]);
+  p.drawText(QRectF(left, a.top() - kTitle_px, width() - left - 10, 18), Qt::AlignRight | Qt::AlignVCenter,
+             tr("mean %1").arg(track_->mean_cosine, 0, 'f', 2));
   for (const double v : {0.0, 0.5, 1.0}) {
     const double y = at({from, v}).y();
-    p.setPen(QPen(theme_["border"], 1));
+    p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
     p.setPen(theme_["muted"]);
-    p.drawText(QRectF(0, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QString::number(v));
+    p.drawText(QRectF(left, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QString::number(v));
   }
   p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignLeft, tr("%1 s").arg(from, 0, 'f', 1));
   p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignRight, tr("%1 s").arg(to, 0, 'f', 1));
@@ -130,25 +135,29 @@ void TrackPlot::paintEvent(QPaintEvent*) {
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("The needle did not go in."));
     return;
   }
-  const double below = track_->cosine.isEmpty() ? 0 : kCosine_px;
-  const double text_px = 40, bottom = height() - below, size = std::min<double>(width(), bottom - text_px);
-  const QPointF middle(0.5 * width(), text_px + 0.5 * (bottom - text_px));
+  // beside each other where there is room, else one above the other
+  const bool both = !track_->cosine.isEmpty(), beside = both && width() > 1.4 * height();
+  const double text_px = 40, right = beside ? 0.5 * width() : width(),
+               bottom = height() - (both && !beside ? kCosine_px : 0);
+  const double size = std::min<double>(right, bottom - text_px);
+  const QPointF middle(0.5 * right, text_px + 0.5 * (bottom - text_px));
   const double scale = 0.5 * size / (kRoom * reach_mm());
   p.setPen(theme_["text"]);
   p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
              tr("Entry penetration, seen onto the surface"));
   p.setPen(theme_["muted"]);
   p.drawText(QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
-             track_->radius_mm > 0 ? tr("wound %1 % of the needle (green circle); 100 % is perfect")
-                                         .arg(100 * track_->wound, 0, 'f', 0)
-                                   : tr("the cross is the first puncture"));
+             track_->radius_mm > 0
+                 ? tr("wound %1 % (green: the needle, 100 %)").arg(100 * track_->wound, 0, 'f', 0)
+                 : tr("the cross is the first puncture"));
   paint_circles(p, middle, scale);
   paint_track(p, middle, scale);
   const double bar = nice_scale_mm(1 / scale, 0.3 * width());
   p.setPen(QPen(theme_["text"], 2));
   p.drawLine(QPointF(8, bottom - 8), QPointF(8 + bar * scale, bottom - 8));
   p.drawText(QRectF(8, bottom - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
-  if (below > 0) paint_cosine(p, {kLeft_px, bottom + 30, width() - kLeft_px - 10.0, below - 50});
+  const double left = beside ? right + kLeft_px : kLeft_px, top = beside ? text_px : bottom + 30;
+  if (both) paint_cosine(p, {left, top, width() - left - 10.0, height() - top - 20.0});
 }
 
 }  // namespace swage::console

@@ -76,7 +76,7 @@ TEST(Camera, NearStaysWhereItIsPut) {
   camera.stay_at({1, 2, 3});
   camera.follow({0, 0, 40});
   camera.jump();
-  EXPECT_LT(camera.distance(), 0.6F * far);
+  EXPECT_LT(camera.distance(), 0.8F * far);
   EXPECT_EQ(camera.focus(), QVector3D(1, 2, 3));
   // a preset frames everything again
   camera.look(CameraPreset::kOrbit);
