@@ -263,7 +263,8 @@ void Timeline::paintEvent(QPaintEvent*) {
     const QRectF a = plot(i);
     paint_trace(p, t, a, theme_[colours[i % 2]]);
     const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
-    const double now = value_at(t, *recording_, step);
+    double now = value_at(t, *recording_, step);
+    if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
     p.setPen(theme_["text"]);
     const QString name = t.unit.isEmpty() ? t.name : QStringLiteral("%1, %2").arg(t.name, t.unit);
     p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
