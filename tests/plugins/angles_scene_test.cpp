@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <numbers>
 
 #include "run_lesson.hpp"
 
@@ -64,6 +65,34 @@ TEST(Angles, AQuestionWaitsForItsAnswer) {
   EXPECT_EQ(attempt.phase(), "ask");
   EXPECT_LT((toolkit::vec(attempt.world().X_WB[needle].p) - start).norm(), 1e-6);
   EXPECT_EQ(attempt.signal("grasp", "grasp.held"), 1);
+}
+
+// drags in the plane of a view from the front, the wheel along it, the middle button closes: one mark or the other is an answer
+TEST(Angles, OneHandOnTheMouseIsEnough) {
+  LessonRun attempt(kSeries + "120_angles.json", "mouse");
+  ASSERT_TRUE(attempt.ready()) << attempt.problems();
+  attempt.pointer().camera = toolkit::raw(toolkit::exp_rotation({0.5 * std::numbers::pi, 0, 0}));
+  attempt.run(1);
+  ASSERT_EQ(attempt.phase(), "ask");
+  constexpr uint32_t kLeft = 1, kMiddle = 2, kOther = 2;
+  const toolkit::Vec3 start(-6e-3, -1e-3, 4.6e-3);
+  const toolkit::Vec3 way = toolkit::vec(attempt.verdict().mark_p_W[kOther]) - start;
+  constexpr double kView = 10e-3,
+                   kNotch = 0.2e-3;  // m, of the mouse: for the view's height, for a notch of the wheel
+  for (int i = 0; i < 100; ++i) {
+    attempt.pointer().buttons = kLeft;
+    attempt.pointer().dx = way.x() / kView / 100;
+    attempt.pointer().dy = way.z() / kView / 100;
+    attempt.pointer().wheel = way.y() / kNotch / 100;
+    attempt.step();
+  }
+  attempt.pointer().buttons = 0;
+  attempt.run(attempt.world().time() + 0.3);
+  EXPECT_EQ(attempt.metric("angle.answers"), 0) << "nothing is said before the jaws close";
+  attempt.pointer().buttons = kMiddle;
+  attempt.run(attempt.world().time() + 1.2);
+  EXPECT_EQ(attempt.metric("angle.answers"), 1);
+  EXPECT_EQ(attempt.happened("angle.answered"), 1);
 }
 
 }  // namespace
