@@ -5,10 +5,9 @@
 // line is even and the stiffness that of one wire.
 #pragma once
 
-#include <array>
-
 #include "contact/contact_set.hpp"
 #include "scene/world.hpp"
+#include "toolkit/fixed_vector.hpp"
 
 namespace swage::contact {
 
@@ -25,29 +24,28 @@ inline bool in_chain(const scene::World& world, uint32_t shape) noexcept {
 /// Shares the weight of lines among the arcs of a chain, over the contacts of one pair of objects, from `first` on. Beyond
 /// kMost contacts it leaves the rest as they are.
 inline void share_chain_lines(const scene::World& world, ContactSet& set, size_t first) noexcept {
-  constexpr size_t kMost = 128;
+  constexpr int kMost = 128;
   struct Line {
     size_t contact = 0;  // first of its two points
     uint32_t other = 0;  // shape on which it lies
     double length = 0;   // m
   };
-  std::array<Line, kMost> line;
-  size_t n = 0;
-  for (size_t i = first; i + 1 < set.contact.size() && n < kMost; ++i) {
+  toolkit::FixedVector<Line, kMost> line;  // left as it is: few scenes have a chain
+  for (size_t i = first; i + 1 < set.contact.size() && !line.full(); ++i) {
     const Contact &c = set.contact[i], &next = set.contact[i + 1];
     const bool two = (c.feature & 0xF) == 1 && next.feature == c.feature + 1 && c.shape_a == next.shape_a &&
                      c.shape_b == next.shape_b;
     const bool chain_a = in_chain(world, c.shape_a), chain_b = in_chain(world, c.shape_b);
     if (!two || chain_a == chain_b) continue;
-    line[n++] = {i, chain_a ? c.shape_b : c.shape_a, kChainPoints * (next.p_W - c.p_W).norm()};
+    line.add({i, chain_a ? c.shape_b : c.shape_a, kChainPoints * (next.p_W - c.p_W).norm()});
   }
-  for (size_t k = 0; k < n; ++k) {
+  for (const Line& part : line) {
     double whole = 0;
-    for (size_t l = 0; l < n; ++l)
-      if (line[l].other == line[k].other) whole += line[l].length;
+    for (const Line& other : line)
+      if (other.other == part.other) whole += other.length;
     if (!(whole > 0)) continue;
-    for (size_t i = line[k].contact; i < line[k].contact + kChainPoints; ++i)
-      set.contact[i].weight *= line[k].length / whole;
+    for (size_t i = part.contact; i < part.contact + kChainPoints; ++i)
+      set.contact[i].weight *= part.length / whole;
   }
 }
 

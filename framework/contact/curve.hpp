@@ -58,6 +58,7 @@ struct LineLine {
 /// start + t direction, t in [0, length].
 class LineCurve {
  public:
+  static constexpr bool kStraight = true;
   using Place = double;  // m from the start
   using Height = LineHeight;
   using ToLine = LineLine;
@@ -77,7 +78,10 @@ class LineCurve {
   static bool may_join(Place, Place) { return true; }
   static double order(Place t) { return t; }
   double length(Place from, Place to) const { return to - from; }
+  static double bulge(const Vec3&, const Vec3&) { return 0; }
   Place middle(Place from, Place to) const { return 0.5 * (from + to); }
+  /// The place as far beyond t as `to` is beyond `from`.
+  static Place moved(Place t, Place from, Place to) { return t + (to - from); }
 
   Height height(const Vec3& n, double d) const { return {n.dot(start_) - d, n.dot(direction_)}; }
   double lowest(const Height& h) const { return std::min(h.at(0), h.at(length_)); }
@@ -113,9 +117,19 @@ class LineCurve {
   double length_ = 0;
 };
 
+/// The direction between two others, at the share t of their chord. Without a root for those that are close: its series is exact to
+/// rounding while the chord's point is within 5e-5 of unit length.
+inline Turn between(Turn a, Turn b, double t) {
+  const double x = a.c + t * (b.c - a.c), y = a.s + t * (b.s - a.s), q = 1 - (x * x + y * y);
+  if (std::abs(q) > 1e-4) return Turn::along(x, y, a);
+  const double scale = 1 + q * (0.5 + q * (0.375 + q * 0.3125));
+  return {scale * x, scale * y};
+}
+
 /// Arc in the frame of the polyhedron.
 class ArcCurve {
  public:
+  static constexpr bool kStraight = false;
   using Place = Turn;
   using Height = toolkit::ArcHeight;  // slopes per radian
   using ToLine = toolkit::ArcLine;
@@ -145,7 +159,16 @@ class ArcCurve {
     const double dc = to.c - from.c, ds = to.s - from.s;
     return arc_.radius * std::sqrt(dc * dc + ds * ds);
   }
-  Place middle(Place from, Place to) const { return Turn::along(from.c + to.c, from.s + to.s, from); }
+  /// How far a stretch stands out from the chord between two points at most: R sin^2 a, its sagitta is R (1 - cos a).
+  double bulge(const Vec3& from, const Vec3& to) const {
+    return (to - from).squaredNorm() / (4 * arc_.radius);
+  }
+  Place middle(Place from, Place to) const { return between(from, to, 0.5); }
+
+  static Place moved(Place e, Place from, Place to) {
+    const Turn by{from.c * to.c + from.s * to.s, from.c * to.s - from.s * to.c};
+    return {e.c * by.c - e.s * by.s, e.s * by.c + e.c * by.s};
+  }
 
   Height height(const Vec3& n, double d) const { return {arc_, n, d}; }
   double lowest(const Height& h) const {
@@ -192,8 +215,7 @@ class ArcCurve {
   static Place closest(const ToLine& g, Place from, Place to, double slope_from, double slope_to) {
     // start where the slope would be zero were it straight
     const double t = slope_from / (slope_from - slope_to);
-    const Turn guess = Turn::along(from.c + t * (to.c - from.c), from.s + t * (to.s - from.s), from);
-    return toolkit::minimum_between(g, from, to, guess);
+    return toolkit::minimum_between(g, from, to, between(from, to, t));
   }
   template <class List>
   static void split(const ToLine& g, Place from, Place to, double slope_from, double slope_to, double level,
@@ -207,6 +229,16 @@ class ArcCurve {
   }
 
  private:
+  /// Whether a bound on the third derivative of g shows that its slope rises all the way.
+  static bool monotone(const ToLine& g, Place from, Place to) {
+    return g.curvature(from) + g.curvature(to) >= third(g) * angle(from, to);
+  }
+  static double third(const ToLine& g) { return std::abs(g.kx) + std::abs(g.ky) + std::abs(g.ku) + 2 * g.R; }
+  /// The angle between two places, at least, up to a quarter turn.
+  static double angle(Place from, Place to) {
+    const double dc = to.c - from.c, ds = to.s - from.s;
+    return 1.12 * std::sqrt(dc * dc + ds * ds);
+  }
   static bool search_sign(const ToLine& g, Place from, Place to, double slope_from, double slope_to,
                           double sign, double level, Place& found);
 
@@ -233,6 +265,7 @@ class ArcCurve {
 template <class List>
 void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, double slope_to, double level,
                      List& out) {
+  if (from.c * to.c + from.s * to.s > 0 && monotone(g, from, to)) return;
   Place start = from;
   double slope = slope_from;
   const auto part_until = [&](Place end, double slope_end) {
@@ -263,11 +296,9 @@ void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, d
 /// is monotone, or one on the second that it stays away from zero. Pairs closer than 1e-3 rad (whose depths differ by less than 0.1 nm) are a level inflection.
 inline bool ArcCurve::search_sign(const ToLine& g, Place from, Place to, double slope_from, double slope_to,
                                   double sign, double level, Place& found) {
-  const double dc = to.c - from.c, ds = to.s - from.s;
-  const double angle = 1.12 * std::sqrt(dc * dc + ds * ds);  // at least, up to a quarter turn
-  const double third = std::abs(g.kx) + std::abs(g.ky) + std::abs(g.ku) + 2 * g.R;
-  if (angle < 1e-3 || g.curvature(from) + g.curvature(to) >= third * angle) return false;
-  if (-sign * (slope_from + slope_to) >= 2 * third * angle) return false;
+  const double turned = angle(from, to);
+  if (turned < 1e-3 || monotone(g, from, to)) return false;
+  if (-sign * (slope_from + slope_to) >= 2 * third(g) * turned) return false;
   const Turn middle = Turn::along(from.c + to.c, from.s + to.s, from);
   const double slope = g.slope(middle);
   if (sign * slope > level) {

@@ -152,13 +152,17 @@ class Walk {
 
  private:
   void cross_regions(const Stretch<Place>& s) {
+    const Vec3 end = curve_.point(s.to);
     Place from = s.from;
     bool joined = s.at_from == Border::kJoined;
     for (;;) {
-      // first border that the curve leaves the region through
+      // first border that the curve leaves the region through; most are farther away than the curve bulges over its chord
       Place to = s.to;
       Region next = region_;
+      const Vec3 p = curve_.point(from);
+      const double bulge = curve_.bulge(p, end);
       for_each_border(convex_, region_, [&](const Vec3& n, double d, Region beyond) {
+        if (std::max(n.dot(p), n.dot(end)) + bulge < d) return;
         if (leaves(curve_.height(n, d), from, to)) next = beyond;
       });
       add_piece(from, to, joined);

@@ -18,7 +18,8 @@ constexpr double kLevel = 2, kSteep = 20;
 /// A dip is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
 /// spreads along it, so it becomes a line of points of equal weight at the midpoints of equal parts, which gives an even
 /// pressure its friction moment. `sharp` (1: point, 0: line) fades one into the other, so that no force jumps when a
-/// wire is laid down.
+/// wire is laid down. A straight wire that lies tilted over a face touches at one end of what lies over it, but may come to touch
+/// at the other within the step, and then rocks unless that is a contact, too: a far end.
 template <class Curve>
 class Writer {
  public:
@@ -34,6 +35,7 @@ class Writer {
     for (int k = 0; k < walk_.pieces().size(); ++k) {
       for (; dip < walk_.dips().size() && walk_.dips()[dip].piece == k; ++dip) write_dip(walk_.dips()[dip]);
       if (line_weight_[at(k)] > 0) write_line(k);
+      if (Curve::kStraight) write_far_end(k);
     }
   }
 
@@ -83,13 +85,22 @@ class Writer {
     // how far the distance bends away from a straight slope, and how steep that slope is. Slope counts for less: points of
     // a line follow it by themselves, and weights that followed it closely would chase the tilt they cause
     const double flat = query_.flatness * query_.length;
-    const RegionDistance<Curve> distance(curve_, b_.convex, piece.region);
-    const double d0 = distance.at(piece.from), d1 = distance.at(piece.to);
+    const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
     const double tilt = std::abs(d1 - d0);
     if (tilt >= kSteep * flat || std::min(d0, d1) - low >= flat) return 1;
-    const double d = distance.at(curve_.middle(piece.from, piece.to));
+    const double d = distance(piece.region, curve_.middle(piece.from, piece.to));
     const double bend = std::max(std::abs(d - 0.5 * (d0 + d1)), std::min({d0, d, d1}) - low);
     return std::max({short_wire, ramp(bend, 0.01 * flat, flat), ramp(tilt, kLevel * flat, kSteep * flat)});
+  }
+
+  /// From a face or an edge, of its plane or line.
+  double distance(Region region, Place place) const {
+    const Vec3 p = curve_.point(place);
+    if (region.kind != Region::kEdge)
+      return b_.convex.face[region.index].n.dot(p) - b_.convex.face[region.index].d;
+    const Convex::Edge& e = b_.convex.edge[region.index];
+    const Vec3 w = p - b_.convex.vertex[e.v0];
+    return (w - w.dot(e.u) * e.u).norm();
   }
 
   void write_dip(const Dip<Place>& dip) {
@@ -102,30 +113,45 @@ class Writer {
     if (!c) return;
     // over a face the place may move as far as the face goes; round an edge or vertex, along the whole wire
     const bool on_face = piece.region.kind == Region::kFace || piece.region.kind == Region::kInside;
+    if (far_end(dip.piece).weight > 0) return set_wire_point(a_, dip.at, c->a);
     const auto range = on_face ? curve_.around(dip.at, piece.from, piece.to) : curve_.around(dip.at);
     set_wire_stretch(a_, dip.at, range, c->a);
   }
 
+  /// Points at the middles of `line_points` equal parts (a power of two), by halving and then by steps of one part.
   void write_line(int k) {
     const Piece<Place>& piece = walk_.pieces()[k];
+    Place first_end = piece.to;
+    for (int parts = query_.line_points; parts > 1; parts /= 2)
+      first_end = curve_.middle(piece.from, first_end);
+    Place place = curve_.middle(piece.from, first_end);
     for (int i = 0; i < query_.line_points; ++i) {
-      const Place place = midpoint(piece, i);
       Candidate* c = add(piece.region, place, 0, 1 + i, line_weight_[at(k)] / query_.line_points);
       if (c) set_wire_point(a_, place, c->a);
+      place = Curve::moved(place, piece.from, first_end);
     }
   }
 
-  /// Middle of part i of `line_points` equal parts (a power of two), by halving.
-  Place midpoint(const Piece<Place>& piece, int i) const {
-    Place from = piece.from, to = piece.to;
-    int parts = query_.line_points;
-    for (; parts > 1; parts /= 2) {
-      const Place middle = curve_.middle(from, to);
-      const bool second = i >= parts / 2;
-      (second ? from : to) = middle;
-      if (second) i -= parts / 2;
-    }
-    return curve_.middle(from, to);
+  /// Where a straight piece over a face is farthest from it, and what a contact there weighs: nothing where it is out of reach, or
+  /// as near to the other end as the wire is thick.
+  struct FarEnd {
+    Place place{};
+    double weight = 0;
+  };
+  FarEnd far_end(int k) const {
+    const Piece<Place>& piece = walk_.pieces()[k];
+    if (!Curve::kStraight || piece.region.kind != Region::kFace || query_.flatness <= 0) return {};
+    const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
+    if (std::max(d0, d1) - a_.radius - b_.radius > query_.margin) return {};
+    const double apart = ramp(curve_.length(piece.from, piece.to), 0.25 * a_.radius, a_.radius);
+    return {d0 > d1 ? piece.from : piece.to, sharp_[at(k)] * apart};
+  }
+  void write_far_end(int k) {
+    constexpr int kFarEnd = 9;  // after the points of a line
+    const FarEnd end = far_end(k);
+    if (end.weight <= 0) return;
+    Candidate* c = add(walk_.pieces()[k].region, end.place, 0, kFarEnd, end.weight);
+    if (c) set_wire_point(a_, end.place, c->a);
   }
 
   Candidate* add(Region region, Place place, int branch, int point, double weight) {

@@ -15,8 +15,7 @@
 
 namespace swage::dynamics {
 
-/// Tangential over normal stiffness of two elastic bodies of one material, Mindlin: 2 (1 - nu) / (2 - nu), nu =
-/// 0.3.
+/// Tangential over normal stiffness of two elastic bodies of one material, Mindlin: 2 (1 - nu) / (2 - nu), nu = 0.3.
 inline constexpr double kTangentRatio = 0.82;
 
 /// Gap and tangential displacement at the end of the step, in the contact's own axes n, t1, t2 [m].

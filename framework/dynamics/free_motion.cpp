@@ -14,8 +14,8 @@ struct Spin {
   Vec3 L;
 };
 
-/// The same with the body's axes renamed i, j, k -> 0, 1, 2 (a cyclic change, so still right-handed): the
-/// flows below then know their axes when they are compiled.
+/// The same with the body's axes renamed i, j, k -> 0, 1, 2 (a cyclic change, so still right-handed): the flows below then know
+/// their axes when they are compiled.
 struct Top {
   double w, x, y, z;
   double L0, L1, L2;
@@ -33,8 +33,8 @@ struct Turn {
   }
 };
 
-/// Exact flow of the symmetric top L0^2 / 2 I_i + (L1^2 + L2^2) / 2 I_j: q <- q exp(h L / I_j) exp(e0 a),
-/// L <- R0(-a) L, a = h (1/I_i - 1/I_j) L0.
+/// Exact flow of the symmetric top L0^2 / 2 I_i + (L1^2 + L2^2) / 2 I_j: q <- q exp(h L / I_j) exp(e0 a), L <- R0(-a) L,
+/// a = h (1/I_i - 1/I_j) L0.
 inline void flow_top(const RigidMass& m, double h, Top& t) {
   const Turn r(h * m.top * t.L0);
   const double g = h * m.inv_I[m.j];
@@ -72,8 +72,8 @@ void split2(const RigidMass& m, double h, Top& x) {
   flow_rest(m, 0.5 * h, x);
 }
 
-/// Order 4 with four stages, "position extended Forest-Ruth like" (Omelyan, Mryglod, Folk, Comput. Phys.
-/// Commun. 146 (2002) 188, eq. 20): error constant 1/26 of Forest-Ruth's.
+/// Order 4 with four stages, "position extended Forest-Ruth like" (Omelyan, Mryglod, Folk, Comput. Phys. Commun. 146 (2002) 188,
+/// eq. 20): error constant 1/26 of Forest-Ruth's.
 void split4(const RigidMass& m, double h, Top& x) {
   constexpr double xi = 0.1786178958448091, lambda = -0.2123418310626054, chi = -0.06626458266981849;
   flow_rest(m, xi * h, x);
@@ -87,13 +87,11 @@ void split4(const RigidMass& m, double h, Top& x) {
   flow_rest(m, xi * h, x);
 }
 
-/// Taylor series in time of Euler's equations, to order 8, and Magnus series of the attitude, to order 5.
-/// L' = L x w: (n + 1) L_(n+1) = sum over m of L_m x w_(n-m). Attitude q exp(W), W' = w + W x w / 2 + W x (W
-/// x w) / 12 + ...
+/// Taylor series in time of Euler's equations, to order 8, and Magnus series of the attitude, to order 5. L' = L x w:
+/// (n + 1) L_(n+1) = sum over m of L_m x w_(n-m). Attitude q exp(W), W' = w + W x w / 2 + W x (W x w) / 12 + ...
 void taylor(const RigidMass& m, double h, Spin& x) {
   constexpr int kOrder = 8;
-  // L' written out: L0' = (1/I2 - 1/I1) L1 L2, and so on round; time counted in steps, so that the terms
-  // shrink
+  // L' written out: L0' = (1/I2 - 1/I1) L1 L2, and so on round; time counted in steps, so that the terms shrink
   const double d0 = h * (m.inv_I[2] - m.inv_I[1]), d1 = h * (m.inv_I[0] - m.inv_I[2]),
                d2 = h * (m.inv_I[1] - m.inv_I[0]);
   double L0[kOrder + 1] = {x.L[0]}, L1[kOrder + 1] = {x.L[1]}, L2[kOrder + 1] = {x.L[2]};
@@ -131,6 +129,7 @@ void taylor_kicked(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   renormalise(x.q);
   x.L += x.q.conjugate() * (0.5 * h * t_W);
 }
+
 /// Half the torque before, half after; angular velocity before the quaternion is of unit length again (euler_top.hpp).
 void elliptic(const RigidMass& m, const Vec3& t_W, double h, RigidState& s) {
   const EulerTop& e = m.euler;
@@ -147,6 +146,7 @@ void elliptic(const RigidMass& m, const Vec3& t_W, double h, RigidState& s) {
   s.q_WB.vec()[e.i] = t.x, s.q_WB.vec()[e.j] = t.y, s.q_WB.vec()[e.k] = t.z;
   if (torque) s.w_W += s.q_WB * m.inv_I.cwiseProduct(s.q_WB.conjugate() * (0.5 * h * t_W));
 }
+
 void split(FreeMotion method, const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   x.L += x.q.conjugate() * (0.5 * h * t_W);
   Top t{x.q.w(), x.q.vec()[m.i], x.q.vec()[m.j], x.q.vec()[m.k], x.L[m.i], x.L[m.j], x.L[m.k]};

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One rigid body that nothing touches, over one step: a ladder of methods, cheapest first. Equations:
-// README.md.
+// One rigid body that nothing touches, over one step: a ladder of methods, cheapest first. Equations: README.md.
 //
-// Units SI. Frames: W world, B body, at the centre of mass along the principal axes. Threads: any; pure
-// functions.
+// Units SI. Frames: W world, B body, at the centre of mass along the principal axes. Threads: any; pure functions.
 #pragma once
 
 #include "dynamics/euler_top.hpp"

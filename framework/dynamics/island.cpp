@@ -127,6 +127,26 @@ void IslandSolver::advance(double fraction) noexcept {
   for (size_t i = 0; i < size_; ++i) trial_[i] = d_[i] + fraction * step_[i];
 }
 
+/// The merit below which a correction H^-1 F cannot be seen: where nothing slips H is above A, so a correction dx of the lightest
+/// mover's centre has m dx^2 / h^2 <= F' A^-1 F. A hundredth of the tolerance, because places far from the centre move more. On
+/// one piece of every contact the first step ends there, and need not be confirmed by a second. What slips, holds by a tie or has
+/// unknowns of its own goes on until its correction is small.
+double IslandSolver::unseen(const Island& island, double tolerance) const noexcept {
+  double lightest = HUGE_VAL;
+  for (const Mover* mover : island.movers) {
+    if (mover->kind == Mover::Kind::kSelf) return 0;
+    if (mover->kind != Mover::Kind::kHinge) lightest = std::min(lightest, mover->m_hh);
+  }
+  const double dx = 0.01 * tolerance;
+  return lightest < HUGE_VAL ? lightest * dx * dx : 0;
+}
+
+bool IslandSolver::sticks(const Island& island) const noexcept {
+  for (const Row& row : island.rows)
+    if (row.tie || row.f.slips) return false;
+  return true;
+}
+
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
 /// what it cannot do in a few steps the convex path does better.
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
@@ -134,6 +154,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const uint32_t steps = tied ? kTiedSteps : kNewtonSteps, halvings = tied ? kTiedHalvings : kHalvings;
   evaluate(island, d_.data(), Friction::kCoulomb);
   double now = merit(island);
+  const double nothing = unseen(island, tolerance);
   for (uint32_t i = 0; i < steps; ++i) {
     if (!direction(island, Friction::kCoulomb)) return false;
     const double far = length(island, step_.data());
@@ -150,7 +171,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
       if (k == halvings) return false;
     }
     d_.swap(trial_);
-    if (far <= tolerance) return true;
+    if (far <= tolerance || (next <= nothing && sticks(island))) return true;
     now = next;
   }
   return false;

@@ -89,6 +89,8 @@ class IslandSolver {
   bool solve_factored() noexcept;
   double length(const Island& island, const double* step) const noexcept;
   void advance(double fraction) noexcept;
+  double unseen(const Island& island, double tolerance) const noexcept;
+  bool sticks(const Island& island) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
   void fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;

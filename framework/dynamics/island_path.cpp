@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Newton's path through the pieces of Coulomb's law. On one piece of every contact F is smooth, almost linear,
-// and its Newton
-// direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact comes to the end of its piece the
-// path bends into
-// the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can turn F inside out, so that the
-// determinant of its
-// derivative changes sign there; the path then leads back up for a while, to where it changes again. Stepping
-// over the bends, as a
+// Newton's path through the pieces of Coulomb's law. On one piece of every contact F is smooth, almost linear, and its Newton
+// direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact comes to the end of its piece the path bends into
+// the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can turn F inside out, so that the determinant of its
+// derivative changes sign there; the path then leads back up for a while, to where it changes again. Stepping over the bends, as a
 // line search does, jumps to and fro between the pieces instead.
 #include <algorithm>
 #include <cmath>
@@ -47,8 +43,7 @@ bool IslandSolver::direction_on_pieces(const Island& island) noexcept {
   return solved;
 }
 
-/// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just
-/// did.
+/// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just did.
 uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, double& fraction,
                                   Piece& next) const noexcept {
   uint32_t hit = UINT32_MAX;

@@ -28,11 +28,12 @@ struct Mover {
 
   Vec3 x = Vec3::Zero();  // m, from where it would go without contacts
   Vec3 a = Vec3::Zero();  // rad, rotation over the step
-  Vec3 b = Vec3::
-      Zero();  // N m, L0 / h + t: angular momentum at the start and torque. Balance is of momentum, because
-               // the spin of a thin wire about itself says little about the rest of it
-  double angle = 0;           // kHinge: x itself [rad], not relative to x_hat
-  const double* y = nullptr;  // kSelf: its unknowns so far
+  // N m, L0 / h + t: angular momentum at the start and torque. Balance is of momentum, because the spin of a thin wire about
+  // itself says little about the rest of it
+  Vec3 b = Vec3::Zero();
+  double angle = 0;                                 // kHinge: x itself [rad], not relative to x_hat
+  Vec3 axis = Vec3::Zero(), anchor = Vec3::Zero();  // kHinge: in W
+  const double* y = nullptr;                        // kSelf: its unknowns so far
 
   /// F = A (x + d - x_hat) - t(x + d): forces that contacts must balance. Writes `size` numbers at F.
   void residual(const double* d, double* F) const noexcept {

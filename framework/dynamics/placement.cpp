@@ -114,11 +114,15 @@ void Placement::prepare_mover(uint32_t mover) noexcept {
       turn_inertia(m);
       break;
     }
-    case Mover::Kind::kHinge:
+    case Mover::Kind::kHinge: {
+      const scene::HingeInfo& info = world_->hinge[m.index];
+      const Pose X_WP(world_->X_WB[info.parent]);
+      m.axis = X_WP.q * vec(info.axis), m.anchor = X_WP * vec(info.anchor);
       m.drive = motion_->drive[m.index];
       m.m_hh = m.drive.inertia_hh;
       m.angle = world_->hinge_angle[m.index] - motion_->q0[m.index];
       break;
+    }
     case Mover::Kind::kParticle:
       m.m_hh = world_->particle_mass[m.index] * per_hh;
       m.x = p_[m.index] - motion_->p0[m.index] - h_ * motion_->v_free_p[m.index];
@@ -187,13 +191,9 @@ void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i], J[3 + i] = sign * moment[i];
       break;
     }
-    case Mover::Kind::kHinge: {
-      const scene::HingeInfo& info = world_->hinge[m.index];
-      const Pose X_WP(world_->X_WB[info.parent]);
-      const Vec3 axis = X_WP.q * vec(info.axis), anchor = X_WP * vec(info.anchor);
-      J[0] = sign * axis.cross(p_W - anchor).dot(e);
+    case Mover::Kind::kHinge:
+      J[0] = sign * m.axis.cross(p_W - m.anchor).dot(e);
       break;
-    }
     case Mover::Kind::kParticle:
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i];
       break;

@@ -87,7 +87,7 @@ void range_of_grips(std::vector<Line>& lines, const Setup& s, const std::string&
   auto stages = pinch(ours(), s);
   // the run is the same every time: medians step by step leave out what the machine does meanwhile
   std::vector<std::vector<PinchStage>> runs(1, stages);
-  while (static_cast<int>(runs.size()) < std::max(3, passes)) runs.push_back(pinch(ours(), s));
+  while (static_cast<int>(runs.size()) < std::max(9, passes)) runs.push_back(pinch(ours(), s));
   for (size_t k = 0; k < stages.size(); ++k)
     for (size_t i = 0; i < stages[k].ns.size(); ++i) {
       std::vector<double> ns;

@@ -25,8 +25,12 @@ struct BothJaws {
   }
 
   /// Contact points with one jaw, in `found`.
-  int collide(const TrajectoryPose& p, size_t k) {
-    const contact::Frame X_WN(unit == 1 ? p.X_WN : scaled(p.X_WN, unit));
+  int collide(const TrajectoryPose& p, size_t k) { return collide(p, needle_frame(p), k); }
+  /// The same with the needle's frame made once for both jaws.
+  contact::Frame needle_frame(const TrajectoryPose& p) const {
+    return contact::Frame(unit == 1 ? p.X_WN : scaled(p.X_WN, unit));
+  }
+  int collide(const TrajectoryPose& p, const contact::Frame& X_WN, size_t k) {
     const contact::Frame X_WJ(unit == 1 ? p.X_WJ[k] : scaled(p.X_WJ[k], unit));
     return contact::collide(needle, X_WN, jaws[k], X_WJ, query, memory[k], found);
   }

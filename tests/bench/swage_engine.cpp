@@ -120,8 +120,9 @@ class Swage final : public Engine {
 
 Gaps gaps_of(BothJaws& both, const TrajectoryPose& p) {
   Gaps g;
+  const contact::Frame X_WN = both.needle_frame(p);
   for (size_t k = 0; k < 2; ++k) {
-    g.contacts += both.collide(p, k);
+    g.contacts += both.collide(p, X_WN, k);
     for (int i = 0; i < both.found.count; ++i)
       g.gap[k] = std::min(g.gap[k], both.found.candidate[static_cast<size_t>(i)].touch.gap);
   }
