@@ -145,12 +145,11 @@ void Pierce::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
 Press Pierce::press(const CouplingStep& step, const Site& site) const {
   Press press;
   for (const swage_contact& contact : step.contacts()) {
-    const auto place = place_of(site, contact);
-    if (!place || place->s * site.length > kPoint * site.radius || contact.stiffness <= 0) continue;
     const Vec3 n = vec(contact.n_W);
     const double force = vec(contact.f_a_W).dot(n);
-    press.overlap = std::max(press.overlap, -contact.gap);
-    if (!(force > 0)) continue;
+    if (!(force > 0) || contact.stiffness <= 0) continue;
+    const auto place = place_of(site, contact);
+    if (!place || place->s * site.length > kPoint * site.radius) continue;
     press.force += force;
     press.normal_W += force * n;
     press.surface_W += force * (vec(contact.p_W) - 0.5 * contact.gap * n);

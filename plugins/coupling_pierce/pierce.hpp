@@ -50,7 +50,6 @@ struct PierceState {
 /// What the contacts of the point add up to.
 struct Press {
   double force = 0;               // N, normal
-  double overlap = 0;             // m
   Vec3 normal_W = Vec3::Zero();   // outward, unit when force > 0
   Vec3 surface_W = Vec3::Zero();  // m, on the undisturbed surface
 };

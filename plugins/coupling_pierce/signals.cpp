@@ -53,7 +53,8 @@ void Pierce::declare(CouplingBuilder& builder) {
   passed_ = builder.event("pierce.passed", "The swage went in; value: wound ratio.");
   deflected_ = builder.event("pierce.deflected", "Refused because of its angle; value: that angle, rad.");
   torn_ = builder.event("pierce.torn", "A wound grew past the limit; value: wound ratio.");
-  cut_out_ = builder.event("pierce.cut_out", "The tear came to the tissue's rim and let it go; value: wound ratio.");
+  cut_out_ =
+      builder.event("pierce.cut_out", "The tear came to the tissue's rim and let it go; value: wound ratio.");
 }
 
 void Pierce::tell_place(const CouplingStep& step, const Signal (&signal)[3], const double* p_W) const {

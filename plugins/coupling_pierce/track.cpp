@@ -135,8 +135,9 @@ double progress(const Site& site, const Track& track) {
 
 void follow(const Site& site, Track& track) {
   // holds that the point has left: the way stays cut, and is laid anew when it comes back
-  while (holds(track) > 1 && spot(site, track.hold[holds(track) - 1]).s < 0) track.count -= 1;
-  track.progress = progress(site, track);
+  double s = spot(site, track.hold[holds(track) - 1]).s;
+  for (; s < 0 && holds(track) > 1; s = spot(site, track.hold[holds(track) - 1]).s) track.count -= 1;
+  track.progress = track.hold[holds(track) - 1].at + s * site.length;
   track.deepest = std::max(track.deepest, track.progress);
   track.below = std::max(track.below, site.point_in.depth);
 }
@@ -286,7 +287,10 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
   const Vec3 advance = -vec(middle->tangent_W), lever = kLever * site.radius * advance.unitOrthogonal();
   const double ratio = 1 / kLever;
   tie.body_a = middle->body;
-  tie.body_b = site.body;
+  // what stands still is as good as the world, and need not be asked how much it gives at the end of a lever
+  const swage_twist& V = site.b->V_WB[site.body];
+  const bool stands = vec(V.v).isZero(0) && vec(V.w).isZero(0);
+  tie.body_b = stands ? SWAGE_NONE : site.body;
   tie.p_W = raw(Vec3(vec(middle->p_W) + lever));
   tie.axis_W = raw(Vec3(advance.cross(lever).normalized()));
   tie.stiffness_along = stiffness * ratio * ratio;
