@@ -8,6 +8,7 @@
 // z = 0. A positive opening turns the upper jaw about -y, the lower about +y.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -96,9 +97,14 @@ inline Pose jaw_pose(const Pose& X_WT, double angle) {
   return X_WT * Pose{Vec3::Zero(), toolkit::exp_rotation({0, -angle, 0})};
 }
 
-/// The needle at the grip, where it is held between the jaws, wire across them.
+/// The needle at the grip, where it is held between the jaws, wire across them and turned as closing jaws turn it: what they
+/// cover of the arc lies evenly between them. Nearer to an end than half the jaws' width they cover less on that side; any other
+/// attitude would press one jaw beside the other, a couple that rigid jaws at a fixed opening let go on until the wire is loose.
 inline Pose grip_pose(const Needle& n) {
-  const Quat q = n.straight ? Quat::Identity() : toolkit::exp_rotation({n.held_at, 0, 0});
+  const double half = Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - Jaw::kGrip) / Jaw::kLength / n.radius();
+  const double middle =
+      0.5 * (std::max(n.held_at - half, -0.5 * n.arc) + std::min(n.held_at + half, 0.5 * n.arc));
+  const Quat q = n.straight ? Quat::Identity() : toolkit::exp_rotation({middle, 0, 0});
   return {Vec3{Jaw::kGrip, 0, 0} - q * n.point(n.held_at), q};
 }
 

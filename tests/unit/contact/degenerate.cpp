@@ -132,5 +132,39 @@ TEST(Degenerate, AContactFoundAgainAfterASmallMoveIsTheContactOfAFreshLook) {
   EXPECT_GT(unmoved, 1e-7) << "nothing moved: the comparison would see nothing";
 }
 
+/// A wire of 0.5 mm over the middle of a jaw's gripping face, its lower end overlapping by 1 um, its other higher by `rise`.
+Manifold tilted(double rise, double flatness) {
+  const Solid jaw = bench::contact_solid(bench::jaw(-1)), a = wire(0.2e-3);
+  const double angle = std::asin(rise / 0.4e-3);
+  const Quat q = toolkit::exp_rotation({0, M_PI / 2 - angle, 0});
+  Manifold m;
+  Separation none;
+  Query query;
+  query.margin = 20e-6, query.flatness = flatness;
+  collide(a, Frame(Pose(Vec3(7e-3, 0, a.radius - 1e-6 + 0.5 * rise), q)), jaw, Frame(), query, none, m);
+  return m;
+}
+
+// S29: the higher end may come down within the step, so it is a contact while it is within reach
+TEST(Degenerate, ATiltedStraightWireTouchesAtBothEndsWithinReach) {
+  const Manifold both = tilted(18e-6, 0.2e-3);  // steep for what counts as flat there
+  ASSERT_EQ(both.count, 2);
+  double low = 1, high = -1;
+  for (int i = 0; i < both.count; ++i) {
+    const Candidate& c = both.candidate[static_cast<size_t>(i)];
+    EXPECT_EQ(c.a.kind, Feature::kPoint);
+    EXPECT_NEAR(c.weight, 1, 1e-12);
+    low = std::min(low, c.touch.gap), high = std::max(high, c.touch.gap);
+  }
+  EXPECT_NEAR(low, -1e-6, 1e-12);
+  EXPECT_NEAR(high, 17e-6, 1e-12);
+  // out of reach, or asked for points alone: the lower end, wherever that will be
+  for (const Manifold& one : {tilted(40e-6, 0.2e-3), tilted(18e-6, 0)}) {
+    ASSERT_EQ(one.count, 1);
+    EXPECT_EQ(one.candidate[0].a.kind, Feature::kSegment);
+    EXPECT_NEAR(one.candidate[0].touch.gap, -1e-6, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace swage::contact
