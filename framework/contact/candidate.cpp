@@ -37,8 +37,11 @@ Turn within(const Feature& f, Turn e) {
 }
 
 Vec3 lowest_on_circle(const Carrier& circle, const Vec3& n) {
-  const Turn e = Turn::along(-n.dot(circle.u), -n.dot(circle.v), circle.feature.e);
-  return circle.on_circle(within(circle.feature, e));
+  const Feature& f = circle.feature;
+  const Turn e = Turn::along(-n.dot(circle.u), -n.dot(circle.v), f.e);
+  // a stretch that arches over the face is lowest at its ends: at the one where it was found
+  const bool arches = e.c * f.e.c + e.s * f.e.s < 0;
+  return circle.on_circle(within(f, arches && !inside(f, e) ? f.e : e));
 }
 
 Vec3 closest_on_circle(const Carrier& circle, const Vec3& p) {

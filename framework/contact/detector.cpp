@@ -34,16 +34,13 @@ Motion motion_of(const scene::World& world, uint32_t body) {
   return m;
 }
 
-/// More than any point of a moves against b over the step, without looking closely, m.
-double most_motion(const scene::World& world, uint32_t body_a, uint32_t body_b, const Solid& a,
-                   const Vec3& a_from_b) {
-  const swage_twist &A = world.V_WB[body_a], &B = world.V_WB[body_b];
-  const double v = toolkit::vec(A.v).norm() + toolkit::vec(B.v).norm();
-  const double w_a = toolkit::vec(A.w).norm(), w_b = toolkit::vec(B.w).norm();
-  return 2 * world.dt * (v + w_a * (a.centre.norm() + a.bound) + w_b * (a_from_b.norm() + a.bound));
-}
-
 bool collides(const scene::Shape& shape) { return (shape.flags & SWAGE_SHAPE_COLLIDES) != 0; }
+
+/// Whether some face of the polyhedron has the ball on its far side, m in the frame of the polyhedron.
+bool beyond_a_face(const toolkit::Convex& convex, const Vec3& centre, double reach) {
+  return std::any_of(convex.face.begin(), convex.face.end(),
+                     [&](const toolkit::Convex::Face& f) { return f.n.dot(centre) - f.d > reach; });
+}
 
 void check(const Options& o) {
   const bool power_of_two =
@@ -61,9 +58,19 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
       options_(options),
       chains_(world.shape.size()),
       X_WB_(world.body.size()),
+      motion_(world.body.size()),
+      ball_(world.shape.size()),
       sphere_(make_ball(0)) {
   check(options_);
-  for (uint32_t i = 0; i < world.shape.size(); ++i) solids_.push_back(make_solid(world, i));
+  for (uint32_t i = 0; i < world.shape.size(); ++i) {
+    solids_.push_back(make_solid(world, i));
+    body_.push_back(world.shape[i].body);
+    const bool chained = in_chain(world, i);
+    goes_on_.push_back(chained && i > 0 && in_chain(world, i - 1) &&
+                       world.shape[i - 1].object == world.shape[i].object);
+    if (chained && !goes_on_.back()) chain_.push_back({i, 0, {}});
+    if (chained) ++chain_.back().shapes;
+  }
   for (uint32_t p = 0; p < pairs_.size(); ++p)
     for (uint32_t a = 0; a < world.shape.size(); ++a)
       for (uint32_t b = 0; b < world.shape.size(); ++b) {
@@ -72,10 +79,12 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
         if (!collides(shape_a) || !collides(shape_b) || shape_a.body == shape_b.body) continue;
         // an object against itself: each two shapes once
         if (shape_a.object == shape_b.object && a > b) continue;
-        shape_pairs_.push_back({p, a, b, {}});
+        shape_pairs_.push_back({p, a, b, group_of(p, a, b), {}});
         bodies_.push_back(shape_a.body);
         bodies_.push_back(shape_b.body);
       }
+  // what was last found apart saves time where polyhedra say so themselves
+  for (ShapePair& pair : shape_pairs_) pair.remembers = pair.group == kNoGroup;
   std::sort(bodies_.begin(), bodies_.end());
   bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
 
@@ -86,6 +95,23 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
             build_sphere_tree(sphere_chain(solids_[i].arc, options_.chain_spheres), solids_[i].radius);
   last_.reserve(options_.capacity);
   last_of_pair_.reserve(pairs_.size());
+}
+
+/// The group of a shape pair: all pieces of one chain against one shape of another pair; kNoGroup where neither is a chain.
+uint32_t Detector::group_of(uint32_t pair, uint32_t a, uint32_t b) {
+  const auto chain = [&](uint32_t shape) {
+    for (uint32_t c = 0; c < chain_.size(); ++c)
+      if (shape - chain_[c].first < chain_[c].shapes) return c;
+    return kNoGroup;
+  };
+  const uint32_t chain_a = chain(a), chain_b = chain(b);
+  if ((chain_a == kNoGroup) == (chain_b == kNoGroup)) return kNoGroup;
+  const Group wanted{pair, chain_a == kNoGroup ? chain_b : chain_a, chain_a == kNoGroup ? a : b, false};
+  for (uint32_t g = 0; g < group_.size(); ++g)
+    if (group_[g].pair == wanted.pair && group_[g].chain == wanted.chain && group_[g].other == wanted.other)
+      return g;
+  group_.push_back(wanted);
+  return static_cast<uint32_t>(group_.size() - 1);
 }
 
 void Detector::reserve(ContactSet& set) const {
@@ -110,9 +136,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   set.candidate.clear();
   set.of_pair.clear();
 
-  for (const uint32_t body : bodies_) X_WB_[body] = Frame(world.X_WB[body]);
-  for (uint32_t i = 0; i < solids_.size(); ++i)
-    if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
+  look_around(world);
   size_t next = 0;
   for (uint32_t p = 0; p < pairs_.size(); ++p) {
     const auto first = static_cast<uint32_t>(set.contact.size());
@@ -123,21 +147,70 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   }
 }
 
+/// Where everything is and how far it comes in this step, and which chains are far from what.
+void Detector::look_around(const scene::World& world) noexcept {
+  for (const uint32_t body : bodies_) {
+    X_WB_[body] = Frame(world.X_WB[body]);
+    motion_[body].known = false;
+  }
+  for (uint32_t i = 0; i < solids_.size(); ++i) {
+    if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
+    // the ball in which the shape is at the end of the step, and how far any point of it has come
+    const swage_twist& V = world.V_WB[body_[i]];
+    const double arm = solids_[i].centre.norm() + solids_[i].bound;
+    ball_[i] = {X_WB_[body_[i]] * solids_[i].centre, solids_[i].bound,
+                world.dt * (toolkit::vec(V.v).norm() + arm * toolkit::vec(V.w).norm())};
+  }
+  for (Chain& chain : chain_) {
+    Ball& all = chain.ball = ball_[chain.first + chain.shapes / 2];
+    for (uint32_t i = chain.first; i < chain.first + chain.shapes; ++i) {
+      all.radius = std::max(all.radius, (ball_[i].centre - all.centre).norm() + ball_[i].radius);
+      all.moves = std::max(all.moves, ball_[i].moves);
+    }
+  }
+  for (Group& group : group_) {
+    group.far = far_apart(chain_[group.chain].ball, group.other, options_.margin * world.length);
+  }
+}
+
+/// The cheapest way out: balls that hold all that the shapes pass through in the step, and planes of a polyhedron beside one.
+bool Detector::far_apart(const Ball& ball, uint32_t other, double margin) const noexcept {
+  const Ball& b = ball_[other];
+  const double beside = ball.radius + ball.moves + b.moves + margin, reach = beside + b.radius;
+  if ((ball.centre - b.centre).squaredNorm() > reach * reach) return true;
+  const Solid& solid = solids_[other];
+  return solid.kind == SWAGE_SHAPE_CONVEX &&
+         beyond_a_face(solid.convex, X_WB_[body_[other]].inverse_times(ball.centre), beside);
+}
+
+/// Motion of a body over the step that is predicted to end at its pose; found when first asked for.
+const Motion& Detector::motion(const scene::World& world, uint32_t body) noexcept {
+  KnownMotion& m = motion_[body];
+  if (!m.known) m.motion = motion_of(world, body), m.known = true;
+  return m.motion;
+}
+
 void Detector::detect_shapes(const scene::World& world, ShapePair& pair, ContactSet& set) noexcept {
   const Solid &a = solids_[pair.shape_a], &b = solids_[pair.shape_b];
   const uint32_t body_a = world.shape[pair.shape_a].body, body_b = world.shape[pair.shape_b].body;
   const Frame &X_WA = X_WB_[body_a], &X_WB = X_WB_[body_b];
 
-  // bounding spheres, the cheapest way out: first with all that they might move
-  const Vec3 centre_a = X_WA * a.centre;
+  const double margin = options_.margin * world.length;
+  if (pair.group != kNoGroup && group_[pair.group].far) return;
+  const bool faces = b.kind == SWAGE_SHAPE_CONVEX;
+  if (far_apart(ball_[faces ? pair.shape_a : pair.shape_b], faces ? pair.shape_b : pair.shape_a, margin))
+    return;
   const double apart =
-      (centre_a - X_WB * b.centre).norm() - a.bound - b.bound - options_.margin * world.length;
-  if (apart > most_motion(world, body_a, body_b, a, centre_a - X_WB.p)) return;
-  const Motion motion_a = motion_of(world, body_a), motion_b = motion_of(world, body_b);
-  const double motion = relative_motion(a, motion_a, motion_b);
-  Query query{options_.margin * world.length + motion, world.length, options_.flatness, options_.line_points};
-  if (in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b)) query.line_points = kChainPoints;
-  if (apart > motion) return;
+      (ball_[pair.shape_a].centre - ball_[pair.shape_b].centre).norm() - a.bound - b.bound - margin;
+  const Motion &motion_a = motion(world, body_a), &motion_b = motion(world, body_b);
+  const double moves = relative_motion(a, motion_a, motion_b);
+  Query query{margin + moves, world.length, options_.flatness, options_.line_points};
+  query.piece = in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b);
+  if (query.piece) query.line_points = kChainPoints;
+  query.goes_on = goes_on_[pair.shape_a] || goes_on_[pair.shape_b];
+  Separation none;
+  Separation& memory = pair.remembers ? pair.memory : none;
+  if (apart > moves) return;
 
   // chains of the thesis, sphere by sphere
   if (!chains_[pair.shape_a].node.empty() || !chains_[pair.shape_b].node.empty())
@@ -145,11 +218,11 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
 
   // whoever moves farther than the wires are thick may have passed through: touch where the bodies first touched
   const double thickness = std::max(a.radius + b.radius, kSweepFrom * world.length);
-  if (motion > thickness) {
+  if (moves > thickness) {
     const double tolerance = kTouchGap * world.length;
-    const FirstTouch touch = first_touch(a, motion_a, b, motion_b, tolerance, pair.memory, manifold_);
+    const FirstTouch touch = first_touch(a, motion_a, b, motion_b, tolerance, memory, manifold_);
     if (touch.hit) {
-      collide(a, Frame(motion_a.at(touch.t)), b, Frame(motion_b.at(touch.t)), query, pair.memory, manifold_);
+      collide(a, Frame(motion_a.at(touch.t)), b, Frame(motion_b.at(touch.t)), query, memory, manifold_);
       for (int i = 0; i < manifold_.count; ++i) {
         Candidate& c = manifold_.candidate[static_cast<size_t>(i)];
         c.touch = reevaluate(c, X_WA, X_WB);
@@ -157,7 +230,7 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
       return append(world, pair, 0, set);
     }
   }
-  collide(a, X_WA, b, X_WB, query, pair.memory, manifold_);
+  collide(a, X_WA, b, X_WB, query, memory, manifold_);
   append(world, pair, 0, set);
 }
 

@@ -12,6 +12,7 @@
 #include "contact/narrow_phase.hpp"
 #include "contact/solid.hpp"
 #include "contact/sphere_tree.hpp"
+#include "contact/sweep.hpp"
 #include "scene/state_image.hpp"
 #include "scene/world.hpp"
 
@@ -61,12 +62,38 @@ class Detector {
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
+  static constexpr uint32_t kNoGroup = UINT32_MAX;
+
   /// Two shapes that may touch.
   struct ShapePair {
-    uint32_t pair = 0, shape_a = 0, shape_b = 0;
+    uint32_t pair = 0, shape_a = 0, shape_b = 0, group = kNoGroup;
     Separation memory;
+    bool remembers = true;  // pieces of a chain do not: there are many, and few of them are near
   };
 
+  /// Of one step: a ball around a shape in W, and how far any point of it comes [m].
+  struct Ball {
+    Vec3 centre = Vec3::Zero();
+    double radius = 0, moves = 0;
+  };
+  /// Arcs that are one wire (chain_line.hpp), in a ball; and such a chain against one shape.
+  struct Chain {
+    uint32_t first = 0, shapes = 0;
+    Ball ball;
+  };
+  struct Group {
+    uint32_t pair = 0, chain = 0, other = 0;
+    bool far = false;
+  };
+  struct KnownMotion {
+    bool known = false;
+    Motion motion;
+  };
+
+  uint32_t group_of(uint32_t pair, uint32_t a, uint32_t b);
+  void look_around(const scene::World& world) noexcept;
+  bool far_apart(const Ball& ball, uint32_t other, double margin) const noexcept;
+  const Motion& motion(const scene::World& world, uint32_t body) noexcept;
   void detect_shapes(const scene::World& world, ShapePair& pair, ContactSet& set) noexcept;
   void detect_chain(const scene::World& world, const ShapePair& pair, const Query& query,
                     ContactSet& set) noexcept;
@@ -75,10 +102,16 @@ class Detector {
 
   std::vector<Pair> pairs_;
   Options options_;
-  std::vector<Solid> solids_;           // one per shape of the world
-  std::vector<SphereTree> chains_;      // one per shape, empty but for arcs at the level of the thesis
-  std::vector<uint32_t> bodies_;        // that have shapes in a pair
-  std::vector<Frame> X_WB_;             // of those bodies, indexed by body
+  std::vector<Solid> solids_;        // one per shape of the world
+  std::vector<SphereTree> chains_;   // one per shape, empty but for arcs at the level of the thesis
+  std::vector<uint32_t> bodies_;     // that have shapes in a pair
+  std::vector<uint32_t> body_;       // of each shape
+  std::vector<Frame> X_WB_;          // of those bodies, indexed by body
+  std::vector<KnownMotion> motion_;  // the same
+  std::vector<Ball> ball_;           // one per shape
+  std::vector<uint8_t> goes_on_;     // per shape: the wire goes on before its start
+  std::vector<Chain> chain_;
+  std::vector<Group> group_;
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
   std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
   std::vector<scene::Range> last_of_pair_;

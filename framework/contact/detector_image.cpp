@@ -49,7 +49,8 @@ Contact contact(const Record& r) {
 
 void Detector::save(const ContactSet& set, scene::Writer& out) const noexcept {
   out.put(uint64_t{shape_pairs_.size()});
-  for (const ShapePair& pair : shape_pairs_) out.put(toolkit::raw(pair.memory.n_B));
+  for (const ShapePair& pair : shape_pairs_)
+    if (pair.remembers) out.put(toolkit::raw(pair.memory.n_B));
   out.put(uint64_t{set.contact.size()});
   for (const Contact& c : set.contact) out.put(record(c));
   out.put(uint64_t{set.of_pair.size()});
@@ -61,6 +62,7 @@ bool Detector::restore(ContactSet& set, scene::Reader& in) noexcept {
   in.get(n);
   if (!in.ok() || n != shape_pairs_.size()) return false;
   for (ShapePair& pair : shape_pairs_) {
+    if (!pair.remembers) continue;
     swage_vec3 n_B{};
     in.get(n_B);
     pair.memory.n_B = toolkit::vec(n_B);

@@ -27,6 +27,9 @@ struct Query {
   /// friction moment.
   double flatness = 2e-3;
   int line_points = 4;  // even, 2..8
+  /// The wire goes on before its start, as another solid: what is lowest there is that one's to tell.
+  bool goes_on = false;
+  bool piece = false;  // the wire is one of the pieces of a chain
 };
 
 /// The contact points of one pair of shapes. A needle against a jaw has 1 to 6.

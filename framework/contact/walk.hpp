@@ -133,14 +133,20 @@ class Walk {
   using Pieces = toolkit::FixedVector<Piece<Place>, 48>;
   using Dips = toolkit::FixedVector<Dip<Place>, 24>;
 
-  /// Looks along `stretch` for places of the curve nearer than `reach`.
-  Walk(const Curve& curve, const Convex& convex, double radius, double reach, const Stretches<Curve>& stretch)
-      : curve_(curve), convex_(convex), radius_(radius), reach_(reach), stretch_(stretch) {}
+  /// Looks along `stretch` for places of the curve nearer than `reach`. goes_on: the wire goes on before the curve's start.
+  Walk(const Curve& curve, const Convex& convex, double radius, double reach, const Stretches<Curve>& stretch,
+       bool goes_on = false)
+      : curve_(curve),
+        convex_(convex),
+        radius_(radius),
+        reach_(reach),
+        stretch_(stretch),
+        goes_on_(goes_on) {}
 
   void walk() {
     for (const Stretch<Place>& s : stretch_) {
       if (s.at_from != Border::kJoined) region_ = locate(convex_, curve_.point(s.from));
-      if (s.at_from != Border::kJoined) falling_ = true;
+      if (s.at_from != Border::kJoined) falling_ = !(goes_on_ && s.at_from == Border::kEnd);
       cross_regions(s);
       // at an end of the curve, the end may be the minimum; a clipped border is out of reach
       if (s.at_to == Border::kEnd && falling_) add_dip(Distance(curve_, convex_, region_), s.to);
@@ -209,6 +215,7 @@ class Walk {
   const Convex& convex_;
   double radius_, reach_;
   const Stretches<Curve>& stretch_;
+  bool goes_on_;
   Region region_;
   bool falling_ = false;
   Pieces piece_;

@@ -13,6 +13,10 @@ namespace {
 /// tilt one step late.
 constexpr double kLevel = 2, kSteep = 20;
 
+/// A line that would bear less than a thousandth of the force is left to the point beside it; on a piece of a chain, of which
+/// each brings lines of its own, less than a fiftieth: the wire then moves by a fiftieth of an overlap, some 10 nm.
+constexpr double kPoint = 0.999, kPointOfPiece = 0.98;
+
 /// Turns pieces and dips of a walk into contact points.
 ///
 /// A dip is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
@@ -58,7 +62,8 @@ class Writer {
         total += flat_length(end);
       } while (joined(++end));
       for (; k < end; ++k)
-        if (total > 0) line_weight_[at(k)] = (1 - sharp_[at(k)]) * flat_length(k) / total;
+        if (total > 0 && sharp_[at(k)] < (query_.piece ? kPointOfPiece : kPoint))
+          line_weight_[at(k)] = (1 - sharp_[at(k)]) * flat_length(k) / total;
     }
   }
   double flat_length(int k) const {
@@ -195,7 +200,7 @@ template <class Curve>
   Stretches<Curve> stretch;
   const auto anywhere = [=](const Vec3&) { return reach; };
   if (!clip_to_reach(stretch, curve, b.convex, anywhere, slack, Border::kClipped, memory)) return;
-  Walk<Curve> walk(curve, b.convex, a.radius, reach, stretch);
+  Walk<Curve> walk(curve, b.convex, a.radius, reach, stretch, query.goes_on);
   walk.walk();
   Writer<Curve>(walk, curve, a, b, X_WB, query, out).write();
 }

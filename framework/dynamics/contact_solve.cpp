@@ -39,10 +39,21 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
 
 void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<SelfSolver* const> self, Stats& stats) noexcept {
+  ask_all_ = false;
   begin(world, motion, contacts, ties, self, stats);
-  let_go(contacts);
+  const bool moved = settle(contacts, stats);
+  if (!wait_in_vain(contacts, moved)) return finish(motion, contacts, stats);
+  ++stats.asked_again;
+  as_found(contacts);
+  ask_all_ = true;
+  begin(world, motion, contacts, ties, self, stats);
+  settle(contacts, stats);
+  finish(motion, contacts, stats);
+}
 
-  bool regroup = true;
+/// Passes until every island is done. True when something moved that one of them did not settle.
+bool ContactSolve::settle(contact::ContactSet& contacts, Stats& stats) noexcept {
+  bool regroup = true, again = let_go(contacts);
   for (uint32_t pass = 0; pass < (tie_.empty() ? kPasses : kTiedPasses); ++pass) {
     if (regroup) find_islands(contacts, stats);
     bool done = true;
@@ -51,9 +62,14 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
       done = done && (group.done || group.stuck);
     }
     if (done) break;
+    again = true;
     regroup = refresh(contacts);
     ++stats.refreshed;
   }
+  return again;
+}
+
+void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& stats) noexcept {
   for (const Group& group : island_) {
     if (group.done && group.limits_hold) continue;
     ++stats.not_converged;
@@ -81,52 +97,20 @@ void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSe
     k.a = place_.side(c.body_a, c.particle_a);
     k.b = place_.side(c.body_b, c.particle_b);
     k.active = overlaps(c);
-    add_self_points(c, k, stats);
+    k.found = {c.gap, c.p_W, c.n_W};
   }
+  add_own_points(contacts, stats);
   begin_ties(ties, stats);
   place_.self().ask(h_);
   place_.size_self_movers();
   meet_surfaces(contacts);
-  wake_self_points(contacts);
+  wake_own_points(contacts);
   start_ties();
 }
 
-/// The solve starts where own solvers expect their points; what they expected to stay held may as well come back to a contact
-/// that has let go of it.
-void ContactSolve::wake_self_points(contact::ContactSet& contacts) noexcept {
-  for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    if (k.a.point == kNone && k.b.point == kNone) continue;
-    for (const Side* s : {&k.a, &k.b})
-      if (s->point != kNone) place_.expect(*s, contacts.contact[i].p_W);
-    evaluate(contacts, i);
-    k.active = k.active || overlaps(contacts.contact[i]);
-  }
-  expect_ties();
-  place_.self().start();
-  for (uint32_t i = 0; i < n_; ++i)
-    if (known_[i].a.point != kNone || known_[i].b.point != kNone) evaluate(contacts, i);
-}
-
-void ContactSolve::add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept {
-  for (const bool is_a : {true, false}) {
-    Side& s = is_a ? k.a : k.b;
-    if (!place_.is_self(s.mover)) continue;
-    if (!(c.law.stiffness >
-          0)) {  // passes through: never pushes, so nobody needs to know how much gives there
-      s.mover = kNone;
-      continue;
-    }
-    s.point = place_.self().add_point(place_.mover(s.mover).index, s.body, is_a ? c.shape_a : c.shape_b,
-                                      c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
-    if (s.point != kNone) continue;
-    ++stats.dropped;
-    s.mover = kNone;
-  }
-}
-
-/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there.
-void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
+/// Movers that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there. True when
+/// there are some.
+bool ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
   std::fill(touched_.begin(), touched_.end(), uint8_t{0});
   for (uint32_t i = 0; i < n_; ++i)
     for (const Side* s : {&known_[i].a, &known_[i].b})
@@ -141,9 +125,11 @@ void ContactSolve::let_go(contact::ContactSet& contacts) noexcept {
       moved = place_.let_go(s->mover) || moved;
     }
   for (uint32_t i = 0; moved && i < n_; ++i) {
+    if (known_[i].waits) continue;
     evaluate(contacts, i);
     known_[i].active = known_[i].active || overlaps(contacts.contact[i]);
   }
+  return moved;
 }
 
 /// Gap, place and normal of a contact at the present poses. A SELF side stays where it advanced to; how far from there it
@@ -155,8 +141,7 @@ void ContactSolve::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept 
   c.gap = touch.gap;
   c.p_W = touch.p_W;
   c.n_W = touch.n_W;
-  if (k.a.point != kNone) c.gap += c.n_W.dot(off_shape(k.a, c.p_W));
-  if (k.b.point != kNone) c.gap -= c.n_W.dot(off_shape(k.b, c.p_W));
+  c.gap += off_shapes(c, k);
 }
 
 /// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said they
@@ -167,6 +152,7 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   bool found = false;
   for (uint32_t i = 0; i < n_; ++i) {
     Known& k = known_[i];
+    if (k.waits) continue;
     Group* const moved[2] = {moving_group(k.a), moving_group(k.b)};
     if (!moved[0] && !moved[1]) continue;
     contact::Contact& c = contacts.contact[i];

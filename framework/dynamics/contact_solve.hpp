@@ -37,7 +37,9 @@ class ContactSolve {
   struct Known {
     Side a, b;
     bool active = false;  // takes part: overlaps, or did in an earlier pass
+    bool waits = false;   // an own solver has not been asked about it
     uint32_t row = scene::kNone;
+    contact::Touch found;  // of the shapes, when the step began
   };
   /// What this step knows of a tie: its two sides and the material points that it holds, in their bodies.
   struct KnownTie {
@@ -65,11 +67,9 @@ class ContactSolve {
 
   void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
              std::span<SelfSolver* const> self, Stats& stats) noexcept;
-  void add_self_points(const contact::Contact& c, Known& k, Stats& stats) noexcept;
-  void wake_self_points(contact::ContactSet& contacts) noexcept;
-  void meet_surfaces(contact::ContactSet& contacts) noexcept;
-  Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
-  void let_go(contact::ContactSet& contacts) noexcept;
+  bool settle(contact::ContactSet& contacts, Stats& stats) noexcept;
+  void finish(Motion& motion, contact::ContactSet& contacts, Stats& stats) noexcept;
+  bool let_go(contact::ContactSet& contacts) noexcept;
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
   bool refresh(contact::ContactSet& contacts) noexcept;
 
@@ -84,6 +84,18 @@ class ContactSolve {
   void look(const contact::Contact& c, const Known& k, Row& row) noexcept;
   const double* jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W, Row& row) noexcept;
   Vec3 carried_bristle(const contact::Contact& c, const Known& k) const noexcept;
+
+  // points of objects with a solver of their own: contact_solve_own.cpp
+  void add_own_points(const contact::ContactSet& contacts, Stats& stats) noexcept;
+  void add_own_points(const contact::Contact& c, Known& k, Stats& stats) noexcept;
+  bool may_wait(const contact::Contact& c, const Known& k) const noexcept;
+  void wake_own_points(contact::ContactSet& contacts) noexcept;
+  void meet_surfaces(contact::ContactSet& contacts) noexcept;
+  Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
+  double off_shapes(const contact::Contact& c, const Known& k) const noexcept;
+  bool wait_in_vain(contact::ContactSet& contacts, bool moved) noexcept;
+  double strayed(const contact::ContactSet& contacts, uint32_t mover, const Vec3& p_W) const noexcept;
+  void as_found(contact::ContactSet& contacts) noexcept;
 
   // ties: contact_solve_ties.cpp
   void begin_ties(std::span<Tie> ties, Stats& stats) noexcept;
@@ -111,6 +123,8 @@ class ContactSolve {
   double h_ = 1e-3;           // s
   double tolerance_ = 1e-10;  // m
   uint32_t n_ = 0;            // contacts that take part in this step
+  uint32_t waiting_ = 0;      // of them, those that own solvers have not been asked about
+  bool ask_all_ = false;
 
   Placement place_;
   IslandSolver solver_;

@@ -185,25 +185,4 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
   if (m.kind == Mover::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
-// --- surfaces that stand elsewhere than their shapes
-
-/// What is between the shape on which a contact was found and the surface at the present poses, at a point of an own solver.
-Vec3 ContactSolve::off_shape(const Side& side, const Vec3& p_W) const noexcept {
-  const uint32_t slot = place_.mover(side.mover).index;
-  return place_.self().displaced(slot) ? place_.self().off_shape(slot, side.point) : place_.beyond(side, p_W);
-}
-
-/// Contacts were found on shapes; where a surface stands elsewhere they overlap by something else.
-void ContactSolve::meet_surfaces(contact::ContactSet& contacts) noexcept {
-  for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    bool elsewhere = false;
-    for (const Side* s : {&k.a, &k.b})
-      elsewhere = elsewhere || (s->point != kNone && place_.self().displaced(place_.mover(s->mover).index));
-    if (!elsewhere) continue;
-    evaluate(contacts, i);
-    k.active = overlaps(contacts.contact[i]);
-  }
-}
-
 }  // namespace swage::dynamics

@@ -28,13 +28,22 @@ struct Dynamics::Core {
 
 namespace {
 
-void add_hinge_torque(scene::World& world, uint32_t body, const Vec3& p_W, const Vec3& f_W) {
-  if (body == scene::kNone || world.body[body].motion != SWAGE_MOTION_HINGED) return;
-  const uint32_t hinge = world.body[body].hinge;
-  const scene::HingeInfo& info = world.hinge[hinge];
-  const toolkit::Pose X_WP(world.X_WB[info.parent]);
-  const Vec3 axis = X_WP.q * toolkit::vec(info.axis), arm = p_W - X_WP * toolkit::vec(info.anchor);
-  world.hinge_torque[hinge] += axis.dot(arm.cross(f_W));
+/// What contacts and ties put on each hinge, about its axis.
+void add_hinge_torques(scene::World& world, const contact::ContactSet& contacts, std::span<const Tie> ties) {
+  for (uint32_t i = 0; i < world.hinge.size(); ++i) {
+    const scene::HingeInfo& info = world.hinge[i];
+    const toolkit::Frame X_WP(world.X_WB[info.parent]);
+    const Vec3 axis = X_WP.turn(toolkit::vec(info.axis)), anchor = X_WP * toolkit::vec(info.anchor);
+    double& torque = world.hinge_torque[i];
+    for (const contact::Contact& c : contacts.contact) {
+      if (c.body_a == info.child) torque += axis.dot((c.p_W - anchor).cross(c.f_a_W));
+      if (c.body_b == info.child) torque -= axis.dot((c.p_W - anchor).cross(c.f_a_W));
+    }
+    for (const Tie& tie : ties) {
+      if (tie.body_a == info.child) torque += axis.dot((tie.p_W - anchor).cross(tie.f_a_W));
+      if (tie.body_b == info.child) torque -= axis.dot((tie.p_W - anchor).cross(tie.f_a_W));
+    }
+  }
 }
 
 }  // namespace
@@ -63,16 +72,7 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::sp
     core_->rebound.report(contacts, world.dt);
   }
 
-  // what contacts and ties put on each hinge, about its axis
-  for (const contact::Contact& c : contacts.contact) {
-    if (c.f_a_W.isZero(0)) continue;
-    add_hinge_torque(world, c.body_a, c.p_W, c.f_a_W);
-    add_hinge_torque(world, c.body_b, c.p_W, -c.f_a_W);
-  }
-  for (const Tie& tie : ties) {
-    add_hinge_torque(world, tie.body_a, tie.p_W, tie.f_a_W);
-    add_hinge_torque(world, tie.body_b, tie.p_W, -tie.f_a_W);
-  }
+  add_hinge_torques(world, contacts, ties);
 }
 
 void Dynamics::finish(scene::World& world) noexcept {

@@ -42,6 +42,7 @@ struct Stats {
   uint64_t fallbacks = 0;      // islands where Newton stalled and the convex path took over
   uint64_t rounds = 0;         // convex problems solved there
   uint64_t not_converged = 0;  // islands left at their best iterate
+  uint64_t asked_again = 0;    // steps in which own solvers were asked about all their contacts after all
   uint64_t dropped = 0;        // contacts or unknowns beyond the capacity
 };
 

@@ -176,6 +176,10 @@ Vec3 Placement::beyond(const Side& side, const Vec3& p_W) const noexcept {
   return self_.displacement(side.mover - first_self_, side.point) - carried(trial_[side.body], p_W);
 }
 
+Vec3 Placement::beyond_free(const Side& side, const Vec3& p_W) const noexcept {
+  return self_.u_free(side.mover - first_self_, side.point) - carried(trial_[side.body], p_W);
+}
+
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {
   known = side.body != kNone && !is_self(side.mover);
   return known ? trial_[side.body].a : Vec3::Zero();

@@ -52,6 +52,8 @@ class Placement {
   void expect(const Side& side, const Vec3& p_W) noexcept;
   /// How far a point of a SELF body is from where it stands in the pose that its solver wrote [m].
   Vec3 beyond(const Side& side, const Vec3& p_W) const noexcept;
+  /// The same of where it goes without contacts [m].
+  Vec3 beyond_free(const Side& side, const Vec3& p_W) const noexcept;
   /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
   /// d(displacement . e) / d(unknowns), times `sign`, into `columns` numbers at J.

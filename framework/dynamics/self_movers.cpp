@@ -8,6 +8,17 @@
 
 namespace swage::dynamics {
 
+namespace {
+
+/// Without a branch: x - x is 0 for all but infinity and NaN.
+bool finite(const double* x, size_t n) noexcept {
+  uint64_t wrong = 0;
+  for (size_t i = 0; i < n; ++i) wrong |= static_cast<uint64_t>(!(x[i] - x[i] == 0));
+  return wrong == 0;
+}
+
+}  // namespace
+
 SelfMovers::SelfMovers(const scene::World& world) {
   // one slot per object that has SELF bodies
   std::vector<uint32_t> objects;
@@ -60,9 +71,8 @@ void SelfMovers::ask(double h) noexcept {
                           self_[i]->displacement(points, o.u.data());
 
     // a failed object, or one that answers nonsense, stands still
-    bool sound = answered;
-    for (size_t k = 0; sound && k < n; ++k) sound = std::isfinite(o.v_free[k]) && std::isfinite(o.u[k]);
-    for (size_t k = 0; sound && k < n * n; ++k) sound = std::isfinite(o.W[k]);
+    const bool sound =
+        answered && finite(o.v_free.data(), n) && finite(o.u.data(), n) && finite(o.W.data(), n * n);
     if (!sound) {
       std::fill_n(o.v_free.begin(), n, 0.0);
       std::fill_n(o.u.begin(), n, 0.0);
@@ -71,7 +81,8 @@ void SelfMovers::ask(double h) noexcept {
     o.displaced = std::any_of(o.u.begin(), o.u.begin() + static_cast<std::ptrdiff_t>(n),
                               [](double u) { return u != 0; });
     o.rank = static_cast<uint32_t>(cholesky_semidefinite(n, o.W.data(), o.L.data(), o.order.data()));
-    for (size_t k = 0; k < n * n; ++k) o.L[k] *= h;
+    for (size_t row = 0; row < n; ++row)
+      for (size_t k = 0; k < o.rank; ++k) o.L[row * n + k] *= h;
     std::fill_n(o.y.begin(), o.rank, 0.0);
   }
 }

@@ -44,6 +44,8 @@ class SelfMovers {
   /// Objects of the scene with SELF bodies; those that answer in this step come first.
   uint32_t capacity() const noexcept { return static_cast<uint32_t>(object_.size()); }
   uint32_t count() const noexcept { return static_cast<uint32_t>(self_.size()); }
+  uint32_t points(uint32_t slot) const noexcept { return object_[slot].points; }
+  bool shows_itself(uint32_t slot) const noexcept { return self_[slot]->shows_itself(); }
   /// Unknowns of a slot; 0: it has no points or has failed, and stands still.
   uint32_t rank(uint32_t slot) const noexcept { return object_[slot].rank; }
   double* y(uint32_t slot) noexcept { return object_[slot].y.data(); }

@@ -12,7 +12,7 @@
 namespace swage::dynamics {
 
 /// Answers for the SELF bodies of one object. All calls [rt], noexcept, at most once per step and in this
-/// order. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
+/// order; but compliance may be asked a second time, for more points, when the first answer surprises. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
 /// contact set.
 class SelfSolver {
  public:
@@ -20,6 +20,9 @@ class SelfSolver {
 
   /// Index of the object, as in BodyInfo::object.
   virtual uint32_t object() const noexcept = 0;
+
+  /// Its surface is where its shapes are: contacts that those do not reach need not be asked about.
+  virtual bool shows_itself() const noexcept { return false; }
 
   /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, row-major, symmetric, positive
   /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be

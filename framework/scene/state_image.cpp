@@ -19,11 +19,7 @@ Heading heading(const World& w) noexcept {
 
 void Writer::put_bytes(const void* data, size_t size) noexcept {
   const auto* bytes = static_cast<const std::byte*>(data);
-  for (size_t i = 0; i < size; i += 8) {
-    uint64_t word;
-    std::memcpy(&word, bytes + i, 8);
-    hash_.add(word);
-  }
+  hash_.add(bytes, size / 8);
   if (stores_ && size > 0) {
     if (ok_ && size <= buffer_.size() - size_) {
       std::memcpy(buffer_.data() + size_, bytes, size);

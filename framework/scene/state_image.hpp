@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -25,6 +26,21 @@ inline constexpr uint64_t kImageVersion = 1;
 class StateHash {
  public:
   void add(uint64_t word) noexcept { lane_[count_++ & 3].add(word); }
+  /// The same word by word, without storing each lane in between.
+  void add(const std::byte* data, size_t words) noexcept {
+    const auto word = [&](size_t i) {
+      uint64_t w;
+      std::memcpy(&w, data + 8 * i, 8);
+      return w;
+    };
+    size_t i = 0;
+    for (; i < words && (count_ & 3) != 0; ++i) add(word(i));
+    base::Hash a = lane_[0], b = lane_[1], c = lane_[2], d = lane_[3];
+    for (; i + 4 <= words; i += 4, count_ += 4)
+      a.add(word(i)), b.add(word(i + 1)), c.add(word(i + 2)), d.add(word(i + 3));
+    lane_[0] = a, lane_[1] = b, lane_[2] = c, lane_[3] = d;
+    for (; i < words; ++i) add(word(i));
+  }
   uint64_t value() const noexcept {
     base::Hash all(count_);
     for (const base::Hash& lane : lane_) all.add(lane.value());

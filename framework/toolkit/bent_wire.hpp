@@ -76,6 +76,15 @@ class BentWire {
     }
   }
 
+  /// Pose of piece j + 1 in P_j where the joint between them has turned by `turn` [rad].
+  Pose over(const Vec3& turn) const {
+    Pose X = half_;
+    bend_frame(turn, X);
+    X = X * half_;
+    X.q.normalize();
+    return X;
+  }
+
   /// Where a joint is and how its axes lie, from the pose of the piece before it.
   Frame joint_frame(const Pose& X_WP, const JointMemory& memory) const {
     const Pose X_WJ = X_WP * half_;
@@ -131,11 +140,11 @@ class BentWire {
   static Vec3 turn(const JointMemory& m) { return {m.turn[0], m.turn[1], m.turn[2]}; }
   static Vec3 moment(const JointMemory& m) { return {m.moment[0], m.moment[1], m.moment[2]}; }
   /// Moment over what first makes the outer fibre yield, 1 at first yield.
-  double stress(int j, const JointMemory& memory) const {
+  double stress(int j, const JointMemory& memory) const { return stress(j, moment(memory)); }
+  /// The same of any moment [N m] that the section of a joint bears, in its axes.
+  double stress(int j, const Vec3& m) const {
     const Joint& joint = joint_[at(j)];
-    return Vec3(memory.moment[0] / joint.yield[0], memory.moment[1] / joint.yield[1],
-                memory.moment[2] / joint.yield[2])
-        .norm();
+    return Vec3(m[0] / joint.yield[0], m[1] / joint.yield[1], m[2] / joint.yield[2]).norm();
   }
   /// Turn that stays when the load goes [rad].
   Vec3 residual(int j, const JointMemory& memory) const {

@@ -32,6 +32,7 @@ class WireLaw {
 
   /// Moment at curvature `e` as the memory stands.
   Vec3 moment(const Vec3& e, const WireMemory& memory) const {
+    if (memory.path == 0) return e;
     Vec3 m = Vec3::Zero();
     for (int i = 0; i < kLayers; ++i) m += kLayer[i].share * (e - at(memory, i));
     return (1 - hardening_) * m + hardening_ * e;
@@ -39,7 +40,8 @@ class WireLaw {
 
   /// Bends to curvature `e`: layers beyond their limit flow back to it. Returns the moment.
   Vec3 bend(const Vec3& e, WireMemory& memory) const {
-    const Vec3 before = relaxed(memory);
+    if (never_flows(e, memory)) return e;
+    const Vec3 before = kept(memory);
     bool flows = false;
     for (int i = 0; i < kLayers; ++i) {
       const Vec3 s = e - at(memory, i);
@@ -49,21 +51,20 @@ class WireLaw {
       for (int k = 0; k < 3; ++k) memory.plastic[i][k] = p[k];
       flows = true;
     }
-    if (flows) memory.path += (relaxed(memory) - before).norm();
+    if (flows) memory.path += (kept(memory) - before).norm();
     return moment(e, memory);
   }
 
   /// Curvature that stays when the moment goes, unless that makes layers flow back: e - m, as stiffness is 1.
   Vec3 relaxed(const WireMemory& memory) const {
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < kLayers; ++i) sum += kLayer[i].share * at(memory, i);
-    return (1 - hardening_) * sum;
+    return memory.path == 0 ? Vec3(Vec3::Zero()) : kept(memory);
   }
 
   /// d(moment)/d(curvature) of a section at curvature `e` that is bent on as it was; false: elastic, the identity.
   bool tangent(const Vec3& e, const WireMemory& memory, Mat3& D) const {
     bool flows = false;
     D.setIdentity();
+    if (never_flows(e, memory)) return false;
     for (int i = 0; i < kLayers; ++i) {
       const Vec3 s = e - at(memory, i);
       if (s.squaredNorm() < kAtLimit * kLayer[i].limit * kLayer[i].limit) continue;
@@ -86,6 +87,15 @@ class WireLaw {
   // a layer that flowed stands at its limit but for rounding
   static constexpr double kAtLimit = 1 - 1e-9;
 
+  Vec3 kept(const WireMemory& memory) const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < kLayers; ++i) sum += kLayer[i].share * at(memory, i);
+    return (1 - hardening_) * sum;
+  }
+  /// Nothing has flowed so far, nor does it at this curvature: stiffness 1.
+  static bool never_flows(const Vec3& e, const WireMemory& memory) {
+    return memory.path == 0 && e.squaredNorm() < kAtLimit * kLayer[0].limit * kLayer[0].limit;
+  }
   static Vec3 at(const WireMemory& memory, int i) {
     return {memory.plastic[i][0], memory.plastic[i][1], memory.plastic[i][2]};
   }

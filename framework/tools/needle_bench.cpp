@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <type_traits>
 
 #include "host/units.hpp"
 
@@ -61,20 +62,24 @@ Bent bend(WireArm<Section> arm, const NeedleModel& n) {
   return out;
 }
 
-/// Force between flat jaws of a width at which the wire yields: three-point bending, two arms of half the width.
+/// Force between flat jaws of a width at which the wire yields: three-point bending, two arms of half the width. `yield`: N m.
+/// The loop knows the moment at the contacts by statics, however coarse its joints are; strips tell what they bear.
 template <class Section>
-double squeeze(WireArm<Section> arm) {
+double squeeze(WireArm<Section> arm, double yield) {
+  const auto yields = [&](const WireArm<Section>& a) {
+    return a.outer() >= 1 || (std::is_same_v<Section, JointSection> && a.moment() >= yield);
+  };
   double low = 0, high = 1;
   for (; high < 1e4; high *= 2) {
     WireArm<Section> copy = arm;
     copy.push(0.5 * high);
-    if (copy.outer() >= 1) break;
+    if (yields(copy)) break;
   }
   for (int k = 0; k < 30; ++k) {
     const double middle = 0.5 * (low + high);
     WireArm<Section> copy = arm;
     copy.push(0.5 * middle);
-    (copy.outer() >= 1 ? high : low) = middle;
+    (yields(copy) ? high : low) = middle;
   }
   return high;
 }
@@ -124,7 +129,7 @@ std::vector<NeedleFigure> bench_needle(const NeedleModel& n, int pieces, double 
       {"maximum moment at a right angle", "N mm", 1e-3, M_p, loop.most, fine.most},
       {"springback from there", "deg", std::numbers::pi / 180, M_p * arm / (2 * EI), loop.back, fine.back},
       {"squeeze between flat jaws to first yield", "N", 1, 4 * M_y / width,
-       squeeze(loop_arm(n, 0.5 * width, in_jaw)), squeeze(fine_arm(n, 0.5 * width))},
+       squeeze(loop_arm(n, 0.5 * width, in_jaw), M_y), squeeze(fine_arm(n, 0.5 * width), M_y)},
       {"right-angled bends over 1 mm until it breaks", "1", 1, m.break_strain / (2 * strain),
        ductility(joint, m, d), ductility(strips, m, d)}};
 }

@@ -96,9 +96,12 @@ inline ArcPlace place_at(const Arc& arc, double s) {
 
 /// On the circle's axis every place is equally near; the answer there is the middle.
 inline ArcPlace nearest_place(const Arc& arc, const Vec3& p_A) {
-  const double half = 0.5 * arc.sweep;
-  const double angle = std::clamp(std::atan2(p_A.y(), p_A.x()), -half, half);
-  return place_at(arc, arc.coordinate(angle));
+  const double half = 0.5 * arc.sweep, angle = std::atan2(p_A.y(), p_A.x());
+  const double far = std::sqrt(p_A.x() * p_A.x() + p_A.y() * p_A.y());
+  if (!(far > 0) || std::abs(angle) > half)
+    return place_at(arc, arc.coordinate(std::clamp(angle, -half, half)));
+  const double c = p_A.x() / far, s = p_A.y() / far;
+  return {arc.coordinate(angle), arc.radius * Vec3(c, s, 0), Vec3(-s, c, 0)};
 }
 
 }  // namespace swage::needle

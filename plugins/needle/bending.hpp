@@ -24,6 +24,7 @@
 namespace swage::needle {
 
 using toolkit::Frame;
+using toolkit::JointMemory;
 using toolkit::Mat3;
 using toolkit::Pose;
 
@@ -33,6 +34,7 @@ struct BendingState {
   double L[3];      // kg m2/s, about it
   double held;      // 1: contacts pushed in the last step
   double answered;  // 1: contacts asked in this step
+  double base;      // piece that carried the others when contacts last pushed
 };
 
 class Bending {
@@ -81,6 +83,9 @@ class Bending {
     double mass = 0;              // kg
     Vec3 centre = Vec3::Zero();   // m
     Mat3 inertia = Mat3::Zero();  // kg m2 about it
+
+    Rigid seen_from(const Pose& X_AB) const;  // of frame B, in A
+    Rigid with(const Rigid& other) const;     // both of one frame
   };
   struct Twist {
     Vec3 v = Vec3::Zero(), w = Vec3::Zero();  // of the centre of mass, m/s; rad/s
@@ -90,23 +95,33 @@ class Bending {
     Vec3 p_W, arm_W;                   // m; from the centre of mass
     Mat3 turn;                         // turn of the whole per impulse there
   };
+  struct Load {
+    int piece = 0;
+    Vec3 f_W, t_W, p_W;  // N, N m about p, m
+  };
   static size_t at(int i) { return static_cast<size_t>(i); }
   static BendingState& state(const Step& step) {
     return *static_cast<BendingState*>(static_cast<void*>(step.state().data()));
   }
-  static toolkit::JointMemory* joints(const Step& step) {
+  static JointMemory* joints(const Step& step) {
     void* first = step.state().data() + sizeof(BendingState) / sizeof(double);
-    return static_cast<toolkit::JointMemory*>(first);
+    return static_cast<JointMemory*>(first);
   }
   size_t pair(int point, int joint) const { return at(point * (n_ - 1) + joint); }
 
-  Rigid weigh() const;
+  void follow_joints(const JointMemory* memory);
+  Rigid weigh(int root);
+  void take_loads(const Step& step, const Rigid& start);
   void fly(const Step& step, const Rigid& start);
   void carry(const Step& step, const Twist& V, const Rigid& start);
   void relax(const Step& step) const;
-  void write(const Step& step) const;
+  void place(int base, const Pose& X_WP);
+  void write(const Step& step, int base) const;
+  void write_piece(const Step& step, int i, const Vec3& w_W) const;
+  void load_joints();
+  double peak(const double* impulse, double h) const;
   void collect(const Step& step, std::span<const swage_contact_point> points);
-  Vec3 free_velocity(int point, const toolkit::JointMemory* memory, double h) const;
+  Vec3 free_velocity(int point, const JointMemory* memory, double h) const;
   Mat3 mobility(int a, int b, double h) const;
 
   int n_ = 0;
@@ -114,16 +129,27 @@ class Bending {
   Pose X_B0P_, X_PB0_;           // of the middle piece in body 0, and back
   std::array<Rigid, kMax> own_;  // of each piece, in P
 
+  // What follows from the turns of the joints alone, found again where one has changed: an arm that keeps its shape costs little.
+  std::array<JointMemory, kMax> known_;     // whose turns the rest is for
+  std::array<Pose, kMax> over_, back_;      // of piece j + 1 in P_j, of piece j in P_j+1
+  std::array<Rigid, kMax> before_, after_;  // all pieces before i and all after it, in P_i
+  int before_known_ = 0, after_known_ = 0;  // before_ up to this one and after_ from this one on are right
+  std::array<bool, kMax> moved_{};          // joints that have turned in this step
+
   // of the present step
   std::array<Pose, kMax> X0_, X_;  // of the pieces, at its start and now
+  Pose X0_WB0_;                    // of body 0 at its start
   Rigid whole_;                    // in W, now
   Mat3 inverse_ = Mat3::Zero();    // of its inertia
-  Vec3 L_start_ = Vec3::Zero();
-  Twist free_, expected_;  // without contacts; what the poses of advance() follow
-  int base_ = 0, low_ = 0,
-      high_ = 0;  // piece that carries; joints [low_, high_) are between it and the points
-  int n_touch_ = 0;
+  Vec3 L_start_ = Vec3::Zero();    // at its start and with the loads of the step
+  Twist free_, expected_;          // without contacts; what the poses of advance() follow
+  int base_ = 0;                   // piece that carries
+  int low_ = 0, high_ = 0;         // joints [low_, high_) are between it and the points
+  int n_touch_ = 0, n_load_ = 0;
+  double peak_ = 0;  // greatest stress under the contacts of this step, over first yield
   std::array<Touch, kMaxPoints> touch_;
+  std::array<Load, kMax> push_;  // wrenches on pieces
+  std::array<Vec3, kMax> load_;  // N m, that they put on the joints
   std::array<Frame, kMax> joint_;
   std::array<Mat3, kMax> F_;
   std::array<bool, kMax> flows_{};

@@ -133,19 +133,28 @@ void Needle::finish(const Step& step) {
   step.signal(broken_, now.broken);
 }
 
-/// One piece of the wire: its pose with the circle in it, as an arc about its own middle. A rigid needle is one piece.
+/// One piece of the wire, as an arc about its own middle. A rigid needle is one piece.
 Needle::Stretch Needle::stretch(const Step& step, int i) const {
-  if (!bends()) return {toolkit::Pose(step.pose(body_)), toolkit::Pose(centre_B_, turn_B_), arc_, 0, 1, 0};
+  if (!bends())
+    return {toolkit::Frame(toolkit::Pose(step.pose(body_)) * toolkit::Pose(centre_B_, turn_B_)), arc_, 0, 1,
+            0};
   const int n = bending_.pieces();
-  const Arc arc{arc_.radius, bending_.piece_sweep(), arc_.wire_radius};
-  const toolkit::Pose X_PA(Vec3(-arc_.radius, 0, 0), toolkit::Quat::Identity());
-  return {bending_.piece(step, i),    X_PA,          arc,
-          static_cast<double>(i) / n, (i + 1.0) / n, bending_.body_of(i)};
+  toolkit::Frame X_WA(bending_.piece(step, i));
+  X_WA.p -= arc_.radius * X_WA.R.col(0);
+  return {X_WA,
+          {arc_.radius, bending_.piece_sweep(), arc_.wire_radius},
+          static_cast<double>(i) / n,
+          (i + 1.0) / n,
+          bending_.body_of(i)};
 }
 
-/// The piece that is nearest.
-Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const {
-  if (!bends()) return stretch(step, 0);
+Needle::Found Needle::nearest_on(const Stretch& wire, const Vec3& p_W) {
+  return {wire, nearest_place(wire.arc, wire.X_WA.inverse_times(p_W))};
+}
+
+/// The nearest place of all pieces.
+Needle::Found Needle::find_nearest(const Step& step, const Vec3& p_W) const {
+  if (!bends()) return nearest_on(stretch(step, 0), p_W);
   const int n = bending_.pieces();
   int nearest = 0;
   double least = 1e300;
@@ -154,46 +163,40 @@ Needle::Stretch Needle::nearest_stretch(const Step& step, const Vec3& p_W) const
     if (d < least) least = d, nearest = i;
   }
   // at its end its neighbour may be as near
-  const Stretch best = stretch(step, nearest);
-  const double s = nearest_place(best.arc, best.in_circle(p_W)).s;
-  const int beside = s <= 0 ? nearest - 1 : s >= 1 ? nearest + 1 : nearest;
+  const Found best = nearest_on(stretch(step, nearest), p_W);
+  const int beside = best.place.s <= 0 ? nearest - 1 : best.place.s >= 1 ? nearest + 1 : nearest;
   if (beside == nearest || beside < 0 || beside >= n) return best;
-  const auto distance = [&](const Stretch& wire) {
-    const Vec3 p_A = wire.in_circle(p_W);
-    return (nearest_place(wire.arc, p_A).p - p_A).squaredNorm();
-  };
-  const Stretch other = stretch(step, beside);
+  const auto distance = [&](const Found& f) { return (f.wire.X_WA * f.place.p - p_W).squaredNorm(); };
+  const Found other = nearest_on(stretch(step, beside), p_W);
   return distance(other) < distance(best) ? other : best;
 }
 
 void Needle::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) {
-  const Stretch wire = nearest_stretch(step, toolkit::vec(p_W));
-  const ArcPlace place = nearest_place(wire.arc, wire.in_circle(toolkit::vec(p_W)));
-  out.s = wire.s0 + (wire.s1 - wire.s0) * place.s;
+  const Found at = find_nearest(step, toolkit::vec(p_W));
+  out.s = at.s();
   out.length = arc_.length();
-  out.p_W = toolkit::raw(wire.X_WB * (wire.X_BA * place.p));
-  out.tangent_W = toolkit::raw(wire.X_WB.q * (wire.X_BA.q * place.tangent));
-  out.normal_W = toolkit::raw(wire.X_WB.q * Vec3::UnitZ());
+  out.p_W = toolkit::raw(at.wire.X_WA * at.place.p);
+  out.tangent_W = toolkit::raw(at.wire.X_WA.turn(at.place.tangent));
+  out.normal_W = toolkit::raw(Vec3(at.wire.X_WA.R.col(2)));
 }
 
 void Needle::place(const Step& step, double s, swage_piercing_place& out) {
   const int n = std::max(1, bending_.pieces());
   const Stretch wire = stretch(step, std::clamp(static_cast<int>(s * n), 0, n - 1));
-  tell(wire, place_at(wire.arc, (s - wire.s0) / (wire.s1 - wire.s0)), out);
+  tell({wire, place_at(wire.arc, (s - wire.s0) / (wire.s1 - wire.s0))}, out);
 }
 
 void Needle::nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) {
-  const Stretch wire = nearest_stretch(step, toolkit::vec(p_W));
-  tell(wire, nearest_place(wire.arc, wire.in_circle(toolkit::vec(p_W))), out);
+  tell(find_nearest(step, toolkit::vec(p_W)), out);
 }
 
-void Needle::tell(const Stretch& wire, const ArcPlace& place, swage_piercing_place& out) const {
-  out = {wire.s0 + (wire.s1 - wire.s0) * place.s,
+void Needle::tell(const Found& found, swage_piercing_place& out) const {
+  out = {found.s(),
          arc_.length(),
          arc_.wire_radius,
-         toolkit::raw(wire.X_WB * (wire.X_BA * place.p)),
-         toolkit::raw(wire.X_WB.q * (wire.X_BA.q * place.tangent)),
-         wire.body,
+         toolkit::raw(found.wire.X_WA * found.place.p),
+         toolkit::raw(found.wire.X_WA.turn(found.place.tangent)),
+         found.wire.body,
          0};
 }
 

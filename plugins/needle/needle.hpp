@@ -125,18 +125,23 @@ class Needle final : public Object<NeedleParams>,
   void nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) override;
 
  private:
-  /// A piece of the wire that is one arc: its body in W, its circle frame in that, and the share of the wire that it is.
+  /// A piece of the wire that is one arc: its circle frame in W, and the share of the wire that it is.
   struct Stretch {
-    toolkit::Pose X_WB, X_BA;
+    toolkit::Frame X_WA;
     Arc arc;
     double s0 = 0, s1 = 1;
     uint32_t body = 0;
-
-    Vec3 in_circle(const Vec3& p_W) const { return X_BA.q.conjugate() * (X_WB.inverse() * p_W - X_BA.p); }
+  };
+  /// A place of the wire, seen from its stretch.
+  struct Found {
+    Stretch wire;
+    ArcPlace place;
+    double s() const { return wire.s0 + (wire.s1 - wire.s0) * place.s; }
   };
   Stretch stretch(const Step& step, int piece) const;
-  Stretch nearest_stretch(const Step& step, const Vec3& p_W) const;
-  void tell(const Stretch& wire, const ArcPlace& place, swage_piercing_place& out) const;
+  static Found nearest_on(const Stretch& wire, const Vec3& p_W);
+  Found find_nearest(const Step& step, const Vec3& p_W) const;
+  void tell(const Found& found, swage_piercing_place& out) const;
   bool read_form(const NeedleParams& params, ObjectBuilder& builder);
   void build_bending(int pieces, const toolkit::Pose& X_OB, ObjectBuilder& builder);
   bool bends() const { return bending_.pieces() > 0; }

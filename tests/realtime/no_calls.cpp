@@ -75,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Stock, WholeScene,
                                            std::pair{"020_grasp_basic.json", "expert"},
                                            std::pair{"020_grasp_basic.json", "novice"},
                                            std::pair{"020_grasp_basic.json", "clumsy"},
-                                           std::pair{"110_insertion.json", "expert"}));
+                                           std::pair{"110_insertion.json", "expert"},
+                                           std::pair{"090_needle_bench.json", "expert"}));
 
 // the dearest scene there is: jaws, a needle that bends, tissue that yields
 TEST(Insertion, WithABendingNeedleCallsNothingThatMayBlock) {

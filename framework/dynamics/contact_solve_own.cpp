@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Contacts of objects with a solver of their own. What such an object costs grows with the square of the points that it is asked
+// about, and most contacts that are found touch nothing: a needle has some within 20 um all along the jaws. So it is asked
+// about those that overlap, or nearly so; and about all of them, from the start, where the answer goes farther than expected.
+#include <algorithm>
+#include <cmath>
+
+#include "contact/candidate.hpp"
+#include "dynamics/contact_solve.hpp"
+
+namespace swage::dynamics {
+
+using scene::kNone;
+
+namespace {
+
+// Tolerances that shapes are apart where nobody asks at first: 0.2 um for a 1 mm scene, what a held needle strays from its way in
+// a trembling hand. Smaller: asked twice more often. Larger: more points.
+constexpr double kApart = 2000;
+
+}  // namespace
+
+/// Points of all contacts that matter, in their order; of a mover that then has none, those of all that it has.
+void ContactSolve::add_own_points(const contact::ContactSet& contacts, Stats& stats) noexcept {
+  waiting_ = 0;
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    k.waits = may_wait(contacts.contact[i], k);
+    if (!k.waits) add_own_points(contacts.contact[i], k, stats);
+    waiting_ += k.waits;
+  }
+  if (waiting_ == 0) return;
+  // it would be taken for free
+  std::fill(touched_.begin(), touched_.end(), uint8_t{0});
+  for (uint32_t i = 0; i < n_; ++i)
+    for (const Side* s : {&known_[i].a, &known_[i].b})
+      if (known_[i].waits && place_.is_self(s->mover))
+        touched_[s->mover] = place_.self().points(place_.mover(s->mover).index) == 0;
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    const auto lonely = [&](const Side& s) { return place_.is_self(s.mover) && touched_[s.mover]; };
+    if (!k.waits || !(lonely(k.a) || lonely(k.b))) continue;
+    k.waits = false;
+    --waiting_;
+    add_own_points(contacts.contact[i], k, stats);
+  }
+}
+
+void ContactSolve::add_own_points(const contact::Contact& c, Known& k, Stats& stats) noexcept {
+  for (const bool is_a : {true, false}) {
+    Side& s = is_a ? k.a : k.b;
+    if (!place_.is_self(s.mover)) continue;
+    // what passes through never pushes: nobody needs to know how much gives there
+    if (!(c.law.stiffness > 0)) {
+      s.mover = kNone;
+      continue;
+    }
+    s.point = place_.self().add_point(place_.mover(s.mover).index, s.body, is_a ? c.shape_a : c.shape_b,
+                                      c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
+    if (s.point != kNone) continue;
+    ++stats.dropped;
+    s.mover = kNone;
+  }
+}
+
+/// Shapes that are apart, where they tell how the surfaces come.
+bool ContactSolve::may_wait(const contact::Contact& c, const Known& k) const noexcept {
+  if (ask_all_ || c.gap <= kApart * tolerance_ || !(c.law.stiffness > 0)) return false;
+  bool own = false;
+  for (const Side* s : {&k.a, &k.b}) {
+    if (!place_.is_self(s->mover)) continue;
+    own = true;
+    if (!place_.self().shows_itself(place_.mover(s->mover).index)) return false;
+  }
+  return own;
+}
+
+/// The solve starts where own solvers expect their points; what they expected to stay held may as well come back to a contact
+/// that has let go of it.
+void ContactSolve::wake_own_points(contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    if (k.a.point == kNone && k.b.point == kNone) continue;
+    contact::Contact& c = contacts.contact[i];
+    for (const Side* s : {&k.a, &k.b})
+      if (s->point != kNone) place_.expect(*s, c.p_W);
+    c.gap = k.found.gap + off_shapes(c, k);
+    k.active = k.active || overlaps(c);
+  }
+  expect_ties();
+  place_.self().start();
+  for (uint32_t i = 0; i < n_; ++i)
+    if (known_[i].a.point != kNone || known_[i].b.point != kNone)
+      contacts.contact[i].gap = known_[i].found.gap + off_shapes(contacts.contact[i], known_[i]);
+}
+
+/// By how much a gap is wider than that of the shapes.
+double ContactSolve::off_shapes(const contact::Contact& c, const Known& k) const noexcept {
+  double off = 0;
+  if (k.a.point != kNone) off += c.n_W.dot(off_shape(k.a, c.p_W));
+  if (k.b.point != kNone) off -= c.n_W.dot(off_shape(k.b, c.p_W));
+  return off;
+}
+
+/// What is between the shape on which a contact was found and the surface at the present poses, at a point of an own solver.
+Vec3 ContactSolve::off_shape(const Side& side, const Vec3& p_W) const noexcept {
+  const uint32_t slot = place_.mover(side.mover).index;
+  return place_.self().displaced(slot) ? place_.self().off_shape(slot, side.point) : place_.beyond(side, p_W);
+}
+
+/// Contacts were found on shapes; where a surface stands elsewhere they overlap by something else.
+void ContactSolve::meet_surfaces(contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < n_; ++i) {
+    Known& k = known_[i];
+    bool elsewhere = false;
+    for (const Side* s : {&k.a, &k.b})
+      elsewhere = elsewhere || (s->point != kNone && place_.self().displaced(place_.mover(s->mover).index));
+    if (!elsewhere) continue;
+    contacts.contact[i].gap = k.found.gap + off_shapes(contacts.contact[i], k);
+    k.active = overlaps(contacts.contact[i]);
+  }
+}
+
+/// Whether something came so far from where it was expected that a contact may touch of which nobody was told. `moved`: that the
+/// solve moved anything at all.
+bool ContactSolve::wait_in_vain(contact::ContactSet& contacts, bool moved) noexcept {
+  for (uint32_t i = 0; waiting_ > 0 && i < n_; ++i) {
+    const Known& k = known_[i];
+    if (!k.waits) continue;
+    const auto still = [&](const Side& s) { return !moved && solved_[s.mover]; };
+    const bool own_a = place_.is_self(k.a.mover), own_b = place_.is_self(k.b.mover);
+    if ((!own_a || still(k.a)) && (!own_b || still(k.b))) continue;
+    evaluate(contacts, i);
+    double gap = contacts.contact[i].gap;
+    for (const Side* s : {&k.a, &k.b})
+      if (place_.is_self(s->mover)) gap -= strayed(contacts, s->mover, contacts.contact[i].p_W);
+    if (gap < 0) return true;
+  }
+  return false;
+}
+
+/// How far a point of an own solver may be from where it was expected, at most: what its asked points are, and the farther the
+/// point is from them, for the width that they have across their length, the more [m].
+double ContactSolve::strayed(const contact::ContactSet& contacts, uint32_t mover,
+                             const Vec3& p_W) const noexcept {
+  Vec3 middle = Vec3::Zero(), end = Vec3::Zero();
+  double most = 0, n = 0, length = 0, width = 0;
+  const auto each = [&](auto&& look) {
+    for (uint32_t i = 0; i < n_; ++i)
+      for (const Side* s : {&known_[i].a, &known_[i].b})
+        if (s->mover == mover && s->point != kNone) look(contacts.contact[i].p_W, *s);
+  };
+  each([&](const Vec3& p, const Side& s) {
+    const Vec3 off = solved_[mover] ? place_.beyond(s, p) : place_.beyond_free(s, p);
+    middle += p, ++n, most = std::max(most, off.norm());
+  });
+  if (n == 0) return HUGE_VAL;  // known by its ties alone
+  if (most == 0) return 0;
+  middle /= n;
+  each([&](const Vec3& p, const Side&) {
+    if ((p - middle).norm() > length) length = (p - middle).norm(), end = (p - middle) / length;
+  });
+  each([&](const Vec3& p, const Side&) { width = std::max(width, end.cross(p - middle).norm()); });
+  return most * (1 + 2 * (p_W - middle).norm() / width);
+}
+
+/// Contacts as they were before the solve looked at them.
+void ContactSolve::as_found(contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < n_; ++i) {
+    contact::Contact& c = contacts.contact[i];
+    c.gap = known_[i].found.gap, c.p_W = known_[i].found.p_W, c.n_W = known_[i].found.n_W;
+  }
+}
+
+}  // namespace swage::dynamics
