@@ -90,11 +90,10 @@ struct Bound {
 //   maximum: hardening adds 1 % of EI times the curvature at the clamp, which the closed form M_p leaves out; eight joints feel
 //     less of the peak at the clamp
 //   springback: M_p L / 2 EI for a straight cantilever, while the arm is bent by a right angle and its moment falls by a sine
-//   squeeze: half a jaw is one piece with its joint in the middle: half the lever. The loop has no more to say about jaws
-//     narrower than two pieces
+//   squeeze: by statics, at the contact; half a jaw is one piece here. The reference as with yield
 //   ductility: the law 0.75 %, the count without hardening
 constexpr Bound kBounds[] = {{0.01, 0.004}, {0.09, 0.05}, {0.25, 0.25},
-                             {0.35, 0.35},  {1.01, 0.04}, {0.05, 0.03}};
+                             {0.35, 0.35},  {0.01, 0.04}, {0.05, 0.03}};
 
 TEST(NeedleBench, HasEachFigureNearItsClosedForm) {
   for (const char* model : {"micro_70", "micro_150"}) {
@@ -117,7 +116,7 @@ TEST(NeedleBench, FinerPiecesAreNearer) {
   NeedleModel needle;
   ASSERT_EQ(read_needle(kLibrary + "micro_100.json", needle), "");
   const auto coarse = bench_needle(needle, 6, 1e-3), finer = bench_needle(needle, 24, 1e-3);
-  for (const size_t i : {size_t{0}, size_t{1}, size_t{4}})
+  for (const size_t i : {size_t{0}, size_t{1}})
     EXPECT_LT(std::abs(finer[i].bending_error()), 0.6 * std::abs(coarse[i].bending_error())) << finer[i].name;
 }
 

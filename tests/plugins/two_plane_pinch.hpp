@@ -16,6 +16,8 @@ struct PinchSetup {
   double grip = 0.6;       // N at the tips; given to the jaws as a force measured at the handle
   double friction = 0.3;
   double off_flat = 0;  // rad, of the needle's plane from the faces, about the wire
+  /// Further parameters of the needle, as they stand in a lesson file: `"level": "bending"`.
+  std::string needle = {};
 };
 
 // sizes that the jaws have by default (plugins/jaws/jaws.md) and of the needle below, m
@@ -79,7 +81,8 @@ class Pinch {
          "pose": {"p": [)"
         << text(-s.behind) << ", 0, " << text(z) << "], \"q\": [" << text(q.w()) << ", 0, " << text(q.y())
         << R"(, 0]},
-         "params": {"arc": "3/8", "size_of": "chord", "size": "5 mm", "wire_diameter": "100 um"}}],
+         "params": {"arc": "3/8", "size_of": "chord", "size": "5 mm", "wire_diameter": "100 um")"
+        << (s.needle.empty() ? "" : ", ") << s.needle << R"(}}],
       "couplings": [{"name": "touch", "plugin": "swage.coupling.contact", "between": ["holder", "needle"],
                      "params": {"friction": )"
         << text(s.friction) << R"(}},
