@@ -170,13 +170,16 @@ Ground find_level(const snapshot::SceneCard& card, const SceneParts& parts, floa
   return ground;
 }
 
-// the stage below the work; nothing to stand on: a plane right below
+// the stage below the work; nothing to stand on: a plane right below it, and below tissue
 Ground find_ground(const snapshot::SceneCard& card, const SceneParts& parts) {
   const Ground ground = find_level(card, parts, parts.work.low.z() + kTouch_mm,
                                    [](const ScenePart& p) { return p.role == Role::kStage && !p.soft; });
-  return ground.on_stage
-             ? ground
-             : Ground{parts.work.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
+  if (ground.on_stage) return ground;
+  Bounds all = parts.work;
+  for (const ScenePart& p : parts.part) {
+    if (p.soft) add_bounds(card, p, all);
+  }
+  return {all.low.z(), false, 0, parts.work.centre() * QVector3D(1, 1, 0), 0, 0};
 }
 
 // the vertex of a part nearest to a place, both in the frame of its mesh; in that of its body
@@ -264,9 +267,11 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
 
   // frame what is marked, else what is worked on, else whatever there is
   Bounds marked, work, tools, rest;
+  std::map<uint32_t, Bounds> tool;  // by object: a helper's beside one's own
   for (const ScenePart& p : parts.part) {
     if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(card, p, marked);
     add_bounds(card, p, p.role == Role::kWork ? work : p.role == Role::kTool ? tools : rest);
+    if (p.role == Role::kTool) add_bounds(card, p, tool[p.object]);
   }
   for (const Bounds& b : {marked, work, rest, tools}) {
     if (parts.work.empty() && !b.empty()) parts.work = b;
@@ -276,13 +281,12 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   parts.shelf = find_level(card, parts, 1e9F, [](const ScenePart& p) { return p.soft; });
   watch(card, parts);
 
-  // the tool is long: only its point nearest to the work has to be in the picture
+  // a tool is long: only its point nearest to the work has to be in the picture
   parts.focus = parts.work;
-  if (!tools.empty()) {
-    const QVector3D c = parts.work.centre();
-    const QVector3D tip(std::clamp(c.x(), tools.low.x(), tools.high.x()),
-                        std::clamp(c.y(), tools.low.y(), tools.high.y()),
-                        std::clamp(c.z(), tools.low.z(), tools.high.z()));
+  const QVector3D c = parts.work.centre();
+  for (const auto& [object, b] : tool) {
+    const QVector3D tip(std::clamp(c.x(), b.low.x(), b.high.x()), std::clamp(c.y(), b.low.y(), b.high.y()),
+                        std::clamp(c.z(), b.low.z(), b.high.z()));
     // a picture is wider than high: what is further away is still in it
     const float most = kBeside * std::max(parts.work.radius(), 0.3F), far = (tip - c).length();
     parts.focus.add(far > most ? c + (tip - c) * (most / far) : tip);

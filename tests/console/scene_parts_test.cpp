@@ -120,6 +120,10 @@ TEST(SceneParts, ShadowsFallOnTissueToo) {
   EXPECT_NEAR(parts.shelf.z, 1, 1e-4);
   EXPECT_NEAR(parts.shelf.half_x, 1, 1e-3);
   EXPECT_NEAR(parts.ground.z, 0, 1e-4) << "what stands on the tray still throws its shadow there";
+  // tissue without a stage is not buried in the plane that takes its place
+  card.shapes.erase(card.shapes.begin(), card.shapes.begin() + 2);
+  EXPECT_FALSE(make_parts(card).ground.on_stage);
+  EXPECT_NEAR(make_parts(card).ground.z, 0, 1e-4);
 }
 
 TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
@@ -129,6 +133,13 @@ TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
   // the picture reaches towards the tool, whose nearest point is at 6 mm, and no further than keeps the work large
   EXPECT_GT(parts.focus.high.x(), 1.3F * parts.work.high.x());
   EXPECT_LT(parts.focus.high.x(), 6);
+  // a helper's tool on the other side is in the picture, too
+  snapshot::SceneCard helped = scene();
+  helped.objects.push_back({"helper", "x", "1", {SWAGE_TRAIT_GRIPPER}, 5, 1, 0, 0});
+  helped.shapes.push_back(block(5, 5, {-40e-3, -1e-3, 0}, {-6e-3, 1e-3, 1e-3}));
+  helped.start.push_back({{0, 0, 2e-3}, {1, 0, 0, 0}});
+  helped.motion.push_back(SWAGE_MOTION_FOLLOWS);
+  EXPECT_LT(make_parts(helped).focus.low.x(), parts.focus.low.x() - 1);
   // nothing marked: both things that can be taken are framed, and none is followed
   snapshot::SceneCard card = scene();
   card.script.marks.clear();
