@@ -182,6 +182,29 @@ TEST(Ties, LinkBodiesIntoOneIslandAndKeepMomentum) {
   EXPECT_GT(vec(s.world.V_WB[b].v).norm(), 1e-3) << "the other one is pulled along";
 }
 
+// Held at the axis that it had, a tie whose body turns within the step is a follower force, and feeds what swings.
+TEST(Ties, TheAxisTurnsWithA) {
+  Scene s;
+  s.world.gravity = {0, 0, 0};
+  const uint32_t a = s.add(4e-7, {1e-12, 1e-12, 1e-12}, Vec3::Zero());
+  const Vec3 arm(1e-3, 0, 0);
+  Tie tie;
+  tie.body_a = a;
+  tie.p_W = arm;
+  tie.axis_W = Vec3::UnitX();
+  tie.offset_W = Vec3(0, 0.3e-3, 0);
+  tie.law.k_across = 50, tie.law.k_along = 10;
+  s.step({&tie, 1});
+  const Vec3 now = s.pose(a).q * Vec3::UnitX();
+  EXPECT_GT(std::acos(now.x()), 0.05) << "it was pulled round";
+  EXPECT_LT((tie.axis_W - now).norm(), 1e-9);
+  // and the force is that of the law at the axis as it stands
+  const Vec3 stretch = s.pose(a) * arm - arm + tie.offset_W;
+  const double along = now.dot(stretch);
+  EXPECT_LT((tie.f_a_W + 10 * along * now + 50 * (stretch - along * now)).norm(), 1e-6 * tie.f_a_W.norm());
+  EXPECT_EQ(s.dynamics->stats().not_converged, 0u);
+}
+
 TEST(Ties, BetweenWhatCannotMoveStillTellTheirForce) {
   Scene s;
   const uint32_t tool = s.add(0, Vec3::Zero(), Vec3::Zero(), SWAGE_MOTION_FIXED);
