@@ -153,8 +153,9 @@ struct Pressed {
   testbed::ObjectBench<Tissue> bench;
   swage_contact_point point{0, 0, {0.5e-3, 0, 0}, {0, 0, -1}};
 
-  Pressed() {
+  explicit Pressed(double relaxed = 0.6) {
     bench.set("level", 1);
+    bench.set("relaxed", relaxed);
     EXPECT_TRUE(bench.start());
   }
   /// Displacement at the end of a step under f [N].
@@ -203,6 +204,20 @@ TEST(Tissue, YieldsRelaxesAndRemembers) {
   p.bench.get<swage_dents>(SWAGE_EXT_DENTS)->dents(p.bench.raw, &p.bench.step, 4, dent, &n);
   ASSERT_EQ(n, 1u);
   EXPECT_NEAR(dent[0].u_W.z, u, 1e-9 * C * F) << "the dent that is drawn is the one that is there";
+}
+
+// Elastic tissue remembers nothing but the touch of the step before, and that where it was: a touch that slides finds the same dimple
+// everywhere, and the motion of a step is that of the place that is touched now.
+TEST(Tissue, ATouchThatSlidesTakesItsDimpleWithIt) {
+  Pressed p(1);
+  const double G = 1e6 / 3, e = 2 * 50e-6 / kPi, F = 5e-3, C = 1 / (4 * kPi * G * e), step = 3e-6;
+  for (int i = 0; i < 30; ++i) {
+    p.point.p_W.x = step * i;
+    const Vec3 u = p.step({0, 0, -F});
+    ASSERT_NEAR(u.z(), -C * F, 1e-9 * C * F) << i;
+    const double was = i == 0 ? 0 : 1 / (4 * kPi * G * std::sqrt(step * step + e * e));
+    ASSERT_NEAR(p.moved.z(), -(C - was) * F, 1e-9 * C * F) << i;
+  }
 }
 
 TEST(Tissue, ForgetsTheLeastWhenItsMemoryIsFull) {
