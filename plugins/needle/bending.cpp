@@ -148,11 +148,14 @@ void Bending::fly(const Step& step, const Rigid& start) {
   free_.v = vec3(state(step).v) + h * vec(step.gravity());
   take_loads(step, start);
   const Mat3 inverse = start.inertia.inverse();
-  free_.w = inverse * L_start_;
+  const Vec3 L = vec3(state(step).L);
+  free_.w = inverse * L;
   for (int i = 0; i < 3; ++i) {
     const Mat3 half = toolkit::exp_rotation(0.5 * h * free_.w).toRotationMatrix();
-    free_.w = half * (inverse * (half.transpose() * L_start_));
+    free_.w = half * (inverse * (half.transpose() * L));
   }
+  // loads are balanced within the step: what they would spin a thin wire to is no attitude to turn it by
+  if (n_load_ > 0) free_.w += inverse * (L_start_ - L);
 }
 
 /// All pieces along with a rigid motion.

@@ -11,12 +11,14 @@ Scatter chart_queries(bool quick);  // depth against the exact arc, per query
 Scatter chart_free(bool quick);     // attitude of a free top after a minute, per simulated millisecond
 Scatter chart_grasp(bool quick);    // slip of a held needle, per step
 Scatter chart_slip(bool quick);     // where a pulled wire begins to slip, per step
+Scatter chart_bend(bool quick);     // how far a needle bends under a force, per step of a grasp with it
+Scatter chart_keep(bool quick);     // the angle that it keeps, per step
 
 struct ChartOf {
   const char* name;  // of its files, work_precision_<name>
   Scatter (*draw)(bool quick);
 };
-inline constexpr ChartOf kCharts[] = {
-    {"query", chart_queries}, {"free", chart_free}, {"grasp", chart_grasp}, {"slip", chart_slip}};
+inline constexpr ChartOf kCharts[] = {{"query", chart_queries}, {"free", chart_free}, {"grasp", chart_grasp},
+                                      {"slip", chart_slip},     {"bend", chart_bend}, {"keep", chart_keep}};
 
 }  // namespace swage::bench

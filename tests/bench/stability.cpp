@@ -179,6 +179,8 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.range = in_si(j, "range", s.range);
     s.must_fail = j.at("must_fail").get<std::vector<std::string>>();
     s.open = j.value("open", "");
+    s.also = j.value("also", std::vector<std::string>());
+    s.also_open = j.value("also_open", "");
     s.chart.title = s.id + "  " + s.title;
     s.chart.x = axis(sweep), s.chart.y = axis(j.at("measure"));
     s.chart.pass = s.pass;
@@ -197,6 +199,9 @@ bool is_default(const Sweep::Line& line) {
 bool must_fail(const StabilityScene& s, const std::string& name) {
   return std::find(s.must_fail.begin(), s.must_fail.end(), name) != s.must_fail.end();
 }
+bool must_hold(const StabilityScene& s, const std::string& name) {
+  return std::find(s.also.begin(), s.also.end(), name) != s.also.end();
+}
 
 /// Our default, whoever is expected to fail, and the best peers.
 std::vector<Sweep::Line> method_lines(const StabilityScene& s) {
@@ -206,7 +211,8 @@ std::vector<Sweep::Line> method_lines(const StabilityScene& s) {
   for (const Method& m : all_methods()) {
     const bool best_peer =
         m.name == "ODE exact, soft contacts" || (m.name == "MuJoCo tuned, welded tool" && !on_hinge);
-    if (m.name == "swage" || must_fail(s, m.name) || best_peer) lines.push_back(run_line(s, m));
+    if (m.name == "swage" || must_fail(s, m.name) || must_hold(s, m.name) || best_peer)
+      lines.push_back(run_line(s, m));
   }
   return lines;
 }
@@ -277,16 +283,22 @@ StabilityResult run_scene(const StabilityScene& s) {
         r.remarks.push_back(s.id + ": our default goes beyond the pass mark in the range a lesson can reach");
       if (!failed && !s.open.empty())
         r.remarks.push_back(s.id + ": holds now; take \"open\" out of " + s.file);
+    } else if (must_hold(s, line.name)) {
+      if (failed == s.also_open.empty())
+        r.remarks.push_back(s.id + ": " + line.name +
+                            (failed ? " goes beyond the pass mark" : " holds now; take \"also_open\" out"));
     } else if (failed) {
       r.someone_failed = true;
     } else if (expected) {
       r.remarks.push_back(s.id + ": " + line.name + " was expected to fail and did not");
     }
   }
-  for (const std::string& name : s.must_fail)
+  std::vector<std::string> named = s.must_fail;
+  named.insert(named.end(), s.also.begin(), s.also.end());
+  for (const std::string& name : named)
     if (known_family(name) && std::none_of(r.chart.lines.begin(), r.chart.lines.end(),
                                            [&](const auto& l) { return l.name == name; }))
-      r.remarks.push_back(s.id + ": must_fail names no method: " + name);
+      r.remarks.push_back(s.id + ": no method has the name " + name);
   if (rivals && !r.someone_failed)
     r.remarks.push_back(s.id + ": no method fails here, so nothing shows that the scene can be failed");
   return r;

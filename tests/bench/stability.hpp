@@ -27,6 +27,8 @@ struct StabilityScene {
   double range = 1e300;                // the default method must pass for values up to here, SI
   std::vector<std::string> must_fail;  // methods that break or exceed the pass mark somewhere in the sweep
   std::string open;                    // why our default does not hold yet; empty: it must
+  std::vector<std::string> also;       // further methods of ours that must hold
+  std::string also_open;               // why they do not yet; empty: they must
   Sweep chart;
 };
 

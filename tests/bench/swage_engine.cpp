@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Our own rooms behind the interface that the peers stand behind: scene, contact and dynamics, without
-// plugins.
+// plugins; the needle that bends is the plugin's, without a host around it.
 #include "base/hash.hpp"
+#include "bending_body.hpp"
 #include "both_jaws.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
@@ -17,6 +18,7 @@ struct Choices {
   dynamics::Options dynamics;
   contact::Options contact;
   bool swept = true;  // false: what moves fast is looked for at its end pose alone
+  int pieces = 0;     // of a needle that bends; 0: rigid
 };
 
 class Swage final : public Engine {
@@ -25,6 +27,8 @@ class Swage final : public Engine {
       : Engine(s),
         u_(unit_of(s)),
         world_(make_world(s)),
+        bending_(c.pieces > 0 ? std::make_unique<BendingBody>(world_, s, c.pieces) : nullptr),
+        needle_(bending_ ? BendingBody::kFirst : static_cast<uint32_t>(kNeedle)),
         detector_(world_, {contact::Pair{kNeedleObject, kJawsObject, {s.friction, 1e6, s.restitution}}},
                   c.contact),
         dynamics_(world_, c.dynamics),
@@ -34,15 +38,16 @@ class Swage final : public Engine {
   }
 
   void set_needle(const Pose& X, const Vec3& v, const Vec3& w) override {
+    if (bending_) return bending_->put(X, v, w);
     world_.X_WB[kNeedle] = Pose{X.p * u_, X.q}.abi();
     world_.V_WB[kNeedle] = {toolkit::raw(Vec3(v * u_)), toolkit::raw(w)};
   }
   Pose needle() const override {
-    const Pose X(world_.X_WB[kNeedle]);
+    const Pose X(world_.X_WB[needle_]);
     return {X.p / u_, X.q};
   }
-  Vec3 velocity() const override { return toolkit::vec(world_.V_WB[kNeedle].v) / u_; }
-  Vec3 angular_velocity() const override { return toolkit::vec(world_.V_WB[kNeedle].w); }
+  Vec3 velocity() const override { return toolkit::vec(world_.V_WB[needle_].v) / u_; }
+  Vec3 angular_velocity() const override { return toolkit::vec(world_.V_WB[needle_].w); }
   void set_gravity(const Vec3& g) override { world_.gravity = toolkit::raw(Vec3(g * u_)); }
   void set_jaws(const Pose& upper, const Pose& lower, bool jump) override {
     target_[0] = Pose{upper.p * u_, upper.q}, target_[1] = Pose{lower.p * u_, lower.q};
@@ -69,10 +74,12 @@ class Swage final : public Engine {
     // a drive asked to go far beyond its limit gives a constant torque
     if (setup.upper_driven)
       world_.drive[0] = {torque_ < 0 ? -1.0 : 1.0, 1e3 * std::abs(torque_), 0, std::abs(torque_)};
-    world_.F_B_W[kNeedle] = {toolkit::raw(force_), toolkit::raw(couple_)};
+    world_.F_B_W[needle_] = {toolkit::raw(force_), toolkit::raw(couple_)};
+    if (bending_) bending_->advance();
     dynamics_.free_motion(world_);
     detect();
-    dynamics_.solve(world_, contacts_, {});
+    dynamics::SelfSolver* const self[] = {bending_.get()};
+    dynamics_.solve(world_, contacts_, {self, bending_ ? 1u : 0u});
     dynamics_.finish(world_);
     ++world_.step;
     torque_ = 0, force_.setZero(), couple_.setZero();
@@ -109,6 +116,8 @@ class Swage final : public Engine {
 
   double u_;
   scene::World world_;
+  std::unique_ptr<BendingBody> bending_;
+  uint32_t needle_;  // its body
   contact::Detector detector_;
   dynamics::Dynamics dynamics_;
   contact::ContactSet contacts_;
@@ -169,7 +178,8 @@ std::vector<Method> swage_methods() {
     c.dynamics.free_motion = f;
     return c;
   };
-  Choices impulse, chain, discrete, loop;
+  Choices impulse, chain, discrete, loop, bending;
+  bending.pieces = 12;
   impulse.dynamics.response = dynamics::Response::kImpulse;
   chain.contact.level = contact::Level::kThesis;
   discrete.swept = false;
@@ -183,6 +193,7 @@ std::vector<Method> swage_methods() {
       {"swage, impulse method of the thesis", "thesis", with(impulse), true, kInContact},
       {"swage, whole loop of the thesis", "thesis", with(loop), false, kInContact},
       {"swage, without swept query", "swage", with(discrete), true, kInContact},
+      {"swage, bending needle", "swage", with(bending), true, kInContact},
       {"swage, explicit Euler of the thesis", "thesis", with(free(kThesis)), true, kFree}};
   for (const auto& [name, motion] : {std::pair{"swage, symplectic Euler", kSymplecticEuler},
                                      {"swage, RK4", kRungeKutta4},

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The needle that bends (plugins/needle) in a scene of our own rooms, without a host around it. SI units.
+#pragma once
+
+#include "dynamics/self_solver.hpp"
+#include "plugins/needle/bending.hpp"
+#include "swage_world.hpp"
+
+namespace swage::bench {
+
+class BendingBody final : public dynamics::SelfSolver {
+ public:
+  /// The first of its bodies in the world; it has the frame N of the rigid needle.
+  static constexpr uint32_t kFirst = kBodies;
+
+  /// Puts its bodies, shapes and state into `world`, in place of the rigid needle's. A straight needle is an arc of a radius of
+  /// 300 m: over the width of the jaws its sagitta is 0.1 nm. [main]
+  BendingBody(scene::World& world, const Setup& setup, int pieces);
+
+  /// Unbent, at this pose and speed.
+  void put(const Pose& X_WN, const Vec3& v_W, const Vec3& w_W);
+  /// Free motion of the step, before contacts are looked for. [rt]
+  void advance();
+
+  uint32_t object() const noexcept override { return kNeedleObject; }
+  bool shows_itself() const noexcept override { return true; }
+  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
+  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
+  /// Stress over yield, bend and the like, after the step.
+  needle::Bending::Reading read();
+
+ private:
+  swage_object_step view();
+  std::span<const swage_contact_point> local(std::span<const swage_contact_point> point) noexcept;
+
+  scene::World& world_;
+  Vec3 moments_;  // kg m2, in N
+  needle::Bending bending_;
+  std::vector<Pose> X_NP_;  // of the unbent pieces; of the one that body 0 carries: identity
+  std::vector<swage_contact_point> point_;
+};
+
+}  // namespace swage::bench

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lesson_step.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "../plugins/run_lesson.hpp"
+#include "timing.hpp"
+
+namespace swage::bench {
+
+HeldSteps held_steps(const std::string& level, int pieces) {
+  constexpr double kHeld = 7, kUntil = 9;  // s, of the lesson: lifted, and still held
+  stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/020_grasp_basic.json", {"expert", ""},
+                       [&](assembly::LessonFile& file) {
+                         for (assembly::LessonObject& o : file.objects) {
+                           if (o.name != "needle") continue;
+                           auto params = nlohmann::json::parse(o.params);
+                           params["level"] = level, params["pieces"] = pieces;
+                           o.params = params.dump();
+                         }
+                       });
+  HeldSteps out;
+  if (!run.ready()) {
+    out.problem = run.problems();
+    return out;
+  }
+  while (run.world().time() < kHeld) run.step();
+  while (run.world().time() < kUntil) {
+    const double begin = cpu_ns();
+    run.step();
+    out.ns.push_back(cpu_ns() - begin);
+  }
+  out.hash = run.engine().hash();
+  if (run.signal("grasp", "grasp.held") != 1) out.problem = "the needle is not held";
+  return out;
+}
+
+}  // namespace swage::bench
