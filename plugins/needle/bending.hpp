@@ -28,6 +28,13 @@ using toolkit::JointMemory;
 using toolkit::Mat3;
 using toolkit::Pose;
 
+inline Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
+inline void put(const Vec3& a, double* to) {
+  for (int i = 0; i < 3; ++i) to[i] = a[i];
+}
+/// Back to unit length; exact to rounding for a quaternion that left it by rounding.
+inline void renormalise(toolkit::Quat& q) { q.coeffs() *= 1.5 - 0.5 * q.squaredNorm(); }
+
 /// What lasts from step to step besides the poses. Followed by one JointMemory per joint.
 struct BendingState {
   double v[3];      // m/s, of the centre of mass
