@@ -63,9 +63,9 @@ class AnglesLesson final : public Lesson<AnglesParams> {
                                         "Distance of either from that middle."),
       integer<&AnglesParams::questions>("questions", "Questions", 4, 120,
                                         "In all; each of four staircases gets a quarter of them."),
-      real<&AnglesParams::start>("start", "First lean", "rad", "deg", 0.02, 0.7,
+      real<&AnglesParams::start>("start", "First lean", "rad", "deg", 1 * kDegree, 40 * kDegree,
                                  "Of each staircase; twice this is the widest that is ever shown."),
-      real<&AnglesParams::least>("least", "Least step", "rad", "deg", 0.001, 0.2,
+      real<&AnglesParams::least>("least", "Least step", "rad", "deg", 0.05 * kDegree, 10 * kDegree,
                                  "The steps of a staircase are halved down to this."),
       real<&AnglesParams::show_time>("show_time", "Show", "s", "s", 0.05, 60,
                                      "From the movement of what is shown to the question."),
@@ -73,10 +73,10 @@ class AnglesLesson final : public Lesson<AnglesParams> {
                                      "For how long the sign of right or wrong is shown."),
       boolean<&AnglesParams::stereo>(
           "stereo", "Stereo", "Whether the view has stereo; told with the metrics, changes nothing else."),
-      real<&AnglesParams::max_bias>("max_bias", "Bias", "rad", "deg", 0.01, 1,
+      real<&AnglesParams::max_bias>("max_bias", "Bias", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
                                     "The attempt fails when the eye is off by more than this on either axis.")
           .group("Limits"),
-      real<&AnglesParams::max_jnd>("max_jnd", "Least lean", "rad", "deg", 0.01, 1,
+      real<&AnglesParams::max_jnd>("max_jnd", "Least lean", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
                                    "It fails when the just noticeable difference is larger on either axis.")
           .group("Limits"),
       real<&AnglesParams::par_time>(

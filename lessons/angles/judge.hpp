@@ -10,6 +10,7 @@
 
 namespace swage::lesson_angles {
 
+using lessons::kDegree;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Vec3;
@@ -17,8 +18,6 @@ using toolkit::Vec3;
 /// Across the line of sight, and along it.
 enum class Axis : size_t { kSide, kDepth, kCount };
 inline constexpr size_t kAxes = static_cast<size_t>(Axis::kCount), kTracks = 2 * kAxes;
-
-inline constexpr double kDegree = 0.017453292519943295;  // rad
 
 /// What is asked of the trainee.
 struct Rules {

@@ -65,7 +65,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::tolerance>("tolerance", "Tolerance", "m", "mm", 1e-6, 0.1,
                                         "The point must go in within this distance from the mark."),
       real<&InsertionParams::in_angle>(
-          "in_angle", "Angle", "rad", "deg", 0.01, 1.5,
+          "in_angle", "Angle", "rad", "deg", 0.5 * kDegree, 85 * kDegree,
           "Up to this angle to the tissue's normal a needle counts as square to it."),
       real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
                                     "Share of the needle that is to be inside at the end."),

@@ -15,6 +15,7 @@ using lessons::DropState;
 using lessons::DropWatch;
 using lessons::GripState;
 using lessons::GripWatch;
+using lessons::kDegree;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Vec3;
@@ -27,13 +28,13 @@ enum class Task : int {
 /// What is asked of the trainee.
 struct Rules {
   Task task = Task::kInsert;
-  double tolerance = 0.3e-3;  // m, entry from the mark
-  double in_angle = 0.2618;   // rad, 15 deg: what still counts as perpendicular
-  double drive = 0.35;        // share of the needle that is to be inside
-  double max_wound = 6;       // edge of the wound from its centre over the wire's radius
-  double force_high = 1.5;    // N
-  double par_time = 30;       // s
-  double max_time = 300;      // s
+  double tolerance = 0.3e-3;       // m, entry from the mark
+  double in_angle = 15 * kDegree;  // rad: what still counts as perpendicular
+  double drive = 0.35;             // share of the needle that is to be inside
+  double max_wound = 6;            // edge of the wound from its centre over the wire's radius
+  double force_high = 1.5;         // N
+  double par_time = 30;            // s
+  double max_time = 300;           // s
   int max_drops = 2;
   int max_deflections = 5;
   double drop_distance = 3e-3;  // m
