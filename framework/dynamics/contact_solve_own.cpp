@@ -156,7 +156,7 @@ double ContactSolve::strayed(const contact::ContactSet& contacts, uint32_t mover
     const Vec3 off = solved_[mover] ? place_.beyond(s, p) : place_.beyond_free(s, p);
     middle += p, ++n, most = std::max(most, off.norm());
   });
-  if (n == 0) return HUGE_VAL;  // known by its ties alone
+  if (n == 0) return HUGE_VAL;  // there was no room for its points
   if (most == 0) return 0;
   middle /= n;
   each([&](const Vec3& p, const Side&) {

@@ -3,6 +3,7 @@
 
 namespace swage::lesson_angles {
 
+using lessons::index;
 using toolkit::raw;
 using toolkit::vec;
 
@@ -11,11 +12,6 @@ namespace {
 constexpr double kMarkRadius = 0.3e-3;  // m, drawn
 // How far from the place the mark stands to which what is shown points, m: less than a pixel, so that it does not tell the answer.
 constexpr double kBeside = 10e-6;
-
-template <class Enum>
-size_t index(Enum value) {
-  return static_cast<size_t>(value);
-}
 
 }  // namespace
 

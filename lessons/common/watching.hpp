@@ -10,6 +10,12 @@
 
 namespace swage::lessons {
 
+/// Place of an enumerator in the tables of a lesson.
+template <class Enum>
+constexpr size_t index(Enum value) {
+  return static_cast<size_t>(value);
+}
+
 /// One grasp coupling, as seen by a lesson.
 struct GraspSignals {
   Signal held, force, s, tip_reach, tilt_axis, tilt_plane, balance;

@@ -6,6 +6,7 @@
 
 namespace swage::lesson_grasp {
 
+using lessons::index;
 using toolkit::vec;
 
 void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
@@ -21,7 +22,6 @@ void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
 }
 
 void GraspLesson::declare(LessonBuilder& builder) {
-  const auto index = [](auto value) { return static_cast<size_t>(value); };
   for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
   for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
 

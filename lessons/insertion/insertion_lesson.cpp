@@ -5,16 +5,12 @@
 
 namespace swage::lesson_insertion {
 
+using lessons::index;
 using toolkit::vec;
 
 namespace {
 
 constexpr double kMarkRadius = 60e-6;  // m, drawn; the hole in its middle leaves the needle's point visible
-
-template <class Enum>
-size_t index(Enum value) {
-  return static_cast<size_t>(value);
-}
 
 }  // namespace
 

@@ -68,7 +68,7 @@ typedef struct swage_contact_point {
  * makes the whole free motion: where nothing touches, its poses are final and the other two are not called. Contacts are
  * found on the poses that advance wrote. reset comes before the first step; SELF bodies then stand at their start poses.
  * compliance answers v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
- * stacked xyz. It is how unlike objects are solved together in one small implicit problem. */
+ * stacked xyz. So unlike objects are solved together. It may be asked again in a step, for more points: only yield counts. */
 #define SWAGE_EXT_SOLVER "swage.object.solver/1"
 typedef struct swage_solver {
   swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write SELF poses and twists */
