@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# usage: scripts/setup.sh <group>...     installs what is missing of scripts/packages.txt (groups: build test peer)
+# usage: scripts/setup.sh <group>...     installs what is missing of scripts/packages.txt (groups: build test clang peer)
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 if [ $# -eq 0 ]; then set -- build; fi

@@ -9,11 +9,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=dev
+groups=(build test)
 case "${1:-}" in
-  asan | tsan | clang) preset=$1; shift ;;
+  asan | tsan | clang) preset=$1; groups+=(clang); shift ;;
 esac
 
-scripts/setup.sh build test
+scripts/setup.sh "${groups[@]}"
 scripts/build.sh "$preset"
 
 echo "== tests: build/$preset"
