@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Stock, Scenes, ::testing::Values(kGrasp, kSolids, kAdva
 
 TEST_P(Scenes, AgainInTheSameProgramBesideAnother) {
   Scene a(read(GetParam())), b(read(GetParam())), other(read(kSolids));
-  for (int i = 0; i < 3000; ++i) {
+  for (uint64_t i = 0; i < 3000; ++i) {
     a.run(1);
     other.run(i % 3);
     b.run(1);

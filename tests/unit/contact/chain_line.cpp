@@ -21,7 +21,7 @@ scene::World chain(int32_t motion) {
 
 /// The two points that a stretch of `length` [m] of an arc has on the block.
 void lie(ContactSet& set, uint32_t arc, double length, bool arc_is_a) {
-  for (const uint64_t point : {1, 2}) {
+  for (const uint64_t point : {uint64_t{1}, uint64_t{2}}) {
     Contact c;
     c.shape_a = arc_is_a ? arc : 2;
     c.shape_b = arc_is_a ? 2 : arc;
