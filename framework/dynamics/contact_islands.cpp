@@ -63,7 +63,7 @@ void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t isl
     look(contacts.contact[i], k, row_[k.row]);
   }
   fill_ties(island);
-  if (group.unknowns <= options_.max_unknowns) return;
+  if (group.unknowns <= options_.max_unknowns && (!group.own || group.rows <= kOwnRows)) return;
 
   // too large to be solved together: stands as predicted, and says so
   stats.dropped += group.rows;
@@ -78,6 +78,8 @@ void ContactSolve::add_mover(Group& group, uint32_t mover) noexcept {
   Mover& m = place_.mover(mover);
   m.offset = group.unknowns;
   group.unknowns += m.size;
+  group.own = group.own || place_.is_self(mover);
+  local_[mover] = group.movers;
   member_[group.first_mover + group.movers] = mover;
   member_mover_[group.first_mover + group.movers] = &m;
   ++group.movers;

@@ -25,7 +25,10 @@ constexpr uint32_t kTiedPasses = 24;  // the same where ties hold
 }  // namespace
 
 ContactSolve::ContactSolve(const scene::World& world, const Options& options)
-    : options_(options), place_(world), solver_(options.max_unknowns) {
+    : options_(options),
+      place_(world),
+      solver_(options.max_unknowns, place_.self().capacity() > 0 ? kOwnRows : 0,
+              static_cast<uint32_t>(world.hinge.size())) {
   const size_t movers = place_.movers();
   const size_t rows = size_t{options.max_contacts} + options.max_ties;
   known_.resize(options.max_contacts), known_tie_.resize(options.max_ties), row_.resize(rows);
@@ -34,7 +37,7 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
   island_.reserve(movers + 1);
   parent_.assign(movers, 0), island_of_.assign(movers, kNone);
   member_.assign(movers, 0), member_mover_.assign(movers, nullptr);
-  solved_.assign(movers, 0), touched_.assign(movers, 0);
+  solved_.assign(movers, 0), touched_.assign(movers, 0), local_.assign(movers, 0);
 }
 
 void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
@@ -102,7 +105,7 @@ void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSe
   add_own_points(contacts, stats);
   begin_ties(ties, stats);
   place_.self().ask(h_);
-  place_.size_self_movers();
+  place_.take_answers();
   meet_surfaces(contacts);
   wake_own_points(contacts);
   start_ties();
@@ -206,7 +209,8 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
                     : jacobian(known_[i].a, known_[i].b, contacts.contact[i].p_W, row);
   }
 
-  const Island problem{{member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns};
+  const Island problem{
+      {member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns, group.own};
   const Limits limits = group.passes < kFreePasses && !group.held ? Limits::kCoulomb : Limits::kHeld;
   ++group.passes;
   const Outcome outcome = solver_.solve(problem, tolerance_, limits);
@@ -215,7 +219,10 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   for (uint32_t i = 0; i < group.unknowns; ++i) move_[i] = group.share * solver_.d()[i];
   for (uint32_t i = 0; i < group.movers; ++i) {
     const uint32_t m = member_[group.first_mover + i];
-    place_.move(m, move_.data() + place_.mover(m).offset);
+    if (place_.is_self(m))
+      move_own(m, rows, group.share);
+    else
+      place_.move(m, move_.data() + place_.mover(m).offset);
   }
   for (const Row& row : rows) {
     Vec3& f_a_W = row.tie ? tie_[row.contact].f_a_W : contacts.contact[row.contact].f_a_W;
@@ -233,6 +240,17 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
   stats.newton += outcome.newton;
   stats.fallbacks += outcome.fell_back;
   stats.rounds += outcome.rounds;
+}
+
+/// An own solver goes by the forces of its rows, and will be given those.
+void ContactSolve::move_own(uint32_t mover, std::span<const Row> rows, double share) noexcept {
+  const uint32_t slot = place_.mover(mover).index, local = local_[mover];
+  place_.self().begin_forces(slot);
+  for (const Row& row : rows) {
+    if (row.mover_a == local) place_.self().add_force(slot, row.point_a, row.y);
+    if (row.mover_b == local) place_.self().add_force(slot, row.point_b, -row.y);
+  }
+  place_.self().go(slot, share);
 }
 
 /// How much of the way that the linear problem asks for is gone: what Aitken's rule makes of this way and the one before, seen
@@ -272,13 +290,15 @@ const double* ContactSolve::jacobian(const Side& side_a, const Side& side_b, con
   row.size_b = b ? place_.mover(side_b.mover).size : 0;
   row.offset_a = a ? place_.mover(side_a.mover).offset : 0;
   row.offset_b = b ? place_.mover(side_b.mover).offset : 0;
+  row.mover_a = a ? local_[side_a.mover] : kNone, row.point_a = side_a.point;
+  row.mover_b = b ? local_[side_b.mover] : kNone, row.point_b = side_b.point;
 
   double* J = J_.data() + J_used_;
   const uint32_t columns = row.size_a + row.size_b;
   const Vec3* axis[3] = {&row.n, &row.t1, &row.t2};
   for (uint32_t i = 0; i < 3; ++i) {
-    if (a) place_.columns(side_a, p_W, *axis[i], 1, J + i * columns);
-    if (b) place_.columns(side_b, p_W, *axis[i], -1, J + i * columns + row.size_a);
+    if (row.size_a > 0) place_.columns(side_a, p_W, *axis[i], 1, J + i * columns);
+    if (row.size_b > 0) place_.columns(side_b, p_W, *axis[i], -1, J + i * columns + row.size_a);
   }
   J_used_ += size_t{3} * columns;
   return J;
@@ -352,10 +372,6 @@ void ContactSolve::write_contact(contact::Contact& c, const Known& k) noexcept {
   const double keep = stretch > most ? most / stretch : 1;
   c.bristle_W = keep * (row.at.s1 * row.t1 + row.at.s2 * row.t2);
   c.slip = (1 - keep) * stretch / h_;
-
-  const Vec3 impulse = h_ * c.f_a_W;
-  if (k.a.point != kNone) place_.self().add_impulse(place_.mover(k.a.mover).index, k.a.point, impulse);
-  if (k.b.point != kNone) place_.self().add_impulse(place_.mover(k.b.mover).index, k.b.point, -impulse);
 }
 
 void ContactSolve::mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept {

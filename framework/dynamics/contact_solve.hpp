@@ -61,6 +61,7 @@ class ContactSolve {
     bool converged = false, limits_hold = true, held = false, done = false;
     double left = 0;                              // m of that way that were not gone
     bool tied = false;                            // ties are among its rows
+    bool own = false;                             // own solvers are among its movers
     bool stuck = false;                           // passes bring it no nearer
     double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };
@@ -80,6 +81,7 @@ class ContactSolve {
   void fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept;
   void add_mover(Group& group, uint32_t mover) noexcept;
   void solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept;
+  void move_own(uint32_t mover, std::span<const Row> rows, double share) noexcept;
   void relax(Group& group) noexcept;
   void look(const contact::Contact& c, const Known& k, Row& row) noexcept;
   const double* jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W, Row& row) noexcept;
@@ -119,6 +121,9 @@ class ContactSolve {
   void write_contact(contact::Contact& c, const Known& k) noexcept;
   void mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept;
 
+  /// Rows of an island with own solvers; normal: 10 to 30.
+  static constexpr uint32_t kOwnRows = 128;
+
   Options options_;
   double h_ = 1e-3;           // s
   double tolerance_ = 1e-10;  // m
@@ -140,6 +145,7 @@ class ContactSolve {
   std::vector<uint32_t> island_of_;  // per mover
   std::vector<uint32_t> member_;     // movers, island by island
   std::vector<Mover*> member_mover_;
+  std::vector<uint32_t> local_;            // per mover, its place in its island
   std::vector<uint8_t> solved_, touched_;  // per mover
 };
 

@@ -166,9 +166,6 @@ void ContactSolve::write_ties() noexcept {
     const Displacement slid = tie_slid(tie.law, row.at, tie_force(tie.law, row.at));
     tie.axis_W = row.n;
     tie.slid_W = slid.g * row.n + slid.s1 * row.t1 + slid.s2 * row.t2;
-    const Vec3 impulse = h_ * tie.f_a_W;
-    if (k.a.point != kNone) place_.self().add_impulse(place_.mover(k.a.mover).index, k.a.point, impulse);
-    if (k.b.point != kNone) place_.self().add_impulse(place_.mover(k.b.mover).index, k.b.point, -impulse);
   }
 }
 

@@ -68,35 +68,48 @@ inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const doub
   }
 }
 
-/// W = L L^T of a symmetric positive semi-definite W (n x n, its diagonal overwritten) by pivoted Cholesky; L is n x rank, row-major
-/// with stride n. Stops where the remainder is below 1e-14 of the largest diagonal entry: what is left out is
-/// compliance a million times below that of a contact. Returns the rank. `order`: the rows in which the columns begin, rank.
-inline size_t cholesky_semidefinite(size_t n, double* W, double* L, uint32_t* order = nullptr) noexcept {
-  double largest = 0;
-  for (size_t i = 0; i < n; ++i) largest = std::fmax(largest, W[i * n + i]);
-  const double floor = 1e-14 * largest;
-  // the diagonal of W becomes that of the remainder; the rest of it is only computed in the column that is next
-  for (size_t rank = 0; rank < n; ++rank) {
-    size_t pivot = n;
-    double best = floor;
-    for (size_t i = 0; i < n; ++i)
-      if (W[i * n + i] > best) best = W[i * n + i], pivot = i;
-    if (pivot == n) return rank;
-    if (order) order[rank] = static_cast<uint32_t>(pivot);
-
-    const double root = std::sqrt(best), inverse = 1 / root;
-    const double* p = L + pivot * n;
-    for (size_t i = 0; i < n; ++i) {
-      if (i == pivot) continue;
-      double rest = 0.5 * (W[i * n + pivot] + W[pivot * n + i]);
-      for (size_t k = 0; k < rank; ++k) rest -= L[i * n + k] * p[k];
-      L[i * n + rank] = rest * inverse;
-      W[i * n + i] -= L[i * n + rank] * L[i * n + rank];
+/// Factors a symmetric, positive definite A in place as L D L^T, of which it reads the upper half and leaves D L^T there. False
+/// when a pivot is not above zero or not finite.
+inline bool ldl_factor(size_t n, double* A) noexcept {
+  for (size_t k = 0; k < n; ++k) {
+    const double* pivot = A + k * n;
+    if (!(pivot[k] > 0) || !std::isfinite(pivot[k])) return false;
+    const double inverse = 1 / pivot[k];
+    for (size_t i = k + 1; i < n; ++i) {
+      const double l = pivot[i] * inverse;
+      if (l == 0) continue;
+      const auto rest = static_cast<Eigen::Index>(n - i);
+      Eigen::Map<Eigen::VectorXd>(A + i * n + i, rest) -=
+          l * Eigen::Map<const Eigen::VectorXd>(pivot + i, rest);
     }
-    L[pivot * n + rank] = root;
-    W[pivot * n + pivot] = 0;
   }
-  return n;
+  return true;
+}
+
+/// Four sums at a time, of which no order depends on the compiler.
+inline double dot(size_t n, const double* a, const double* b) noexcept {
+  double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4)
+    s0 += a[i] * b[i], s1 += a[i + 1] * b[i + 1], s2 += a[i + 2] * b[i + 2], s3 += a[i + 3] * b[i + 3];
+  for (; i < n; ++i) s0 += a[i] * b[i];
+  return (s0 + s1) + (s2 + s3);
+}
+
+/// x = A^-1 b with the factors of ldl_factor. x and b must not overlap.
+inline void ldl_solve(size_t n, const double* DLt, const double* b, double* x) noexcept {
+  for (size_t i = 0; i < n; ++i) x[i] = b[i];
+  for (size_t k = 0; k < n; ++k) {
+    const double* line = DLt + k * n;
+    x[k] /= line[k];
+    const auto rest = static_cast<Eigen::Index>(n - k - 1);
+    Eigen::Map<Eigen::VectorXd>(x + k + 1, rest) -=
+        x[k] * Eigen::Map<const Eigen::VectorXd>(line + k + 1, rest);
+  }
+  for (size_t k = n; k-- > 0;) {
+    const double* line = DLt + k * n;
+    x[k] -= dot(n - k - 1, line + k + 1, x + k + 1) / line[k];
+  }
 }
 
 }  // namespace swage::dynamics

@@ -52,6 +52,13 @@ struct HingeDrive {
     const double drive = std::abs(t0 - kappa * x) < max ? kappa : 0.0;
     return drive + (x > high || x < low ? stop : 0.0);
   }
+  /// t(x) - x dt/dx: where the tangent at x meets x = 0; to the bit the same all along a piece.
+  double torque_at_zero(double x) const {
+    const double t = t0 - kappa * x;
+    return (std::abs(t) < max ? t0 : std::copysign(max, t)) + (x > high  ? stop * high
+                                                               : x < low ? stop * low
+                                                                         : 0.0);
+  }
   /// Its gradient is -t. [J]
   double energy(double x) const {
     const double t = std::abs(t0 - kappa * x);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/dense.hpp"
-#include "dynamics/row.hpp"
+#include "dynamics/contact_space.hpp"
+#include "dynamics/mover_space.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -31,60 +31,49 @@ bool has_ties(const Island& island) {
 
 }  // namespace
 
-IslandSolver::IslandSolver(uint32_t max_unknowns)
-    : d_(max_unknowns),
-      trial_(max_unknowns),
-      step_(max_unknowns),
-      F_(max_unknowns),
-      negative_F_(max_unknowns),
-      H_(size_t{max_unknowns} * max_unknowns),
-      before_(max_unknowns),
-      pivot_(max_unknowns) {}
+IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_rows, uint32_t max_hinges)
+    : movers_(std::make_unique<MoverSpace>(max_unknowns)),
+      contacts_(std::make_unique<ContactSpace>(max_rows, max_hinges)),
+      d_(max_unknowns) {
+  const size_t numbers = std::max<size_t>(max_unknowns, 2 * (3 * size_t{max_rows} + max_hinges));
+  for (std::vector<double>* z : {&z_, &trial_, &step_, &before_}) z->resize(numbers);
+}
 
-/// Forces of all rows and the residual F at d.
-void IslandSolver::evaluate(const Island& island, const double* d, Friction friction) noexcept {
-  for (const Mover* mover : island.movers) mover->residual(d + mover->offset, F_.data() + mover->offset);
+IslandSolver::~IslandSolver() = default;
+
+/// To the pose of the linearisation.
+void IslandSolver::start() noexcept { stands_ = space_->start(z_.data()); }
+
+/// Forces of all rows and the residual at z.
+void IslandSolver::evaluate(const Island& island, const double* z, Friction friction) noexcept {
+  space_->displace(z);
   for (Row& row : island.rows) {
-    row.u = displaced(row, d);
     if (row.tie) {
       row.f = tie_force(*row.tie, row.u);
-      add_force(row, F_.data());
       continue;
     }
     const double fn = normal_force(row.surface, row.u.g);
     if (friction == Friction::kCoulomb) row.limit = row.surface.mu * fn;
     row.f = force_with_limit(row.surface, row.u, fn, row.limit);
-    if (row.f.fn > 0 || row.limit > 0) add_force(row, F_.data());
   }
+  space_->residual(z);
 }
 
-double IslandSolver::merit(const Island& island) const noexcept {
-  double sum = 0;
-  for (const Mover* mover : island.movers) sum += mover->merit(F_.data() + mover->offset);
-  return sum;
-}
-
-/// Newton step from the point last evaluated: H step = -F. Between kinks H does not change, and its factors are still there.
+/// Newton step from the point last evaluated.
 bool IslandSolver::direction(const Island& island, Friction friction) noexcept {
-  const bool same = same_stiffness(island, friction);
-  if (same && factored_) return solve_factored();
-  std::fill_n(H_.begin(), size_ * size_, 0.0);
-  for (const Mover* mover : island.movers) mover->add_stiffness(d_.data() + mover->offset, size_, H_.data());
-  for (const Row& row : island.rows)
-    if (takes_part(row)) add_stiffness(row, row.D, size_, H_.data());
-  return solve_linear();
+  const bool same = same_stiffness(island, friction) && law_;
+  law_ = space_->direction(z_.data(), same, step_.data());
+  newton_ += law_;
+  return law_;
 }
 
-/// Tangents of all rows, and stiffness of the drives. True when they are what H was last made of.
+/// Tangents of all rows. True when they are what they were.
 bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexcept {
   bool same = true;
   const auto keep = [&same](double& kept, double now) {
     same = same && kept == now;
     kept = now;
   };
-  for (Mover* mover : island.movers)
-    if (mover->kind == Mover::Kind::kHinge)
-      keep(mover->stiffness, mover->drive.stiffness(mover->angle + d_[mover->offset]));
   for (Row& row : island.rows) {
     Tangent D;
     if (row.tie)
@@ -98,33 +87,18 @@ bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexc
   return same;
 }
 
-/// H step = -F.
-bool IslandSolver::solve_linear() noexcept {
-  factored_ = lu_factor(size_, H_.data(), pivot_.data());
-  return factored_ && solve_factored();
-}
-
-bool IslandSolver::solve_factored() noexcept {
-  for (size_t i = 0; i < size_; ++i) negative_F_[i] = -F_[i];
-  ++newton_;
-  lu_solve(size_, H_.data(), pivot_.data(), negative_F_.data(), step_.data());
-  return true;
-}
-
-/// The farthest that a centre or a contact moves [m].
-double IslandSolver::length(const Island& island, const double* step) const noexcept {
-  double longest = 0;
-  for (const Mover* mover : island.movers) longest = std::max(longest, mover->length(step + mover->offset));
-  for (const Row& row : island.rows) {
-    const Displacement u = displaced(row, step);
-    const double g = u.g - row.at.g, s1 = u.s1 - row.at.s1, s2 = u.s2 - row.at.s2;
-    longest = std::max(longest, std::sqrt(g * g + s1 * s1 + s2 * s2));
-  }
-  return longest;
+/// A whole step from the start, where points of the space are reached by that alone.
+bool IslandSolver::take_stand(const Island& island, Friction friction) noexcept {
+  if (stands_) return true;
+  evaluate(island, z_.data(), friction);
+  if (!direction(island, friction)) return false;
+  advance(1);
+  z_.swap(trial_);
+  return stands_ = true;
 }
 
 void IslandSolver::advance(double fraction) noexcept {
-  for (size_t i = 0; i < size_; ++i) trial_[i] = d_[i] + fraction * step_[i];
+  for (size_t i = 0; i < numbers_; ++i) trial_[i] = z_[i] + fraction * step_[i];
 }
 
 /// The merit below which a correction H^-1 F cannot be seen: where nothing slips H is above A, so a correction dx of the lightest
@@ -152,13 +126,15 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const bool tied = has_ties(island);
   const uint32_t steps = tied ? kTiedSteps : kNewtonSteps, halvings = tied ? kTiedHalvings : kHalvings;
-  evaluate(island, d_.data(), Friction::kCoulomb);
-  double now = merit(island);
+  if (!take_stand(island, Friction::kCoulomb)) return false;
+  evaluate(island, z_.data(), Friction::kCoulomb);
+  double now = -1;  // not known yet
   const double nothing = unseen(island, tolerance);
   for (uint32_t i = 0; i < steps; ++i) {
     if (!direction(island, Friction::kCoulomb)) return false;
-    const double far = length(island, step_.data());
+    const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
+    if (far > tolerance && now < 0) now = space_->merit();
 
     double fraction = 1, next = 0;
     for (uint32_t k = 0;; ++k, fraction *= 0.5) {
@@ -166,32 +142,21 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
       evaluate(island, trial_.data(), Friction::kCoulomb);
       // close enough that the last correction settles it
       if (far <= tolerance) break;
-      next = merit(island);
+      next = space_->merit();
       if (next <= (1 - 2 * kDecrease * fraction) * now) break;
       if (k == halvings) return false;
     }
-    d_.swap(trial_);
+    z_.swap(trial_);
     if (far <= tolerance || (next <= nothing && sticks(island))) return true;
     now = next;
   }
   return false;
 }
 
-/// How every row moves along the step.
-void IslandSolver::aim(const Island& island) noexcept {
-  for (Row& row : island.rows) {
-    row.way = displaced(row, step_.data());
-    row.way.g -= row.at.g, row.way.s1 -= row.at.s1, row.way.s2 -= row.at.s2;
-  }
-}
-
 /// Slope of the energy along the step, at a fraction of it from d: rises monotonically, because the energy is convex.
 double IslandSolver::slope(const Island& island, double fraction) noexcept {
   advance(fraction);
-  double sum = 0;
-  for (const Mover* mover : island.movers)
-    mover->residual(trial_.data() + mover->offset, F_.data() + mover->offset);
-  for (size_t i = 0; i < size_; ++i) sum += F_[i] * step_[i];
+  double sum = space_->slope(trial_.data(), step_.data());
   for (const Row& row : island.rows) {
     const Displacement& w = row.way;
     const Displacement u{row.u.g + fraction * w.g, row.u.s1 + fraction * w.s1, row.u.s2 + fraction * w.s2};
@@ -205,7 +170,7 @@ double IslandSolver::slope(const Island& island, double fraction) noexcept {
 /// The fraction of the step at which the energy is least, well enough: the slope there is a tenth of what it was. Regula
 /// falsi on the slope, which is piecewise smooth with steep kinks where a contact begins to slip.
 double IslandSolver::search(const Island& island) noexcept {
-  aim(island);
+  space_->aim(step_.data());
   const double start = slope(island, 0), good = kFlat * std::abs(start);
   double low = 0, high = 1, at_low = start, at_high = slope(island, 1);
   if (at_high <= good) return 1;  // the whole step still descends, or all but
@@ -226,23 +191,24 @@ double IslandSolver::search(const Island& island) noexcept {
 
 /// Least energy with the friction limits held: convex, so Newton with a line search finds it from anywhere.
 bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
-  evaluate(island, d_.data(), Friction::kTresca);
+  if (!take_stand(island, Friction::kTresca)) return false;
+  evaluate(island, z_.data(), Friction::kTresca);
   uint32_t still = 0;
   for (uint32_t i = 0; i < kConvexSteps; ++i) {
     if (!direction(island, Friction::kTresca)) return false;
-    const double far = length(island, step_.data());
+    const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
     if (far <= tolerance) {
       advance(1);
-      d_.swap(trial_);
-      evaluate(island, d_.data(), Friction::kTresca);
+      z_.swap(trial_);
+      evaluate(island, z_.data(), Friction::kTresca);
       return true;
     }
     // a short piece of a long step may only have met a kink; two are the end
     const double fraction = search(island);
     advance(fraction);
-    d_.swap(trial_);
-    evaluate(island, d_.data(), Friction::kTresca);
+    z_.swap(trial_);
+    evaluate(island, z_.data(), Friction::kTresca);
     still = fraction * far <= tolerance ? still + 1 : 0;
     if (still == 2) return true;
   }
@@ -250,10 +216,12 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
 }
 
 Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limits) noexcept {
+  space_ = island.contact_space ? contacts_.get() : movers_.get();
   size_ = island.size;
+  numbers_ = space_->begin(island);
   newton_ = 0;
-  factored_ = false;
-  std::fill_n(d_.begin(), size_, 0.0);
+  law_ = false;
+  start();
   Outcome outcome;
   if (limits == Limits::kHeld) {
     outcome.rounds = 1;
@@ -265,7 +233,8 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
     if (!outcome.converged) fall_back(island, tolerance, outcome);
   }
   outcome.newton = newton_;
-  outcome.moved = length(island, d_.data());
+  outcome.moved = space_->moved(z_.data());
+  space_->finish(z_.data(), d_.data());
   return outcome;
 }
 
@@ -275,22 +244,25 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
 void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
   outcome.fell_back = true;
   const bool ties = has_ties(island);
-  std::fill_n(d_.begin(), size_, 0.0);
+  bool stood = false;
+  start();
   // the path knows the pieces of Coulomb's law only, not those of a tie
   outcome.converged = !ties && follow_path(island, tolerance);
-  const bool far = outcome.converged && length(island, d_.data()) > kFar * tolerance;
+  const bool far = outcome.converged && space_->moved(z_.data()) > kFar * tolerance;
   if (!outcome.converged || far) {
-    std::fill_n(d_.begin(), size_, 0.0);
+    start();
     stick_all(island, tolerance);
-    std::copy_n(d_.begin(), size_, before_.begin());
+    std::copy_n(z_.begin(), numbers_, before_.begin());
+    stood = stands_;
     outcome.converged = !far && (ties ? newton(island, tolerance) : follow_path(island, tolerance));
   }
   if (outcome.converged) {
-    evaluate(island, d_.data(), Friction::kCoulomb);
+    evaluate(island, z_.data(), Friction::kCoulomb);
     return;
   }
-  std::copy_n(before_.begin(), size_, d_.begin());
-  evaluate(island, d_.data(), Friction::kCoulomb);
+  std::copy_n(before_.begin(), numbers_, z_.begin());
+  stands_ = stood;
+  evaluate(island, z_.data(), Friction::kCoulomb);
   outcome.held = true;
   outcome.converged = hold_limits(island, tolerance, far ? 1 : kTrescaRounds, outcome);
   outcome.limits_hold = limits_hold(island);
@@ -298,7 +270,7 @@ void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& ou
 
 /// Least energy where nothing slips.
 void IslandSolver::stick_all(const Island& island, double tolerance) noexcept {
-  evaluate(island, d_.data(), Friction::kCoulomb);
+  evaluate(island, z_.data(), Friction::kCoulomb);
   for (Row& row : island.rows) row.limit = row.limit > 0 ? kNeverSlips : 0;
   minimise(island, tolerance);
 }

@@ -6,12 +6,13 @@
 //
 // f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F with a line search; where that stalls, its
 // path is followed from piece to piece of the law; where that does not end, a convex problem with the friction limits held
-// (Tresca). README.md.
+// (Tresca). README.md. The unknowns are d, or the forces of the rows: space.hpp.
 //
 // Threads: the solver is built on [main]; solve() is [rt] and neither allocates nor throws.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -25,9 +26,10 @@ namespace swage::dynamics {
 struct Row {
   uint32_t contact = 0;         // in the contact set, or among the ties
   const TieLaw* tie = nullptr;  // of a tie: then n is its axis, and g the displacement along it
-  uint32_t mover_a = UINT32_MAX, mover_b = UINT32_MAX;
-  uint32_t size_a = 0, size_b = 0;      // columns of J of either side
-  uint32_t offset_a = 0, offset_b = 0;  // of the unknowns in the island
+  uint32_t mover_a = UINT32_MAX, mover_b = UINT32_MAX;  // among those of the island; none: cannot be moved
+  uint32_t point_a = 0, point_b = 0;                    // of own solvers
+  uint32_t size_a = 0, size_b = 0;                      // columns of J of either side
+  uint32_t offset_a = 0, offset_b = 0;                  // of the unknowns in the island
   Surface surface;
   Vec3 n, t1, t2;      // axes in W
   Displacement at;     // at the linearisation; its gap counts from `yielded`
@@ -43,12 +45,16 @@ struct Row {
   Displacement way;    // along the Newton step
   Tangent D;           // of which the last system was made
   Displacement asked;  // from `at` to `u`, in the last pass
+  // N on a, in W; in contact space only. What own solvers are given: f but for the tolerance of the solve, which is 1e-10 m, at
+  // 1e6 N/m 0.1 mN, and that would throw a needle of 0.4 mg by a quarter of a millimetre
+  Vec3 y = Vec3::Zero();
 };
 
 struct Island {
   std::span<Mover* const> movers;
   std::span<Row> rows;
-  uint32_t size = 0;  // unknowns
+  uint32_t size = 0;           // numbers of d
+  bool contact_space = false;  // solved for the forces: own solvers are among the movers
 };
 
 /// How a solve ended.
@@ -68,9 +74,16 @@ enum class Limits : uint8_t {
   kHeld,     // as the last pass left them: convex, so passes cannot jump to and fro
 };
 
+/// Whether something pushes back.
+inline bool stiffens(const Tangent& D) { return D.nn != 0 || D.t11 != 0 || D.t22 != 0; }
+
+class Space;
+
 class IslandSolver {
  public:
-  explicit IslandSolver(uint32_t max_unknowns);
+  /// `max_rows`, `max_hinges`: of an island solved in contact space.
+  explicit IslandSolver(uint32_t max_unknowns, uint32_t max_rows = 0, uint32_t max_hinges = 0);
+  ~IslandSolver();
 
   /// Solves for d, to be added to the movers' unknowns (d() below), and fills u, f, limit of every row.
   /// tolerance: m.
@@ -81,13 +94,11 @@ class IslandSolver {
  private:
   enum class Friction { kCoulomb, kTresca };
 
-  void evaluate(const Island& island, const double* d, Friction friction) noexcept;
-  double merit(const Island& island) const noexcept;
+  void start() noexcept;
+  void evaluate(const Island& island, const double* z, Friction friction) noexcept;
   bool direction(const Island& island, Friction friction) noexcept;
   bool same_stiffness(const Island& island, Friction friction) noexcept;
-  bool solve_linear() noexcept;
-  bool solve_factored() noexcept;
-  double length(const Island& island, const double* step) const noexcept;
+  bool take_stand(const Island& island, Friction friction) noexcept;
   void advance(double fraction) noexcept;
   double unseen(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
@@ -98,22 +109,23 @@ class IslandSolver {
 
   // island_path.cpp
   bool follow_path(const Island& island, double tolerance) noexcept;
-  void evaluate_pieces(const Island& island, const double* d) noexcept;
+  void evaluate_pieces(const Island& island, const double* z) noexcept;
   bool direction_on_pieces(const Island& island) noexcept;
   uint32_t first_kink(const Island& island, uint32_t passed, double& fraction, Piece& next) const noexcept;
   bool whole_step(const Island& island, double far, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
   bool minimise(const Island& island, double tolerance) noexcept;
-  void aim(const Island& island) noexcept;
   double slope(const Island& island, double fraction) noexcept;
   double search(const Island& island) noexcept;
 
-  size_t size_ = 0;
+  size_t size_ = 0, numbers_ = 0;  // of d, of a point
   uint32_t newton_ = 0;
-  bool factored_ = false;  // H_ holds the factors of the last system
-  std::vector<double> d_, trial_, step_, F_, negative_F_, H_;
-  std::vector<double> before_;  // d_ of the last convex problem
-  std::vector<uint32_t> pivot_;
+  bool stands_ = false;  // the point is one of the space's, not only the start
+  bool law_ = false;     // D of the rows is of the law, not of its pieces
+  std::unique_ptr<Space> movers_, contacts_;
+  Space* space_ = nullptr;
+  std::vector<double> z_, trial_, step_, d_;
+  std::vector<double> before_;  // z_ of the last convex problem
 };
 
 }  // namespace swage::dynamics

@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/dense.hpp"
 #include "dynamics/island.hpp"
-#include "dynamics/row.hpp"
+#include "dynamics/space.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -21,26 +20,20 @@ constexpr double kPassed = 1e-9;     // of a step: a contact does not come back 
 
 }  // namespace
 
-/// Forces of the pieces and the residual F at d.
-void IslandSolver::evaluate_pieces(const Island& island, const double* d) noexcept {
-  for (const Mover* mover : island.movers) mover->residual(d + mover->offset, F_.data() + mover->offset);
-  for (Row& row : island.rows) {
-    row.u = displaced(row, d);
-    row.f = force_on(row.piece, row.surface, row.u);
-    if (row.piece != Piece::kOpen) add_force(row, F_.data());
-  }
+/// Forces of the pieces and the residual at z.
+void IslandSolver::evaluate_pieces(const Island& island, const double* z) noexcept {
+  space_->displace(z);
+  for (Row& row : island.rows) row.f = force_on(row.piece, row.surface, row.u);
+  space_->residual(z);
 }
 
 /// The direction of the path: Newton's, and against it where F is inside out.
 bool IslandSolver::direction_on_pieces(const Island& island) noexcept {
-  std::fill_n(H_.begin(), size_ * size_, 0.0);
-  for (const Mover* mover : island.movers) mover->add_stiffness(d_.data() + mover->offset, size_, H_.data());
-  for (const Row& row : island.rows)
-    if (row.piece != Piece::kOpen)
-      add_stiffness(row, tangent_on(row.piece, row.surface, row.u), size_, H_.data());
-  const bool solved = solve_linear();
-  factored_ = false;  // of the pieces, not of the law
-  return solved;
+  for (Row& row : island.rows) row.D = tangent_on(row.piece, row.surface, row.u);
+  law_ = false;
+  const bool there = space_->direction(z_.data(), false, step_.data());
+  newton_ += there;
+  return there;
 }
 
 /// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just did.
@@ -58,38 +51,40 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, double&
 
 /// A step to where F would vanish, shorter where F does not fall. True when it was the whole.
 bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
-  const double now = merit(island);
+  const double now = space_->merit();
   double fraction = 1;
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);
     evaluate_pieces(island, trial_.data());
-    if (far <= tolerance || k == kHalvings || merit(island) <= now) break;
+    if (far <= tolerance || k == kHalvings || space_->merit() <= now) break;
   }
-  d_.swap(trial_);
+  z_.swap(trial_);
   return fraction == 1;
 }
 
 bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept {
-  for (Row& row : island.rows) row.piece = piece(row.surface, displaced(row, d_.data()));
-  evaluate_pieces(island, d_.data());
+  if (!take_stand(island, Friction::kCoulomb)) return false;
+  space_->displace(z_.data());
+  for (Row& row : island.rows) row.piece = piece(row.surface, row.u);
+  evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
   for (uint32_t i = 0; i < kPathSteps; ++i) {
     if (!direction_on_pieces(island)) return false;
-    const bool down = determinant_sign(size_, H_.data(), pivot_.data()) > 0;
+    const bool down = space_->sign() > 0;
     if (!down)
-      for (size_t k = 0; k < size_; ++k) step_[k] = -step_[k];
-    const double far = length(island, step_.data());
+      for (size_t k = 0; k < numbers_; ++k) step_[k] = -step_[k];
+    const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
 
     double fraction = down ? 1 : HUGE_VAL;
     Piece next = Piece::kOpen;
-    aim(island);
+    space_->aim(step_.data());
     passed = first_kink(island, passed, fraction, next);
     if (passed != UINT32_MAX) {
       advance(fraction);
-      d_.swap(trial_);
+      z_.swap(trial_);
       island.rows[passed].piece = next;
-      evaluate_pieces(island, d_.data());
+      evaluate_pieces(island, z_.data());
     } else if (!down) {
       return false;  // leads nowhere
     } else if (whole_step(island, far, tolerance) && far <= tolerance) {

@@ -14,13 +14,21 @@
 
 namespace swage::dynamics {
 
+/// What an own solver answered about its points: they go by what it said first, and h^2 W f.
+struct OwnAnswer {
+  const double* W = nullptr;      // m/s per N s, stride x stride, row-major
+  const double* extra = nullptr;  // m, by which they are beyond where they go without forces; stride
+  size_t stride = 0;
+  double hh = 0;  // s2
+};
+
 struct Mover {
   enum class Kind : uint8_t { kBody, kHinge, kParticle, kSelf };
   Kind kind = Kind::kBody;
   uint32_t index = 0;            // body, hinge, particle of the world, or place among the self solvers
-  uint32_t size = 6;             // unknowns
+  uint32_t size = 6;             // unknowns; kSelf: none, it answers for its points (contact_space.hpp)
   uint32_t offset = 0;           // of its unknowns in the island
-  double m_hh = 0;               // N/m, mass / h^2; kSelf: 1, its unknowns are scaled to unit mass
+  double m_hh = 0;               // N/m, mass / h^2
   Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
   Mat3 inv_I_hh = Mat3::Zero();  // its inverse
   HingeDrive drive;
@@ -33,7 +41,7 @@ struct Mover {
   Vec3 b = Vec3::Zero();
   double angle = 0;                                 // kHinge: x itself [rad], not relative to x_hat
   Vec3 axis = Vec3::Zero(), anchor = Vec3::Zero();  // kHinge: in W
-  const double* y = nullptr;                        // kSelf: its unknowns so far
+  OwnAnswer own;                                    // kSelf
 
   /// F = A (x + d - x_hat) - t(x + d): forces that contacts must balance. Writes `size` numbers at F.
   void residual(const double* d, double* F) const noexcept {
@@ -50,9 +58,32 @@ struct Mover {
         for (int i = 0; i < 3; ++i) F[i] = m_hh * (x[i] + d[i]);
         break;
       case Kind::kSelf:
-        for (uint32_t i = 0; i < size; ++i) F[i] = y[i] + d[i];
         break;
     }
+  }
+
+  /// Where it would go from here without contacts, a hinge without its drive.
+  void way(double* d) const noexcept {
+    if (kind == Kind::kHinge) {
+      d[0] = drive.x_hat - angle;
+      return;
+    }
+    for (int i = 0; i < 3; ++i) d[i] = -x[i];
+    if (kind != Kind::kBody) return;
+    const Vec3 turn = inv_I_hh * b - a;
+    for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
+  }
+
+  /// A^-1 F.
+  void respond(const double* F, double* d) const noexcept {
+    if (kind == Kind::kHinge) {
+      d[0] = F[0] / drive.inertia_hh;
+      return;
+    }
+    for (int i = 0; i < 3; ++i) d[i] = F[i] / m_hh;
+    if (kind != Kind::kBody) return;
+    const Vec3 turn = inv_I_hh * Vec3(F[3], F[4], F[5]);
+    for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
   /// Adds dF/dd to the island's matrix H (n x n, row-major).
@@ -76,27 +107,6 @@ struct Mover {
     double sum = 0;
     for (uint32_t i = 0; i < size; ++i) sum += F[i] * F[i];
     return sum / m_hh;
-  }
-
-  /// Energy whose gradient residual() is [J].
-  double energy(const double* d) const noexcept {
-    switch (kind) {
-      case Kind::kBody: {
-        const Vec3 u = x + Vec3(d[0], d[1], d[2]), w = a + Vec3(d[3], d[4], d[5]);
-        return 0.5 * (m_hh * u.squaredNorm() + w.dot(I_hh * w)) - w.dot(b);
-      }
-      case Kind::kHinge: {
-        const double u = angle + d[0] - drive.x_hat;
-        return 0.5 * drive.inertia_hh * u * u + drive.energy(angle + d[0]);
-      }
-      case Kind::kParticle:
-        return 0.5 * m_hh * (x + Vec3(d[0], d[1], d[2])).squaredNorm();
-      case Kind::kSelf:
-        break;
-    }
-    double sum = 0;
-    for (uint32_t i = 0; i < size; ++i) sum += 0.5 * (y[i] + d[i]) * (y[i] + d[i]);
-    return sum;
   }
 
   /// Size of a change [m]: of the centre; turns show at the contacts.

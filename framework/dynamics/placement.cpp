@@ -40,7 +40,6 @@ void Placement::begin(scene::World& world, Motion& motion, std::span<SelfSolver*
   h_ = world.dt;
   ++step_;
   self_.begin(self);
-  for (uint32_t i = first_self_; i < movers(); ++i) mover_[i].size = 0;
 }
 
 Side Placement::side(uint32_t body, uint32_t particle) noexcept {
@@ -65,13 +64,8 @@ Side Placement::side(uint32_t body, uint32_t particle) noexcept {
   return s;
 }
 
-void Placement::size_self_movers() noexcept {
-  for (uint32_t slot = 0; slot < self_.count(); ++slot) {
-    Mover& m = mover_[first_self_ + slot];
-    m.size = self_.rank(slot);
-    m.m_hh = 1;
-    m.y = self_.y(slot);
-  }
+void Placement::take_answers() noexcept {
+  for (uint32_t slot = 0; slot < self_.count(); ++slot) mover_[first_self_ + slot].own = self_.answer(slot);
 }
 
 /// Trial of any body at the pose that the world has for it.
@@ -201,12 +195,8 @@ void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double
     case Mover::Kind::kParticle:
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i];
       break;
-    case Mover::Kind::kSelf: {
-      const double *L0 = self_.columns(m.index, side.point, 0), *L1 = self_.columns(m.index, side.point, 1),
-                   *L2 = self_.columns(m.index, side.point, 2);
-      for (uint32_t i = 0; i < m.size; ++i) J[i] = sign * (e.x() * L0[i] + e.y() * L1[i] + e.z() * L2[i]);
+    case Mover::Kind::kSelf:  // contact_space.hpp
       break;
-    }
   }
 }
 
@@ -236,11 +226,8 @@ void Placement::move(uint32_t mover, const double* d) noexcept {
       m.x += dp;
       break;
     }
-    case Mover::Kind::kSelf: {
-      double* y = self_.y(m.index);
-      for (uint32_t i = 0; i < m.size; ++i) y[i] += d[i];
+    case Mover::Kind::kSelf:
       break;
-    }
   }
 }
 

@@ -35,15 +35,17 @@ class Placement {
 
   SelfMovers& self() noexcept { return self_; }
   const SelfMovers& self() const noexcept { return self_; }
-  /// Self movers know their unknowns once they have been asked.
-  void size_self_movers() noexcept;
+  /// Self movers know how they give once they have been asked.
+  void take_answers() noexcept;
 
   Mover& mover(uint32_t i) noexcept { return mover_[i]; }
   const Mover& mover(uint32_t i) const noexcept { return mover_[i]; }
   uint32_t movers() const noexcept { return static_cast<uint32_t>(mover_.size()); }
   bool is_self(uint32_t mover) const noexcept { return mover != scene::kNone && mover >= first_self_; }
   /// False for a self mover that gives nowhere.
-  bool moves(uint32_t mover) const noexcept { return mover != scene::kNone && mover_[mover].size > 0; }
+  bool moves(uint32_t mover) const noexcept {
+    return mover != scene::kNone && (!is_self(mover) || self_.gives(mover - first_self_));
+  }
 
   toolkit::Frame frame(const Side& side) const noexcept;
   /// Displacement over the step of the material point that is now at p_W [m].

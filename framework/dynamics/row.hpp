@@ -9,6 +9,12 @@
 
 namespace swage::dynamics {
 
+/// From the axes of a row to W.
+inline Vec3 in_world(const Row& row, double n, double t1, double t2) {
+  return n * row.n + t1 * row.t1 + t2 * row.t2;
+}
+inline void put(const Vec3& a, double* to) { to[0] = a[0], to[1] = a[1], to[2] = a[2]; }
+
 /// u + J d.
 inline Displacement displaced(const Row& row, const double* d) {
   const uint32_t columns = row.size_a + row.size_b;

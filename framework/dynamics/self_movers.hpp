@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects with their own mechanics inside the contact solve. Their answer u = u_free + h^2 W f becomes r unknowns y of unit
-// mass: with W = L L' (pivoted Cholesky, r its rank) u = u_free + h L y and y = L' (h f), which is the minimum of y'y/2 minus
-// the work of f. No inverse of W is needed, so it may be singular.
+// Objects with their own mechanics inside the contact solve: their points go by u = u_free + h^2 W f, and are given exactly the
+// forces for which they went (contact_space.hpp).
 //
 // Threads: built on [main]; the rest [rt].
 #pragma once
@@ -12,13 +11,12 @@
 #include <vector>
 
 #include "contact/contact_set.hpp"
+#include "dynamics/mover.hpp"
 #include "dynamics/self_solver.hpp"
 #include "scene/world.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::dynamics {
-
-using toolkit::Vec3;
 
 class SelfMovers {
  public:
@@ -34,11 +32,11 @@ class SelfMovers {
   /// Adds a touch; returns its point, or kNone beyond the capacity. `into`: unit normal into the object.
   uint32_t add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
                      const Vec3& into) noexcept;
-  /// Asks every object with points for its compliance and factors it. h: s.
+  /// Asks every object with points for its compliance. h: s.
   void ask(double h) noexcept;
   /// Where its solver expects a point at the end of the step: displacement over the step [m].
   void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;
-  /// Sets the unknowns so that the points are where they are expected, as far as forces can bring them there.
+  /// Puts all points where they are expected, whatever forces that would take.
   void start() noexcept;
 
   /// Objects of the scene with SELF bodies; those that answer in this step come first.
@@ -46,40 +44,45 @@ class SelfMovers {
   uint32_t count() const noexcept { return static_cast<uint32_t>(self_.size()); }
   uint32_t points(uint32_t slot) const noexcept { return object_[slot].points; }
   bool shows_itself(uint32_t slot) const noexcept { return self_[slot]->shows_itself(); }
-  /// Unknowns of a slot; 0: it has no points or has failed, and stands still.
-  uint32_t rank(uint32_t slot) const noexcept { return object_[slot].rank; }
-  double* y(uint32_t slot) noexcept { return object_[slot].y.data(); }
-  /// Displacement over the step [m] of a point with the unknowns as they are, and its free part alone.
+  /// False: it has no points or has failed, and stands still.
+  bool gives(uint32_t slot) const noexcept { return object_[slot].sound; }
+  OwnAnswer answer(uint32_t slot) const noexcept;
+  /// Displacement over the step [m] of a point as it stands, its free part alone, and the rest.
   Vec3 displacement(uint32_t slot, uint32_t point) const noexcept {
     return u_free(slot, point) + extra(slot, point);
   }
-  Vec3 extra(uint32_t slot, uint32_t point) const noexcept;
+  Vec3 u_free(uint32_t slot, uint32_t point) const noexcept {
+    return object_[slot].h * at(object_[slot].v_free, point);
+  }
+  Vec3 extra(uint32_t slot, uint32_t point) const noexcept { return at(object_[slot].extra, point); }
   /// Some point's surface is not where its shape is.
   bool displaced(uint32_t slot) const noexcept { return object_[slot].displaced; }
   /// How far a point is from where its shape is [m].
   Vec3 off_shape(uint32_t slot, uint32_t point) const noexcept {
-    const double* u = object_[slot].u.data() + 3 * point;
-    return extra(slot, point) + Vec3(u[0], u[1], u[2]);
+    return extra(slot, point) + at(object_[slot].u, point);
   }
-  Vec3 u_free(uint32_t slot, uint32_t point) const noexcept;
-  /// Row i (0..2) of h L at a point: d(displacement) / dy, `rank` numbers.
-  const double* columns(uint32_t slot, uint32_t point, int i) const noexcept;
 
-  void add_impulse(uint32_t slot, uint32_t point, const Vec3& impulse) noexcept;
+  /// New forces, from none: then those at the points [N], then the share of the way to where they bring the points that is gone.
+  void begin_forces(uint32_t slot) noexcept;
+  void add_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept;
+  void go(uint32_t slot, double share) noexcept;
   /// Hands the impulses over.
   void yield() noexcept;
 
  private:
   struct Object {
-    uint32_t points = 0, rank = 0;
+    uint32_t points = 0;
     std::vector<swage_contact_point> point;
-    std::vector<double> v_free, u, W, L, y, impulse;  // L: 3 points x rank, stride 3 points, times h
-    std::vector<double> expected;                     // m, beyond the free displacement
-    std::vector<uint32_t> order;                      // row in which each column of L begins
+    std::vector<double> v_free, u, W;
+    std::vector<double> expected, extra;  // m, beyond the free displacement; expected, and as it stands
+    std::vector<double> force, to;        // N, that bring it there; and those of the pass
+    std::vector<double> impulse;          // N s
     double h = 0;
-    bool displaced = false;
+    bool displaced = false, sound = false;
   };
-  static void balance(Object& object) noexcept;
+  static Vec3 at(const std::vector<double>& v, uint32_t point) noexcept {
+    return {v[3 * point], v[3 * point + 1], v[3 * point + 2]};
+  }
 
   std::span<SelfSolver* const> self_;
   std::vector<Object> object_;

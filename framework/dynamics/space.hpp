@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) know a point z, how the rows
+// stand there and a direction from it; what z is they leave to one of two:
+//
+//     MoverSpace     displacements of the movers: few where many contacts hold one body
+//     ContactSpace   forces of the rows: what objects with own solvers answer for
+//
+// Both take the same steps but for rounding. [rt]; built on [main].
+#pragma once
+
+#include <cstddef>
+
+namespace swage::dynamics {
+
+struct Island;
+
+class Space {
+ public:
+  virtual ~Space() = default;
+
+  /// Numbers of a point z of this island. The island stays as it is until the next begin().
+  virtual size_t begin(const Island& island) noexcept = 0;
+  /// The pose of the linearisation. False: what a point must keep to holds only after a whole step from here.
+  virtual bool start(double* z) noexcept = 0;
+
+  /// Fills u of every row.
+  virtual void displace(const double* z) noexcept = 0;
+  /// From f of every row: what is out of balance, and that as an energy, F' A^-1 F [J].
+  virtual void residual(const double* z) noexcept = 0;
+  virtual double merit() noexcept = 0;
+  /// Newton's step from z, by u, f and D of every row; after residual(). `same`: every D is that of the last call.
+  virtual bool direction(const double* z, bool same, double* step) noexcept = 0;
+  /// Sign of det H of the last direction.
+  virtual int sign() const noexcept = 0;
+
+  /// Fills `way` of every row: how it moves along a step.
+  virtual void aim(const double* step) noexcept = 0;
+  /// Work of what is not in rows along a step, at z [J].
+  virtual double slope(const double* z, const double* step) noexcept = 0;
+  /// The farthest that a centre or a row moves along a step [m].
+  virtual double length(const double* step) noexcept = 0;
+
+  /// The same from the pose of the linearisation to z.
+  virtual double moved(const double* z) noexcept = 0;
+  /// Ends the solve at z: displacements of the movers, and of every row the force y.
+  virtual void finish(const double* z, double* d) noexcept = 0;
+};
+
+}  // namespace swage::dynamics
