@@ -39,10 +39,12 @@ Launch read_command_line(const QStringList& arguments) {
       option("theme", "light, dark or contrast.", "theme"),
       option("cues", "thesis or safe: colours of the cues.", "cues"),
       option("view", "orbit, side, top or near.", "view"),
+      option("trainee", "Show the trainee's view, for two eyes: side, over, anaglyph or one.", "layout"),
       option("page", "run or progress.", "page"),
       option("review", "Open a recorded attempt: its id, or latest.", "attempt"),
       option("size", "Size of the window, as in 1440x900.", "size"),
-      option("screenshot", "Write a picture of the window and quit.", "file.png"),
+      option("screenshot", "Write a picture of the window (with --trainee: of the trainee's) and quit.",
+             "file.png"),
       option("at", "When: seconds into the attempt, or after the window is there.", "seconds"),
   });
   parser.process(arguments);
@@ -69,6 +71,7 @@ Launch read_command_line(const QStringList& arguments) {
   launch.theme = text("theme");
   launch.cues = text("cues");
   launch.view = text("view");
+  launch.trainee = text("trainee");
   launch.page = text("page");
   launch.review = text("review");
   launch.screenshot = text("screenshot");

@@ -77,6 +77,7 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("F7"), tr("Bring the needle back")},
                               {tr("F8"), tr("Mark the moment two seconds ago")},
                               {tr("Shift+F5"), tr("Stop")},
+                              {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
                               {tr("Ctrl+1, 2, 3"), tr("Run, Progress, Review")},
                               {tr("F1"), tr("This page")}},
                              this)

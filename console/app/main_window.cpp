@@ -124,6 +124,12 @@ QWidget* MainWindow::make_top_bar() {
           [this] { set_theme(theme_->currentData().toString(), cues_id_); });
   row->addWidget(theme_);
   row->addSpacing(8);
+  auto* trainee =
+      make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
+  trainee->setToolTip(tr("The scene for two eyes in a window of its own: settings (F9 shows it at once)"));
+  connect(trainee, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);
+  row->addWidget(trainee);
+  row->addSpacing(8);
   auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
   row->addWidget(help);
@@ -145,6 +151,7 @@ void MainWindow::add_actions() {
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
   add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
+  add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
   for (int i = 0; i < page_buttons_.size(); ++i) {
     add(page_buttons_[i]->accessibleName(), Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i),
         [this, i] { show_page(i); });
@@ -168,6 +175,39 @@ void MainWindow::show_help() {
   // a held key must not go on while the help is read, so the attempt waits
   if (run_->control()->state() == RunControl::State::kRunning) run_->control()->toggle_pause();
   HelpDialog(CueTheme::stock(cues_id_), this).exec();
+}
+
+void MainWindow::show_trainee() {
+  if (!trainee_) {
+    trainee_ = std::make_unique<TraineeWindow>();
+    run_->add_view(trainee_->view());
+    // it is closed from within
+    connect(trainee_.get(), &TraineeWindow::closed, this, [this] {
+      if (trainee_) trainee_.release()->deleteLater();
+      if (trainee_settings_) trainee_settings_->set_open(false);
+    });
+  }
+  trainee_->show_as(trainee_look_);
+  if (trainee_settings_) trainee_settings_->set_open(true);
+}
+
+void MainWindow::toggle_trainee() {
+  if (!trainee_) return show_trainee();
+  trainee_->close();
+}
+
+void MainWindow::show_trainee_settings() {
+  if (!trainee_settings_) {
+    trainee_settings_ = new TraineeSettings(trainee_look_, this);
+    connect(trainee_settings_, &TraineeSettings::changed, this, [this] {
+      trainee_look_ = trainee_settings_->look();
+      if (trainee_) show_trainee();
+    });
+    connect(trainee_settings_, &TraineeSettings::toggled, this, &MainWindow::toggle_trainee);
+  }
+  trainee_settings_->set_open(trainee_ != nullptr);
+  trainee_settings_->show();
+  trainee_settings_->raise();
 }
 
 void MainWindow::set_theme(const QString& ui, const QString& cues) {
@@ -195,6 +235,7 @@ void MainWindow::restore(const Launch& launch) {
   run_->set_draws_seed(launch.draws_seed);
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
+  trainee_look_ = read_trainee_look(settings_);
   SetupPanel* setup = run_->setup();
   setup->set_left_handed(settings_.text("left_handed") == QLatin1String("true"));
   progress_->refresh();
@@ -208,6 +249,10 @@ void MainWindow::restore(const Launch& launch) {
   if (const auto view = preset_of(launch.view)) run_->look(*view);
   if (launch.page == QLatin1String("progress")) show_page(1);
   if (!launch.review.isEmpty()) review_given(launch);
+  if (!launch.trainee.isEmpty()) {
+    trainee_look_.stereo.layout = layout_of(launch.trainee);
+    show_trainee();
+  }
   // once the event loop runs and the window is there
   if (launch.start) QTimer::singleShot(0, run_, &RunPage::start);
 }
@@ -236,6 +281,7 @@ void MainWindow::remember() {
   settings_.set("geometry", saveGeometry());
   settings_.set("sound", run_->sound_on());
   settings_.set("left_handed", run_->setup()->left_handed());
+  console::remember(trainee_look_, settings_);
   settings_.set("volume", run_->speaker().volume());
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());
@@ -244,6 +290,7 @@ void MainWindow::remember() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   run_->control()->stop();
   remember();
+  if (trainee_) trainee_->close();
   event->accept();
 }
 

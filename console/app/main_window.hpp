@@ -10,6 +10,7 @@
 
 #include "console/app/command_line.hpp"
 #include "console/app/settings.hpp"
+#include "console/app/trainee_window.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/pages/progress_page.hpp"
 #include "console/pages/review_page.hpp"
@@ -34,12 +35,16 @@ class MainWindow : public QMainWindow {
   RunPage* run_page() { return run_; }
   ProgressPage* progress_page() { return progress_; }
   ReviewPage* review_page() { return review_; }
+  /// The trainee's window; nullptr while it is closed.
+  TraineeWindow* trainee() { return trainee_.get(); }
   void set_theme(const QString& ui, const QString& cues);
   const QString& ui_theme() const { return ui_id_; }
 
  public Q_SLOTS:
   void show_page(int page);
   void show_help();
+  void toggle_trainee();
+  void show_trainee_settings();
   void review(const QString& attempt_id);
 
  protected:
@@ -52,10 +57,14 @@ class MainWindow : public QMainWindow {
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);
   void remember();
+  void show_trainee();
 
   Settings settings_;
   LessonsModel lessons_;
   QString ui_id_, cues_id_;
+  TraineeLook trainee_look_;
+  std::unique_ptr<TraineeWindow> trainee_;
+  TraineeSettings* trainee_settings_ = nullptr;
   StatusStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   RunPage* run_ = nullptr;

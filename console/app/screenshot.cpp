@@ -24,7 +24,7 @@ Screenshot::Screenshot(MainWindow* window, const QString& file, double at_s, boo
 
 void Screenshot::look() {
   RunControl* control = window_->run_page()->control();
-  SceneView* view = window_->run_page()->view();
+  SceneView* view = window_->trainee() ? window_->trainee()->view() : window_->run_page()->view();
   const double wall = static_cast<double>(since_.elapsed()) * 1e-3;
   const bool late = since_.elapsed() > kPatience_ms + static_cast<qint64>(2000 * at_s_);
   const bool there = of_run_ ? control->newest() && control->newest()->time_s >= at_s_ : wall >= at_s_;
@@ -33,7 +33,8 @@ void Screenshot::look() {
   if (!late && !((there || over) && pictured)) return;
   if (!late && ++settled_ < (of_run_ ? 2 : kSettle)) return;
   timer_.stop();
-  const bool written = window_->grab().save(file_);
+  QWidget* pictured_window = window_->trainee() ? static_cast<QWidget*>(window_->trainee()) : window_;
+  const bool written = pictured_window->grab().save(file_);
   if (!written) QTextStream(stderr) << "swage-console: cannot write " << file_ << '\n';
   if (late)
     QTextStream(stderr) << "swage-console: the moment did not come; the picture shows what there was\n";

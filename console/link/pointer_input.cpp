@@ -4,11 +4,12 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
-#include <algorithm>
 
 namespace swage::console {
 namespace {
 
+// m of what is seen for a movement of 1: the normal height of a view, and what a mouse moves the tips for it
+constexpr double kSpan_m = 10e-3;
 constexpr double kNotch = 120;  // eighths of a degree in one click of a usual wheel
 
 uint32_t modifier_bits(Qt::KeyboardModifiers m) {
@@ -58,10 +59,11 @@ swage_pointer PointerInput::state() const {
   return p;
 }
 
-swage_pointer PointerInput::moved(const QPointF& delta_px, double height_px) {
+swage_pointer PointerInput::moved(const QPointF& delta_px, double mm_per_pixel) {
   swage_pointer p = state();
-  p.dx = delta_px.x() / std::max(height_px, 1.0);
-  p.dy = -delta_px.y() / std::max(height_px, 1.0);
+  const double scale = 1e-3 * mm_per_pixel / kSpan_m;
+  p.dx = delta_px.x() * scale;
+  p.dy = -delta_px.y() * scale;
   return p;
 }
 

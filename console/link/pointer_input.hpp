@@ -14,11 +14,11 @@ class QWheelEvent;
 
 namespace swage::console {
 
-/// Keeps which keys and buttons are down, and turns movement into fractions of the view's height.
+/// Keeps which keys and buttons are down, and turns movement of the pointer into way over what is seen.
 class PointerInput {
  public:
   /// Each returns what to send; deltas since the last event.
-  swage_pointer moved(const QPointF& delta_px, double height_px);
+  swage_pointer moved(const QPointF& delta_px, double mm_per_pixel);
   swage_pointer buttons(const QMouseEvent& event);
   swage_pointer wheel(const QWheelEvent& event);
   /// false for keys that no instrument uses and for repeats: leave those to the window.

@@ -2,9 +2,8 @@
 #include "console/pages/run_page.hpp"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QRandomGenerator>
-#include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "console/models/live_params.hpp"
@@ -22,8 +21,7 @@ constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
-constexpr int kSide_px = 270;    // the whole page fits a screen of 1280
-constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
+constexpr int kSide_px = 270;  // the whole page fits a screen of 1280
 
 }  // namespace
 
@@ -60,135 +58,10 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   connect(control_, &RunControl::marked, this,
           [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
   connect(now_->form(), &LiveForm::changed, this, &RunPage::change);
-  connect(view_, &SceneView::pointer, control_, &RunControl::pointer);
+  add_view(view_);
   connect(result_, &ResultPanel::again, this, &RunPage::start);
   connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
   update_state();
-}
-
-QWidget* RunPage::make_middle() {
-  auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  column->addWidget(make_view_bar());
-  problem_ = new QLabel(box);
-  problem_->setObjectName(QStringLiteral("problem"));
-  problem_->setWordWrap(true);
-  problem_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  problem_->setProperty("card", true);
-  problem_->setVisible(false);
-  column->addWidget(problem_);
-  view_ = new SceneView(box);
-  column->addWidget(view_, 1);
-  column->addWidget(make_actions());
-
-  column->addWidget(make_bottom());
-  return box;
-}
-
-// what happened, and what the cues mean
-QWidget* RunPage::make_bottom() {
-  auto* box = new QWidget(this);
-  box->setFixedHeight(kBottom_px);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
-  event_table_ = new QTableView(box);
-  event_table_->setObjectName(QStringLiteral("events"));
-  event_table_->setAccessibleName(tr("What happened in this attempt"));
-  event_table_->setModel(shown_events_);
-  event_table_->setProperty("card", true);
-  event_table_->setShowGrid(false);
-  event_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  event_table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  event_table_->setTabKeyNavigation(false);
-  event_table_->verticalHeader()->hide();
-  event_table_->verticalHeader()->setDefaultSectionSize(24);
-  event_table_->horizontalHeader()->setSectionResizeMode(EventLog::kMeans, QHeaderView::Stretch);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kTime, 62);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 150);
-  event_table_->horizontalHeader()->setHighlightSections(false);
-  connect(shown_events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
-  row->addWidget(event_table_, 5);
-  legend_ = new CueLegend(box);
-  row->addWidget(legend_, 5);
-  return box;
-}
-
-QWidget* RunPage::make_view_bar() {
-  auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  title_ = new QLabel(bar);
-  title_->setObjectName(QStringLiteral("lesson_title"));
-  QFont font = title_->font();
-  font.setPointSizeF(font.pointSizeF() * 1.2), font.setBold(true);
-  title_->setFont(font);
-  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long one widens nothing
-  row->addWidget(title_, 1);
-  const struct {
-    QString text, name;
-    CameraPreset preset;
-  } presets[] = {{tr("Orbit"), QStringLiteral("view_orbit"), CameraPreset::kOrbit},
-                 {tr("Side"), QStringLiteral("view_side"), CameraPreset::kSide},
-                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop},
-                 {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
-  for (const auto& p : presets) {
-    auto* button = make_button(p.text, {}, p.name, bar);
-    button->setToolTip(tr("%1 view").arg(p.text));
-    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { look(preset); });
-    row->addWidget(button);
-  }
-  row->addSpacing(10);
-  cues_button_ = make_button(tr("Cues"), {}, QStringLiteral("cues"), bar);
-  cues_button_->setCheckable(true);
-  cues_button_->setChecked(true);
-  cues_button_->setToolTip(tr("Show cues in the picture"));
-  connect(cues_button_, &QPushButton::toggled, this, &RunPage::update_cues);
-  row->addWidget(cues_button_);
-  auto* forces = make_button(tr("Forces"), {}, QStringLiteral("forces"), bar);
-  forces->setCheckable(true);
-  forces->setToolTip(tr("Show contact forces in the picture"));
-  connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
-  row->addWidget(forces);
-  auto* detail = make_button(tr("Detail"), {}, QStringLiteral("detail"), bar);
-  detail->setCheckable(true);
-  detail->setToolTip(
-      tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"));
-  connect(detail, &QPushButton::toggled, this, [this](bool on) {
-    shown_events_->show_technical(on);
-    view_->set_stress_shown(on);
-  });
-  row->addWidget(detail);
-  row->addSpacing(10);
-  row->addWidget(make_sound(bar));
-  return bar;
-}
-
-QWidget* RunPage::make_sound(QWidget* bar) {
-  auto* box = new QWidget(bar);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  sound_button_ = make_button(tr("Sound"), {}, QStringLiteral("sound"), box);
-  sound_button_->setCheckable(true);
-  sound_button_->setChecked(true);
-  sound_button_->setToolTip(tr("Let the cues be heard"));
-  volume_ = new QSlider(Qt::Horizontal, box);
-  volume_->setObjectName(QStringLiteral("volume"));
-  volume_->setAccessibleName(tr("Volume"));
-  volume_->setToolTip(tr("Volume of the cues"));
-  volume_->setRange(0, 100);
-  volume_->setFixedWidth(80);
-  volume_->setValue(static_cast<int>(100 * speaker_.volume()));
-  connect(sound_button_, &QPushButton::toggled, volume_, &QSlider::setEnabled);
-  connect(volume_, &QSlider::valueChanged, this, [this](int v) { speaker_.set_volume(v / 100.0); });
-  // what it will sound like
-  connect(volume_, &QSlider::sliderReleased, this,
-          [this] { speaker_.play(tone(QStringLiteral("high, two knocks"))); });
-  row->addWidget(sound_button_);
-  row->addWidget(volume_);
-  return box;
 }
 
 void RunPage::set_sound(bool on, double volume) {
@@ -207,38 +80,13 @@ void RunPage::sound(const Reading& reading, double time_s) {
     sound_button_->setToolTip(tr("No sound device answers (%1). Cues are seen, not heard.").arg(silent));
 }
 
-QWidget* RunPage::make_actions() {
-  auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  pause_ = make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), bar);
-  reset_ = make_button(tr("Reset needle"), QStringLiteral("F7"), QStringLiteral("reset"), bar);
-  mark_ = make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), bar);
-  mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
-  stop_ = make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), bar);
-  for (QPushButton* b : {pause_, reset_, mark_, stop_}) row->addWidget(b, 1);
-  connect(pause_, &QPushButton::clicked, control_, &RunControl::toggle_pause);
-  connect(reset_, &QPushButton::clicked, control_, &RunControl::reset_work);
-  connect(mark_, &QPushButton::clicked, control_, &RunControl::mark);
-  connect(stop_, &QPushButton::clicked, control_, &RunControl::stop);
-  return bar;
-}
-
-QWidget* RunPage::make_right() {
-  right_ = new QStackedWidget(this);
-  now_ = new NowPanel(right_);
-  result_ = new ResultPanel(right_);
-  right_->addWidget(now_);
-  right_->addWidget(result_);
-  return right_;
-}
-
 void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
-  view_->set_themes(ui, cues);
+  ui_theme_ = ui;
+  cue_theme_ = cues;
+  for (SceneView* view : views_) view->set_themes(ui, cues);
   now_->set_themes(ui, cues);
   result_->set_theme(ui);
   legend_->set_themes(ui, cues);
-  cue_theme_ = cues;
 }
 
 void RunPage::set_base_options(const session::Options& options) {
@@ -269,7 +117,18 @@ void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
 
 void RunPage::look(CameraPreset preset) {
   preset_ = preset;
-  view_->look(preset);
+  for (SceneView* view : views_) view->look(preset);
+}
+
+void RunPage::add_view(SceneView* view) {
+  views_ += view;
+  connect(view, &SceneView::pointer, control_, &RunControl::pointer);
+  if (view == view_) return;
+  connect(view, &QObject::destroyed, this, [this, view] { views_.removeOne(view); });
+  view->set_themes(ui_theme_, cue_theme_);
+  if (have_card_) view->set_card(card_, preset_);
+  view->set_instrument(view_->instrument());
+  view->set_cues_shown(view_->cues_shown());
 }
 
 session::Options RunPage::options() const {
@@ -319,7 +178,9 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
   legend_->set_meanings(Reader::meanings(card));
   now_->form()->set_params(live_params(setup_->lesson().toStdString(), card, catalogue_));
-  view_->set_card(card, preset_);
+  card_ = card;
+  have_card_ = true;
+  for (SceneView* view : views_) view->set_card(card, preset_);
 }
 
 void RunPage::change(const QString& instance, const QString& json, const QString& words) {
@@ -346,9 +207,8 @@ void RunPage::update_state() {
   pause_->setText(state == State::kPaused ? tr("Go on   F6") : tr("Pause   F6"));
   if (running) right_->setCurrentWidget(now_);
   // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
-  bool mouse = false;
-  for (const snapshot::CardDevice& d : control_->card().devices) mouse |= d.plugin == "swage.device.mouse";
-  view_->set_instrument(state == State::kRunning && mouse);
+  for (SceneView* view : views_) view->set_instrument(state == State::kRunning && by_mouse());
+  update_second();
   if (state == State::kRunning) {
     rate_clock_.start();
     rate_steps_ = control_->newest() ? control_->newest()->step : 0;
@@ -358,18 +218,30 @@ void RunPage::update_state() {
   update_frame();
 }
 
+bool RunPage::by_mouse() const {
+  const std::vector<snapshot::CardDevice>& devices = control_->card().devices;
+  return std::any_of(devices.begin(), devices.end(),
+                     [](const snapshot::CardDevice& d) { return d.plugin == "swage.device.mouse"; });
+}
+
+void RunPage::update_second() {
+  view_->set_second_shown(control_->running() && by_mouse() && second_button_->isChecked());
+}
+
 void RunPage::update_cues() {
   // a test is taken without help: the picture shows none, the instructor's strip does
   cues_button_->setEnabled(!cues_hidden());
   const bool shown = !cues_hidden() && cues_button_->isChecked();
-  view_->set_cues_shown(shown);
+  for (SceneView* view : views_) view->set_cues_shown(shown);
   legend_->set_in_picture(shown);
 }
 
 void RunPage::update_frame() {
   const snapshot::Snapshot* newest = control_->newest();
   if (!newest) return;
-  if (const snapshot::Snapshot* shown = control_->shown()) view_->show_snapshot(*shown);
+  if (const snapshot::Snapshot* shown = control_->shown()) {
+    for (SceneView* view : views_) view->show_snapshot(*shown);
+  }
   const bool paused = control_->state() == RunControl::State::kPaused;
   view_->set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
   if (control_->state() != RunControl::State::kRunning) return;
@@ -377,7 +249,7 @@ void RunPage::update_frame() {
   now_->show_reading(reading, newest->time_s);
   legend_->set_active(reading.meanings);
   sound(reading, newest->time_s);
-  view_->set_hold(reading.hold.value_or(0));
+  for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
   // once a second is often enough to read a number
   if (rate_clock_.elapsed() >= 1000) {
     steps_per_s_ =
@@ -392,7 +264,7 @@ void RunPage::show_finished() {
   const session::Result& r = control_->result();
   result_->show_result(r, control_->card(), !r.attempt_id.empty());
   right_->setCurrentWidget(result_);
-  view_->set_hold(0);
+  for (SceneView* view : views_) view->set_hold(0);
   view_->set_texts(clock_text(r.simulated_s), result_->outcome());
   Q_EMIT attempt_over();
 }

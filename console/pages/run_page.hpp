@@ -49,6 +49,8 @@ class RunPage : public QWidget {
   MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
   SetupPanel* setup() { return setup_; }
   SceneView* view() { return view_; }
+  /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.
+  void add_view(SceneView* view);
   ResultPanel* result() { return result_; }
   EventLog* events() { return events_; }
   CueLegend* legend() { return legend_; }
@@ -82,6 +84,8 @@ class RunPage : public QWidget {
   void update_state();
   void update_frame();
   void update_cues();
+  void update_second();
+  bool by_mouse() const;
   void show_finished();
 
   session::Options base_;
@@ -92,9 +96,10 @@ class RunPage : public QWidget {
   StatusStrip* strip_;
   SetupPanel* setup_;
   SceneView* view_ = nullptr;
+  QList<SceneView*> views_;  // that one first
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
-              *cues_button_ = nullptr;
+              *cues_button_ = nullptr, *second_button_ = nullptr;
   QStackedWidget* right_ = nullptr;
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;
@@ -104,7 +109,10 @@ class RunPage : public QWidget {
   CueLegend* legend_ = nullptr;
   QPushButton* sound_button_ = nullptr;
   QSlider* volume_ = nullptr;
+  UiTheme ui_theme_;
   CueTheme cue_theme_;
+  snapshot::SceneCard card_;  // of the chosen lesson, or of the attempt
+  bool have_card_ = false;
   CueSounds sounds_;
   Speaker speaker_;
   Reader reader_;

@@ -108,29 +108,4 @@ QQuaternion OrbitCamera::q_WC() const {
   return QQuaternion::fromAxes(QVector3D::crossProduct(up(), z), up(), z);
 }
 
-QMatrix4x4 OrbitCamera::view() const {
-  QMatrix4x4 m;
-  m.lookAt(eye(), now_.focus, up());
-  return m;
-}
-
-QMatrix4x4 OrbitCamera::projection(float aspect) const {
-  QMatrix4x4 m;
-  // near and far follow the distance, so that depth is spent where the scene is
-  m.perspective(kFovDeg, aspect, 0.05F * now_.distance, 20 * now_.distance);
-  return m;
-}
-
-QPointF OrbitCamera::project(const QVector3D& p, const QSizeF& size) const {
-  const auto aspect = static_cast<float>(size.width() / std::max(size.height(), 1.0));
-  const QVector3D c = (projection(aspect) * view()).map(p);
-  return {(0.5 + 0.5 * static_cast<double>(c.x())) * size.width(),
-          (0.5 - 0.5 * static_cast<double>(c.y())) * size.height()};
-}
-
-double OrbitCamera::mm_per_pixel(double height_px) const {
-  return 2.0 * static_cast<double>(now_.distance * std::tan(0.5F * kFovDeg * kDeg)) /
-         std::max(height_px, 1.0);
-}
-
 }  // namespace swage::console

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Where the picture is taken from. World frame, +Z up; lengths in mm.
+// Where the picture is taken from, as a person moves it; what is seen from there is in eye.hpp. World frame, +Z up; lengths in mm.
 #pragma once
 
-#include <QMatrix4x4>
-#include <QPointF>
 #include <QQuaternion>
-#include <QSizeF>
 #include <QVector3D>
 
 namespace swage::console {
@@ -38,11 +35,6 @@ class OrbitCamera {
   QVector3D focus() const { return now_.focus; }
   float distance() const { return now_.distance; }
   QQuaternion q_WC() const;  // C: +x right, +y up, +z towards the viewer
-  QMatrix4x4 view() const;
-  QMatrix4x4 projection(float aspect) const;
-  QPointF project(const QVector3D& p_W_mm, const QSizeF& size) const;
-  /// mm per pixel in the plane of the focus.
-  double mm_per_pixel(double height_px) const;
 
   static constexpr float kFovDeg = 28;  // as a long lens: little distortion, as under a microscope
 

@@ -9,7 +9,8 @@ namespace swage::console {
 
 namespace {
 constexpr double kBelowClock_px = 62;  // cues stand below the clock
-}
+constexpr double kApart_px = 3;        // between two labels
+}  // namespace
 
 double nice_scale_mm(double mm_per_pixel, double most_px) {
   const double most = std::max(mm_per_pixel * most_px, 1e-9);
@@ -25,14 +26,26 @@ QString length_text(double mm) {
                   : QStringLiteral("%1 mm").arg(mm, 0, 'g', 3);
 }
 
-// a rounded label; returns its rectangle, text not yet drawn when `extra_left` reserves room
-QRectF Overlay::pill(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
+// where a label may be: inside the picture, and clear of those that are there
+QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
   const QFontMetricsF metrics(font);
   const double h = metrics.height() + 8, w = metrics.horizontalAdvance(text) + extra_left + 20;
   QRectF r(centre.x() - 0.5 * w, centre.y() - 0.5 * h, w, h);
-  // stay inside the picture
   r.moveLeft(std::clamp(r.left(), area_.left() + 6, std::max(area_.left() + 6, area_.right() - 6 - w)));
   r.moveTop(std::clamp(r.top(), area_.top() + 6, std::max(area_.top() + 6, area_.bottom() - 6 - h)));
+  for (const QRectF& other : taken_) {
+    if (!r.intersects(other)) continue;
+    const bool down =
+        r.center().y() >= other.center().y() && other.bottom() + kApart_px + h < area_.bottom() - 6;
+    r.moveTop(down ? other.bottom() + kApart_px : other.top() - kApart_px - h);
+  }
+  taken_.push_back(r);
+  return r;
+}
+
+// a rounded label, with room before its text for signs
+void Overlay::pill(const QRectF& r, const QString& text, const QFont& font, double extra_left) {
+  const double h = r.height();
   QColor back = ui_["card"];
   back.setAlpha(225);
   p_.setRenderHint(QPainter::Antialiasing);
@@ -42,7 +55,10 @@ QRectF Overlay::pill(const QPointF& centre, const QString& text, const QFont& fo
   p_.setFont(font);
   p_.setPen(ui_["text"]);
   p_.drawText(r.adjusted(10 + extra_left, 0, -10, 0), Qt::AlignVCenter | Qt::AlignLeft, text);
-  return r;
+}
+
+void Overlay::pill(const QPointF& centre, const QString& text, const QFont& font) {
+  pill(room(centre, text, font, 0), text, font, 0);
 }
 
 void Overlay::scale_bar(double mm_per_pixel) {
@@ -61,9 +77,11 @@ void Overlay::scale_bar(double mm_per_pixel) {
 void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
   // a line from the grasp to its label, out of the way of the tips
   const QFont font = p_.font();
-  const double sign = 22, room = sign * static_cast<double>(style.shape.size()) + 6;
+  const double sign = 22, signs = sign * static_cast<double>(style.shape.size()) + 6;
   QPointF label = at + QPointF(slot == 1 ? -120 : 120, slot == 2 ? 64 : -84);
   label.setY(std::max(label.y(), area_.top() + kBelowClock_px));
+  const QRectF r = room(label, style.text, font, signs);
+  label = r.center();
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setPen(QPen(QColor(0, 0, 0, 110), 3));
   p_.drawLine(at, label);
@@ -71,7 +89,7 @@ void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
   p_.drawLine(at, label);
   p_.setBrush(style.colour);
   p_.drawEllipse(at, 3.5, 3.5);
-  const QRectF r = pill(label, style.text, font, room);
+  pill(r, style.text, font, signs);
   paint_cue_shape(p_, {r.left() + 8, r.center().y() - 0.5 * sign}, sign, style);
 }
 
@@ -85,7 +103,7 @@ void Overlay::ring(const QPointF& at, double share, double radius_px) {
   p_.drawArc(r, 90 * 16, -static_cast<int>(360 * 16 * std::clamp(share, 0.0, 1.0)));
 }
 
-void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style) {
+void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style, bool said) {
   const double r = std::max(radius_px, kLeastMark_px);
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setBrush(Qt::NoBrush);
@@ -94,8 +112,10 @@ void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style)
     p_.setPen(QPen(colour, width));
     p_.drawEllipse(at, r, r);
   }
+  if (!said) return;
   const double sign = 18;
-  const QRectF label = pill(at + QPointF(0, r + 26), style.text, p_.font(), sign + 4);
+  const QRectF label = room(at + QPointF(0, r + 26), style.text, p_.font(), sign + 4);
+  pill(label, style.text, p_.font(), sign + 4);
   CueStyle one = style;
   one.shape = style.shape.left(1);
   paint_cue_shape(p_, {label.left() + 8, label.center().y() - 0.5 * sign}, sign, one);

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QRectF>
 #include <QString>
+#include <vector>
 
 #include "console/cues/cue_theme.hpp"
 #include "console/cues/ui_theme.hpp"
@@ -27,18 +28,21 @@ class Overlay {
   void cue(const QPointF& at, const CueStyle& style, int slot);
   /// A ring that fills clockwise while something is held.
   void ring(const QPointF& at, double share, double radius_px = 17);
-  /// A place to go to: its circle, its sign and its word.
-  void target(const QPointF& at, double radius_px, const CueStyle& style);
+  /// A place to go to: its circle, and where there is room its sign and its word.
+  void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
   void force(const QPointF& from, const QPointF& to);
   void clock(const QString& text);
   void banner(const QString& text);
   void hint(const QString& text);
 
  private:
-  QRectF pill(const QPointF& centre, const QString& text, const QFont& font, double extra_left = 0);
+  QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);
+  void pill(const QRectF& at, const QString& text, const QFont& font, double extra_left);
+  void pill(const QPointF& centre, const QString& text, const QFont& font);
   QPainter& p_;
   QRectF area_;
   const UiTheme& ui_;
+  std::vector<QRectF> taken_;  // by labels
 };
 
 }  // namespace swage::console

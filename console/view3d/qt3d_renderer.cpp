@@ -22,7 +22,7 @@ namespace {
 // the surface outlives the engine: the other order crashes Qt 6.4 at exit
 class Qt3dRenderer final : public Renderer {
  public:
-  explicit Qt3dRenderer(int samples) {
+  Qt3dRenderer(int samples, int most_views) {
     surface_.setFormat(QSurfaceFormat::defaultFormat());
     surface_.create();
     engine_.setRunMode(Qt3DCore::QAspectEngine::Manual);
@@ -31,7 +31,7 @@ class Qt3dRenderer final : public Renderer {
     root_ = new Qt3DCore::QEntity;
     auto* settings = new Qt3DRender::QRenderSettings(root_);
     root_->addComponent(settings);
-    target_ = std::make_unique<PictureTarget>(root_, &surface_, samples);
+    target_ = std::make_unique<PictureTarget>(root_, &surface_, samples, most_views);
     settings->setActiveFrameGraph(target_->root());
     add_floor();
     engine_.setRootEntity(Qt3DCore::QEntityPtr(root_));
@@ -94,16 +94,26 @@ class Qt3dRenderer final : public Renderer {
 
   void set_shelf(const Floor& shelf) override { set_level(1, shelf); }
 
-  void set_camera(const OrbitCamera& camera) override {
-    target_->camera()->lens()->setProjectionMatrix(camera.projection(aspect_));
-    target_->camera()->setPosition(camera.eye());
-    target_->camera()->setUpVector(camera.up());
-    target_->camera()->setViewCenter(camera.focus());
+  void set_views(std::span<const View> views) override {
+    for (size_t i = 0; i < target_->most_views(); ++i) {
+      if (i >= views.size()) {
+        target_->hide(i);
+        continue;
+      }
+      const auto& [eye, part] = views[i];
+      const double w = size_.width(), h = size_.height();
+      target_->show(i, {part.x() / w, part.y() / h, part.width() / w, part.height() / h});
+      Qt3DRender::QCamera* camera = target_->camera(i);
+      camera->lens()->setProjectionMatrix(eye.projection);
+      camera->setPosition(eye.position);
+      camera->setUpVector(eye.up);
+      camera->setViewCenter(eye.ahead);
+    }
   }
 
   void resize(const QSize& pixels) override {
-    aspect_ = static_cast<float>(pixels.width()) / static_cast<float>(std::max(pixels.height(), 1));
-    target_->resize(pixels);
+    size_ = pixels.expandedTo({1, 1});
+    target_->resize(size_);
   }
 
   void draw(std::function<void(const QImage&)> done) override {
@@ -187,7 +197,7 @@ class Qt3dRenderer final : public Renderer {
   ShadowMaterial* shadow_material_[2] = {};
   bool level_shown_[2] = {};
   Qt3DCore::QTransform* floor_transform_ = nullptr;
-  float aspect_ = 1;
+  QSize size_{1, 1};
 };
 
 }  // namespace
@@ -220,6 +230,8 @@ GlProbe probe_gl() {
   return probe;
 }
 
-std::unique_ptr<Renderer> make_qt3d_renderer(int samples) { return std::make_unique<Qt3dRenderer>(samples); }
+std::unique_ptr<Renderer> make_qt3d_renderer(int samples, int most_views) {
+  return std::make_unique<Qt3dRenderer>(samples, most_views);
+}
 
 }  // namespace swage::console

@@ -43,14 +43,12 @@ QRenderTarget* make_target(Qt3DCore::QNode* parent, int samples, std::vector<QAb
 
 }  // namespace
 
-PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples) {
+PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views) {
   surface_ = new QRenderSurfaceSelector(parent);
   surface_->setSurface(surface);
-  camera_ = new QCamera(parent);
   floor_layer_ = new QLayer(parent);
   shadow_layer_ = new QLayer(parent);
 
-  // everything, then the floor
   auto* draw = new QRenderTargetSelector(surface_);
   QRenderTarget* drawn = make_target(draw, samples, textures_);
   draw->setTarget(drawn);
@@ -59,9 +57,7 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   clear->setClearColor(Qt::transparent);
   auto* nothing = new QNoDraw(clear);
   Q_UNUSED(nothing)
-  add_pass(draw, {floor_layer_, shadow_layer_}, false);
-  add_pass(draw, {floor_layer_}, true);
-  add_pass(draw, {shadow_layer_}, true);
+  for (int i = 0; i < most_views; ++i) add_view(draw);
 
   // one sample per pixel; the interpolation enum is swapped in the OpenGL renderer: Linear gives GL_NEAREST,
   // which depth needs
@@ -85,13 +81,30 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   capture_ = new QRenderCapture(leaf);
 }
 
-void PictureTarget::add_pass(QFrameGraphNode* parent, std::initializer_list<QLayer*> layers, bool accept) {
-  auto* filter = new QLayerFilter(parent);
+// everything, then the floor, then the shadows on it
+void PictureTarget::add_view(QFrameGraphNode* parent) {
+  ViewNodes view{};
+  view.awake = new QSubtreeEnabler(parent);
+  view.port = new QViewport(view.awake);
+  view.camera = new QCamera(surface_);
+  add_pass(view, {floor_layer_, shadow_layer_}, false);
+  add_pass(view, {floor_layer_}, true);
+  add_pass(view, {shadow_layer_}, true);
+  views_.push_back(view);
+}
+
+void PictureTarget::add_pass(const ViewNodes& view, std::initializer_list<QLayer*> layers, bool accept) {
+  auto* filter = new QLayerFilter(view.port);
   for (QLayer* layer : layers) filter->addLayer(layer);
   filter->setFilterMode(accept ? QLayerFilter::AcceptAnyMatchingLayers
                                : QLayerFilter::DiscardAnyMatchingLayers);
   auto* selector = new QCameraSelector(filter);
-  selector->setCamera(camera_);
+  selector->setCamera(view.camera);
+}
+
+void PictureTarget::show(size_t view, const QRectF& part) {
+  views_[view].awake->setEnabled(true);
+  views_[view].port->setNormalizedRect(part);
 }
 
 void PictureTarget::resize(const QSize& pixels) {

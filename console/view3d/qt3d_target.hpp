@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The frame graph: draw with several samples per pixel, resolve, hand the picture over.
+// The frame graph: draw each view with several samples per pixel, resolve, hand the picture over.
 #pragma once
 
+#include <QRectF>
 #include <QSize>
 #include <QSurface>
 #include <Qt3DRender/QAbstractTexture>
@@ -12,27 +13,38 @@
 #include <Qt3DRender/QLayer>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QSubtreeEnabler>
+#include <Qt3DRender/QViewport>
 #include <vector>
 
 namespace swage::console {
 
-/// Owned by its parent node. First what is on no layer, then the floor, then the shadows on it.
+/// Owned by its parent node. Each view: first what is on no layer, then the floor, then the shadows on it.
 class PictureTarget {
  public:
-  PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples);
+  PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views);
   Qt3DRender::QFrameGraphNode* root() { return surface_; }
-  Qt3DRender::QCamera* camera() { return camera_; }
+  size_t most_views() const { return views_.size(); }
+  Qt3DRender::QCamera* camera(size_t view) { return views_[view].camera; }
+  /// Its part of the picture, as shares from the top left.
+  void show(size_t view, const QRectF& part);
+  void hide(size_t view) { views_[view].awake->setEnabled(false); }
   Qt3DRender::QLayer* floor_layer() { return floor_layer_; }
   Qt3DRender::QLayer* shadow_layer() { return shadow_layer_; }
   Qt3DRender::QRenderCapture* capture() { return capture_; }
   void resize(const QSize& pixels);
 
  private:
-  void add_pass(Qt3DRender::QFrameGraphNode* parent, std::initializer_list<Qt3DRender::QLayer*> layers,
-                bool accept);
+  struct ViewNodes {
+    Qt3DRender::QSubtreeEnabler* awake;
+    Qt3DRender::QViewport* port;
+    Qt3DRender::QCamera* camera;
+  };
+  void add_view(Qt3DRender::QFrameGraphNode* parent);
+  static void add_pass(const ViewNodes& view, std::initializer_list<Qt3DRender::QLayer*> layers, bool accept);
 
   Qt3DRender::QRenderSurfaceSelector* surface_;
-  Qt3DRender::QCamera* camera_;
+  std::vector<ViewNodes> views_;
   Qt3DRender::QLayer *floor_layer_, *shadow_layer_;
   Qt3DRender::QRenderCapture* capture_;
   std::vector<Qt3DRender::QAbstractTexture*> textures_;

@@ -7,14 +7,16 @@
 #include <QColor>
 #include <QImage>
 #include <QMatrix4x4>
+#include <QRect>
 #include <QSize>
 #include <QString>
 #include <QVector3D>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "console/view3d/camera.hpp"
+#include "console/view3d/eye.hpp"
 #include "console/view3d/mesh.hpp"
 
 namespace swage::console {
@@ -45,6 +47,12 @@ struct Casts {
   bool on_floor = false, on_shelf = false;
 };
 
+/// An eye, and the part of the picture that is its own, in pixels from the top left.
+struct View {
+  Eye eye;
+  QRect part;
+};
+
 /// Whether this machine can draw, and why not. Asked once at start.
 struct GlProbe {
   bool ok = false, software = false;
@@ -65,13 +73,14 @@ class Renderer {
   virtual void set_floor(const Floor& floor) = 0;
   /// A second level on which only shadows fall.
   virtual void set_shelf(const Floor& shelf) = 0;
-  virtual void set_camera(const OrbitCamera& camera) = 0;
+  /// At most as many as the renderer was made for; the others sleep.
+  virtual void set_views(std::span<const View> views) = 0;
   virtual void resize(const QSize& pixels) = 0;
   /// Draws one picture; `done` gets an earlier or this one, with transparent background, premultiplied.
   virtual void draw(std::function<void(const QImage&)> done) = 0;
 };
 
 /// `samples`: per pixel, 1 for none.
-std::unique_ptr<Renderer> make_qt3d_renderer(int samples);
+std::unique_ptr<Renderer> make_qt3d_renderer(int samples, int most_views);
 
 }  // namespace swage::console

@@ -20,6 +20,8 @@ constexpr float kBeside = 1.8F;  // radii of the work from its middle
 constexpr double kTaper = 16;
 constexpr double kCollar = 0.1e-3, kCollarGrow = 1.12;
 constexpr float kTouch_mm = 0.05F;
+// what of a tool is so many times further from the work than its foremost part is no tip: its handle
+constexpr float kBehind = 1.6F;
 
 bool has_trait(const snapshot::CardObject& object, const char* trait) {
   return std::any_of(object.traits.begin(), object.traits.end(),
@@ -107,8 +109,8 @@ double wire_length(const snapshot::SceneCard& card, uint32_t object) {
 void add_marks(const snapshot::SceneCard& card, SceneParts& parts) {
   for (uint32_t m = 0; m < card.script.marks.size(); ++m) {
     const swage_mark& mark = card.script.marks[m].mark;
-    if (mark.kind != SWAGE_MARK_ARC_RANGE) continue;
-    ScenePart part{Role::kMark, 0, mark.object, m, true};
+    if (mark.kind != SWAGE_MARK_ARC_RANGE || mark.object >= card.objects.size()) continue;
+    ScenePart part{Role::kMark, card.objects[mark.object].first_body, mark.object, m, true};
     part.from = mark.number[0];
     part.to = mark.number[1];
     add_stretch(card, part, parts);
@@ -217,6 +219,39 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   if (works != 1) parts.watched = -1;
 }
 
+// of the tool of one's own, which comes first, the place of each jaw that is nearest to the work
+void find_tips(const snapshot::SceneCard& card, SceneParts& parts) {
+  const QVector3D c = parts.work.centre();
+  uint32_t own = SWAGE_NONE;
+  for (const ScenePart& p : parts.part) {
+    if (p.role == Role::kTool) own = std::min(own, p.object);
+  }
+  std::vector<std::pair<float, Spot>> near;
+  float least = 1e30F;
+  for (const ScenePart& p : parts.part) {
+    if (p.role != Role::kTool || p.object != own) continue;
+    const swage_pose& X = card.start[p.body];
+    const QVector3D c_B = to_qt(X.q).conjugated().rotatedVector(c - to_mm(X.p));
+    const Spot spot{p.body, nearest_vertex(card, p, c_B)};
+    near.push_back({(spot.p_B - c_B).length(), spot});
+    least = std::min(least, near.back().first);
+  }
+  for (const auto& [distance, spot] : near) {
+    if (distance <= kBehind * least) parts.tips.push_back(spot);
+  }
+}
+
+void find_aim(const snapshot::SceneCard& card, SceneParts& parts) {
+  for (const ScenePart& p : parts.part) {
+    if (p.role != Role::kMark || p.collar || p.mesh.vertex.empty()) continue;
+    Bounds own;
+    for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
+    parts.aim = {{p.body, nearest_vertex(card, p, own.centre())}};
+    return;
+  }
+  if (parts.watched >= 0) parts.aim = {{static_cast<uint32_t>(parts.watched), parts.watched_on}};
+}
+
 }  // namespace
 
 void Bounds::add(const QVector3D& p) {
@@ -292,6 +327,8 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
     parts.focus.add(far > most ? c + (tip - c) * (most / far) : tip);
   }
   add_marks(card, parts);
+  find_tips(card, parts);
+  find_aim(card, parts);
   return parts;
 }
 

@@ -48,6 +48,12 @@ struct Ground {
   float half_x = 0, half_y = 0;  // on a stage: its size
 };
 
+/// A place on a body, mm, in the body's frame.
+struct Spot {
+  uint32_t body = 0;
+  QVector3D p_B;
+};
+
 struct SceneParts {
   std::vector<ScenePart> part;
   std::vector<WireChain> chains;
@@ -59,6 +65,8 @@ struct SceneParts {
   int watched = -1;
   QVector3D watched_middle;
   QVector3D watched_on;  // a place on it near that, same frame
+  /// What the hand has to bring together: the tips of its tool, and the middle of the marked region or of what is watched.
+  std::vector<Spot> tips, aim;
 };
 
 SceneParts make_parts(const snapshot::SceneCard& card);

@@ -66,7 +66,7 @@ SceneView::SceneView(QWidget* parent)
   setMouseTracking(true);
   setMinimumSize(320, 240);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  if (gl_.ok) renderer_ = make_qt3d_renderer(4);
+  if (gl_.ok) renderer_ = make_qt3d_renderer(4, 2);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SceneView::tick);
   clock_.start();
@@ -95,6 +95,8 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   have_card_ = true;
   have_snapshot_ = false;
   image_ = {};
+  image_parts_.clear();
+  second_ = {};
   since_card_.start();
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
   near_ = {};
@@ -243,7 +245,8 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   if (recolour) colour_parts();
   if (same) return;
   place_parts();
-  if (parts_.watched >= 0 && static_cast<uint32_t>(parts_.watched) < snapshot.n_body) {
+  // under a drag the picture stands still: what is dragged stays under the pointer
+  if (!dragging_ && parts_.watched >= 0 && static_cast<uint32_t>(parts_.watched) < snapshot.n_body) {
     const swage_pose& X = snapshot.X_WB[parts_.watched];
     camera_.follow(to_mm(X.p) + to_qt(X.q).rotatedVector(parts_.watched_middle));
   }
@@ -300,20 +303,27 @@ void SceneView::tick() {
   last_tick_ns_ = now;
   if (!isVisible() || !have_card_) return;
   if (camera_.advance(dt)) touch();
+  move_second(dt);
   if (resting()) return;
   // a processor that draws has less left for the session: every other picture is enough
   skip_ = gl_.software && !skip_;
   if (skip_) return;
   to_draw_ = std::max(0, to_draw_ - 1);
-  renderer_->set_camera(camera_);
+  std::vector<View> views;
+  std::vector<QRect> parts;
+  for (const Panel& panel : panels()) {
+    views.push_back(panel.view);
+    parts.push_back(panel.view.part);
+  }
+  renderer_->set_views(views);
   QPointer<SceneView> self(this);
-  renderer_->draw([self](const QImage& image) {
-    if (self) self->arrived(image);
+  renderer_->draw([self, parts](const QImage& image) {
+    if (self) self->arrived(image, parts);
   });
 }
 
 // Goes on drawing until the picture stands still: a slow machine is still loading when a fast one has long finished.
-void SceneView::arrived(const QImage& image) {
+void SceneView::arrived(const QImage& image, const std::vector<QRect>& parts) {
   const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
   if (empty && since_card_.elapsed() < kPatience_ms) {
     alike_ = 0;
@@ -322,15 +332,14 @@ void SceneView::arrived(const QImage& image) {
   const bool first = image_.isNull();
   alike_ = image == image_ ? alike_ + 1 : 0;
   image_ = image;
+  image_parts_ = parts;
   update();
   if (first) Q_EMIT ready_changed();
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {
   background_ = {};
-  if (!renderer_) return;
-  renderer_->resize((QSizeF(size()) * devicePixelRatioF()).toSize());
-  touch(4);
+  lay_out();
 }
 
 }  // namespace swage::console

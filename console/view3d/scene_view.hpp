@@ -2,6 +2,8 @@
 //
 // The live picture: the 3D scene, and over it the scale, the cue at the grasp, the clock. Works without
 // OpenGL, too: then it says so, and the rest of the window goes on.
+//
+// The picture has one panel, or two: a second view at right angles near the jaws, or the two eyes of a trainee.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,6 +20,7 @@
 #include "console/link/pointer_input.hpp"
 #include "console/view3d/renderer.hpp"
 #include "console/view3d/scene_parts.hpp"
+#include "console/view3d/stereo_look.hpp"
 
 namespace swage::console {
 
@@ -27,6 +30,8 @@ class SceneView : public QWidget {
   Q_OBJECT
  public:
   explicit SceneView(QWidget* parent = nullptr);
+  /// For two eyes: nothing but the scene and its cues.
+  void set_stereo(const StereoLook& look);
   ~SceneView() override;
 
   const GlProbe& gl() const { return gl_; }
@@ -46,12 +51,14 @@ class SceneView : public QWidget {
   void set_texts(const QString& clock, const QString& banner);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
   void set_hold(double share);
+  /// A second view at right angles, near the jaws: it shows the depth to a person who has only a mouse.
+  void set_second_shown(bool shown);
   /// While true, mouse and keys drive the instrument and not the camera.
   void set_instrument(bool on);
   bool instrument() const { return instrument_; }
   /// A picture of the scene has arrived since the last card.
   bool ready() const { return !image_.isNull(); }
-  const QImage& image() const { return image_; }
+  QImage image() const;
   /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
   bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
   /// Draws again although nothing moved.
@@ -77,9 +84,28 @@ class SceneView : public QWidget {
  private:
   static constexpr int kAlike =
       3;  // pictures in a row; less, and a mesh that is still being loaded is missed
+  /// A part of the widget in which the scene is seen by one eye.
+  struct Panel {
+    QRectF at;    // on the widget
+    QSizeF size;  // it is painted as large as this and then pressed into `at`
+    View view;    // and where it lies in the renderer's picture
+    bool second = false;
+  };
+  std::vector<Panel> panels() const;
+  void lay_out();
+  QSize canvas() const;  // the renderer's picture: all panels beside each other
+  Panel panel_at(const QPointF& position) const;
+  void move_second(double dt_s);
+  void look_from(const QPointF& position);
+  swage_pointer moved(const QPointF& from, const QPointF& to);
+  QVector3D spot(const std::vector<Spot>& spots) const;
+  void paint_panel(QPainter& painter, const Panel& panel, size_t index);
+  void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
+  void paint_frame(QPainter& painter, const Panel& second) const;
+  void paint_words(QPainter& painter);
   void tick();
   void touch(int pictures = 3);
-  void arrived(const QImage& image);
+  void arrived(const QImage& image, const std::vector<QRect>& parts);
   bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
   void colour_parts();
@@ -92,12 +118,12 @@ class SceneView : public QWidget {
   bool moves_camera(const QMouseEvent& event) const;
   void wrap_pointer(const QPoint& global);
   QVector3D grasp_point(uint32_t object) const;
-  void paint_background(QPainter& painter);
+  void paint_background(QPainter& painter, const QRectF& at);
   void paint_placeholder(QPainter& painter);
   bool has_target() const;
-  void paint_marks(Overlay& overlay) const;
-  void paint_forces(Overlay& overlay) const;
-  void paint_cues(Overlay& overlay) const;
+  void paint_marks(Overlay& overlay, const Panel& panel) const;
+  void paint_forces(Overlay& overlay, const Panel& panel) const;
+  void paint_cues(Overlay& overlay, const Panel& panel) const;
 
   GlProbe gl_;
   std::unique_ptr<Renderer> renderer_;
@@ -113,16 +139,21 @@ class SceneView : public QWidget {
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
-  bool stress_shown_ = false;
+  bool stress_shown_ = false, second_shown_ = false;
+  std::optional<StereoLook> stereo_;
+  Bounds second_;          // what the second view shows now
+  bool dragging_ = false;  // a button moves the instrument: no view moves meanwhile
+  bool drags_second_ = false, tool_at_left_ = false;
   double stress_ = 0;  // of first yield
   double hold_ = 0;
   QString clock_text_, banner_;
-  QImage image_;
+  QImage image_;                    // of all panels
+  std::vector<QRect> image_parts_;  // where each lies in it
   QPixmap background_;
   CameraPreset preset_ = CameraPreset::kOrbit;
   std::optional<QVector3D> near_;  // the mark looked at
-  int to_draw_ = 0;  // pictures still wanted
-  int alike_ = 0;    // pictures in a row that were the same
+  int to_draw_ = 0;                // pictures still wanted
+  int alike_ = 0;                  // pictures in a row that were the same
   QElapsedTimer since_card_;
   bool skip_ = false;
   QTimer timer_;

@@ -2,13 +2,14 @@
 //
 // Mouse and keys over the picture. Usually they move the camera. While the mouse is the instrument everything
 // goes to the instrument, and only Ctrl with the left button (and Ctrl+Shift with the wheel) still moves the
-// camera.
+// camera. A drag moves the instrument in the plane of the panel that it began in.
 #include <QCursor>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QScreen>
 #include <QWheelEvent>
+#include <utility>
 
 #include "console/view3d/scene_view.hpp"
 
@@ -24,8 +25,23 @@ void SceneView::set_instrument(bool on) {
   if (instrument_ == on) return;
   instrument_ = on;
   input_ = PointerInput();
-  input_.set_camera(camera_.q_WC());
+  dragging_ = false;
   update();
+}
+
+// directions are those of the panel under the pointer
+void SceneView::look_from(const QPointF& position) { input_.set_camera(panel_at(position).view.eye.q_WC()); }
+
+// the tips stay under the pointer in every view and at every magnification
+swage_pointer SceneView::moved(const QPointF& from, const QPointF& to) {
+  const Panel panel = panel_at(from);
+  const Eye& eye = panel.view.eye;
+  const double px = panel.size.height();
+  const QPointF delta((to.x() - from.x()) * panel.size.width() / panel.at.width(),
+                      (to.y() - from.y()) * px / panel.at.height());
+  input_.set_camera(eye.q_WC());
+  return input_.moved(delta,
+                      parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, spot(parts_.tips)));
 }
 
 bool SceneView::moves_camera(const QMouseEvent& event) const {
@@ -36,12 +52,18 @@ bool SceneView::moves_camera(const QMouseEvent& event) const {
 void SceneView::mousePressEvent(QMouseEvent* event) {
   last_mouse_ = event->position();
   setFocus();
-  if (instrument_ && !moves_camera(*event)) Q_EMIT pointer(input_.buttons(*event));
+  if (!instrument_ || moves_camera(*event)) return;
+  if (!dragging_) {
+    const std::vector<Panel> all = panels();
+    drags_second_ = all.size() > 1 && all[1].second && all[1].at.contains(last_mouse_);
+    dragging_ = true;
+  }
+  look_from(last_mouse_);
+  Q_EMIT pointer(input_.buttons(*event));
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF delta = event->position() - last_mouse_;
-  last_mouse_ = event->position();
+  const QPointF from = std::exchange(last_mouse_, event->position()), delta = last_mouse_ - from;
   if (moves_camera(*event)) {
     const bool pan =
         event->modifiers() & Qt::ShiftModifier || (!instrument_ && event->buttons() & Qt::RightButton);
@@ -51,8 +73,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     touch();
   } else if (instrument_ && event->buttons() != Qt::NoButton) {
     input_.buttons(*event);
-    input_.set_camera(camera_.q_WC());
-    Q_EMIT pointer(input_.moved(delta, height()));
+    Q_EMIT pointer(moved(from, last_mouse_));
     wrap_pointer(event->globalPosition().toPoint());
   }
 }
@@ -68,11 +89,11 @@ void SceneView::wrap_pointer(const QPoint& global) {
 
 // On a busy machine the last reports of a drag are merged into the letting go: they still belong to it.
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  const QPointF delta = event->position() - last_mouse_;
-  last_mouse_ = event->position();
+  const QPointF from = std::exchange(last_mouse_, event->position());
   if (!instrument_) return;
-  if (!delta.isNull()) Q_EMIT pointer(input_.moved(delta, height()));
+  if (from != last_mouse_) Q_EMIT pointer(moved(from, last_mouse_));
   Q_EMIT pointer(input_.buttons(*event));
+  dragging_ = event->buttons() != Qt::NoButton;
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -84,7 +105,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
   const Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
   if (instrument_ && (event->modifiers() & both) != both) {
-    input_.set_camera(camera_.q_WC());
+    look_from(event->position());
     Q_EMIT pointer(input_.wheel(*event));
     return;
   }
@@ -95,7 +116,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
   swage_pointer out{};
-  input_.set_camera(camera_.q_WC());
+  if (!dragging_) input_.set_camera(panels().front().view.eye.q_WC());
   if (instrument_ && input_.key(*event, true, out)) {
     if (!event->isAutoRepeat()) Q_EMIT pointer(out);
     return;
@@ -147,6 +168,7 @@ void SceneView::focusInEvent(QFocusEvent* event) {
 void SceneView::focusOutEvent(QFocusEvent* event) {
   // a key that is let go elsewhere must not go on closing the jaws
   if (instrument_) Q_EMIT pointer(input_.released());
+  dragging_ = false;
   update();
   QWidget::focusOutEvent(event);
 }

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QPainter>
+#include <QStyle>
 
 namespace swage::console {
 
@@ -37,6 +38,18 @@ QPushButton* make_button(const QString& text, const QString& shortcut, const QSt
   button->setFocusPolicy(Qt::TabFocus);
   if (!shortcut.isEmpty()) button->setToolTip(QStringLiteral("%1 (%2)").arg(text, shortcut));
   return button;
+}
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
+  style()->drawItemText(&p, rect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), shown,
+                        foregroundRole());
+  if (const QString tip = shown == text() ? QString() : text(); tip != toolTip()) setToolTip(tip);
 }
 
 CueBadge::CueBadge(QWidget* parent) : QWidget(parent) { setFixedSize(sizeHint()); }

@@ -24,6 +24,16 @@ QLabel* make_muted(const QString& text, QWidget* parent);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 
+/// One line that ends in an ellipsis where it does not fit, and then says the whole as its tip.
+class ElidedLabel : public QLabel {
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+  QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
 /// The signs of one cue fact, drawn as over the scene.
 class CueBadge : public QWidget {
  public:

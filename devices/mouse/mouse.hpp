@@ -45,14 +45,15 @@ class Mouse final : public Device<MouseParams> {
                                        "Direction from hinge to tips at the start; need not have length 1."),
       vector<&MouseParams::start_closing>("start_closing", "Start closing direction", "1", "1", -1, 1,
                                           "Direction from the right jaw to the left one at the start."),
-      real<&MouseParams::drag>("drag", "Drag", "m", "mm", 1e-5, 1,
-                               "Way of the tips for a drag over the view's height.")
+      real<&MouseParams::drag>(
+          "drag", "Drag", "m", "mm", 1e-5, 1,
+          "Way of the tips for a drag over 10 mm of what is seen: 10 mm keeps them under the pointer.")
           .group("Speed"),
       real<&MouseParams::wheel>("wheel", "Wheel", "m", "mm", 1e-6, 0.1,
                                 "Way along the line of sight for one notch.")
           .group("Speed"),
       real<&MouseParams::turn>("turn", "Turn", "rad", "deg", 1 * kDegree, 3600 * kDegree,
-                               "Turn for a drag over the view's height.")
+                               "Turn for a drag over 10 mm of what is seen.")
           .group("Speed"),
       real<&MouseParams::key_move>("key_move", "Keys, move", "m/s", "mm/s", 1e-5, 1,
                                    "Speed while a key is down.")

@@ -27,9 +27,9 @@ inline constexpr uint32_t kLeftButton = 1, kMiddleButton = 2, kRightButton = 4;
 inline constexpr uint32_t kShift = 1, kControl = 2;
 
 struct Speeds {
-  double drag = 10e-3;                        // m per height of the view
+  double drag = 10e-3;                        // m per span of the pointer: the tips stay under it
   double wheel = 0.2e-3;                      // m per notch
-  double turn = std::numbers::pi;             // rad per height of the view
+  double turn = 2 * std::numbers::pi / 3;     // rad per span of the pointer
   double key_move = 4e-3;                     // m/s
   double key_turn = 0.25 * std::numbers::pi;  // rad/s
   double squeeze = 0.6;                       // closure per second

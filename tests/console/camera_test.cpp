@@ -3,19 +3,25 @@
 
 #include <gtest/gtest.h>
 
+#include "console/view3d/eye.hpp"
+
 namespace swage::console {
 namespace {
+
+QPointF project(const OrbitCamera& camera, const QVector3D& p, const QSizeF& size) {
+  return middle_eye(camera, static_cast<float>(size.width() / size.height())).project(p, size);
+}
 
 TEST(Camera, FramedSphereFillsThePictureAndNoMore) {
   OrbitCamera camera;
   camera.frame({1, 2, 3}, 4);
   camera.jump();
   const QSizeF size(800, 600);
-  const QPointF middle = camera.project({1, 2, 3}, size);
+  const QPointF middle = project(camera, {1, 2, 3}, size);
   EXPECT_NEAR(middle.x(), 400, 0.01);
   EXPECT_NEAR(middle.y(), 300, 0.01);
   // a point of the sphere on the outline, straight above in the picture
-  const QPointF top = camera.project(QVector3D(1, 2, 3) + 4 * camera.up(), size);
+  const QPointF top = project(camera, QVector3D(1, 2, 3) + 4 * camera.up(), size);
   EXPECT_GT(top.y(), 0);
   EXPECT_LT(top.y(), 30);
 }
@@ -31,7 +37,7 @@ TEST(Camera, AxesAreRightHandedAndFaceTheViewer) {
     EXPECT_LT((q.rotatedVector({0, 1, 0}) - camera.up()).length(), 1e-4F);
     // what is to the right of the focus appears to the right
     const QSizeF size(100, 100);
-    const QPointF right = camera.project(camera.focus() + q.rotatedVector({1, 0, 0}), size);
+    const QPointF right = project(camera, camera.focus() + q.rotatedVector({1, 0, 0}), size);
     EXPECT_GT(right.x(), 50);
     EXPECT_NEAR(right.y(), 50, 0.01);
   }
@@ -56,7 +62,7 @@ TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
   EXPECT_FALSE(camera.advance(1)) << "near the middle nothing moves";
   camera.follow({0, 0, 12});
   camera.jump();
-  const QPointF at = camera.project({0, 0, 12}, {600, 600});
+  const QPointF at = project(camera, {0, 0, 12}, {600, 600});
   EXPECT_GT(at.y(), 60);  // a quarter from the top, less what comes nearer to the camera
   EXPECT_LT(at.y(), 300);
   camera.pan(0.3F, 0);
@@ -90,8 +96,8 @@ TEST(Camera, ScaleIsTrueAtTheFocus) {
   camera.frame({0, 0, 0}, 5);
   camera.look(CameraPreset::kTop);
   camera.jump();
-  const QPointF a = camera.project({0, 0, 0}, {800, 600}), b = camera.project({1, 0, 0}, {800, 600});
-  EXPECT_NEAR((b.x() - a.x()) * camera.mm_per_pixel(600), 1, 1e-3);
+  const QPointF a = project(camera, {0, 0, 0}, {800, 600}), b = project(camera, {1, 0, 0}, {800, 600});
+  EXPECT_NEAR((b.x() - a.x()) * middle_eye(camera, 4.F / 3).mm_per_pixel(600), 1, 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/app/trainee_window.hpp"
+
+#include <QCloseEvent>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QScreen>
+#include <QVBoxLayout>
+
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr QSize kWindow_px(1280, 640);  // two pictures as high as wide
+
+bool flag(const Settings& settings, const char* key) { return settings.text(key) == QLatin1String("true"); }
+
+QString layout_words(StereoLayout layout) {
+  switch (layout) {
+    case StereoLayout::kSideBySide:
+      return QObject::tr("Side by side");
+    case StereoLayout::kOverUnder:
+      return QObject::tr("Over and under");
+    case StereoLayout::kAnaglyph:
+      return QObject::tr("Red and cyan glasses");
+    case StereoLayout::kOneEye:
+      return QObject::tr("One eye");
+  }
+  return {};
+}
+
+}  // namespace
+
+TraineeLook read_trainee_look(const Settings& settings) {
+  TraineeLook look;
+  StereoLook& stereo = look.stereo;
+  stereo.layout = layout_of(settings.text("trainee_layout"));
+  stereo.squeezed = flag(settings, "trainee_squeezed");
+  stereo.rig.swapped = flag(settings, "trainee_swapped");
+  stereo.rig.eye_distance_mm =
+      settings.text("trainee_eye_distance_mm", QString::number(StereoRig{}.eye_distance_mm)).toFloat();
+  stereo.rig.convergence_mm =
+      settings.text("trainee_convergence_mm", QString::number(StereoRig{}.convergence_mm)).toFloat();
+  look.full_screen = flag(settings, "trainee_full_screen");
+  look.screen = settings.text("trainee_screen", QStringLiteral("1")).toInt();
+  return look;
+}
+
+void remember(const TraineeLook& look, Settings& settings) {
+  settings.set("trainee_layout", layout_name(look.stereo.layout));
+  settings.set("trainee_squeezed", look.stereo.squeezed);
+  settings.set("trainee_swapped", look.stereo.rig.swapped);
+  settings.set("trainee_eye_distance_mm", look.stereo.rig.eye_distance_mm);
+  settings.set("trainee_convergence_mm", look.stereo.rig.convergence_mm);
+  settings.set("trainee_full_screen", look.full_screen);
+  settings.set("trainee_screen", look.screen);
+}
+
+TraineeWindow::TraineeWindow() : view_(new SceneView(this)) {
+  setObjectName(QStringLiteral("trainee"));
+  setWindowTitle(tr("Swage, trainee"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(view_);
+  view_->setObjectName(QStringLiteral("trainee_view"));
+  view_->setAccessibleName(tr("The scene for the trainee"));
+  view_->set_stereo({});
+  resize(kWindow_px);
+}
+
+void TraineeWindow::show_as(const TraineeLook& look) {
+  view_->set_stereo(look.stereo);
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  QScreen* wanted = screens.value(look.screen, screens.first());
+  if (screen() != wanted || !isVisible())
+    setGeometry(QRect(wanted->geometry().topLeft() + QPoint(40, 40), size()));
+  look.full_screen ? showFullScreen() : showNormal();
+  view_->setFocus();
+}
+
+void TraineeWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_F11) return isFullScreen() ? showNormal() : showFullScreen();
+  if (event->key() == Qt::Key_Escape) {
+    if (isFullScreen()) return showNormal();
+    close();
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void TraineeWindow::closeEvent(QCloseEvent* event) {
+  event->accept();
+  Q_EMIT closed();
+}
+
+TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("trainee_settings"));
+  setWindowTitle(tr("Trainee view"));
+  auto* form = new QFormLayout(this);
+  layout_ = new QComboBox(this);
+  layout_->setObjectName(QStringLiteral("trainee_layout"));
+  for (const StereoLayout l : kStereoLayouts) layout_->addItem(layout_words(l), layout_name(l));
+  layout_->setCurrentIndex(layout_->findData(layout_name(look.stereo.layout)));
+  layout_->setToolTip(
+      tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
+  form->addRow(tr("&Picture"), layout_);
+  squeezed_ = new QCheckBox(tr("&Squeezed, as 3D televisions expect it"), this);
+  squeezed_->setChecked(look.stereo.squeezed);
+  form->addRow(QString(), squeezed_);
+  swapped_ = new QCheckBox(tr("&Left and right exchanged"), this);
+  swapped_->setChecked(look.stereo.rig.swapped);
+  form->addRow(QString(), swapped_);
+  eyes_ = length(QStringLiteral("trainee_eyes"), look.stereo.rig.eye_distance_mm, 70,
+                 tr("Stereo base of the microscope, at a working distance of 250 mm; 24 mm is usual, more "
+                    "exaggerates the depth"));
+  form->addRow(tr("Distance of the &eyes"), eyes_);
+  convergence_ = length(QStringLiteral("trainee_convergence"), look.stereo.rig.convergence_mm, 1000,
+                        tr("What is so far away lies in the plane of the screen: 250 mm is what is in focus, "
+                           "less lets everything "
+                           "recede behind the screen"));
+  convergence_->setMinimum(50);
+  form->addRow(tr("&Convergence"), convergence_);
+  screen_ = new QComboBox(this);
+  screen_->setObjectName(QStringLiteral("trainee_screen"));
+  for (const QScreen* s : QGuiApplication::screens())
+    screen_->addItem(
+        QStringLiteral("%1 (%2 × %3)").arg(s->name()).arg(s->size().width()).arg(s->size().height()));
+  screen_->setCurrentIndex(std::clamp(look.screen, 0, screen_->count() - 1));
+  form->addRow(tr("Sc&reen"), screen_);
+  full_ = new QCheckBox(tr("&Fills it (F11)"), this);
+  full_->setChecked(look.full_screen);
+  form->addRow(QString(), full_);
+  toggle_ = make_button({}, {}, QStringLiteral("trainee_toggle"), this);
+  toggle_->setDefault(true);
+  form->addRow(toggle_);
+  set_open(false);
+  for (QComboBox* box : {layout_, screen_})
+    connect(box, &QComboBox::currentIndexChanged, this, &TraineeSettings::changed);
+  for (QCheckBox* box : {squeezed_, swapped_, full_})
+    connect(box, &QCheckBox::toggled, this, &TraineeSettings::changed);
+  for (QDoubleSpinBox* box : {eyes_, convergence_})
+    connect(box, &QDoubleSpinBox::valueChanged, this, &TraineeSettings::changed);
+  connect(toggle_, &QPushButton::clicked, this, &TraineeSettings::toggled);
+}
+
+QDoubleSpinBox* TraineeSettings::length(const QString& name, float value, double most, const QString& tip) {
+  auto* box = new QDoubleSpinBox(this);
+  box->setObjectName(name);
+  box->setRange(0, most);
+  box->setDecimals(1);
+  box->setSuffix(tr(" mm"));
+  box->setValue(static_cast<double>(value));
+  box->setToolTip(tip);
+  box->setAccessibleDescription(tip);
+  return box;
+}
+
+TraineeLook TraineeSettings::look() const {
+  TraineeLook look;
+  look.stereo.layout = layout_of(layout_->currentData().toString());
+  look.stereo.squeezed = squeezed_->isChecked();
+  look.stereo.rig = {static_cast<float>(eyes_->value()), static_cast<float>(convergence_->value()),
+                     swapped_->isChecked()};
+  look.screen = screen_->currentIndex();
+  look.full_screen = full_->isChecked();
+  return look;
+}
+
+void TraineeSettings::set_open(bool open) {
+  toggle_->setText((open ? tr("Close the trainee's view") : tr("Show the trainee's view")) +
+                   QStringLiteral("   F9"));
+  toggle_->setAccessibleName(open ? tr("Close the trainee's view") : tr("Show the trainee's view"));
+}
+
+}  // namespace swage::console

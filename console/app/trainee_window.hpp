@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What the trainee sees: the scene with two eyes, as under a stereo microscope, and nothing else. And the form in which
+// the instructor sets it up.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QWidget>
+
+#include "console/app/settings.hpp"
+#include "console/view3d/scene_view.hpp"
+
+namespace swage::console {
+
+/// How and where the trainee's view is shown.
+struct TraineeLook {
+  StereoLook stereo;
+  int screen = 0;  // of QGuiApplication::screens(); one that is not there: the first
+  bool full_screen = false;
+};
+TraineeLook read_trainee_look(const Settings& settings);
+void remember(const TraineeLook& look, Settings& settings);
+
+/// A window of its own. F11 fills the screen and leaves it, Esc leaves it or closes the window.
+class TraineeWindow : public QWidget {
+  Q_OBJECT
+ public:
+  TraineeWindow();
+  SceneView* view() { return view_; }
+  void show_as(const TraineeLook& look);
+
+ Q_SIGNALS:
+  void closed();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  SceneView* view_;
+};
+
+/// Every change acts at once.
+class TraineeSettings : public QDialog {
+  Q_OBJECT
+ public:
+  TraineeSettings(const TraineeLook& look, QWidget* parent);
+  TraineeLook look() const;
+  void set_open(bool open);
+
+ Q_SIGNALS:
+  void changed();
+  void toggled();
+
+ private:
+  QDoubleSpinBox* length(const QString& name, float value, double most, const QString& tip);
+
+  QComboBox *layout_, *screen_;
+  QDoubleSpinBox *eyes_, *convergence_;
+  QCheckBox *squeezed_, *swapped_, *full_;
+  QPushButton* toggle_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What RunPage is put together from: the bar over the picture, the picture, what is done with an attempt, what happened.
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "console/pages/run_page.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
+
+}  // namespace
+
+QWidget* RunPage::make_middle() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  column->addWidget(make_view_bar());
+  problem_ = new QLabel(box);
+  problem_->setObjectName(QStringLiteral("problem"));
+  problem_->setWordWrap(true);
+  problem_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  problem_->setProperty("card", true);
+  problem_->setVisible(false);
+  column->addWidget(problem_);
+  view_ = new SceneView(box);
+  column->addWidget(view_, 1);
+  column->addWidget(make_actions());
+
+  column->addWidget(make_bottom());
+  return box;
+}
+
+// what happened, and what the cues mean
+QWidget* RunPage::make_bottom() {
+  auto* box = new QWidget(this);
+  box->setFixedHeight(kBottom_px);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(8);
+  event_table_ = new QTableView(box);
+  event_table_->setObjectName(QStringLiteral("events"));
+  event_table_->setAccessibleName(tr("What happened in this attempt"));
+  event_table_->setModel(shown_events_);
+  event_table_->setProperty("card", true);
+  event_table_->setShowGrid(false);
+  event_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  event_table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  event_table_->setTabKeyNavigation(false);
+  event_table_->verticalHeader()->hide();
+  event_table_->verticalHeader()->setDefaultSectionSize(24);
+  event_table_->horizontalHeader()->setSectionResizeMode(EventLog::kMeans, QHeaderView::Stretch);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kTime, 62);
+  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 150);
+  event_table_->horizontalHeader()->setHighlightSections(false);
+  connect(shown_events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
+  row->addWidget(event_table_, 5);
+  legend_ = new CueLegend(box);
+  row->addWidget(legend_, 5);
+  return box;
+}
+
+QWidget* RunPage::make_view_bar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  title_ = new ElidedLabel(bar);
+  title_->setObjectName(QStringLiteral("lesson_title"));
+  QFont font = title_->font();
+  font.setPointSizeF(font.pointSizeF() * 1.2), font.setBold(true);
+  title_->setFont(font);
+  row->addWidget(title_, 1);
+  const struct {
+    QString text, name;
+    CameraPreset preset;
+  } presets[] = {{tr("Orbit"), QStringLiteral("view_orbit"), CameraPreset::kOrbit},
+                 {tr("Side"), QStringLiteral("view_side"), CameraPreset::kSide},
+                 {tr("Top"), QStringLiteral("view_top"), CameraPreset::kTop},
+                 {tr("Near"), QStringLiteral("view_near"), CameraPreset::kNear}};
+  for (const auto& p : presets) {
+    auto* button = make_button(p.text, {}, p.name, bar);
+    button->setToolTip(tr("%1 view").arg(p.text));
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { look(preset); });
+    row->addWidget(button);
+  }
+  row->addSpacing(10);
+  cues_button_ = make_button(tr("Cues"), {}, QStringLiteral("cues"), bar);
+  cues_button_->setCheckable(true);
+  cues_button_->setChecked(true);
+  cues_button_->setToolTip(tr("Show cues in the picture"));
+  connect(cues_button_, &QPushButton::toggled, this, &RunPage::update_cues);
+  row->addWidget(cues_button_);
+  second_button_ = make_button(tr("Depth"), {}, QStringLiteral("second"), bar);
+  second_button_->setCheckable(true);
+  second_button_->setChecked(true);
+  second_button_->setToolTip(
+      tr("While the mouse is the instrument: a second view at right angles, near the jaws"));
+  connect(second_button_, &QPushButton::toggled, this, &RunPage::update_second);
+  row->addWidget(second_button_);
+  auto* forces = make_button(tr("Forces"), {}, QStringLiteral("forces"), bar);
+  forces->setCheckable(true);
+  forces->setToolTip(tr("Show contact forces in the picture"));
+  connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
+  row->addWidget(forces);
+  auto* detail = make_button(tr("Detail"), {}, QStringLiteral("detail"), bar);
+  detail->setCheckable(true);
+  detail->setToolTip(
+      tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"));
+  connect(detail, &QPushButton::toggled, this, [this](bool on) {
+    shown_events_->show_technical(on);
+    view_->set_stress_shown(on);
+  });
+  row->addWidget(detail);
+  row->addSpacing(10);
+  row->addWidget(make_sound(bar));
+  return bar;
+}
+
+QWidget* RunPage::make_sound(QWidget* bar) {
+  auto* box = new QWidget(bar);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  sound_button_ = make_button(tr("Sound"), {}, QStringLiteral("sound"), box);
+  sound_button_->setCheckable(true);
+  sound_button_->setChecked(true);
+  sound_button_->setToolTip(tr("Let the cues be heard"));
+  volume_ = new QSlider(Qt::Horizontal, box);
+  volume_->setObjectName(QStringLiteral("volume"));
+  volume_->setAccessibleName(tr("Volume"));
+  volume_->setToolTip(tr("Volume of the cues"));
+  volume_->setRange(0, 100);
+  volume_->setFixedWidth(80);
+  volume_->setValue(static_cast<int>(100 * speaker_.volume()));
+  connect(sound_button_, &QPushButton::toggled, volume_, &QSlider::setEnabled);
+  connect(volume_, &QSlider::valueChanged, this, [this](int v) { speaker_.set_volume(v / 100.0); });
+  // what it will sound like
+  connect(volume_, &QSlider::sliderReleased, this,
+          [this] { speaker_.play(tone(QStringLiteral("high, two knocks"))); });
+  row->addWidget(sound_button_);
+  row->addWidget(volume_);
+  return box;
+}
+
+QWidget* RunPage::make_actions() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  pause_ = make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), bar);
+  reset_ = make_button(tr("Reset needle"), QStringLiteral("F7"), QStringLiteral("reset"), bar);
+  mark_ = make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), bar);
+  mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
+  stop_ = make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), bar);
+  for (QPushButton* b : {pause_, reset_, mark_, stop_}) row->addWidget(b, 1);
+  connect(pause_, &QPushButton::clicked, control_, &RunControl::toggle_pause);
+  connect(reset_, &QPushButton::clicked, control_, &RunControl::reset_work);
+  connect(mark_, &QPushButton::clicked, control_, &RunControl::mark);
+  connect(stop_, &QPushButton::clicked, control_, &RunControl::stop);
+  return bar;
+}
+
+QWidget* RunPage::make_right() {
+  right_ = new QStackedWidget(this);
+  now_ = new NowPanel(right_);
+  result_ = new ResultPanel(right_);
+  right_->addWidget(now_);
+  right_->addWidget(result_);
+  return right_;
+}
+
+}  // namespace swage::console
