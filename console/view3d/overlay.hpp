@@ -23,7 +23,8 @@ inline constexpr double kLeastMark_px = 9;
 class Overlay {
  public:
   Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui) {}
-  void scale_bar(double mm_per_pixel);
+  /// `left`: what is taken at the left of the picture, px.
+  void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
   void cue(const QPointF& at, const CueStyle& style, int slot);
   /// A ring that fills clockwise while something is held.

@@ -21,24 +21,29 @@ in vec3 vertexPosition;
 in vec3 vertexNormal;
 out vec3 position;
 out vec3 normal;
+out vec3 place;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
 uniform mat4 mvp;
 void main() {
   normal = modelViewNormal * vertexNormal;
   position = vec3(modelView * vec4(vertexPosition, 1.0));
+  place = vertexPosition;
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 })";
 
-// Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel
-// mirrors a small studio: dark floor, grey wall, two soft boxes.
+// Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel mirrors a small
+// studio: dark floor, grey wall, two soft boxes. Tissue is mottled, glows red where it turns from the light, and bears a
+// film of water on an uneven surface; jaws are brushed along their length.
 const char* const kSolidFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
+in vec3 place;
 out vec4 fragColor;
 uniform vec3 colour;
 uniform float metal;
 uniform float gloss;
+uniform float finish;
 const vec3 key = vec3(-0.408, 0.707, 0.577);
 const vec3 fill = vec3(0.802, 0.100, 0.589);
 float studio(vec3 r) {
@@ -47,16 +52,56 @@ float studio(vec3 r) {
   float box_fill = smoothstep(0.80, 0.97, dot(r, fill));
   return wall + 0.45 * box_key + 0.25 * box_fill;
 }
+// so that the cells of the noise lie along no edge
+const mat3 askew = mat3(0.00, 0.80, 0.60, -0.80, 0.36, -0.48, -0.60, -0.48, 0.64);
+float scatter(vec3 p) {
+  p = fract(p * vec3(0.1031, 0.1030, 0.0973));
+  p += dot(p, p.yxz + 33.33);
+  return fract((p.x + p.y) * p.z);
+}
+// 0..1, smooth over cells of 1
+float noise(vec3 p) {
+  vec3 i = floor(p), f = fract(p);
+  f = f * f * (3.0 - 2.0 * f);
+  vec4 low = vec4(scatter(i), scatter(i + vec3(1, 0, 0)), scatter(i + vec3(0, 1, 0)), scatter(i + vec3(1, 1, 0)));
+  i.z += 1.0;
+  vec4 high = vec4(scatter(i), scatter(i + vec3(1, 0, 0)), scatter(i + vec3(0, 1, 0)), scatter(i + vec3(1, 1, 0)));
+  vec4 at = mix(low, high, f.z);
+  return mix(mix(at.x, at.y, f.x), mix(at.z, at.w, f.x), f.y);
+}
+// the normal of the surface raised by `height` mm, from how both change from pixel to pixel
+vec3 raised(vec3 n, float height) {
+  vec3 along = dFdx(position), up = dFdy(position);
+  vec3 a = cross(up, n), b = cross(n, along);
+  float det = dot(along, a);
+  return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
+}
 void main() {
   vec3 n = normalize(normal);
   vec3 v = normalize(-position);
+  vec3 c0 = colour;
+  if (finish > 1.5) {
+    c0 *= 0.95 + 0.10 * noise(vec3(1.5 * place.x, 55.0 * place.yz));
+  } else if (finish > 0.5) {
+    vec3 skew = askew * place;
+    float coarse = noise(0.9 * skew), middle = noise(2.3 * (askew * skew)), fine = noise(7.0 * skew);
+    float flushed = smoothstep(0.30, 0.80, 0.55 * coarse + 0.30 * middle + 0.15 * fine);
+    c0 *= mix(vec3(1.0), vec3(0.95, 0.80, 0.78), flushed);
+    n = raised(n, 0.05 * coarse + 0.03 * middle + 0.008 * fine);
+  }
   vec3 r = reflect(-v, n);
   float facing = max(dot(n, v), 0.0);
   float diffuse = 0.48 + 0.12 * n.y + 0.42 * max(dot(n, key), 0.0) + 0.22 * max(dot(n, fill), 0.0);
   float highlight = pow(max(dot(r, key), 0.0), gloss);
   float rim = pow(1.0 - facing, 3.0);
-  vec3 matte = colour * diffuse + vec3(0.22 * highlight + 0.10 * rim);
-  vec3 steel = colour * (0.72 * studio(r) + 0.34 * diffuse) * (0.9 + 0.4 * rim) + vec3(0.25 * highlight);
+  vec3 matte = c0 * diffuse + vec3(0.22 * highlight + 0.10 * rim);
+  if (finish > 0.5 && finish < 1.5) {
+    vec3 glow = mix(vec3(1.0, 0.74, 0.70), vec3(1.0), smoothstep(0.45, 1.0, diffuse));
+    float film = 0.04 + 0.5 * pow(1.0 - facing, 4.0);
+    float glint = pow(max(dot(r, key), 0.0), 110.0) + 0.6 * pow(max(dot(r, fill), 0.0), 110.0);
+    matte = c0 * diffuse * glow + vec3(film * studio(r) + 0.55 * glint);
+  }
+  vec3 steel = c0 * (0.72 * studio(r) + 0.34 * diffuse) * (0.9 + 0.4 * rim) + vec3(0.25 * highlight);
   vec3 c = mix(matte, steel, metal);
   // a shoulder instead of a hard white
   c = min(c, 0.75 + 0.25 * (1.0 - exp(-max(c - 0.75, 0.0) / 0.25)));
@@ -193,7 +238,8 @@ SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),
       colour_(add_parameter(this, "colour")),
       metal_(add_parameter(this, "metal")),
-      gloss_(add_parameter(this, "gloss")) {
+      gloss_(add_parameter(this, "gloss")),
+      finish_(add_parameter(this, "finish")) {
   add_technique(this, kSolidVertex, kSolidFragment);
   set({});
 }
@@ -202,6 +248,7 @@ void SolidMaterial::set(const Surface& s) {
   colour_->setValue(shade(s.colour));
   metal_->setValue(s.metal);
   gloss_->setValue(s.gloss);
+  finish_->setValue(static_cast<float>(s.finish));
 }
 
 FloorMaterial::FloorMaterial(Qt3DCore::QNode* parent)

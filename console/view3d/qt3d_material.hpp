@@ -17,7 +17,7 @@ class SolidMaterial : public Qt3DRender::QMaterial {
   void set(const Surface& surface);
 
  private:
-  Qt3DRender::QParameter *colour_, *metal_, *gloss_;
+  Qt3DRender::QParameter *colour_, *metal_, *gloss_, *finish_;
 };
 
 class FloorMaterial : public Qt3DRender::QMaterial {

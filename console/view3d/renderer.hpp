@@ -21,11 +21,19 @@
 
 namespace swage::console {
 
+/// What a surface is like at a close look.
+enum class Finish {
+  kPlain,
+  kMoist,    // living tissue: mottled, uneven, with a film of water
+  kBrushed,  // steel with marks of its making along x of the mesh
+};
+
 /// How a surface answers light.
 struct Surface {
   QColor colour{150, 150, 150};
   float metal = 0;   // 0 matte .. 1 polished steel
   float gloss = 24;  // exponent of the highlight
+  Finish finish = Finish::kPlain;
 };
 
 /// The level where shadows fall and the grid lies; mm.

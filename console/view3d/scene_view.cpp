@@ -125,10 +125,10 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
 }
 
 Surface SceneView::surface_of(const ScenePart& part) const {
-  if (part.soft) return {ui_["tissue"], 0, 60};
+  if (part.soft) return {ui_["tissue"], 0, 60, Finish::kMoist};
   switch (part.role) {
     case Role::kTool:
-      return {ui_["tool"], 0.7F, 60};
+      return {ui_["tool"], 0.7F, 60, Finish::kBrushed};
     case Role::kStage:
       return {ui_["stage"], 0, 12};
     case Role::kMark: {
@@ -159,7 +159,7 @@ void SceneView::colour_parts() {
       surface.colour = stressed(surface.colour, stress_);
     // a wound is seen on tissue in its own colour only
     if (part.role != Role::kMark && !part.soft && !cue.isEmpty())
-      surface = {cues_.style(cue).colour, 0.25F, 40};
+      surface = {cues_.style(cue).colour, 0.25F, 40, surface.finish};
     renderer_->set_surface(static_cast<int>(i), surface);
   }
   colour_wounds();

@@ -99,6 +99,7 @@ class SceneView : public QWidget {
   void look_from(const QPointF& position);
   swage_pointer moved(const QPointF& from, const QPointF& to);
   QVector3D spot(const std::vector<Spot>& spots) const;
+  QVector3D aim_near(const QVector3D& tips) const;
   void paint_panel(QPainter& painter, const Panel& panel, size_t index);
   void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
   void paint_frame(QPainter& painter, const Panel& second) const;
@@ -135,7 +136,7 @@ class SceneView : public QWidget {
   std::vector<int> thread_part_;  // renderer's part per object with particles, or -1
   std::set<int> dented_;          // parts that are not as they were at rest
   bool wounded_ = false, pierced_ = false;
-  int wound_ = -1, wound_rim_ = -1;
+  int wound_ = -1, wound_rim_ = -1, hole_ = -1;
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;

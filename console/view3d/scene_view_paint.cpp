@@ -156,7 +156,10 @@ void SceneView::paint_frame(QPainter& painter, const Panel& second) const {
 
 void SceneView::paint_words(QPainter& painter) {
   Overlay overlay(painter, rect(), ui_);
-  if (have_card_) overlay.scale_bar(panels().front().view.eye.mm_per_pixel(height()));
+  const std::vector<Panel> all = panels();
+  const bool beside = all.size() > 1 && !tool_at_left_;
+  if (have_card_)
+    overlay.scale_bar(all.front().view.eye.mm_per_pixel(height()), beside ? all[1].at.right() : 0);
   if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
   if (!banner_.isEmpty()) overlay.banner(banner_);
   if (instrument_ && !hasFocus()) overlay.hint(tr("Click here: then mouse and keys move the instrument"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The panels of SceneView: one, with or without a second view in its corner, or the two eyes of a trainee.
+#include <swage/abi/lesson.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,10 +58,9 @@ std::vector<SceneView::Panel> SceneView::panels() const {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(camera_, shape(all)), {}}});
     if (second_shown_ && !second_.empty()) {
       const QSizeF own = QSizeF(kSecondShape, 1) * (kSecond * all.height());
-      // away from where the tool comes from, and from clock and scale
-      const QPointF corner = tool_at_left_ ? QPointF(all.width() - own.width() - kMargin_px,
-                                                     all.height() - own.height() - kMargin_px)
-                                           : QPointF(kMargin_px, kMargin_px);
+      // at the bottom, away from where the tool comes from
+      const QPointF corner(tool_at_left_ ? all.width() - own.width() - kMargin_px : kMargin_px,
+                           all.height() - own.height() - kMargin_px);
       const Eye eye = cross_eye(camera_, second_.centre(), second_.radius(), shape(own));
       out.push_back({QRectF(corner, own), own, {eye, {}}, true});
     }
@@ -100,11 +101,21 @@ QVector3D SceneView::spot(const std::vector<Spot>& spots) const {
   return spots.empty() ? sum : sum / static_cast<float>(spots.size());
 }
 
+// What is to be taken; once the tips are there, the mark that it is to be brought to.
+QVector3D SceneView::aim_near(const QVector3D& tips) const {
+  const QVector3D aim = parts_.aim.empty() ? tips : spot(parts_.aim);
+  if ((aim - tips).length() > kAround_mm || !have_snapshot_) return aim;
+  for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
+    if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT) return to_mm(snapshot_->mark_p_W[m]);
+  }
+  return aim;
+}
+
 // Shows the tips and what they are to take, the larger the nearer they come.
 void SceneView::move_second(double dt_s) {
   if (stereo_ || !second_shown_ || dragging_ || parts_.tips.empty()) return;
   const QVector3D tips = spot(parts_.tips);
-  QVector3D aim = parts_.aim.empty() ? tips : spot(parts_.aim);
+  QVector3D aim = aim_near(tips);
   if (const QVector3D way = aim - tips; way.length() > kFurthest_mm)
     aim = tips + way * (kFurthest_mm / way.length());
   const QVector3D centre = 0.5F * (tips + aim);

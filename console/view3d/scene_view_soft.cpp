@@ -11,6 +11,8 @@ namespace {
 
 constexpr float kRim_mm = 0.012F;   // of dark around a wound, so that it is seen on any tissue by any eye
 constexpr float kLift_mm = 0.004F;  // wounds lie so far above the surface, so that they do not flicker
+constexpr float kHole = 0.8F;       // of the wound's half width
+constexpr int kHoleDark = 800;      // per cent of darkness
 constexpr float kFlat_mm = 2e-4F;   // a shallower dent is not seen
 
 std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
@@ -37,21 +39,32 @@ std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
+// the mouth of the track: where the needle is, or was last
+std::vector<Tear> holes_of(std::vector<Tear> tears) {
+  for (Tear& t : tears) {
+    t.a = t.b;
+    t.radius *= kHole;
+  }
+  return tears;
+}
+
 }  // namespace
 
 void SceneView::add_wounds() {
   wound_rim_ = renderer_->add_part({}, {}, {});
   wound_ = renderer_->add_part({}, {}, {});
+  hole_ = renderer_->add_part({}, {}, {});
 }
 
 void SceneView::colour_wounds() {
   const QColor red = cues_.style(QStringLiteral("tissue.tear")).colour;
-  renderer_->set_surface(wound_, {red, 0, 40});
+  renderer_->set_surface(wound_, {red, 0, 40, Finish::kMoist});
   renderer_->set_surface(wound_rim_, {red.darker(320), 0, 10});
+  renderer_->set_surface(hole_, {red.darker(kHoleDark), 0, 10});
 }
 
 void SceneView::place_soft() {
-  Mesh wound, rim;
+  Mesh wound, rim, hole;
   bool wounded = false;
   for (size_t i = 0; i < parts_.part.size(); ++i) {
     const ScenePart& part = parts_.part[i];
@@ -74,11 +87,13 @@ void SceneView::place_soft() {
     wounded |= !tears.empty();
     append_tears(tears, dents, kRim_mm, kLift_mm, rim);
     append_tears(tears, dents, 0, 2 * kLift_mm, wound);
+    append_tears(holes_of(tears), dents, 0, 3 * kLift_mm, hole);
   }
   if (!wounded && !wounded_) return;
   wounded_ = wounded;
   renderer_->set_mesh(wound_rim_, rim);
   renderer_->set_mesh(wound_, wound);
+  renderer_->set_mesh(hole_, hole);
 }
 
 }  // namespace swage::console

@@ -186,12 +186,12 @@ TEST_F(Gl, TheSecondViewTurnsADragIntoDepth) {
   };
   const QVector3D up = drag(view()->rect().center());
   EXPECT_GT(up.z(), 0.9F * up.length()) << "in the picture from the side up is up";
-  const QVector3D away = drag(view()->rect().bottomRight() - QPoint(60, 60));
+  const QVector3D away = drag(view()->rect().bottomLeft() + QPoint(60, -60));
   EXPECT_GT(away.y(), 0.9F * away.length()) << "in the second view, from above, up is away";
   // without it that corner is a part of the picture like any other
   click("second");
   settle();
-  const QVector3D again = drag(view()->rect().bottomRight() - QPoint(60, 60));
+  const QVector3D again = drag(view()->rect().bottomLeft() + QPoint(60, -60));
   EXPECT_GT(again.z(), 0.9F * again.length());
   EXPECT_GT(changed(with, picture()), 0.01);
 }

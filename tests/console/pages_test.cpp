@@ -5,6 +5,7 @@
 #include <QAccessible>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSlider>
 #include <QTableView>
@@ -275,6 +276,44 @@ TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
   window.reset();
   open();
   EXPECT_TRUE(page()->setup()->left_handed());
+}
+
+TEST_F(Pages, TheTraineesViewIsSetUpAndRemembered) {
+  open();
+  click("trainee_button");
+  auto* form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
+  ASSERT_NE(form, nullptr);
+  EXPECT_EQ(window->trainee(), nullptr) << "settings come first";
+  QTest::mouseClick(form->findChild<QPushButton*>(QStringLiteral("trainee_toggle")), Qt::LeftButton);
+  ASSERT_NE(window->trainee(), nullptr);
+  EXPECT_TRUE(window->trainee()->isVisible());
+  form->findChild<QComboBox*>(QStringLiteral("trainee_layout"))->setCurrentIndex(1);
+  form->findChild<QDoubleSpinBox*>(QStringLiteral("trainee_eyes"))->setValue(30);
+  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
+  // it gets what the instructor's view gets, and the keys of the window hold there, too
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_TRUE(window->trainee()->view()->instrument());
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  EXPECT_EQ(window->trainee(), nullptr);
+  window->close();
+  window.reset();
+  open();
+  click("trainee_button");
+  form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
+  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
+  EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
+}
+
+TEST_F(Pages, ALongTitleEndsInAnEllipsis) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  auto* title = child<QLabel>("lesson_title");
+  title->setText(QString(40, QLatin1Char('W')));
+  title->grab();
+  EXPECT_EQ(title->toolTip(), title->text()) << "what is cut is said as a tip";
+  title->setText(QStringLiteral("W"));
+  title->grab();
+  EXPECT_TRUE(title->toolTip().isEmpty());
 }
 
 TEST_F(Pages, EveryAttemptDrawsItsOwnSeedUnlessOneIsGiven) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <swage/abi/lesson.h>
 
+#include <cmath>
+
 namespace swage::console {
 namespace {
 
@@ -94,6 +96,33 @@ TEST(SceneParts, OneMeshPerBodyAndOneSleevePerMark) {
   snapshot::SceneCard card = scene();
   for (auto& s : card.shapes) s.flags = SWAGE_SHAPE_COLLIDES;
   EXPECT_EQ(make_parts(card).part.size(), 2U);  // the mark and its collar
+}
+
+TEST(SceneParts, TheHandBringsItsTipsToTheMarkedRegion) {
+  const SceneParts parts = make_parts(scene());
+  ASSERT_EQ(parts.tips.size(), 1U);
+  EXPECT_EQ(parts.tips[0].body, 3U);
+  EXPECT_NEAR(parts.tips[0].p_B.x(), 0, 1e-4F) << "the end that is near the work, of 40 mm";
+  ASSERT_EQ(parts.aim.size(), 1U);
+  EXPECT_EQ(parts.aim[0].body, 2U);
+  // somewhere on the first half of an arc of 2 mm and 2 rad
+  EXPECT_NEAR(parts.aim[0].p_B.length(), 2, 0.06F);
+  const float angle = std::atan2(parts.aim[0].p_B.y(), parts.aim[0].p_B.x());
+  EXPECT_NEAR(angle, 0.5F, 0.3F);
+  // a handle far behind the jaws is no tip
+  snapshot::SceneCard card = scene();
+  card.objects[3].n_body = 2;
+  card.shapes.push_back(block(5, 3, {80e-3, -1e-3, 0}, {90e-3, 1e-3, 1e-3}));
+  card.start.push_back(card.start[3]);
+  card.motion.push_back(SWAGE_MOTION_FOLLOWS);
+  EXPECT_EQ(make_parts(card).tips.size(), 1U);
+  // without a mark it is the thing itself
+  card = scene();
+  card.script.marks.clear();
+  card.objects.pop_back();
+  card.shapes.pop_back();
+  ASSERT_EQ(make_parts(card).aim.size(), 1U);
+  EXPECT_EQ(make_parts(card).aim[0].body, 2U);
 }
 
 TEST(SceneParts, GroundIsTheLargestLevelFaceBelowTheWork) {
