@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage audit: plays a lesson at every level of its ladders with a scripted hand, and tells which level is enough. How to read
+// swage audit: plays lessons at every level of their ladders with a scripted hand, and tells which level is enough. How to read
 // it: README.md.
+#include "tools/audit.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "assembly/assemble.hpp"
-#include "base/clock.hpp"
 #include "host/guard.hpp"
-#include "host/nearest.hpp"
-#include "step/step.hpp"
+#include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/verbs.hpp"
 
@@ -21,243 +21,140 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A choice named "level" of an object or coupling, or one of the engine: levels from the simplest to the finest.
-struct Ladder {
-  std::string name;
-  std::vector<std::string> level;
-  std::size_t own = 0;            // the lesson's
-  std::string* params = nullptr;  // of the plugin in the lesson file; nullptr: of the engine
-  void (*choose)(step::Options&, std::size_t) = nullptr;
-};
-
-/// How one run went.
-struct Played {
-  std::string problem;  // why it could not be played, "" when it was
-  std::string outcome, reason;
-  double score = 0, cpu_s = 0;  // s of processor time per step
-  uint64_t steps = 0;
-  std::vector<judge::Name> names;
-  std::vector<double> metric;
-};
-
-/// What of a run differs from the finest level's.
-struct Verdict {
-  bool enough = false;
-  std::string why;  // the largest difference
-};
-
-// Processor times closer than this are equal: what a busy machine adds to a step.
-constexpr double kCheaper = 0.95;
-
-// Metrics closer than this are equal whatever their size: what a trainee could not notice, by unit.
-double noticeable(const std::string& unit) {
-  if (unit == "m") return 20e-6;
-  if (unit == "rad") return 0.02;
-  if (unit == "s") return 0.1;
-  return 0.02;  // N, N s, shares and counts
+void print_level(const AuditLadder& ladder, const AuditLevel& level) {
+  const AuditRun& run = level.run;
+  const auto i = static_cast<std::size_t>(&level - ladder.level.data());
+  if (!run.problem.empty())
+    return static_cast<void>(
+        std::printf("  %-17s cannot be played: %s\n", run.level.c_str(), run.problem.c_str()));
+  std::printf("  %-17s %-8s score %5.1f  %7.1f us a step  ", run.level.c_str(), run.outcome.c_str(),
+              run.score, 1e6 * run.cpu_s);
+  if (i == ladder.reference) return static_cast<void>(std::printf("reference\n"));
+  std::printf("%s %8s", level.enough ? "enough " : "differs",
+              std::isinf(level.worst) ? "-" : format("%.2f", level.worst).c_str());
+  std::printf("%s%s\n", level.why.empty() ? "" : "  ", level.why.c_str());
+  for (const std::string& id : level.untold) std::printf("%20scannot tell %s\n", "", id.c_str());
 }
 
-using dynamics::FreeMotion;
-constexpr FreeMotion kMotions[] = {FreeMotion::kThesis,     FreeMotion::kSymplecticEuler,
-                                   FreeMotion::kSplitting2, FreeMotion::kSplitting4,
-                                   FreeMotion::kTaylor,     FreeMotion::kElliptic};
+void print_ladder(const AuditLadder& ladder) {
+  std::printf("\n%s\n", ladder.name.c_str());
+  for (const AuditLevel& level : ladder.level) print_level(ladder, level);
+  if (!ladder.level[ladder.reference].run.problem.empty())
+    return static_cast<void>(std::printf("  no level could be played: nothing is known\n"));
+  const std::string &own = ladder.level[ladder.own].run.level,
+                    &best = ladder.level[ladder.cheapest].run.level,
+                    &finest = ladder.level[ladder.reference].run.level;
+  std::printf("  enough: %s", best.c_str());
+  if (ladder.cheapest != ladder.reference)
+    std::printf(", saves %.0f %% of the processor time of %s", 100 * ladder.saves, finest.c_str());
+  std::printf("; the lesson has %s%s\n", own.c_str(),
+              ladder.level[ladder.own].enough ? "" : ", which is NOT enough");
+}
 
-class Audit {
- public:
-  Audit(const AuditOptions& options, const host::Catalogue& catalogue, assembly::LessonFile file)
-      : options_(options), catalogue_(catalogue), file_(std::move(file)) {
-    for (assembly::LessonObject& use : file_.objects) add(use.name, use);
-    for (assembly::LessonCoupling& use : file_.couplings) add(use.name, use);
-    ladders_.push_back(
-        {"engine.contact", {"thesis", "exact"}, 1, nullptr, [](step::Options& o, std::size_t i) {
-           o.contact.level = i == 0 ? contact::Level::kThesis : contact::Level::kExact;
-         }});
-    ladders_.push_back({"engine.free_motion",
-                        {"thesis", "symplectic_euler", "splitting_2", "splitting_4", "taylor", "elliptic"},
-                        5,
-                        nullptr,
-                        [](step::Options& o, std::size_t i) { o.dynamics.free_motion = kMotions[i]; }});
-    const auto usual =
-        std::find(std::begin(kMotions), std::end(kMotions), step::Options().dynamics.free_motion);
-    ladders_.back().own = static_cast<std::size_t>(usual - std::begin(kMotions));
-  }
-
-  /// True when the lesson's own level is enough on every ladder.
-  bool run(Json& out) {
-    bool good = true;
-    for (Ladder& ladder : ladders_) good &= climb(ladder, out["ladders"].emplace_back());
-    return good;
-  }
-
- private:
-  void add(const std::string& instance, assembly::PluginUse& use) {
-    const host::PluginInfo* plugin = catalogue_.find(use.plugin);
-    if (plugin == nullptr) return;
-    for (const host::Param& p : plugin->params) {
-      if (p.id != "level" || p.type != SWAGE_PARAM_CHOICE) continue;
-      Ladder ladder{instance + ".level", p.choices, static_cast<std::size_t>(p.default_number[0]),
-                    &use.params, nullptr};
-      const std::string own = Json::parse(use.params).value("level", std::string());
-      const auto found = std::find(p.choices.begin(), p.choices.end(), own);
-      if (found != p.choices.end()) ladder.own = static_cast<std::size_t>(found - p.choices.begin());
-      ladders_.push_back(std::move(ladder));
-    }
-  }
-
-  bool climb(Ladder& ladder, Json& out) {
-    std::vector<Played> played;
-    for (std::size_t i = 0; i < ladder.level.size(); ++i) played.push_back(play(ladder, i));
-    // the finest level that could be played is the measure of the others
-    std::size_t finest = ladder.level.size() - 1;
-    while (finest > 0 && !played[finest].problem.empty()) --finest;
-    std::vector<Verdict> verdict;
-    for (const Played& p : played) verdict.push_back(compare(p, played[finest]));
-    std::size_t best = finest;
-    for (std::size_t i = 0; i < played.size(); ++i)
-      if (verdict[i].enough && played[i].cpu_s < kCheaper * played[best].cpu_s) best = i;
-
-    const double saved = 1 - played[best].cpu_s / played[finest].cpu_s;
-    out["ladder"] = ladder.name;
-    out["own"] = ladder.level[ladder.own];
-    out["reference"] = ladder.level[finest];
-    out["cheapest_enough"] = ladder.level[best];
-    out["saves"] = number(saved);
-    if (!options_.json) std::printf("\n%s\n", ladder.name.c_str());
-    for (std::size_t i = 0; i < played.size(); ++i) tell_level(ladder, i, finest, played[i], verdict[i], out);
-    const bool good = verdict[ladder.own].enough;
-    if (!options_.json)
-      std::printf("  enough: %s, saves %.0f %% of the processor time of %s; the lesson has %s%s\n",
-                  ladder.level[best].c_str(), 100 * saved, ladder.level[finest].c_str(),
-                  ladder.level[ladder.own].c_str(), good ? "" : ", which is NOT enough");
-    return good;
-  }
-
-  void tell_level(const Ladder& ladder, std::size_t i, std::size_t finest, const Played& p, const Verdict& v,
-                  Json& out) const {
+Json to_json(const AuditLadder& ladder) {
+  Json out = {{"ladder", ladder.name},
+              {"own", ladder.level[ladder.own].run.level},
+              {"reference", ladder.level[ladder.reference].run.level},
+              {"cheapest_enough", ladder.level[ladder.cheapest].run.level},
+              {"saves", number(ladder.saves)}};
+  for (const AuditLevel& level : ladder.level) {
+    const AuditRun& run = level.run;
     Json& row = out["levels"].emplace_back();
-    row = {{"level", ladder.level[i]}, {"enough", v.enough},         {"why", v.why},
-           {"outcome", p.outcome},     {"reason", p.reason},         {"score", number(p.score)},
-           {"cpu_s", number(p.cpu_s)}, {"simulated_steps", p.steps}, {"problem", p.problem}};
-    for (std::size_t m = 0; m < p.metric.size(); ++m) row["metrics"][p.names[m].id] = number(p.metric[m]);
-    if (options_.json) return;
-    if (!p.problem.empty())
-      return static_cast<void>(
-          std::printf("  %-17s cannot be played: %s\n", ladder.level[i].c_str(), p.problem.c_str()));
-    std::printf("  %-17s %-8s score %5.1f  %6.1f us a step  %s\n", ladder.level[i].c_str(), p.outcome.c_str(),
-                p.score, 1e6 * p.cpu_s,
-                i == finest ? "reference"
-                : v.enough  ? "enough"
-                            : ("differs: " + v.why).c_str());
+    row = {
+        {"level", run.level},         {"enough", level.enough},     {"difference", number(level.worst)},
+        {"why", level.why},           {"outcome", run.outcome},     {"reason", run.reason},
+        {"score", number(run.score)}, {"cpu_s", number(run.cpu_s)}, {"simulated_s", number(run.simulated_s)},
+        {"problem", run.problem},     {"untold", level.untold}};
+    for (const AuditMetric& m : run.metric) row["metrics"][m.id] = number(m.value);
+    for (const AuditDifference& d : level.difference) row["differences"][d.id] = number(d.size());
   }
+  return out;
+}
 
-  Played play(Ladder& ladder, std::size_t level) {
-    step::Options options;
-    const std::string before = ladder.params != nullptr ? *ladder.params : "";
-    if (ladder.params != nullptr) {
-      Json params = Json::parse(before);
-      params["level"] = ladder.level[level];
-      *ladder.params = params.dump();
-    } else {
-      ladder.choose(options, level);
-    }
-    const Played out = play(options);
-    if (ladder.params != nullptr) *ladder.params = before;
-    return out;
+bool write(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  return file.good();
+}
+
+bool write_all(const std::string& out, const std::vector<AuditLesson>& lessons, const AuditRule& rule) {
+  std::error_code ignored;
+  std::filesystem::create_directories(out, ignored);
+  return write(out + "/audit.csv", audit_csv(lessons)) &&
+         write(out + "/audit_metrics.csv", audit_metrics_csv(lessons)) &&
+         write(out + "/audit.md", audit_markdown(lessons, rule)) &&
+         write(out + "/audit.svg", audit_svg(lessons));
+}
+
+/// Every lesson that comes with Swage, in order of its number. False with a problem told.
+bool add_series(std::vector<std::string>& lessons) {
+  std::vector<std::string> searched, found;
+  const std::string folder = data_folder("lessons/series", searched);
+  if (folder.empty()) {
+    std::string places;
+    for (const std::string& place : searched) places += (places.empty() ? "" : ", ") + place;
+    return problem("There is no series of lessons here; looked in: " + places), false;
   }
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".json") found.push_back(entry.path().string());
+  std::sort(found.begin(), found.end());
+  lessons.insert(lessons.end(), found.begin(), found.end());
+  return true;
+}
 
-  Played play(const step::Options& options) const {
-    Played out;
-    base::Problems problems;
-    const auto rig = assembly::assemble(file_, catalogue_, {options_.device, ""}, problems);
-    for (const base::Problem& p : problems)
-      if (p.severity == base::Severity::kError && out.problem.empty()) out.problem = p.message;
-    if (!rig) return out;
-    for (const host::DeviceSlot& slot : rig->devices)
-      if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
-        out.problem = "A device did not open.";
-    if (!out.problem.empty()) return out;
-    try {
-      step::Engine engine(*rig, options);
-      drive(engine, *rig, out);
-    } catch (const std::exception& e) {
-      out.problem = e.what();
-    }
-    return out;
+/// Reads a lesson and plays it; false with the problems told.
+bool play(const AuditOptions& o, const std::string& path, AuditLesson& out) {
+  host::Catalogue::Options search;
+  search.plugin_dirs = o.plugin_dirs;
+  const host::Catalogue catalogue(search);
+  base::Problems problems;
+  assembly::LessonFile file;
+  if (!assembly::read_lesson_file(path, file, problems) ||
+      !assembly::assemble(file, catalogue, {o.device, ""}, problems)) {
+    tell(problems);
+    return false;
   }
-
-  // until the verdict, or half a second after the hand has come to its end
-  void drive(step::Engine& engine, const host::Rig& rig, Played& out) const {
-    constexpr double kAfter = 0.5;  // s, simulated
-    double gone_s = 0;
-    const int64_t begin = base::cpu_ns();
-    while (engine.verdict().outcome == judge::Outcome::kRunning && gone_s < kAfter &&
-           engine.world().time() < options_.max_time_s) {
-      engine.step();
-      ++out.steps;
-      if (engine.hand_gone()) gone_s += engine.world().dt;
-    }
-    out.cpu_s = 1e-9 * static_cast<double>(base::cpu_ns() - begin) /
-                static_cast<double>(std::max<uint64_t>(1, out.steps));
-    const judge::Verdict& v = engine.verdict();
-    out.outcome = judge::text(v.outcome);
-    out.reason = v.reason == SWAGE_NONE ? "" : rig.script.events[v.reason].id;
-    out.score = v.score;
-    out.names = rig.script.metrics;
-    out.metric = v.metric;
-    if (engine.quarantined() > 0) out.problem = "A plugin went into quarantine.";
-  }
-
-  Verdict compare(const Played& p, const Played& reference) const {
-    if (!p.problem.empty()) return {false, p.problem};
-    if (p.outcome != reference.outcome || p.reason != reference.reason)
-      return {false, "it ended " + p.outcome + (p.reason.empty() ? "" : " (" + p.reason + ")")};
-    double worst = std::abs(p.score - reference.score) / (100 * options_.tolerance);
-    std::string what = format("score by %.1f", std::abs(p.score - reference.score));
-    for (std::size_t i = 0; i < p.metric.size(); ++i) {
-      const double a = p.metric[i], b = reference.metric[i];
-      if (std::isnan(a) || std::isnan(b)) continue;  // what a level cannot know, it cannot get wrong
-      const double differs = std::abs(a - b);
-      const double allowed =
-          std::max(noticeable(p.names[i].unit), options_.tolerance * std::max(std::abs(a), std::abs(b)));
-      if (differs / allowed <= worst) continue;
-      worst = differs / allowed;
-      what = format("%s %.4g instead of %.4g %s", p.names[i].id.c_str(), a, b, p.names[i].unit.c_str());
-    }
-    return {worst <= 1, what};
-  }
-
-  const AuditOptions& options_;
-  const host::Catalogue& catalogue_;
-  assembly::LessonFile file_;
-  std::vector<Ladder> ladders_;
-};
+  out = play_levels({o.device, o.max_time_s, o.budget_s, o.only}, catalogue, std::move(file),
+                    [](const std::string& what) { std::fprintf(stderr, "\r%-60s", what.c_str()); });
+  std::fprintf(stderr, "\r%60s\r", "");
+  return true;
+}
 
 }  // namespace
 
 int audit(const AuditOptions& o) {
   const host::ScopedRole main_role(SWAGE_THREAD_MAIN);
+  const AuditRule rule{o.tolerance};
+  std::vector<std::string> paths = o.lessons;
+  if (o.series && !add_series(paths)) return kProblem;
+  if (paths.empty()) return problem("Name lesson files, or say --series for those that come with Swage.");
+
   bool good = true;
   Json all = Json::array();
-  for (const std::string& path : o.lessons) {
-    base::Problems problems;
-    assembly::LessonFile file;
-    host::Catalogue::Options search;
-    search.plugin_dirs = o.plugin_dirs;
-    const host::Catalogue catalogue(search);
-    if (!assembly::read_lesson_file(path, file, problems) ||
-        !assembly::assemble(file, catalogue, {o.device, ""}, problems)) {
-      tell(problems);
-      return kProblem;
-    }
+  std::vector<AuditLesson> lessons;
+  for (const std::string& path : paths) {
+    AuditLesson& lesson = lessons.emplace_back();
+    if (!play(o, path, lesson)) return kProblem;
     if (!o.json)
-      std::printf("%s%s: hand %s, tolerance %.3g %%\n", all.empty() ? "" : "\n", file.title.c_str(),
+      std::printf("%s%s: hand %s, tolerance %.3g %%\n", lessons.size() == 1 ? "" : "\n", lesson.title.c_str(),
                   o.device.c_str(), 100 * o.tolerance);
+    if (lesson.ladder.empty()) return problem("\"" + path + "\" has no such ladder as --only names.");
     Json out = {{"lesson", path}, {"device", o.device}, {"tolerance", o.tolerance}};
-    Audit audit(o, catalogue, std::move(file));
-    good &= audit.run(out);
+    for (AuditLadder& ladder : lesson.ladder) {
+      judge(rule, ladder);
+      good &= ladder.level[ladder.own].enough;
+      if (o.json)
+        out["ladders"].push_back(to_json(ladder));
+      else
+        print_ladder(ladder);
+    }
     all.push_back(std::move(out));
+    std::fflush(stdout);
   }
   if (o.json) print(all);
+  if (!o.out.empty() && !write_all(o.out, lessons, rule))
+    return problem("\"" + o.out + "\" cannot be written.");
   return good ? kPassed : kNotPassed;
 }
 

@@ -67,6 +67,9 @@ void add_study(CLI::App& app, Arguments& a) {
   CLI::App* verb =
       app.add_subcommand("study", "Run a lesson over a matrix of variants and hands, and draw the figures");
   verb->add_option("study", a.study.file, "Study file (.json)")->required();
+  verb->add_option("--set", a.study.settings,
+                   "Another value than the lesson's, in every attempt: needle.level=bending; may be repeated")
+      ->allow_extra_args(false);
   verb->add_option("--out", a.study.out, "Folder for figures (SVG) and all attempts (CSV)");
   verb->add_option("--store", a.study.store, "Attempts database that keeps them; none unless given");
   plugin_dirs(verb, a.study.plugin_dirs);
@@ -87,12 +90,18 @@ void add_audit(CLI::App& app, Arguments& a) {
   CLI::App* verb =
       app.add_subcommand("audit", "Play lessons at every level of detail and say which is enough");
   AuditOptions& o = a.audit;
-  verb->add_option("lessons", o.lessons, "Lesson files (.json)")->required();
+  verb->add_option("lessons", o.lessons, "Lesson files (.json)");
+  verb->add_flag("--series", o.series, "Every lesson that comes with Swage");
+  verb->add_option("--out", o.out, "Folder for tables (CSV, Markdown) and chart (SVG)");
+  verb->add_option("--only", o.only, "One ladder, as needle.level; may be repeated")->allow_extra_args(false);
   verb->add_option("--device", o.device, "Hand that plays them")->capture_default_str();
   verb->add_option("--tolerance", o.tolerance, "Relative difference that still counts as equal")
       ->capture_default_str()
       ->check(CLI::Range(1e-6, 1.0));
   verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which a run ends")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 86400.0));
+  verb->add_option("--budget", o.budget_s, "Seconds of processor time after which a run is called too slow")
       ->capture_default_str()
       ->check(CLI::Range(0.001, 86400.0));
   verb->add_flag("--json", o.json, "The result as JSON");

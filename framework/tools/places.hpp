@@ -23,7 +23,8 @@ void become(const std::string& program, const std::vector<std::string>& argument
 /// True when a window could be opened somewhere.
 bool has_display();
 
-/// A folder of resources by its name, installed or in the source tree, "" when there is none; `searched` says where was looked.
+/// A folder of what comes with Swage ("needles", "lessons/series"), installed or in the source tree (there also below resources/),
+/// "" when there is none; `searched` says where was looked.
 std::string data_folder(const std::string& name, std::vector<std::string>& searched);
 
 /// Templates of new plugins: share/swage/plugin_template of the install, resources/plugin_template of a source tree.

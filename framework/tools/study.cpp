@@ -108,6 +108,7 @@ bool run_one(const Study& study, const StudyOptions& o, StudyRow& row, base::Pro
   options.store_path = o.store;
   options.mode = "test";
   options.pace = session::Pace::kFastest;
+  options.settings = o.settings;
   const std::size_t skipped = 2 - study.factors.size();
   for (std::size_t i = 0; i < study.factors.size(); ++i)
     for (const std::string& setting : study.factors[i].levels[row.level[skipped + i]].settings)

@@ -7,30 +7,15 @@
 
 #include "tools/print.hpp"
 #include "tools/study.hpp"
+#include "tools/svg.hpp"
 
 namespace swage::tools {
 namespace {
 
 constexpr double kWidth = 900, kHeight = 480, kLeft = 80, kRight = 30, kTop = 84, kBottom = 80;
 
-// distinct for colour-blind readers (Okabe and Ito), and each hand has a mark of its own
-struct Style {
-  const char* colour;
-  const char* path;  // around 0 0, about 12 wide
-};
-constexpr Style kStyles[] = {{"#0072b2", "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0Z"},
-                             {"#d55e00", "M0 -6L6 5L-6 5Z"},
-                             {"#009e73", "M-5 -5H5V5H-5Z"},
-                             {"#cc79a7", "M0 -7L7 0L0 7L-7 0Z"},
-                             {"#555555", "M0 6L6 -5L-6 -5Z"}};
-const Style& style(std::size_t hand) { return kStyles[hand % std::size(kStyles)]; }
-
-std::string escape(const std::string& s) {
-  std::string out;
-  for (const char c : s)
-    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c);
-  return out;
-}
+using svg::escape;
+using svg::style;
 
 /// The least of 1, 2, 5 times a power of ten that is not below x.
 double round_up(double x) {

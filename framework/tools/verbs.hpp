@@ -29,6 +29,7 @@ struct StudyOptions {
   std::string file, out;  // out: folder for figures and table, "" for none
   std::string store = ":none:";
   std::vector<std::string> plugin_dirs;
+  std::vector<std::string> settings;  // of every attempt, before those of the study: "needle.level=bending"
 };
 int study(const StudyOptions&);
 
@@ -52,9 +53,13 @@ int validate(const ValidateOptions&);
 
 struct AuditOptions {
   std::vector<std::string> lessons, plugin_dirs;
+  std::vector<std::string> only;  // names of ladders; all unless given
   std::string device = "expert";
   double tolerance = 0.05;  // relative
-  double max_time_s = 120;  // simulated
+  double max_time_s = 300;  // simulated
+  double budget_s = 45;     // of processor time, for one run
+  std::string out;          // folder for tables and chart, "" for none
+  bool series = false;      // also every lesson that comes with Swage
   bool json = false;
 };
 int audit(const AuditOptions&);

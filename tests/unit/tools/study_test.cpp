@@ -59,6 +59,18 @@ TEST_F(Study, RunsTheMatrixAndWritesTableAndFigures) {
   EXPECT_THAT(svg, HasSubstr(">long<"));
 }
 
+TEST_F(Study, SetsAValueInEveryAttemptUnlessTheStudySaysOtherwise) {
+  const std::string file =
+      study(R"({ "name": "as it is" }, { "name": "long", "set": { "lesson.duration": "0.04 s" } })");
+  const Said said = swage({"study", file, "--set", "lesson.duration=0.02 s"});
+  EXPECT_EQ(said.code, 0) << said.err;
+  EXPECT_THAT(said.out, testing::ContainsRegex("as it is +2[0-9](\\.[0-9]+)? \\(2 of 2\\)"));
+  EXPECT_THAT(said.out, testing::ContainsRegex("long +4[0-9](\\.[0-9]+)? \\(2 of 2\\)"));
+  const Said wrong = swage({"study", file, "--set", "ball.weight=3"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("swage.object.solids has no such parameter."));
+}
+
 TEST_F(Study, SaysWhatIsWrong) {
   EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr("There is no such study file."));
   write("study.json", "{");

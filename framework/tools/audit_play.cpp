@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/clock.hpp"
+#include "step/step.hpp"
+#include "tools/audit.hpp"
+#include "tools/print.hpp"
+
+namespace swage::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using dynamics::FreeMotion;
+
+/// Where a ladder's levels are set.
+struct Place {
+  std::string name, plugin;
+  std::vector<std::string> level;
+  std::size_t own = 0;            // the lesson's
+  std::string* params = nullptr;  // of the plugin in the lesson file; nullptr: of the engine
+  void (*choose)(step::Options&, std::size_t) = nullptr;
+};
+
+constexpr FreeMotion kMotions[] = {FreeMotion::kThesis,     FreeMotion::kSymplecticEuler,
+                                   FreeMotion::kSplitting2, FreeMotion::kSplitting4,
+                                   FreeMotion::kTaylor,     FreeMotion::kElliptic};
+
+class Player {
+ public:
+  Player(const AuditPlan& plan, const host::Catalogue& catalogue, assembly::LessonFile file,
+         void (*said)(const std::string&))
+      : plan_(plan), catalogue_(catalogue), file_(std::move(file)), said_(said) {
+    for (assembly::LessonObject& use : file_.objects) add(use.name, use);
+    for (assembly::LessonCoupling& use : file_.couplings) add(use.name, use);
+    add_engine();
+    const auto unwanted = [&](const Place& place) {
+      return !plan_.only.empty() &&
+             std::find(plan_.only.begin(), plan_.only.end(), place.name) == plan_.only.end();
+    };
+    std::erase_if(places_, unwanted);
+  }
+
+  AuditLesson play() {
+    AuditLesson out{file_.path, file_.id, file_.title, plan_.device, {}};
+    for (const Place& place : places_) {
+      AuditLadder& ladder = out.ladder.emplace_back();
+      ladder.name = place.name;
+      ladder.own = place.own;
+      ladder.plugin = place.plugin;
+      for (std::size_t i = 0; i < place.level.size(); ++i) {
+        ladder.level.emplace_back().run = play(place, i);
+        ladder.level.back().run.level = place.level[i];
+      }
+    }
+    return out;
+  }
+
+ private:
+  void add(const std::string& instance, assembly::PluginUse& use) {
+    const host::PluginInfo* plugin = catalogue_.find(use.plugin);
+    if (plugin == nullptr) return;
+    for (const host::Param& p : plugin->params) {
+      if (p.id != "level" || p.type != SWAGE_PARAM_CHOICE) continue;
+      Place place{instance + ".level", use.plugin, p.choices, static_cast<std::size_t>(p.default_number[0]),
+                  &use.params,         nullptr};
+      const std::string own = Json::parse(use.params).value("level", std::string());
+      const auto found = std::find(p.choices.begin(), p.choices.end(), own);
+      if (found != p.choices.end()) place.own = static_cast<std::size_t>(found - p.choices.begin());
+      places_.push_back(std::move(place));
+    }
+  }
+
+  void add_engine() {
+    places_.push_back(
+        {"engine.contact", "", {"thesis", "exact"}, 1, nullptr, [](step::Options& o, std::size_t i) {
+           o.contact.level = i == 0 ? contact::Level::kThesis : contact::Level::kExact;
+         }});
+    const auto usual =
+        std::find(std::begin(kMotions), std::end(kMotions), step::Options().dynamics.free_motion);
+    places_.push_back({"engine.free_motion",
+                       "",
+                       {"thesis", "symplectic_euler", "splitting_2", "splitting_4", "taylor", "elliptic"},
+                       static_cast<std::size_t>(usual - std::begin(kMotions)),
+                       nullptr,
+                       [](step::Options& o, std::size_t i) { o.dynamics.free_motion = kMotions[i]; }});
+  }
+
+  // the lesson as it is stands on every ladder, and is played once
+  AuditRun play(const Place& place, std::size_t level) {
+    const bool as_it_is = level == place.own;
+    if (as_it_is && own_played_) return own_;
+    said_(file_.id + "  " + place.name + " " + place.level[level]);
+    step::Options options;
+    const std::string before = place.params != nullptr ? *place.params : "";
+    if (place.params == nullptr) {
+      place.choose(options, level);
+    } else if (!as_it_is) {
+      Json params = Json::parse(before);
+      params["level"] = place.level[level];
+      *place.params = params.dump();
+    }
+    AuditRun out = play(options);
+    if (place.params != nullptr) *place.params = before;
+    if (as_it_is) own_ = out, own_played_ = true;
+    return out;
+  }
+
+  // A short run is played again: the same work, and the smaller of two processor times has seen less of what else runs here.
+  AuditRun play(const step::Options& options) const {
+    constexpr double kShort = 5;  // s, of processor time
+    AuditRun out = play_once(options);
+    const double spent_s = out.cpu_s * out.simulated_s / file_dt();
+    if (out.problem.empty() && spent_s < kShort) out.cpu_s = std::min(out.cpu_s, play_once(options).cpu_s);
+    return out;
+  }
+  double file_dt() const { return 1 / file_.rate_hz; }
+
+  AuditRun play_once(const step::Options& options) const {
+    AuditRun out;
+    base::Problems problems;
+    const auto rig = assembly::assemble(file_, catalogue_, {plan_.device, ""}, problems);
+    for (const base::Problem& p : problems)
+      if (p.severity == base::Severity::kError && out.problem.empty()) out.problem = p.message;
+    if (!rig) return out;
+    for (const host::DeviceSlot& slot : rig->devices)
+      if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
+        out.problem = "A device did not open.";
+    if (!out.problem.empty()) return out;
+    try {
+      step::Engine engine(*rig, options);
+      drive(engine, out);
+      read(engine, *rig, out);
+    } catch (const std::exception& e) {
+      out.problem = e.what();
+    }
+    return out;
+  }
+
+  // until the verdict, or half a second after the hand has come to its end
+  void drive(step::Engine& engine, AuditRun& out) const {
+    constexpr double kAfter = 0.5;     // s, simulated
+    constexpr uint64_t kBetween = 64;  // steps from one look at the clock to the next
+    double gone_s = 0, spent_s = 0;
+    uint64_t steps = 0;
+    const int64_t begin = base::cpu_ns();
+    const auto look = [&] { spent_s = 1e-9 * static_cast<double>(base::cpu_ns() - begin); };
+    while (engine.verdict().outcome == judge::Outcome::kRunning && gone_s < kAfter &&
+           engine.world().time() < plan_.max_time_s && spent_s < plan_.budget_s) {
+      engine.step();
+      if (++steps % kBetween == 0) look();
+      if (engine.hand_gone()) gone_s += engine.world().dt;
+    }
+    if (spent_s >= plan_.budget_s)
+      out.problem = format("too slow: stopped at %.2f s of the lesson after %.0f s of processor time",
+                           engine.world().time(), spent_s);
+    look();
+    out.cpu_s = spent_s / static_cast<double>(std::max<uint64_t>(1, steps));
+    out.simulated_s = engine.world().time();
+  }
+
+  static void read(const step::Engine& engine, const host::Rig& rig, AuditRun& out) {
+    const judge::Verdict& v = engine.verdict();
+    out.outcome = judge::text(v.outcome);
+    out.reason = v.reason == SWAGE_NONE ? "" : rig.script.events[v.reason].id;
+    out.score = v.score;
+    for (std::size_t i = 0; i < v.metric.size(); ++i)
+      out.metric.push_back({rig.script.metrics[i].id, rig.script.metrics[i].unit, v.metric[i]});
+    if (engine.quarantined() > 0) out.problem = "a plugin went into quarantine";
+  }
+
+  const AuditPlan& plan_;
+  const host::Catalogue& catalogue_;
+  assembly::LessonFile file_;
+  void (*const said_)(const std::string&);
+  std::vector<Place> places_;
+  AuditRun own_;
+  bool own_played_ = false;
+};
+
+}  // namespace
+
+AuditLesson play_levels(const AuditPlan& plan, const host::Catalogue& catalogue, assembly::LessonFile file,
+                        void (*said)(const std::string&)) {
+  return Player(plan, catalogue, std::move(file), said).play();
+}
+
+}  // namespace swage::tools

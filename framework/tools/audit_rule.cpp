@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tools/audit.hpp"
+#include "tools/print.hpp"
+
+namespace swage::tools {
+namespace {
+
+// Processor times closer than this are equal: what a busy machine adds to a step.
+constexpr double kCheaper = 0.9;
+
+// Values closer than this are equal whatever their size: what a trainee could not notice, by unit. An unlisted unit is a pure
+// number's; a larger figure calls levels enough whose difference can be seen, a smaller one tells of noise.
+double noticeable(const std::string& unit) {
+  constexpr double kLength = 20e-6, kTime = 0.1, kForce = 0.02;  // m, s, N
+  if (unit == "m") return kLength;
+  if (unit == "m2") return kLength * kLength;
+  if (unit == "s") return kTime;
+  if (unit == "N*s") return kForce * kTime;
+  return 0.02;  // rad, N, shares and counts
+}
+
+AuditDifference beside(const AuditRule& rule, const AuditMetric& a, const AuditMetric& b) {
+  const double larger = std::max(std::abs(a.value), std::abs(b.value));
+  return {a.id, a.unit, a.value, b.value, std::max(noticeable(a.unit), rule.tolerance * larger)};
+}
+
+const AuditMetric* find(const AuditRun& run, const std::string& id) {
+  for (const AuditMetric& m : run.metric)
+    if (m.id == id && !std::isnan(m.value)) return &m;
+  return nullptr;
+}
+
+std::string ending(const AuditRun& run) {
+  return run.outcome + (run.reason.empty() ? "" : " (" + run.reason + ")");
+}
+
+void compare(const AuditRule& rule, AuditLevel& level, const AuditRun& reference) {
+  const AuditRun& run = level.run;
+  level.worst = std::numeric_limits<double>::infinity();
+  level.enough = false;
+  if (!run.problem.empty()) return static_cast<void>(level.why = run.problem);
+  level.difference.push_back({"score", "", run.score, reference.score, 100 * rule.tolerance});
+  for (const AuditMetric& b : reference.metric) {
+    if (std::isnan(b.value)) continue;
+    if (const AuditMetric* a = find(run, b.id))
+      level.difference.push_back(beside(rule, *a, b));
+    else
+      level.untold.push_back(b.id);
+  }
+  if (run.outcome != reference.outcome || run.reason != reference.reason)
+    return static_cast<void>(level.why = ending(run) + ", " + reference.level + " " + ending(reference));
+  const auto worst = std::max_element(
+      level.difference.begin(), level.difference.end(),
+      [](const AuditDifference& a, const AuditDifference& b) { return a.size() < b.size(); });
+  level.worst = worst->size();
+  level.enough = level.worst <= 1;
+  if (level.worst > 0)
+    level.why = format("%s %.4g instead of %.4g", worst->id.c_str(), worst->value, worst->reference) +
+                (worst->unit.empty() || worst->unit == "1" ? "" : " " + worst->unit);
+}
+
+}  // namespace
+
+double AuditDifference::size() const { return std::abs(value - reference) / allowed; }
+
+void judge(const AuditRule& rule, AuditLadder& ladder) {
+  ladder.reference = ladder.level.size() - 1;
+  while (ladder.reference > 0 && !ladder.level[ladder.reference].run.problem.empty()) --ladder.reference;
+  const AuditRun reference = ladder.level[ladder.reference].run;
+  for (AuditLevel& level : ladder.level) compare(rule, level, reference);
+
+  ladder.cheapest = ladder.reference;
+  for (std::size_t i = 0; i < ladder.level.size(); ++i)
+    if (ladder.level[i].enough &&
+        ladder.level[i].run.cpu_s < kCheaper * ladder.level[ladder.cheapest].run.cpu_s)
+      ladder.cheapest = i;
+  ladder.saves =
+      ladder.cheapest == ladder.reference ? 0 : 1 - ladder.level[ladder.cheapest].run.cpu_s / reference.cpu_s;
+}
+
+}  // namespace swage::tools

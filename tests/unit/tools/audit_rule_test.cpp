@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The rule of the audit on runs made by hand: when a level is enough, when it is not, and what is said of a finest level that could
+// not be played.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/audit.hpp"
+
+namespace swage::tools {
+namespace {
+
+using testing::HasSubstr;
+
+AuditRun run(const char* level, double us, double force, double reach = 1e-3) {
+  AuditRun out;
+  out.level = level;
+  out.outcome = "passed";
+  out.score = 90;
+  out.cpu_s = 1e-6 * us;
+  out.metric = {{"force.mean", "N", force}, {"grasp.tip_reach", "m", reach}, {"needle.bending", "1", NAN}};
+  return out;
+}
+
+AuditLadder judged(const std::vector<AuditRun>& runs, std::size_t own = 0) {
+  AuditLadder ladder;
+  ladder.name = "needle.level";
+  ladder.plugin = "swage.object.needle";
+  ladder.own = own;
+  for (const AuditRun& r : runs) ladder.level.emplace_back().run = r;
+  judge({0.05}, ladder);
+  return ladder;
+}
+
+TEST(AuditRule, TheCheapestLevelThatChangesNothingIsEnough) {
+  const AuditLadder ladder =
+      judged({run("rigid", 10, 0.61), run("bending", 40, 0.605), run("reference", 200, 0.6)});
+  EXPECT_EQ(ladder.reference, 2u);
+  EXPECT_EQ(ladder.cheapest, 0u);
+  EXPECT_NEAR(ladder.saves, 0.95, 1e-12);
+  // 10 mN beside 5 % of 0.61 N
+  EXPECT_NEAR(ladder.level[0].worst, 0.01 / (0.05 * 0.61), 1e-9);
+  EXPECT_THAT(ladder.level[0].why, HasSubstr("force.mean 0.61 instead of 0.6 N"));
+}
+
+TEST(AuditRule, ACoarseLevelThatMovesAMetricIsNotEnough) {
+  const AuditLadder ladder =
+      judged({run("rigid", 10, 0.7), run("bending", 40, 0.605), run("reference", 200, 0.6)});
+  EXPECT_FALSE(ladder.level[0].enough);
+  EXPECT_GT(ladder.level[0].worst, 1);
+  EXPECT_EQ(ladder.cheapest, 1u);
+  EXPECT_NEAR(ladder.saves, 0.8, 1e-12);
+}
+
+TEST(AuditRule, WhatNobodyNoticesIsEqualWhateverItsShare) {
+  EXPECT_TRUE(judged({run("rigid", 10, 0.6, 1e-6), run("bending", 40, 0.6, 20e-6)}).level[0].enough);
+  EXPECT_FALSE(judged({run("rigid", 10, 0.6, 1e-6), run("bending", 40, 0.6, 22e-6)}).level[0].enough);
+  // an area is small in m2: half a needle's length by its thickness must not pass for nothing
+  AuditRun coarse = run("rigid", 10, 0.6), fine = run("bending", 40, 0.6);
+  coarse.metric.push_back({"tissue.swept", "m2", 0});
+  fine.metric.push_back({"tissue.swept", "m2", 2.5e-3 * 100e-6});
+  EXPECT_FALSE(judged({coarse, fine}).level[0].enough);
+}
+
+TEST(AuditRule, AnotherVerdictIsNeverEnough) {
+  AuditRun failed = run("rigid", 10, 0.6);
+  failed.outcome = "failed";
+  failed.reason = "failed.dropped";
+  const AuditLadder ladder = judged({failed, run("bending", 40, 0.6)});
+  EXPECT_FALSE(ladder.level[0].enough);
+  EXPECT_TRUE(std::isinf(ladder.level[0].worst));
+  EXPECT_EQ(ladder.level[0].why, "failed (failed.dropped), bending passed");
+  EXPECT_EQ(ladder.cheapest, 1u);
+  EXPECT_EQ(ladder.saves, 0);
+}
+
+TEST(AuditRule, AMetricThatALevelCannotTellIsNamed) {
+  AuditRun fine = run("bending", 40, 0.6);
+  fine.metric.back().value = 0.3;
+  const AuditLadder ladder = judged({run("rigid", 10, 0.6), fine});
+  EXPECT_TRUE(ladder.level[0].enough);
+  EXPECT_THAT(ladder.level[0].untold, testing::ElementsAre("needle.bending"));
+}
+
+TEST(AuditRule, AFinestLevelThatFailsOrIsTooSlowIsSaidAndTheNextMeasures) {
+  AuditRun slow = run("reference", 9000, 0.6);
+  slow.problem = "too slow: stopped at 1.00 s of the lesson";
+  const AuditLadder ladder = judged({run("rigid", 10, 0.8), run("bending", 40, 0.6), slow});
+  EXPECT_EQ(ladder.reference, 1u);
+  EXPECT_FALSE(ladder.level[2].enough);
+  EXPECT_EQ(ladder.cheapest, 1u);
+
+  AuditLesson lesson{"x.json", "org.example.x", "Lesson <x>", "expert", {ladder}};
+  const std::string md = audit_markdown({lesson}, {0.05});
+  EXPECT_THAT(md, HasSubstr("**the lesson's level is not enough**: force.mean 0.8 instead of 0.6 N; "
+                            "reference: too slow: stopped at 1.00 s"));
+  EXPECT_THAT(md, HasSubstr("| reference | not played | | | | too slow"));
+  const std::string csv = audit_csv({lesson});
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+  EXPECT_THAT(csv, HasSubstr("org.example.x,expert,needle.level,rigid,1,0,0,0,passed,,90,10,0,5,"));
+  EXPECT_THAT(csv, HasSubstr("\"too slow: stopped at 1.00 s of the lesson\""));
+  // score and two metrics of two levels; who was not played has none
+  const std::string metrics = audit_metrics_csv({lesson});
+  EXPECT_EQ(std::count(metrics.begin(), metrics.end(), '\n'), 1 + 2 * 3);
+  EXPECT_THAT(metrics, HasSubstr("org.example.x,needle.level,rigid,force.mean,N,0.8,0.6,0.04,5\n"));
+  const std::string svg = audit_svg({lesson});
+  EXPECT_THAT(svg, HasSubstr("Lesson &lt;x&gt;"));
+  EXPECT_THAT(svg, HasSubstr(">rigid<"));
+  EXPECT_THAT(svg, testing::Not(HasSubstr(">reference<")));
+}
+
+}  // namespace
+}  // namespace swage::tools
