@@ -2,9 +2,6 @@
 #include "hand.hpp"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
-#include <sstream>
 
 #include "hand/reader.hpp"
 
@@ -139,21 +136,8 @@ Quat orientation(const Vec3& axis, const Vec3& closing) {
 
 Hand parse_hand(const std::string& text, const std::string& name) {
   const Reader reader(name);
-  Json file;
-  try {
-    file = Json::parse(text);
-  } catch (const Json::parse_error& problem) {
-    reader.fail("", std::string("not JSON: ") + problem.what());
-  }
-  if (!file.is_object() || file.value("format", "") != "swage-hand/1") {
-    reader.fail("/format", "\"swage-hand/1\" is needed here");
-  }
-  for (const auto& item : file.items()) {
-    constexpr std::array kKnown = {"format", "title", "doc", "keys", "samples"};
-    if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end()) {
-      reader.fail("/" + item.key(), "unknown; a hand has format, title, doc, and keys or samples");
-    }
-  }
+  const Json file = object_of(reader, text, "swage-hand/1", {"format", "title", "doc", "keys", "samples"},
+                              "a hand has format, title, doc, and keys or samples");
   if (file.contains("keys") == file.contains("samples"))
     reader.fail("", "give either \"keys\" or \"samples\"");
 
@@ -174,13 +158,7 @@ Hand parse_hand(const std::string& text, const std::string& name) {
   return hand;
 }
 
-Hand load_hand(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  std::stringstream text;
-  text << file.rdbuf();
-  return parse_hand(text.str(), path);
-}
+Hand load_hand(const std::string& path) { return parse_hand(text_of(path), path); }
 
 Moment Hand::at(double t, Between between) const noexcept {
   // the keys on both sides of t; at the ends the same one twice

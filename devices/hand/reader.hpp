@@ -3,9 +3,15 @@
 // Numbers with units out of a hand's or a plan's file; messages name file and key. [main]
 #pragma once
 
+#include <swage/units.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,15 +31,10 @@ struct Unit {
   Measure measure;
   double si;
 };
-inline constexpr Unit kUnits[] = {{"m", Measure::kLength, 1},
-                                  {"mm", Measure::kLength, 1e-3},
-                                  {"um", Measure::kLength, 1e-6},
-                                  {"s", Measure::kTime, 1},
-                                  {"ms", Measure::kTime, 1e-3},
-                                  {"rad", Measure::kAngle, 1},
-                                  {"deg", Measure::kAngle, 0.017453292519943295},
-                                  {"N", Measure::kForce, 1},
-                                  {"mN", Measure::kForce, 1e-3}};
+inline constexpr Unit kUnits[] = {
+    {"m", Measure::kLength, 1},        {"mm", Measure::kLength, 1e-3}, {"um", Measure::kLength, 1e-6},
+    {"s", Measure::kTime, 1},          {"ms", Measure::kTime, 1e-3},   {"rad", Measure::kAngle, 1},
+    {"deg", Measure::kAngle, kDegree}, {"N", Measure::kForce, 1},      {"mN", Measure::kForce, 1e-3}};
 
 /// Where we are in the file, for messages.
 class Reader {
@@ -91,5 +92,31 @@ class Reader {
   }
   std::string name_;
 };
+
+/// The text of a file. Throws.
+inline std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A JSON object of this format with no keys but `known`; `has` says so to who wrote another one.
+inline Json object_of(const Reader& reader, const std::string& text, const std::string& format,
+                      std::initializer_list<const char*> known, const std::string& has) {
+  Json file;
+  try {
+    file = Json::parse(text);
+  } catch (const Json::parse_error& problem) {
+    reader.fail("", std::string("not JSON: ") + problem.what());
+  }
+  if (!file.is_object() || file.value("format", "") != format)
+    reader.fail("/format", "\"" + format + "\" is needed here");
+  for (const auto& item : file.items())
+    if (std::find(known.begin(), known.end(), item.key()) == known.end())
+      reader.fail("/" + item.key(), "unknown; " + has);
+  return file;
+}
 
 }  // namespace swage::hand

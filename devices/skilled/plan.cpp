@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan.hpp"
 
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "hand/hand.hpp"
 #include "hand/reader.hpp"
@@ -63,20 +61,7 @@ void check_keys(const Reader& reader, const Json& value, const Form& form, const
     if (!value.contains(key)) reader.fail(where, "\"" + key + "\" is missing");
 }
 
-Act read_act(const Reader& reader, const Json& value, const std::string& where) {
-  if (!value.is_object() || !value.contains("act"))
-    reader.fail(where, R"(an act is an object like {"act": "wait"})");
-  const std::string name = word(reader, value["act"], where + "/act");
-  const auto found = forms().find(name);
-  if (found == forms().end()) {
-    std::string all;
-    for (const auto& [known, form] : forms()) all += (all.empty() ? "" : ", ") + known;
-    reader.fail(where + "/act", "there is no act \"" + name + "\"; there is: " + all);
-  }
-  check_keys(reader, value, found->second, where);
-
-  Act act;
-  act.verb = found->second.verb;
+void read_numbers(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   const auto number = [&](const char* key, Measure measure, double& out) {
     if (value.contains(key)) out = reader.number(value[key], measure, where + "/" + key);
   };
@@ -91,6 +76,28 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   number("above", Measure::kLength, act.above);
   number("angle", Measure::kAngle, act.angle);
   if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
+
+  if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
+  if (act.closure < 0 || act.closure > 1)
+    reader.fail(where + "/closure", "closure goes from 0 (open) to 1 (closed)");
+  if (act.s < 0 || act.s > 1) reader.fail(where + "/s", "s goes from 0 (point) to 1 (swage)");
+}
+
+Act read_act(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.is_object() || !value.contains("act"))
+    reader.fail(where, R"(an act is an object like {"act": "wait"})");
+  const std::string name = word(reader, value["act"], where + "/act");
+  const auto found = forms().find(name);
+  if (found == forms().end()) {
+    std::string all;
+    for (const auto& [known, form] : forms()) all += (all.empty() ? "" : ", ") + known;
+    reader.fail(where + "/act", "there is no act \"" + name + "\"; there is: " + all);
+  }
+  check_keys(reader, value, found->second, where);
+
+  Act act;
+  act.verb = found->second.verb;
+  read_numbers(reader, value, where, act);
   if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
@@ -114,11 +121,6 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
     act.tissue = word(reader, value["into"], where + "/into");
   if (value.contains("into") && !value["into"].is_string())
     act.into = direction(reader, value["into"], where + "/into");
-
-  if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
-  if (act.closure < 0 || act.closure > 1)
-    reader.fail(where + "/closure", "closure goes from 0 (open) to 1 (closed)");
-  if (act.s < 0 || act.s > 1) reader.fail(where + "/s", "s goes from 0 (point) to 1 (swage)");
   return act;
 }
 
@@ -126,19 +128,8 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
 
 Plan parse_plan(const std::string& text, const std::string& name) {
   const Reader reader(name);
-  Json file;
-  try {
-    file = Json::parse(text);
-  } catch (const Json::parse_error& problem) {
-    reader.fail("", std::string("not JSON: ") + problem.what());
-  }
-  if (!file.is_object() || file.value("format", "") != "swage-plan/1")
-    reader.fail("/format", "\"swage-plan/1\" is needed here");
-  for (const auto& item : file.items()) {
-    static const std::set<std::string> known = {"format", "title", "doc", "start", "acts"};
-    if (!known.contains(item.key()))
-      reader.fail("/" + item.key(), "unknown; a plan has format, title, doc, start, acts");
-  }
+  const Json file = hand::object_of(reader, text, "swage-plan/1", {"format", "title", "doc", "start", "acts"},
+                                    "a plan has format, title, doc, start, acts");
   if (!file.contains("start") || !file.contains("acts") || !file["acts"].is_array() || file["acts"].empty())
     reader.fail("", "a plan needs \"start\", a pose, and \"acts\", a list of at least one");
 
@@ -165,12 +156,6 @@ Plan parse_plan(const std::string& text, const std::string& name) {
   return plan;
 }
 
-Plan load_plan(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  std::stringstream text;
-  text << file.rdbuf();
-  return parse_plan(text.str(), path);
-}
+Plan load_plan(const std::string& path) { return parse_plan(hand::text_of(path), path); }
 
 }  // namespace swage::skilled

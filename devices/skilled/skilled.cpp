@@ -208,6 +208,14 @@ bool Skilled::waits(const Act& act) const {
   return act.verb == Verb::kAnswer && (seen_.other_W - seen_.mark_W).norm() < kSame;
 }
 
+/// The mark on the side to which it seems to lean.
+Vec3 Skilled::answer() {
+  const Vec3 to_other = (seen_.other_W - seen_.mark_W).normalized();
+  const double lean = std::asin(std::clamp(seen_.up_W.dot(to_other), -1.0, 1.0));
+  const double seen = lean + params_.angle_bias + params_.angle_noise * normal();
+  return seen > 0 ? seen_.other_W : seen_.mark_W;
+}
+
 void Skilled::set_goal(const Act& act) {
   const Wire& wire = seen_.wire;
   switch (act.verb) {
@@ -234,13 +242,9 @@ void Skilled::set_goal(const Act& act) {
       shown_W_ = seen_.mark_W;
       goal_ = show_goal(act);
       break;
-    case Verb::kAnswer: {
-      const Vec3 to_other = (seen_.other_W - seen_.mark_W).normalized();
-      const double lean = std::asin(std::clamp(seen_.up_W.dot(to_other), -1.0, 1.0));
-      const double seen = lean + params_.angle_bias + params_.angle_noise * normal();
-      goal_.p = seen > 0 ? seen_.other_W : seen_.mark_W;
+    case Verb::kAnswer:
+      goal_.p = answer();
       break;
-    }
     case Verb::kDrive: {
       if (!seen_.wire_good) break;
       const Vec3 out = (wire.place(0).p_W - wire.centre_W).normalized();

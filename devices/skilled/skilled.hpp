@@ -110,6 +110,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
 
   void restart();
   void begin_act(double time_s);
+  Vec3 answer();
   void set_goal(const Act& act);
   Pose reach_goal(const Act& act) const;
   Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W) const;

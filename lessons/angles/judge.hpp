@@ -4,13 +4,14 @@
 // are explained in angles.md.
 #pragma once
 
+#include <swage/units.hpp>
+
 #include "common/watches.hpp"
 #include "staircase.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lesson_angles {
 
-using lessons::kDegree;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Vec3;

@@ -13,8 +13,6 @@ namespace swage::lessons {
 
 using toolkit::Vec3;
 
-inline constexpr double kDegree = 0.017453292519943295;  // rad
-
 // Voluntary movement of a hand lies below this, Hz: tremor (8-12 Hz) must not count as way travelled.
 inline constexpr double kVoluntary = 6;
 

@@ -60,6 +60,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
     binder.error("needle and tissue must have bodies");
   find_pierce(scene, binder);
   if (binder.failed()) return;
+  gripper_body_ = scene->object[gripper_object_].first_body;
   needle_body_ = scene->object[needle_object_].first_body;
   tissue_body_ = scene->object[tissue_object_].first_body;
   target_ = binder.mark_point({0, 0, 0}, kMarkRadius, "target.point");
@@ -94,9 +95,8 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
              signal("swept"),
              signal("below"),
              signal("pull"),
+             signal("depth"),
              {signal("exit_x"), signal("exit_y"), signal("exit_z")},
-             {signal("at_x"), signal("at_y"), signal("at_z")},
-             event("touched"),
              event("entered"),
              event("exited"),
              event("passed"),
@@ -159,6 +159,7 @@ Hole InsertionLesson::hole(const Step& tissue, const Vec3& p_W) const {
   const auto here = tissue_.inside(tissue, toolkit::raw(p_W));
   if (!here) return hole;
   hole.edge = here->edge;
+  hole.wall = here->depth - here->beyond;
   hole.normal_W = vec(here->normal_W);
   const Vec3 u = hole.normal_W.unitOrthogonal(), v = hole.normal_W.cross(u);
   const auto slope = [&](const Vec3& way) {
@@ -188,7 +189,14 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.point_W = vec(point->p_W);
   look.target_W = Eigen::Map<const Vec3>(kept.target);
   look.normal_W = Eigen::Map<const Vec3>(kept.normal);
+  look.diameter = 2 * point->radius;
+  read_pierce(scene, look);
+  read_stray(scene, *jaws, look);
+  return true;
+}
 
+void InsertionLesson::read_pierce(const View& scene, Look& look) const {
+  const auto number = [&](Signal signal) { return scene.signal(signal); };
   constexpr double kInTissue = 2;
   look.in_tissue = number(pierce_.state) >= kInTissue;
   look.entered = scene.happened(pierce_.entered);
@@ -203,23 +211,35 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.cosine = number(pierce_.cosine);
   look.s = number(pierce_.s);
   look.entry_W = place(scene, pierce_.entry);
-  look.point_touched = scene.happened(pierce_.touched);
-  look.touch_W = place(scene, pierce_.at);
-  look.diameter = 2 * point->radius;
-  const Step tissue = scene.object(tissue_object_);
-  const auto tips = tissue_.inside(tissue, jaws->tip_W);
-  look.jaws_in = tips && tips->depth > 0 && tips->beyond < 0 && tips->edge > 0;
   if (look.entered || look.exited)
-    look.hole = hole(tissue, look.exited ? place(scene, pierce_.exit) : look.entry_W);
+    look.hole = hole(scene.object(tissue_object_), look.exited ? place(scene, pierce_.exit) : look.entry_W);
   look.wound = number(pierce_.wound);
   look.area_ratio = number(pierce_.area_ratio);
   look.swept = number(pierce_.swept);
   look.below = number(pierce_.below);
   look.pull = number(pierce_.pull);
-  if (!look.in_tissue) return true;
+  if (!look.in_tissue) return;
   const auto nearest = needle_.nearest(scene.object(needle_object_), toolkit::raw(look.entry_W));
   if (nearest) look.arc_error = (vec(nearest->p_W) - look.entry_W).norm();
-  return true;
+}
+
+/// The task has the needle touch the tissue at the mark; once it is in, where it went in and came out, and between the two.
+void InsertionLesson::read_stray(const View& scene, const swage_gripper_state& jaws, Look& look) const {
+  Region region;
+  region.middle[0] = look.in_tissue ? look.entry_W : look.target_W;
+  region.normal = look.normal_W;
+  region.radius = params_.tolerance;
+  constexpr double kOut = 3;
+  if (look.in_tissue) {
+    region.s_in = look.s;
+    const bool out = scene.signal(pierce_.state) >= kOut;
+    if (out) region.middle[region.count++] = place(scene, pierce_.exit);
+    region.s_out = out ? look.s - scene.signal(pierce_.depth) / look.length : 0;
+  }
+  const Step tissue = scene.object(tissue_object_);
+  look.needle_astray = needle_astray(needle_, scene.object(needle_object_), tissue_, tissue, region);
+  const auto origin = [&](uint32_t body) { return vec(scene.pose(gripper_body_ + body).p); };
+  look.jaws_astray = jaws_astray(jaws, {origin(jaws.left_body), origin(jaws.right_body)}, tissue_, tissue);
 }
 
 void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::span<double> state) {
@@ -282,7 +302,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kCosine, m.inside_s > 0 ? m.cosine_s / m.inside_s : 0);
   tell(Measure::kAngle, angle_rms(m));
   tell(Measure::kInAngle, m.travel > 0 ? m.travel_in / m.travel : 0);
-  tell(Measure::kDepth, look.below);
+  if (m.wall > 0) tell(Measure::kDepth, look.below / m.wall);
   tell(Measure::kArc, arc_rms(m));
   tell(Measure::kWound, look.wound);
   tell(Measure::kArea, look.area_ratio);

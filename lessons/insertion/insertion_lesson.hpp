@@ -117,8 +117,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
-    Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, exit[3], at[3];
-    Event touched, entered, exited, passed, deflected;
+    Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, depth, exit[3];
+    Event entered, exited, passed, deflected;
   };
 
   void find_pierce(const Scene& scene, Binder& binder);
@@ -127,6 +127,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   static Vec3 place(const View& view, const Signal (&signal)[3]);
   Hole hole(const Step& tissue, const Vec3& p_W) const;
   bool read(const View& view, const Kept& kept, Look& look) const;
+  void read_pierce(const View& view, Look& look) const;
+  void read_stray(const View& view, const swage_gripper_state& jaws, Look& look) const;
   void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
   void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;
@@ -137,8 +139,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   lessons::GraspSignals grasp_;
   Pierce pierce_;
   Peer gripper_, needle_, tissue_;
-  uint32_t gripper_object_ = kNone, needle_object_ = kNone, needle_body_ = kNone, tissue_object_ = kNone,
-           tissue_body_ = kNone;
+  uint32_t gripper_object_ = kNone, gripper_body_ = kNone, needle_object_ = kNone, needle_body_ = kNone,
+           tissue_object_ = kNone, tissue_body_ = kNone;
   Mark target_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];

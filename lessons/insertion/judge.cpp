@@ -42,6 +42,7 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
     memory.entries += 1;
     memory.entry_distance = (off - off.dot(look.normal_W) * look.normal_W).norm();
     memory.entry_angle = look.angle;
+    memory.wall = look.hole.wall;
     memory.missed = memory.entry_distance > rules_.tolerance ? 1 : 0;
     memory.tracked = 0;
     memory.deepest = 0;
@@ -96,10 +97,7 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
 }
 
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  const Vec3 off = look.touch_W - look.target_W;
-  const bool astray =
-      look.point_touched && (off - off.dot(look.normal_W) * look.normal_W).norm() > rules_.tolerance;
-  follow_stray(memory.stray, astray && !look.in_tissue, look.jaws_in, look.dt_s);
+  follow_stray(memory.stray, look.needle_astray, look.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
   if (memory.missed != 0) return;
   Stitches::finish(memory.stitch);

@@ -4,9 +4,12 @@
 // formulas are explained in insertion.md.
 #pragma once
 
+#include <swage/units.hpp>
+
 #include "common/grip.hpp"
 #include "common/watches.hpp"
 #include "stitch.hpp"
+#include "stray.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lesson_insertion {
@@ -15,7 +18,6 @@ using lessons::DropState;
 using lessons::DropWatch;
 using lessons::GripState;
 using lessons::GripWatch;
-using lessons::kDegree;
 using lessons::PathState;
 using lessons::PathWatch;
 using toolkit::Vec3;
@@ -58,9 +60,8 @@ struct Look {
   Vec3 entry_W = Vec3::Zero();  // m
   double arc_error = 0;         // m, of the entry from the needle's centre line
   Hole hole;                    // with `entered` and `exited`
-  bool point_touched = false;   // the point begins to press on the tissue, in this step
-  Vec3 touch_W = Vec3::Zero();  // m, where
-  bool jaws_in = false;         // the tips of the jaws are in the tissue
+  bool needle_astray = false;   // some of it touches the tissue outside the task's region
+  bool jaws_astray = false;     // a jaw is in the tissue
   double diameter = 100e-6;     // m, of the wire
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
 };
@@ -73,6 +74,7 @@ struct Memory {
   double begun = 0;
   double drops = 0, entries = 0, deflections = 0, missed = 0;
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
+  double wall = 0;                             // m, where it went in
   double exit_angle = 0;                       // rad
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
   double travel = 0, travel_in = 0;            // m, of the needle through its entry, and within the angle

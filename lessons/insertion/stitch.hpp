@@ -20,6 +20,7 @@ struct Hole {
   Vec3 edge_W = Vec3::Zero();     // unit, along the surface towards the nearest edge; 0: nobody knows
   Vec3 normal_W = Vec3::UnitZ();  // unit, out of the tissue
   double edge = 0;                // m, distance of that edge
+  double wall = 0;                // m, thickness of the tissue there; 0: nobody knows
 };
 
 /// Doubles only; the last stitch, and where all of them lie.
@@ -83,18 +84,5 @@ class Stitches {
     return mean > 0 ? std::sqrt(square / static_cast<double>(n - 2)) / mean : 0;
   }
 };
-
-/// Touches that are not part of the task: the point elsewhere than at the mark, the jaws in the tissue (M52).
-struct StrayState {
-  double count = 0, jaws = 0, clear_s = 0;  // 1; 0 or 1: they touch; s, since they did
-};
-inline void follow_stray(StrayState& s, bool point, bool jaws, double dt) noexcept {
-  constexpr double kPause = 0.15;  // s: what touches again sooner is still the same touch
-  if (point) s.count += 1;
-  s.clear_s = jaws ? 0 : s.clear_s + dt;
-  if (jaws && s.jaws == 0) s.count += 1;
-  if (jaws) s.jaws = 1;
-  if (s.clear_s >= kPause) s.jaws = 0;
-}
 
 }  // namespace swage::lesson_insertion

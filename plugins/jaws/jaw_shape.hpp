@@ -8,6 +8,8 @@
 // are in J.
 #pragma once
 
+#include <swage/units.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,8 +17,6 @@
 #include <vector>
 
 namespace swage::jaws {
-
-inline constexpr double kDegree = std::numbers::pi / 180;  // rad
 
 enum class JawShape : int { kPrism, kTetrahedron };
 

@@ -3,6 +3,7 @@
 // Both angle lessons with assistant, needle and hands, in the real host: hands come out in order, what is shown is what was asked
 // for, and the left hand gets the same.
 #include <gtest/gtest.h>
+#include <swage/units.hpp>
 
 #include <memory>
 #include <numbers>
@@ -13,7 +14,6 @@ namespace swage::stage {
 namespace {
 
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
-constexpr double kDegree = 0.017453292519943295;
 
 class Angles : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Stock, Angles, ::testing::Values("120_angles", "121_angles_jaws"));

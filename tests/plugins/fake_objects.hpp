@@ -52,7 +52,8 @@ struct FakeWire {
   swage_vec3 tangent_W{0, 1, 0}, normal_W{1, 0, 0};
 };
 
-/// A quarter circle of 2 mm radius in the plane y = 0 that pierces: its point in the origin leads down, its centre is at +x.
+/// A quarter circle of 2 mm radius in the plane y = 0 that pierces: its point in `at` leads down, its centre is at +x; then turned
+/// about y at its point.
 struct FakeNeedle {
   static constexpr double kRadius = 2e-3, kSweep = 1.5707963267948966;  // m, rad
   FakeNeedle() {
@@ -66,13 +67,15 @@ struct FakeNeedle {
   }
   static swage_result place(swage_instance* i, const swage_object_step*, double s,
                             swage_piercing_place* out) {
-    const double lean = static_cast<FakeNeedle*>(i->self)->lean, a = kSweep * s;
+    const auto& self = *static_cast<FakeNeedle*>(i->self);
+    const double a = kSweep * s, lean = a + self.lean;
     *out = {};
     out->s = s;
     out->length = kRadius * kSweep;
     out->radius = 50e-6;
-    out->p_W = {kRadius * (1 - std::cos(a)), 0, kRadius * std::sin(a)};
-    out->tangent_W = {std::sin(a + lean), 0, std::cos(a + lean)};
+    out->p_W = turned({kRadius * (1 - std::cos(a)), 0, kRadius * std::sin(a)}, self.turn);
+    out->p_W = {self.at.x + out->p_W.x, self.at.y, self.at.z + out->p_W.z};
+    out->tangent_W = turned({std::sin(lean), 0, std::cos(lean)}, self.turn);
     return SWAGE_OK;
   }
   static swage_result locate(swage_instance* i, const swage_object_step* step, swage_vec3 p,
@@ -84,10 +87,18 @@ struct FakeNeedle {
   }
   static swage_result nearest(swage_instance* i, const swage_object_step* step, swage_vec3 p,
                               swage_piercing_place* out) {
-    const double a = std::atan2(p.z, kRadius - p.x);
+    const auto& self = *static_cast<FakeNeedle*>(i->self);
+    const swage_vec3 q = turned({p.x - self.at.x, 0, p.z - self.at.z}, -self.turn);
+    const double a = std::atan2(q.z, kRadius - q.x);
     return place(i, step, std::min(1.0, std::max(0.0, a / kSweep)), out);
   }
-  double lean = 0;  // rad, of its tangents towards +x
+  static swage_vec3 turned(swage_vec3 p, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * p.x + s * p.z, p.y, c * p.z - s * p.x};
+  }
+  double lean = 0;            // rad, of its tangents towards +x
+  double turn = 0;            // rad, from +z towards +x
+  swage_vec3 at = {0, 0, 0};  // m
   swage_instance raw{};
 };
 

@@ -8,8 +8,6 @@
 namespace swage::lesson_insertion {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-
 /// An attempt told step by step. The mark is in the origin, the tissue below it; the needle is 4 mm long.
 struct Attempt {
   explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
@@ -263,23 +261,21 @@ TEST(InsertionJudge, AStitchAslantIsOblique) {
 
 TEST(InsertionJudge, StrayTouchesAreCountedOnceEach) {
   Attempt a;
-  a.now.point_touched = true;
-  a.now.touch_W = Vec3(0.2e-3, 0, 0);  // at the mark
   a.go();
   EXPECT_EQ(a.memory.stray.count, 0);
-  a.now.touch_W = Vec3(2e-3, 0, 0);
-  a.go();
-  a.now.point_touched = false;
+  a.now.needle_astray = true;
+  a.go(5);
+  a.now.needle_astray = false;
   EXPECT_EQ(a.memory.stray.count, 1);
   // the jaws, with a gap too short to count twice, and one that is not
   for (const int gap : {100, 200}) {
-    a.now.jaws_in = true;
+    a.now.jaws_astray = true;
     a.go(5);
-    a.now.jaws_in = false;
+    a.now.jaws_astray = false;
     a.go(gap);
   }
   EXPECT_EQ(a.memory.stray.count, 2);
-  a.now.jaws_in = true;
+  a.now.jaws_astray = true;
   a.go();
   EXPECT_EQ(a.memory.stray.count, 3);
 }

@@ -17,8 +17,8 @@ class InsertionOnStage : public ::testing::Test, public stage::LessonStage {
         "pierce",
         {"pierce.state", "pierce.angle", "pierce.cosine", "pierce.s", "pierce.entry_x", "pierce.entry_y",
          "pierce.entry_z", "pierce.wound", "pierce.area_ratio", "pierce.swept", "pierce.below", "pierce.pull",
-         "pierce.exit_x", "pierce.exit_y", "pierce.exit_z", "pierce.at_x", "pierce.at_y", "pierce.at_z"},
-        {"pierce.touched", "pierce.entered", "pierce.exited", "pierce.passed", "pierce.deflected"});
+         "pierce.depth", "pierce.exit_x", "pierce.exit_y", "pierce.exit_z"},
+        {"pierce.entered", "pierce.exited", "pierce.passed", "pierce.deflected"});
     gripper_.state.tip_W = {0, 0, 5e-3};
   }
   /// The point is in at x [m], square.
@@ -127,6 +127,7 @@ TEST_F(InsertionOnStage, AStitchTellsItsBitesAndMovesTheMarkOn) {
 TEST_F(InsertionOnStage, FailsWithAReasonAndCountsWhatIsStray) {
   ASSERT_EQ(bind({{"max_wound", 2}, {"force", std::vector<double>{0.1, 0.5}}}), SWAGE_OK);
   start();
+  needle_.at.z = 1e-3;  // away from the tissue
   gripper_.state.tip_W = {0, 0, -0.1e-3};
   hold(0, 0.6, 0.7);
   observe();
@@ -137,6 +138,71 @@ TEST_F(InsertionOnStage, FailsWithAReasonAndCountsWhatIsStray) {
   observe();
   EXPECT_EQ(passed, 0);
   EXPECT_EQ(reason, stage.index_of(SWAGE_DECLARE_EVENT, "failed.torn"));
+}
+
+TEST_F(InsertionOnStage, StrayIsWhatOfTheWholeNeedleTouchesOutsideTheRegion) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  observe();
+  EXPECT_EQ(metric("tissue.stray"), 0) << "the point touches at the mark";
+  // the point is 0.2 mm above the mark, the wire leads away along the surface and down to it 0.8 mm off
+  needle_.turn = 0.5 * 3.14159265358979;
+  needle_.at.z = 0.2e-3;
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 1);
+  needle_.turn = 0;
+  observe(200);
+  EXPECT_EQ(metric("tissue.stray"), 1);
+  // square to the surface, but 0.5 mm beside the mark
+  needle_.at = {-0.5e-3, 0, 0};
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 2);
+}
+
+TEST_F(InsertionOnStage, WhatIsInItsTrackOrAtItsHolesIsNotStray) {
+  stage::Params params = at_origin();
+  params.insert({"task", 1});
+  ASSERT_EQ(bind(params), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  needle_.at.z = -1.1e-3;  // the point is out below; the wire crosses the surface at s = asin(0.55) / 90 deg
+  now("pierce.s") = 0.371;
+  now("pierce.depth") = 0.371 * stage::FakeNeedle::kRadius * stage::FakeNeedle::kSweep;
+  now("pierce.exit_z") = -1e-3;
+  enter(0.33e-3);
+  EXPECT_EQ(metric("tissue.stray"), 0);
+  happen("pierce.exited", 0);
+  now("pierce.state") = 3;
+  now("pierce.depth") = 0.34 * stage::FakeNeedle::kRadius * stage::FakeNeedle::kSweep;
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 0);
+  // the same wire, if it had come out 0.6 mm further on: then its point would lean on the far side
+  now("pierce.exit_x") = 0.6e-3;
+  now("pierce.exit_y") = 0.6e-3;
+  now("pierce.entry_x") = 0.9e-3;
+  needle_.at.z = -1.02e-3;
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 1);
+}
+
+TEST_F(InsertionOnStage, StrayIsAJawInTheTissueAnywhereFromHingeToTip) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  gripper_.state.tip_W = {-5e-3, 0, 2e-3};
+  X_WB[1].p = X_WB[2].p = {0.5e-3, 0, 1e-3};
+  gripper_.state.opening = 0.1;
+  observe();
+  EXPECT_EQ(metric("tissue.stray"), 0);
+  // the tips are up, the jaws lead down to the hinge
+  X_WB[1].p = X_WB[2].p = {0.5e-3, 0, -0.5e-3};
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 1);
+  X_WB[1].p = X_WB[2].p = {0.5e-3, 0, 1e-3};
+  observe(200);
+  // nearly closed over the surface: one of the tips is below it
+  gripper_.state.tip_W = {-5e-3, 0, 0.1e-3};
+  observe(10);
+  EXPECT_EQ(metric("tissue.stray"), 2);
 }
 
 TEST_F(InsertionOnStage, TheMarkLiesInItsFieldAndTheSameSeedDrawsItAgain) {
@@ -160,7 +226,7 @@ TEST_F(InsertionOnStage, SaysWhatTheSceneLacks) {
   signals.pop_back();
   EXPECT_LT(bind(), 0);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0], "\"pierce\" has no signal \"pierce.at_z\", which this lesson watches");
+  EXPECT_EQ(problems[0], "\"pierce\" has no signal \"pierce.exit_z\", which this lesson watches");
   problems.clear();
   signals.resize(7);  // nothing pierces
   EXPECT_LT(bind(), 0);

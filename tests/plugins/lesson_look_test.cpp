@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The looking lesson: signals that it is told to measure, and what it says when they are not there.
+#include "lesson_stage.hpp"
+
+namespace swage::stage {
+namespace {
+
+class LookOnStage : public ::testing::Test, public LessonStage {
+ protected:
+  LookOnStage() : LessonStage("swage.lesson.look", {"needle"}) {}
+};
+
+TEST_F(LookOnStage, TellsTheGreatestValueOfWhatItMeasures) {
+  ASSERT_EQ(bind({{"duration", 0.02}, {"measures", std::string("grasp grasp.force 1,  grasp grasp.s 1")}}),
+            SWAGE_OK);
+  start();
+  now("grasp.force") = 0.4;
+  observe(5);
+  now("grasp.force") = 0.9;
+  now("grasp.s") = 0.6;
+  observe(5);
+  now("grasp.force") = 0.1;
+  observe(5);
+  EXPECT_EQ(metric("grasp.force"), 0.9);
+  EXPECT_EQ(metric("grasp.s"), 0.6);
+  EXPECT_EQ(ends, 0);
+  observe(10);
+  EXPECT_EQ(passed, 1);
+  EXPECT_NEAR(metric("time.task"), 0.02, 1e-12);
+}
+
+TEST_F(LookOnStage, NeedsNothingWhenItMeasuresNothing) {
+  ASSERT_EQ(bind({{"duration", 0.001}}), SWAGE_OK);
+  start();
+  observe(3);
+  EXPECT_EQ(passed, 1);
+}
+
+TEST_F(LookOnStage, SaysWhatIsNotThereAndWhatIsToldInAnotherUnit) {
+  EXPECT_LT(bind({{"measures", std::string("needle needle.stress 1, grasp grasp.force N")}}), 0);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0], "\"needle\" has no signal \"needle.stress\", which \"measures\" names");
+  EXPECT_EQ(problems[1], "\"grasp.force\" is told in 1, not in N as \"measures\" says");
+}
+
+TEST_F(LookOnStage, RefusesWhatIsNotThreeWords) {
+  for (const char* text : {"grasp.force", "grasp grasp.force", "grasp grasp.force 1 and more"}) {
+    Stage refused("swage.lesson.look");
+    EXPECT_LT(refused.configure({{"measures", std::string(text)}}), 0) << text;
+  }
+}
+
+}  // namespace
+}  // namespace swage::stage
