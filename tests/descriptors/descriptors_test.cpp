@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 
 using namespace swage;
@@ -21,13 +22,8 @@ const fs::path kHere = fs::path(SWAGE_SOURCE_DIR) / "tests/descriptors";
 const std::string kPlugins = SWAGE_BINARY_DIR "/plugins";
 
 const host::Catalogue& catalogue() {
-  static const host::Catalogue* const found = [] {
-    host::Catalogue::Options options;
-    options.install_dir = kPlugins;
-    options.use_environment = false;
-    return new host::Catalogue(options);
-  }();
-  return *found;
+  static const host::Catalogue& found = test::make_catalogue(kPlugins);
+  return found;
 }
 
 std::string read(const fs::path& path) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 #include "base/rng.hpp"
 
@@ -81,13 +82,8 @@ void damage(std::string& text, Random& random) {
 }
 
 const host::Catalogue& catalogue() {
-  static const host::Catalogue* const found = [] {
-    host::Catalogue::Options options;
-    options.install_dir = SWAGE_BINARY_DIR "/plugins";
-    options.use_environment = false;
-    return new host::Catalogue(options);
-  }();
-  return *found;
+  static const host::Catalogue& found = test::make_catalogue(SWAGE_BINARY_DIR "/plugins");
+  return found;
 }
 
 // a scene, or an error with a place and a sentence

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 #include "judge/verdict.hpp"
 #include "step/step.hpp"
@@ -27,15 +28,9 @@ using toolkit::Quat;
 using toolkit::Vec3;
 
 inline const host::Catalogue& catalogue() {
-  static const host::Catalogue* const found = [] {
-    host::Catalogue::Options options;
-    options.plugin_dirs = {SWAGE_BINARY_DIR "/test_plugins"};
-    options.install_dir = SWAGE_BINARY_DIR "/plugins";
-    options.describe_program = SWAGE_DESCRIBE;
-    options.use_environment = false;
-    return new host::Catalogue(options);
-  }();
-  return *found;
+  static const host::Catalogue& found =
+      test::make_catalogue(SWAGE_BINARY_DIR "/plugins", {SWAGE_BINARY_DIR "/test_plugins"});
+  return found;
 }
 
 /// Where the needle is to be at a time.

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 #include "step/step.hpp"
 
@@ -19,15 +20,9 @@ using namespace swage;
 constexpr double kRadius = 0.5e-3, kMass = 1e-6, kSpring = 1, kContact = 1e3, kGravity = 9.80665, kTop = 1e-3;
 
 const host::Catalogue& catalogue() {
-  static const host::Catalogue* const found = [] {
-    host::Catalogue::Options options;
-    options.plugin_dirs = {SWAGE_BINARY_DIR "/test_plugins"};
-    options.install_dir = SWAGE_BINARY_DIR "/plugins";
-    options.describe_program = SWAGE_DESCRIBE;
-    options.use_environment = false;
-    return new host::Catalogue(options);
-  }();
-  return *found;
+  static const host::Catalogue& found =
+      test::make_catalogue(SWAGE_BINARY_DIR "/plugins", {SWAGE_BINARY_DIR "/test_plugins"});
+  return found;
 }
 
 std::string lesson(const std::string& objects, const std::string& couplings) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../../catalogue.hpp"
 #include "base/rng.hpp"
 #include "judge/host_events.hpp"
 
@@ -17,13 +18,8 @@ using testing::IsEmpty;
 namespace {
 
 const host::Catalogue& catalogue() {
-  static const host::Catalogue* const found = [] {
-    host::Catalogue::Options options;
-    options.install_dir = SWAGE_BINARY_DIR "/tests/assembly_plugins";
-    options.use_environment = false;
-    return new host::Catalogue(options);
-  }();
-  return *found;
+  static const host::Catalogue& found = test::make_catalogue(SWAGE_BINARY_DIR "/tests/assembly_plugins");
+  return found;
 }
 
 const char* const kRequires =
