@@ -85,12 +85,14 @@ class Writer {
           dip.piece == k || (dip.piece == k - 1 && joined(k)) || (dip.piece == k + 1 && joined(k + 1));
       if (beside) low = std::min(low, dip.distance);
     }
-    if (low == 1e300) return 1;
+    const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
+    // a wire that goes on before the curve's start leaves a minimum there to the arc before, and may rest on this one all the same
+    if (k == 0 && query_.goes_on) low = std::min(low, d0);
+    if (low > a_.radius + b_.radius + query_.margin) return 1;
 
     // how far the distance bends away from a straight slope, and how steep that slope is. Slope counts for less: points of
     // a line follow it by themselves, and weights that followed it closely would chase the tilt they cause
     const double flat = query_.flatness * query_.length;
-    const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
     const double tilt = std::abs(d1 - d0);
     if (tilt >= kSteep * flat || std::min(d0, d1) - low >= flat) return 1;
     const double d = distance(piece.region, curve_.middle(piece.from, piece.to));

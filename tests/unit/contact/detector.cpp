@@ -180,5 +180,44 @@ TEST(Detector, RefusesOptionsOutOfRange) {
   EXPECT_THROW(Grasp({}, o), std::invalid_argument);
 }
 
+// A wire of two arcs, as good as straight, lies across the lower jaw with 1 um overlap. Where it rises by less than the thickness of an
+// atom over one of them, the minimum at the joint belongs to the other; both lie on the face all the same and share its weight.
+TEST(Detector, EveryArcOfAWireThatLiesOnAFaceTouchesIt) {
+  constexpr double kRadius = 30, kSweep = 0.5e-3 / kRadius;
+  const Needle n;
+  for (const double tilt : {-1e-5, -1e-6, 0.0, 1e-6, 1e-5}) {
+    scene::World w;
+    w.body.resize(3);
+    w.shape = {bench::needle_shape(n), bench::needle_shape(n), bench::convex_shape()};
+    w.convex = {bench::convex(bench::jaw(-1))};
+    for (uint32_t i = 0; i < 3; ++i) {
+      w.body[i].motion = i < 2 ? SWAGE_MOTION_SELF : SWAGE_MOTION_FIXED;
+      w.body[i].start = Pose().abi();
+      w.shape[i].body = i, w.body[i].object = w.shape[i].object = i < 2 ? 0 : 1;
+    }
+    w.shape[2].convex = 0;
+    const toolkit::Quat rise = toolkit::exp_rotation({tilt, 0, 0});
+    const Vec3 grip(bench::Jaw::kGrip, 0, n.wire_radius() - 1e-6);
+    for (int i = 0; i < 2; ++i) {
+      scene::Shape& s = w.shape[static_cast<size_t>(i)];
+      s.kind = SWAGE_SHAPE_ARC, s.arc_radius = kRadius, s.sweep = kSweep;
+      s.bounding_radius = 2 * kRadius;
+      // its arc starts on its own +x axis, at the joint or one sweep before it
+      const Pose X_WA(grip - rise * Vec3(kRadius, 0, 0),
+                      rise * toolkit::exp_rotation({0, 0, (i - 1) * kSweep}));
+      s.X_BS = X_WA.abi();
+    }
+    scene::reset(w);
+    Detector detector(w, Grasp::pairs(), {});
+    ContactSet set;
+    detector.reserve(set);
+    detector.detect(w, set);
+    double weight[2] = {};
+    for (const Contact& c : set.contact) weight[std::min(c.shape_a, c.shape_b)] += c.weight;
+    EXPECT_NEAR(weight[0], 0.5, 1e-3) << tilt;
+    EXPECT_NEAR(weight[1], 0.5, 1e-3) << tilt;
+  }
+}
+
 }  // namespace
 }  // namespace swage::contact
