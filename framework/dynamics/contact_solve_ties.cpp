@@ -131,7 +131,7 @@ void ContactSolve::refresh_ties() noexcept {
 /// How far a side's material point is from where it was predicted to be, or from where its shape is [m].
 Vec3 ContactSolve::moved(const Side& side, const Vec3& p_own, const Vec3& p_W) const noexcept {
   if (side.body == kNone) return Vec3::Zero();
-  if (side.point != kNone) return place_.self().off_shape(place_.mover(side.mover).index, side.point);
+  if (side.point != kNone) return off_shape(side, p_W);
   return place_.frame(side) * p_own - p_W;
 }
 
