@@ -41,8 +41,6 @@ void Bending::set_up(int n, const Form& form, const Pose& X_B0P) {
     const Mat3 R = X_AP.q.toRotationMatrix();
     own_[at(i)] = {m.mass, X_AP.inverse() * Vec3(m.centre, m.along, 0), R.transpose() * I * R};
   }
-  G_.resize(at(kMaxPoints * (n - 1)));
-  GF_.resize(G_.size());
 
   known_.fill({});
   over_.fill(wire_.over(Vec3::Zero()));
@@ -145,8 +143,13 @@ void Bending::fly(const Step& step, const Rigid& start) {
     const Mat3 half = toolkit::exp_rotation(0.5 * h * free_.w).toRotationMatrix();
     free_.w = half * (inverse * (half.transpose() * L));
   }
-  // loads are balanced within the step: what they would spin a thin wire to is no attitude to turn it by
-  if (n_load_ > 0) free_.w += inverse * (L_start_ - L);
+}
+
+/// What the loads make it spin. By the inertia that contacts find: against them loads are balanced within the step, and a thin wire
+/// is 2600 times lighter about itself than across, so that the least turn between the two would make of a balanced couple about it
+/// one across it.
+void Bending::spin_by_loads(const Step& step) {
+  if (n_load_ > 0) free_.w += inverse_ * (L_start_ - vec3(state(step).L));
 }
 
 /// All pieces along with a rigid motion.
@@ -228,8 +231,11 @@ void Bending::advance(const Step& step) {
     const swage_twist& V = step->V_WB[0];
     const Vec3 w = vec(V.w), arm = start.centre - X0_WB0_.p;
     carry(step, {vec(V.v) + w.cross(arm), w}, start);
+    spin_by_loads(step);
     put(whole_.inertia * w, s.L);
   } else {
+    inverse_ = start.inertia.inverse();
+    spin_by_loads(step);
     carry(step, free_, start);
     put(L_start_, s.L);
     const JointMemory* memory = joints(step);

@@ -16,7 +16,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "form.hpp"
 #include "toolkit/bent_wire.hpp"
@@ -98,9 +97,21 @@ class Bending {
     Vec3 v = Vec3::Zero(), w = Vec3::Zero();  // of the centre of mass, m/s; rad/s
   };
   struct Touch {
-    int piece = 0, low = 0, high = 0;  // joints [low, high) are between it and the base
-    Vec3 p_W, arm_W;                   // m; from the centre of mass
-    Mat3 turn;                         // turn of the whole per impulse there
+    int piece = 0;
+    Vec3 p_W, arm_W;  // m; q, from the centre of mass
+    // of its mobility what does not depend on the other point: [q] I^-1, and with its Reach [q] turn - arm', shift - [q] arm
+    Mat3 turn, by, shift;
+  };
+  /// What the joints between a piece and the one that carries do to it, summed. With S = R F R'/h^2 of a joint at x from the centre
+  /// of mass: S, S [x]' and [x] S [x]', and the motion that its springing back makes.
+  struct Reach {
+    Mat3 turn = Mat3::Zero(), arm = Mat3::Zero(), shift = Mat3::Zero();
+    Vec3 w = Vec3::Zero(), v = Vec3::Zero();  // rad/s; m/s, at the centre of mass
+  };
+  struct Force {
+    double s = 0;              // m along the wire, from the middle of the first piece
+    int piece = 0, dent = -1;  // joint beside which it is in the dent, or -1
+    Vec3 f_W, p_W;             // N; m, on the centre line
   };
   struct Load {
     int piece = 0;
@@ -114,22 +125,27 @@ class Bending {
     void* first = step.state().data() + sizeof(BendingState) / sizeof(double);
     return static_cast<JointMemory*>(first);
   }
-  size_t pair(int point, int joint) const { return at(point * (n_ - 1) + joint); }
 
   void follow_joints(const JointMemory* memory);
   Rigid weigh(int root);
   void take_loads(const Step& step, const Rigid& start);
   void fly(const Step& step, const Rigid& start);
+  void spin_by_loads(const Step& step);
   void carry(const Step& step, const Twist& V, const Rigid& start);
   void relax(const Step& step) const;
   void place(int base, const Pose& X_WP);
   void write(const Step& step, int base) const;
   void write_piece(const Step& step, int i, const Vec3& w_W) const;
   void load_joints();
+  int along(const double* impulse, double h, std::span<Force> force) const;
+  Force force_at(const Touch& t, const Vec3& f_W) const;
   double peak(const double* impulse, double h) const;
   void collect(const Step& step, std::span<const swage_contact_point> points);
-  Vec3 free_velocity(int point, const JointMemory* memory, double h) const;
-  Mat3 mobility(int a, int b, double h) const;
+  static Mat3 turn_of(const Mat3& M, const Vec3& q);
+  void give(const JointMemory* memory, double h);
+  Vec3 free_velocity(int point, double h) const;
+  Mat3 mobility(const Touch& a, const Touch& b) const;
+  void bear(const double* impulse, double h, Vec3* m) const;
 
   int n_ = 0;
   toolkit::BentWire wire_;
@@ -160,7 +176,7 @@ class Bending {
   std::array<Frame, kMax> joint_;
   std::array<Mat3, kMax> F_;
   std::array<bool, kMax> flows_{};
-  std::vector<Mat3> G_, GF_;  // per point and joint
+  std::array<Reach, kMax> reach_;
 };
 
 }  // namespace swage::needle

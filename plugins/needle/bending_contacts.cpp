@@ -2,6 +2,7 @@
 //
 // What contacts do to a bending needle: how its points give, and what the impulses on them bend.
 #include <algorithm>
+#include <cstdlib>
 
 #include "bending.hpp"
 
@@ -10,37 +11,70 @@ namespace swage::needle {
 using toolkit::BentWire;
 using toolkit::JointMemory;
 using toolkit::Quat;
-using toolkit::skew;
 using toolkit::vec;
 
-/// Which joints lie between the points and the piece that carries, how the points move with them, and how they give.
+/// Which joints lie between the points and the piece that carries, how they give, and what the pieces have of them.
 void Bending::collect(const Step& step, std::span<const swage_contact_point> points) {
   const JointMemory* memory = joints(step);
   n_touch_ = std::min(static_cast<int>(points.size()), kMaxPoints);
   base_ = piece_of(points[0].body);
   low_ = high_ = base_;
+  const auto reach = [this](int piece) { low_ = std::min(low_, piece), high_ = std::max(high_, piece); };
   for (int a = 0; a < n_touch_; ++a) {
     Touch& t = touch_[at(a)];
     t.piece = piece_of(points[at(a)].body);
-    t.low = std::min(base_, t.piece), t.high = std::max(base_, t.piece);
     t.p_W = vec(points[at(a)].p_W);
     t.arm_W = t.p_W - whole_.centre;
-    t.turn = inverse_ * skew(t.arm_W);
-    low_ = std::min(low_, t.low), high_ = std::max(high_, t.high);
+    reach(t.piece);
   }
-  for (int l = 0; l < n_load_; ++l)
-    low_ = std::min(low_, push_[at(l)].piece), high_ = std::max(high_, push_[at(l)].piece);
+  for (int l = 0; l < n_load_; ++l) reach(push_[at(l)].piece);
   for (int j = low_; j < high_; ++j) {
     joint_[at(j)] = wire_.joint_frame(X_[at(j)], memory[j]);
     flows_[at(j)] = wire_.flexibility(j, memory[j], F_[at(j)]);
   }
-  for (int a = 0; a < n_touch_; ++a)
-    for (int j = touch_[at(a)].low; j < touch_[at(a)].high; ++j) {
-      Mat3& G = G_[pair(a, j)];
-      G = BentWire::gain(j, joint_[at(j)], base_, touch_[at(a)].piece, touch_[at(a)].p_W);
-      GF_[pair(a, j)].noalias() = G.lazyProduct(F_[at(j)]);
-    }
   load_joints();
+  give(memory, step.dt());
+  for (int a = 0; a < n_touch_; ++a) {
+    Touch& t = touch_[at(a)];
+    t.turn = turn_of(reach_[at(base_)].turn, t.arm_W);
+    if (t.piece == base_) continue;
+    const Reach& r = reach_[at(t.piece)];
+    t.by = turn_of(r.turn, t.arm_W) - r.arm.transpose();
+    t.shift = r.shift - turn_of(r.arm, t.arm_W);
+  }
+}
+
+/// [q] M: what turns by M moves at q.
+Mat3 Bending::turn_of(const Mat3& M, const Vec3& q) {
+  Mat3 out;
+  for (int k = 0; k < 3; ++k) out.col(k) = q.cross(M.col(k));
+  return out;
+}
+
+/// From the piece that carries outwards: what each piece has of the joints on the way, about the centre of mass.
+void Bending::give(const JointMemory* memory, double h) {
+  Reach& base = reach_[at(base_)];
+  base = {};
+  base.turn = inverse_;
+  const double per_h = 1 / h;
+  const auto over = [&](int j, int from, int to) {
+    const Frame& X_WJ = joint_[at(j)];
+    const Vec3 x = X_WJ.p - whole_.centre;
+    Mat3 RF, S;
+    RF.noalias() = X_WJ.R.lazyProduct(F_[at(j)]);
+    S.noalias() = (per_h * per_h * RF).lazyProduct(X_WJ.R.transpose());
+    const Reach& before = reach_[at(from)];
+    Reach& r = reach_[at(to)];
+    const Mat3 arm = turn_of(S, x).transpose();  // S [x]'
+    r.turn = before.turn + S;
+    r.arm = before.arm + arm;
+    r.shift = before.shift + turn_of(arm, x);
+    const Vec3 w = (to > from ? per_h : -per_h) * (RF * (load_[at(j)] - BentWire::moment(memory[j])));
+    r.w = before.w + w;
+    r.v = before.v - w.cross(x);
+  };
+  for (int j = base_; j < high_; ++j) over(j, j, j + 1);
+  for (int j = base_ - 1; j >= low_; --j) over(j, j + 1, j);
 }
 
 /// Moments that the wrenches on the pieces put on the joints between them and the one that carries.
@@ -57,26 +91,28 @@ void Bending::load_joints() {
 }
 
 /// From where the point came to where it is now, and on from there without forces: as a rigid body, and springing back.
-Vec3 Bending::free_velocity(int point, const JointMemory* memory, double h) const {
+Vec3 Bending::free_velocity(int point, double h) const {
   const Touch& t = touch_[at(point)];
   const Pose &X0 = X0_[at(t.piece)], &X = X_[at(t.piece)];
   const Vec3 before = X0 * (X.q.conjugate() * (t.p_W - X.p));
-  Vec3 v = (t.p_W - before) / h + (free_.v - expected_.v) + (free_.w - expected_.w).cross(t.arm_W);
-  for (int j = t.low; j < t.high; ++j)
-    v += GF_[pair(point, j)] * (load_[at(j)] - BentWire::moment(memory[j])) / h;
-  return v;
+  const Reach& r = reach_[at(t.piece)];
+  return (t.p_W - before) / h + (free_.v - expected_.v) + r.v + (free_.w - expected_.w + r.w).cross(t.arm_W);
 }
 
-/// Velocity of point a per impulse at b.
-Mat3 Bending::mobility(int a, int b, double h) const {
-  const Touch &ta = touch_[at(a)], &tb = touch_[at(b)];
+/// Velocity of point a per impulse at b: of what the way to either has in common.
+///   W_ab = 1/m + sum over the whole (at its centre, x = 0, S = I^-1) and the common joints of [q_a - x] S [q_b - x]'
+Mat3 Bending::mobility(const Touch& a, const Touch& b) const {
+  const int out_a = a.piece - base_, out_b = b.piece - base_;
+  const bool common = (out_a > 0 && out_b > 0) || (out_a < 0 && out_b < 0);
   Mat3 W;
-  for (int k = 0; k < 3; ++k) W.col(k) = tb.turn.col(k).cross(ta.arm_W);
+  if (!common) {
+    for (int i = 0; i < 3; ++i) W.row(i) = b.arm_W.cross(a.turn.row(i));
+  } else if (std::abs(out_a) <= std::abs(out_b)) {
+    for (int i = 0; i < 3; ++i) W.row(i) = b.arm_W.cross(a.by.row(i)).transpose() + a.shift.row(i);
+  } else {
+    for (int i = 0; i < 3; ++i) W.col(i) = a.arm_W.cross(b.by.row(i)).transpose() + b.shift.row(i);
+  }
   W.diagonal().array() += 1 / whole_.mass;
-  const int low = std::max(ta.low, tb.low), high = std::min(ta.high, tb.high);
-  const double per_hh = 1 / (h * h);
-  for (int j = low; j < high; ++j)
-    W.noalias() += (per_hh * GF_[pair(a, j)]).lazyProduct(G_[pair(b, j)].transpose());
   return W;
 }
 
@@ -86,9 +122,9 @@ void Bending::compliance(const Step& step, std::span<const swage_contact_point> 
   collect(step, points);
   const size_t n = 3 * points.size();
   for (int a = 0; a < n_touch_; ++a) {
-    put(free_velocity(a, joints(step), step.dt()), v_free + 3 * a);
+    put(free_velocity(a, step.dt()), v_free + 3 * a);
     for (int b = 0; b <= a; ++b) {
-      const Mat3 block = mobility(a, b, step.dt());
+      const Mat3 block = mobility(touch_[at(a)], touch_[at(b)]);
       for (size_t i = 0; i < 3; ++i)
         for (size_t k = 0; k < 3; ++k) {
           const double w = block(static_cast<int>(i), static_cast<int>(k));
@@ -98,33 +134,62 @@ void Bending::compliance(const Step& step, std::span<const swage_contact_point> 
   }
 }
 
+/// Forces of the contacts along the wire, in order. Two pieces that touch a face beside the joint between them are one touch: a joint
+/// that opens by theta leaves a dent of R theta between them, where the wire itself is round and touches in the middle of it.
+int Bending::along(const double* impulse, double h, std::span<Force> force) const {
+  int n = 0;
+  for (int a = 0; a < n_touch_; ++a) {
+    const Vec3 f = vec3(impulse + 3 * a) / h;
+    if (f.isZero(0)) continue;
+    const Force now = force_at(touch_[at(a)], f);
+    int i = n++;
+    for (; i > 0 && force[at(i - 1)].s > now.s; --i) force[at(i)] = force[at(i - 1)];
+    force[at(i)] = now;
+  }
+  int kept = 0;
+  for (int i = 0; i < n; ++i) {
+    const Force now = force[at(i)];
+    Force* const before = kept > 0 ? &force[at(kept - 1)] : nullptr;
+    if (before != nullptr && now.dent >= 0 && now.dent == before->dent && before->f_W.dot(now.f_W) > 0) {
+      const double share = now.f_W.norm() / (now.f_W.norm() + before->f_W.norm());
+      before->p_W += share * (now.p_W - before->p_W);
+      before->f_W += now.f_W;
+    } else {
+      force[at(kept++)] = now;
+    }
+  }
+  return kept;
+}
+
+/// A contact's force on the centre line, and in the dent of which joint it is.
+Bending::Force Bending::force_at(const Touch& t, const Vec3& f_W) const {
+  constexpr double kDent =
+      0.75;  // from the joint, in R theta: a half, and what tilts it and turns it within the step
+  const Pose& X = X_[at(t.piece)];
+  const double y = (t.p_W - X.p).dot(X.q * Vec3::UnitY());
+  Force force{t.piece * wire_.piece_length() + y, t.piece, -1, f_W,
+              X * Vec3(-0.5 * y * y / wire_.radius(), y, 0)};
+  const int joint = y > 0 ? t.piece : t.piece - 1;
+  if (joint < 0 || joint >= n_ - 1) return force;
+  const double dent = kDent * wire_.radius() * std::abs(known_[at(joint)].turn[2]);
+  if (0.5 * wire_.piece_length() - std::abs(y) < dent) force.dent = joint;
+  return force;
+}
+
 /// Stress over first yield where it is greatest, by statics: between the forces of contacts the moment of a wire changes evenly,
 /// so that it is greatest at one of them, also within a piece. Joints alone would not see what bends between narrow jaws.
 double Bending::peak(const double* impulse, double h) const {
-  struct Force {
-    double s;  // m along the wire
-    int piece;
-    Vec3 f_W, p_W;  // N; m, on the centre line
-  };
   std::array<Force, kMaxPoints> force;
-  size_t n = 0;
+  const int n = along(impulse, h, force);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();  // of all, about the centre of mass
-  for (int a = 0; a < n_touch_; ++a) {
-    const Touch& t = touch_[at(a)];
-    const Vec3 f = vec3(impulse + 3 * a) / h;
-    if (f.isZero(0)) continue;
-    const Pose& X = X_[at(t.piece)];
-    const double y = (t.p_W - X.p).dot(X.q * Vec3::UnitY());
-    Force now{t.piece * wire_.piece_length() + y, t.piece, f, X * Vec3(-0.5 * y * y / wire_.radius(), y, 0)};
-    sum += f, moment += (now.p_W - whole_.centre).cross(f);
-    size_t i = n++;
-    for (; i > 0 && force[i - 1].s > now.s; --i) force[i] = force[i - 1];
-    force[i] = now;
+  for (int i = 0; i < n; ++i) {
+    const Force& here = force[at(i)];
+    sum += here.f_W, moment += (here.p_W - whole_.centre).cross(here.f_W);
   }
   double greatest = 0;
   Vec3 sum_before = Vec3::Zero(), before = Vec3::Zero();
-  for (size_t i = 0; i < n; ++i) {
-    const Force& here = force[i];
+  for (int i = 0; i < n; ++i) {
+    const Force& here = force[at(i)];
     const Vec3 arm = here.p_W - whole_.centre;
     // from either side; what they differ by moves the needle
     const Vec3 m_before = before - arm.cross(sum_before);
@@ -135,6 +200,31 @@ double Bending::peak(const double* impulse, double h) const {
     sum_before += here.f_W, before += arm.cross(here.f_W);
   }
   return greatest;
+}
+
+/// Moments on the joints: of what pushes beyond them, seen from the piece that carries.
+void Bending::bear(const double* impulse, double h, Vec3* m) const {
+  std::array<Vec3, kMax> f, t;  // on each piece, N; N m about the centre of mass
+  std::fill(f.begin() + low_, f.begin() + high_ + 1, Vec3::Zero());
+  std::fill(t.begin() + low_, t.begin() + high_ + 1, Vec3::Zero());
+  for (int a = 0; a < n_touch_; ++a) {
+    const Vec3 push = vec3(impulse + 3 * a) / h;
+    f[at(touch_[at(a)].piece)] += push, t[at(touch_[at(a)].piece)] += touch_[at(a)].arm_W.cross(push);
+  }
+  const auto moment = [&](int j, const Vec3& force, const Vec3& torque) {
+    const Frame& X_WJ = joint_[at(j)];
+    return Vec3(X_WJ.turn_back(torque - (X_WJ.p - whole_.centre).cross(force)));
+  };
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (int j = high_ - 1; j >= base_; --j) {
+    force += f[at(j + 1)], torque += t[at(j + 1)];
+    m[j] = moment(j, force, torque) + load_[at(j)];
+  }
+  force.setZero(), torque.setZero();
+  for (int j = low_; j < base_; ++j) {
+    force += f[at(j)], torque += t[at(j)];
+    m[j] = load_[at(j)] - moment(j, force, torque);
+  }
 }
 
 void Bending::yield(const Step& step, std::span<const swage_contact_point>, const double* impulse) {
@@ -150,10 +240,8 @@ void Bending::yield(const Step& step, std::span<const swage_contact_point>, cons
     touched = true;
     sum += j_W;
     moment += touch_[at(a)].arm_W.cross(j_W);
-    for (int j = touch_[at(a)].low; j < touch_[at(a)].high; ++j)
-      m[at(j)] += G_[pair(a, j)].transpose() * j_W / h;
   }
-  for (int j = low_; touched && n_load_ > 0 && j < high_; ++j) m[at(j)] += load_[at(j)];
+  if (touched) bear(impulse, h, m.data());
   if (touched) peak_ = peak(impulse, h);
 
   // the shape: joints that no contact reaches bear nothing

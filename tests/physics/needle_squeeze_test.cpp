@@ -36,30 +36,30 @@ double first_yield(double behind, double yield_stress) {  // N
 double off_flat(const Pinch& pinch) { return std::acos(std::abs((pinch.pose().q * Vec3::UnitZ()).z())); }
 
 // 0.38 mm of jaw: less than one piece of nine (0.7 mm), and less than two of thirteen. Of an odd number of pieces the middle one is
-// held in its middle; of an even number two meet there, and what they bend at that joint lets them touch the face beside it, by up
-// to 50 um: the load then acts over that width.
+// held in its middle; of an even number two meet there and touch the face beside the joint that opens between them, up to 50 um
+// from it, where the wire itself touches in the middle.
 TEST(Squeeze, StressIsThreePointBendingUnderJawsNarrowerThanAPiece) {
-  for (const auto& [pieces, bound] :
-       {std::pair{9, 0.05}, {13, 0.05}, {23, 0.05}, {8, 0.22}, {12, 0.17}, {24, 0.1}}) {
+  for (const int pieces : {9, 13, 23, 8, 12, 24}) {
     Pinch pinch(on_edge(0.4e-3, 0.6, kSlippery, pieces));
     ASSERT_TRUE(pinch.ready()) << pinch.run().problems();
     ASSERT_NEAR(off_flat(pinch), kOnEdge, 0.05);
     const double expected = pinch.force() / first_yield(pinch.behind(), kYield);
-    EXPECT_NEAR(pinch.run().signal("needle", "needle.stress"), expected, bound * expected) << pieces;
+    EXPECT_NEAR(pinch.run().signal("needle", "needle.stress"), expected, 0.05 * expected) << pieces;
     EXPECT_EQ(pinch.run().signal("needle", "needle.bend"), 0) << pieces;
   }
 }
 
 // soft steel, which yields at 0.83 N here
 TEST(Squeeze, YieldsAtFourYieldMomentsOverTheWidth) {
-  for (const double share : {0.94, 1.06}) {
-    constexpr double kSoft = 0.8e9;
-    const double lever = kReach / (kReach - 0.4e-3);
-    Pinch pinch(on_edge(0.4e-3, share * first_yield(0.4e-3, kSoft) / lever, kSlippery, 13,
-                        ", \"yield_stress\": \"800 MPa\""));
-    ASSERT_TRUE(pinch.ready()) << pinch.run().problems();
-    EXPECT_EQ(pinch.run().signal("needle", "needle.stress") >= 1, share > 1) << share;
-  }
+  for (const int pieces : {12, 13})
+    for (const double share : {0.94, 1.06}) {
+      constexpr double kSoft = 0.8e9;
+      const double lever = kReach / (kReach - 0.4e-3);
+      Pinch pinch(on_edge(0.4e-3, share * first_yield(0.4e-3, kSoft) / lever, kSlippery, pieces,
+                          ", \"yield_stress\": \"800 MPa\""));
+      ASSERT_TRUE(pinch.ready()) << pinch.run().problems();
+      EXPECT_EQ(pinch.run().signal("needle", "needle.stress") >= 1, share > 1) << pieces << " " << share;
+    }
 }
 
 // one grip, 1.5 N at the tips: there 4 M_y / w is 2.1 N, 4 mm behind them, where the lever makes it 2.5 N, 0.7 N
