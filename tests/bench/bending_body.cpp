@@ -22,7 +22,7 @@ needle::Form form_of(const Needle& n) {
 }  // namespace
 
 BendingBody::BendingBody(scene::World& world, const Setup& setup, int pieces)
-    : world_(world), moments_(setup.moments()), point_(needle::Bending::kMaxPoints) {
+    : world_(world), needle_(setup.needle), moments_(setup.moments()), point_(needle::Bending::kMaxPoints) {
   const needle::Form form = form_of(setup.needle);
   const needle::Arc arc = form.arc();
   // circle frame A in N: x away from the centre of curvature, y along the wire
@@ -102,6 +102,15 @@ bool BendingBody::compliance(std::span<const swage_contact_point> point, double*
 void BendingBody::yield(std::span<const swage_contact_point> point, const double* impulse) noexcept {
   const swage_object_step raw = view();
   bending_.yield(Step(&raw), local(point), impulse);
+}
+
+Vec3 BendingBody::gives() const {
+  const int n = bending_.pieces();
+  if (n % 2 != 0) return Vec3::Zero();
+  const needle::Form form = form_of(needle_);
+  const double length = form.arc().length() / n;
+  const auto section = form.section(0.5, form.arc().length());
+  return {length / section.stiffness[2], length / section.stiffness[1], length / section.stiffness[0]};
 }
 
 needle::Bending::Reading BendingBody::read() {

@@ -29,12 +29,16 @@ class BendingBody final : public dynamics::SelfSolver {
   void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
   /// Stress over yield, bend and the like, after the step.
   needle::Bending::Reading read();
+  /// Turn of its first body against the middle of the wire per couple on it, about the axes of N [rad / N m], in closed form: l/EI and
+  /// l/GJ of the length l between the middle of that piece and of the piece beyond the wire's middle; none where they are one.
+  Vec3 gives() const;
 
  private:
   swage_object_step view();
   std::span<const swage_contact_point> local(std::span<const swage_contact_point> point) noexcept;
 
   scene::World& world_;
+  const Needle needle_;
   Vec3 moments_;  // kg m2, in N
   needle::Bending bending_;
   std::vector<Pose> X_NP_;  // of the unbent pieces; of the one that body 0 carries: identity

@@ -55,6 +55,9 @@ class Engine {
   virtual void set_torque(double closing) = 0;                   // N m on the driven jaw during the next step
   virtual void set_force(const Vec3& f_W, const Vec3& p_W) = 0;  // N on the needle during the next step
   virtual void set_couple(const Vec3& t_W) = 0;                  // N m on the needle during the next step
+  /// How far the body whose pose needle() is turns against the place of the grip per couple on it [rad / N m]: a wire that bends gives
+  /// there before anything slips.
+  virtual Vec3 gives() const { return Vec3::Zero(); }
   virtual void step() = 0;
   virtual Pose upper() const = 0;                   // of the upper jaw
   virtual int contacts(double& deepest) const = 0;  // deepest gap, m, negative when overlapping

@@ -90,7 +90,7 @@ double unit_error(const Method&, double units_per_metre);
 std::vector<double> loops(const Method&, int count);
 
 /// The coefficient of friction at which a needle gripped with its plane `off_flat` [rad] begins to roll flat, over the one that
-/// statics gives: (sagitta / wire diameter) cos(off_flat). S11.
+/// statics gives (flip_statics.hpp). S11.
 double flip_friction(const Method&, double off_flat);
 
 /// The half angle of the wedge between two faces at which it spits a wire out, over the angle of friction atan(mu). S12.

@@ -3,6 +3,7 @@
 // Scenarios of the stability catalogue that no promise of the bar needs.
 #include <limits>
 
+#include "flip_statics.hpp"
 #include "reference.hpp"
 #include "scenario.hpp"
 
@@ -92,13 +93,8 @@ double repeat_error(const Method& m, double seconds) {
 }
 
 double flip_friction(const Method& m, double off_flat) {
-  // The upper jaw presses at mid-arc, the lower where its edges cross the wire; there the arc has fallen by the sagitta s. With
-  // the plane at phi off flat the two lie s cos(phi) apart across the wire: a couple N s cos(phi) that rolls the wire flat,
-  // against the friction 2 mu N r. It rolls when mu < s cos(phi) / (2 r).
   const Needle n;
-  const double half_width = Jaw::kHalfWidth * (Jaw::kHinge + Jaw::kLength - Jaw::kGrip) / Jaw::kLength;
-  const double sagitta = n.radius() - std::sqrt(n.radius() * n.radius() - half_width * half_width);
-  const double expected = sagitta * std::cos(off_flat) / n.wire_diameter;
+  const double expected = flip_statics(n, off_flat);
   const auto holds = [&](double friction) {
     Setup setup;
     setup.friction = friction;

@@ -66,6 +66,14 @@ class Pinched {
   }
   /// How far anything of the wire has come since the pinch had settled, m.
   double way() const { return moved(slip_between(*engine_, Pose{}, reference_), direction_, load_.arm); }
+  /// How far of that a wire that bends comes under the whole limit without slipping, m. Friction that is mobilised from the loaded edge
+  /// inwards leaves the limit as it is (Coulomb's limits are those of a plastic body whose pressures are given: what gives elastically
+  /// beside them does not count, Drucker, Prager and Greenberg 1952), but the couple winds up the wire on its way to the grip.
+  double give() const {
+    if (direction_ == Pull::kAxial) return 0;
+    return load_.arm * load_.limit *
+           (direction_ == Pull::kAboutWire ? engine_->gives().y() : engine_->gives().z());
+  }
 
  private:
   double grip_;
@@ -95,7 +103,8 @@ PullResult pull(const Method& method, const Setup& setup, double grip, Pull dire
     if (!wire.good()) return {};
     const double way = wire.way();
     if (share <= 0.5) result.creep = way;
-    const double slipped = share <= 0.5 ? kMost : std::clamp(6 * result.creep, kLeast, kMost);
+    const double most = kMost + wire.give();
+    const double slipped = share <= 0.5 ? most : std::clamp(6 * result.creep, kLeast, most);
     if (way > slipped) {
       result.onset = share;
       break;

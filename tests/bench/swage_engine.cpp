@@ -97,6 +97,7 @@ class Swage final : public Engine {
     }
     return n;
   }
+  Vec3 gives() const override { return bending_ ? bending_->gives() : Vec3::Zero(); }
   uint64_t contact_set() const override {
     base::Hash hash;
     for (const contact::Contact& c : contacts_.contact)
