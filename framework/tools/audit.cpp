@@ -115,9 +115,8 @@ bool play(const AuditOptions& o, const std::string& path, AuditLesson& out) {
     tell(problems);
     return false;
   }
-  out = play_levels({o.device, o.max_time_s, o.budget_s, o.only}, catalogue, std::move(file),
-                    [](const std::string& what) { std::fprintf(stderr, "\r%-60s", what.c_str()); });
-  std::fprintf(stderr, "\r%60s\r", "");
+  out = play_levels({o.device, o.max_time_s, o.budget_s, o.only}, catalogue, std::move(file), progress);
+  progress("");
   return true;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/print.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -35,6 +37,10 @@ void tell(base::Severity severity, const std::string& where, const std::string& 
 
 void tell(const base::Problems& problems) {
   for (const base::Problem& p : problems) tell(p.severity, p.where, p.message);
+}
+
+void progress(const std::string& text) {
+  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "\r%-78s\r%s", "", text.c_str());
 }
 
 int problem(const std::string& message) {

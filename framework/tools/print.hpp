@@ -14,6 +14,9 @@ namespace swage::tools {
 void tell(base::Severity severity, const std::string& where, const std::string& message);
 void tell(const base::Problems& problems);
 
+/// How far a long work is, in one line that the next one replaces; "" clears it. Nothing where nobody watches.
+void progress(const std::string& text);
+
 /// An error, and the exit code that goes with it: `return problem("...")`.
 int problem(const std::string& message);
 

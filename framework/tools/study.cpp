@@ -188,16 +188,15 @@ int study(const StudyOptions& o) {
     row.hand = i / study.repeats % study.hands.size();
     row.level[1] = i / (study.repeats * study.hands.size()) % inner;
     row.level[0] = i / (study.repeats * study.hands.size() * inner);
-    std::fprintf(stderr, "\r%zu of %zu", i + 1, all);
+    progress(format("%zu of %zu", i + 1, all));
     problems.clear();
     if (!run_one(study, o, row, problems)) {
-      std::fprintf(stderr, "\n");
+      progress("");
       return tell(problems), kProblem;
     }
     rows.push_back(std::move(row));
   }
-  std::fprintf(stderr, "\n");
-
+  progress("");
   std::printf("%s\nmean over attempts (passed of all)\n", study.title.c_str());
   for (const StudyFigure& figure : study.figures) print_figure(study, figure, rows);
   if (o.out.empty()) return kPassed;
