@@ -28,10 +28,9 @@ Reader::Reader(const snapshot::SceneCard& card) {
   const judge::Script& script = card.script;
   for (int i = 0; i < static_cast<int>(script.signals.size()); ++i) {
     const judge::Name& s = script.signals[static_cast<size_t>(i)];
-    if (s.unit == "N" && force_ < 0 && (ends_with(s.id, "grasp.force") || ends_with(s.id, "grip.force")))
-      force_ = i;
+    if (s.unit == "N" && (ends_with(s.id, "grasp.force") || ends_with(s.id, "grip.force"))) force_.append(i);
     if (s.unit == "rad" && s.id.find("tilt") != std::string::npos) tilt_.append(i);
-    if (ends_with(s.id, "grasp.held")) held_ = i;
+    if (ends_with(s.id, "grasp.held")) held_.append(i);
     if (ends_with(s.id, "pierce.angle")) angle_ = i;
     if (ends_with(s.id, "pierce.state")) pierced_ = i;
   }
@@ -67,11 +66,12 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   const auto signal = [&](int i) {
     return i >= 0 && static_cast<uint32_t>(i) < s.n_signal ? s.signal[i] : std::nan("");
   };
-  if (force_ >= 0) r.force = signal(force_);
-  const bool held = held_ < 0 || signal(held_) > 0.5;
+  // of several things that may be taken, the one that is
+  for (const int i : force_) r.force = std::fmax(r.force.value_or(0), signal(i));
+  const bool any_held = std::any_of(held_.begin(), held_.end(), [&](int i) { return signal(i) > 0.5; });
+  const bool held = held_.isEmpty() || any_held;
   // what only lies against the tissue has no angle yet
-  if (angle_ >= 0 && signal(pierced_) > (held_ >= 0 && signal(held_) > 0.5 ? 0.5 : 1.5))
-    r.tilt = signal(angle_);
+  if (angle_ >= 0 && signal(pierced_) > (any_held ? 0.5 : 1.5)) r.tilt = signal(angle_);
   for (const int i : angle_ < 0 ? tilt_ : QVector<int>()) {
     if (held && r.force.value_or(1) > 0) r.tilt = std::max(r.tilt.value_or(0), std::abs(signal(i)));
   }

@@ -35,7 +35,7 @@ class Reader {
   Reader() = default;
   explicit Reader(const snapshot::SceneCard& card);
   Reading read(const snapshot::Snapshot& snapshot) const;
-  bool has_force() const { return force_ >= 0; }
+  bool has_force() const { return !force_.isEmpty(); }
   /// What this scene's cues and marks can mean, each once, in the order in which the lesson declares them.
   static QStringList meanings(const snapshot::SceneCard& card);
   bool has_tilt() const { return !tilt_.isEmpty() || angle_ >= 0; }
@@ -50,7 +50,8 @@ class Reader {
     int metric;
     QString name, unit;
   };
-  int force_ = -1, held_ = -1, hold_ = -1, angle_ = -1, pierced_ = -1;
+  QVector<int> force_, held_;
+  int hold_ = -1, angle_ = -1, pierced_ = -1;
   bool grasp_ = false;
   QVector<int> tilt_;
   QVector<Counter> counters_;

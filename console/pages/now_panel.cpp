@@ -88,6 +88,9 @@ QWidget* NowPanel::make_lower() {
   scroll->setFrameShape(QFrame::NoFrame);
   form_ = new LiveForm(scroll);
   scroll->setWidget(form_);
+  // on the card's own ground
+  scroll->viewport()->setAutoFillBackground(false);
+  form_->setAutoFillBackground(false);
   pages->addWidget(scroll);
   card.body->addWidget(pages, 1);
   return card.frame;

@@ -249,7 +249,16 @@ void find_aim(const snapshot::SceneCard& card, SceneParts& parts) {
     parts.aim = {{p.body, nearest_vertex(card, p, own.centre())}};
     return;
   }
-  if (parts.watched >= 0) parts.aim = {{static_cast<uint32_t>(parts.watched), parts.watched_on}};
+  if (parts.watched >= 0) {
+    parts.aim = {{static_cast<uint32_t>(parts.watched), parts.watched_on}};
+    return;
+  }
+  for (const ScenePart& p : parts.part) {
+    if (p.role != Role::kWork || p.chain >= 0) continue;
+    Bounds own;
+    for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
+    parts.aim.push_back({p.body, own.centre()});
+  }
 }
 
 }  // namespace

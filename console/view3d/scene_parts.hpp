@@ -65,7 +65,8 @@ struct SceneParts {
   int watched = -1;
   QVector3D watched_middle;
   QVector3D watched_on;  // a place on it near that, same frame
-  /// What the hand has to bring together: the tips of its tool, and the middle of the marked region or of what is watched.
+  /// What the hand has to bring together: the tips of its tool, and the middle of the marked region, or of what is watched,
+  /// or of any of the things that there are.
   std::vector<Spot> tips, aim;
 };
 

@@ -96,9 +96,12 @@ class SceneView : public QWidget {
   QSize canvas() const;  // the renderer's picture: all panels beside each other
   Panel panel_at(const QPointF& position) const;
   void move_second(double dt_s);
+  QRectF second_at(int corner) const;
+  void choose_corner(const QVector3D& tips, const QVector3D& aim);
   void look_from(const QPointF& position);
   swage_pointer moved(const QPointF& from, const QPointF& to);
-  QVector3D spot(const std::vector<Spot>& spots) const;
+  QVector3D place_of(const Spot& spot) const;
+  QVector3D middle_of_tips() const;
   QVector3D aim_near(const QVector3D& tips) const;
   void paint_panel(QPainter& painter, const Panel& panel, size_t index);
   void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
@@ -144,7 +147,8 @@ class SceneView : public QWidget {
   std::optional<StereoLook> stereo_;
   Bounds second_;          // what the second view shows now
   bool dragging_ = false;  // a button moves the instrument: no view moves meanwhile
-  bool drags_second_ = false, tool_at_left_ = false;
+  bool drags_second_ = false;
+  int corner_ = 0;     // where the second view lies
   double stress_ = 0;  // of first yield
   double hold_ = 0;
   QString clock_text_, banner_;

@@ -157,7 +157,7 @@ void SceneView::paint_frame(QPainter& painter, const Panel& second) const {
 void SceneView::paint_words(QPainter& painter) {
   Overlay overlay(painter, rect(), ui_);
   const std::vector<Panel> all = panels();
-  const bool beside = all.size() > 1 && !tool_at_left_;
+  const bool beside = all.size() > 1 && corner_ == 0;
   if (have_card_)
     overlay.scale_bar(all.front().view.eye.mm_per_pixel(height()), beside ? all[1].at.right() : 0);
   if (!clock_text_.isEmpty()) overlay.clock(clock_text_);

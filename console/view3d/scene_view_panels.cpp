@@ -14,6 +14,7 @@ namespace {
 constexpr double kSecond = 0.36;       // height of the second view, of that of the first
 constexpr double kSecondShape = 1.25;  // width over height
 constexpr double kMargin_px = 10;
+constexpr double kClear_px = 16;    // between it and what it must not cover
 constexpr float kAround_mm = 0.9F;  // shown around the tips and what they are to take
 constexpr float kFurthest_mm = 6;   // from the tips: what is further off is not shown, the tips are
 constexpr double kGlide_s = 0.15;   // time constant with which the second view follows
@@ -32,8 +33,7 @@ void SceneView::set_second_shown(bool shown) {
   if (second_shown_ == shown) return;
   second_shown_ = shown;
   second_ = {};
-  const Eye eye = middle_eye(camera_, shape(size()));
-  tool_at_left_ = !parts_.tips.empty() && eye.project(spot(parts_.tips), size()).x() < 0.5 * width();
+  corner_ = 0;
   lay_out();
 }
 
@@ -57,12 +57,9 @@ std::vector<SceneView::Panel> SceneView::panels() const {
   } else {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(camera_, shape(all)), {}}});
     if (second_shown_ && !second_.empty()) {
-      const QSizeF own = QSizeF(kSecondShape, 1) * (kSecond * all.height());
-      // at the bottom, away from where the tool comes from
-      const QPointF corner(tool_at_left_ ? all.width() - own.width() - kMargin_px : kMargin_px,
-                           all.height() - own.height() - kMargin_px);
-      const Eye eye = cross_eye(camera_, second_.centre(), second_.radius(), shape(own));
-      out.push_back({QRectF(corner, own), own, {eye, {}}, true});
+      const QRectF at = second_at(corner_);
+      const Eye eye = cross_eye(camera_, second_.centre(), second_.radius(), shape(at.size()));
+      out.push_back({at, at.size(), {eye, {}}, true});
     }
   }
   int x = 0;
@@ -72,6 +69,28 @@ std::vector<SceneView::Panel> SceneView::panels() const {
     x += pixels.width();
   }
   return out;
+}
+
+// the corners in the order in which they are liked: bottom left, bottom right, top left; clock and cues are at the top right
+QRectF SceneView::second_at(int corner) const {
+  const double h = kSecond * height(), w = kSecondShape * h;
+  const double x = corner == 1 ? width() - w - kMargin_px : kMargin_px;
+  return {x, corner == 2 ? kMargin_px : height() - h - kMargin_px, w, h};
+}
+
+// never over the tips, nor over what they go for
+void SceneView::choose_corner(const QVector3D& tips, const QVector3D& aim) {
+  const Eye eye = middle_eye(camera_, shape(size()));
+  const auto covers = [&](int corner) {
+    const QRectF at = second_at(corner).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
+    return at.contains(eye.project(tips, size())) || at.contains(eye.project(aim, size()));
+  };
+  if (!covers(corner_)) return;
+  for (int corner = 0; corner < 3; ++corner) {
+    if (covers(corner)) continue;
+    corner_ = corner;
+    return touch();
+  }
 }
 
 QSize SceneView::canvas() const {
@@ -91,19 +110,29 @@ SceneView::Panel SceneView::panel_at(const QPointF& position) const {
   return all[second ? 1 : 0];
 }
 
-QVector3D SceneView::spot(const std::vector<Spot>& spots) const {
-  QVector3D sum;
-  for (const Spot& s : spots) {
-    const swage_pose& X =
-        have_snapshot_ && s.body < snapshot_->n_body ? snapshot_->X_WB[s.body] : card_.start[s.body];
-    sum += to_mm(X.p) + to_qt(X.q).rotatedVector(s.p_B);
-  }
-  return spots.empty() ? sum : sum / static_cast<float>(spots.size());
+QVector3D SceneView::place_of(const Spot& spot) const {
+  const swage_pose& X =
+      have_snapshot_ && spot.body < snapshot_->n_body ? snapshot_->X_WB[spot.body] : card_.start[spot.body];
+  return to_mm(X.p) + to_qt(X.q).rotatedVector(spot.p_B);
 }
 
-// What is to be taken; once the tips are there, the mark that it is to be brought to.
+// the middle between them
+QVector3D SceneView::middle_of_tips() const {
+  QVector3D sum;
+  for (const Spot& s : parts_.tips) sum += place_of(s);
+  return parts_.tips.empty() ? sum : sum / static_cast<float>(parts_.tips.size());
+}
+
+// The nearest thing that may be taken; once the tips are there, the mark that it is to be brought to.
 QVector3D SceneView::aim_near(const QVector3D& tips) const {
-  const QVector3D aim = parts_.aim.empty() ? tips : spot(parts_.aim);
+  QVector3D aim = tips;
+  float least = 1e30F;
+  for (const Spot& s : parts_.aim) {
+    const QVector3D p = place_of(s);
+    if ((p - tips).length() >= least) continue;
+    least = (p - tips).length();
+    aim = p;
+  }
   if ((aim - tips).length() > kAround_mm || !have_snapshot_) return aim;
   for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
     if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT) return to_mm(snapshot_->mark_p_W[m]);
@@ -114,12 +143,15 @@ QVector3D SceneView::aim_near(const QVector3D& tips) const {
 // Shows the tips and what they are to take, the larger the nearer they come.
 void SceneView::move_second(double dt_s) {
   if (stereo_ || !second_shown_ || dragging_ || parts_.tips.empty()) return;
-  const QVector3D tips = spot(parts_.tips);
+  const QVector3D tips = middle_of_tips();
   QVector3D aim = aim_near(tips);
   if (const QVector3D way = aim - tips; way.length() > kFurthest_mm)
     aim = tips + way * (kFurthest_mm / way.length());
+  choose_corner(tips, aim);
   const QVector3D centre = 0.5F * (tips + aim);
-  const float radius = 0.5F * (aim - tips).length() + kAround_mm;
+  float spread = 0.5F * (aim - tips).length();
+  for (const Spot& s : parts_.tips) spread = std::max(spread, (place_of(s) - centre).length());
+  const float radius = spread + kAround_mm;
   const bool fresh = second_.empty();
   const QVector3D half = QVector3D(1, 1, 1) * (radius / std::sqrt(3.0F));
   const auto k = fresh ? 1.0F : static_cast<float>(1 - std::exp(-dt_s / kGlide_s));

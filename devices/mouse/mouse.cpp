@@ -9,16 +9,24 @@ namespace swage::mouse {
 
 using toolkit::vec;
 
+namespace {
+
+Speeds speeds_of(const MouseParams& p) {
+  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.latch};
+}
+
+}  // namespace
+
 void Mouse::build(const MouseParams& params, DeviceBuilder& builder) {
-  const Speeds speeds{params.drag,           params.wheel, params.turn,      params.key_move, params.key_turn,
-                      1 / params.close_time, params.fine,  params.smoothing, params.latch};
   try {
     const Quat q = hand::orientation(vec(params.start_axis), vec(params.start_closing));
-    hand_ = MouseHand(speeds, Pose(vec(params.start), q));
+    hand_ = MouseHand(speeds_of(params), Pose(vec(params.start), q));
   } catch (const std::invalid_argument& problem) {
     builder.error("start_closing", problem.what());
   }
 }
+
+void Mouse::changed() { hand_.set_speeds(speeds_of(params())); }
 
 void Mouse::open() {
   pointer_ = host_extension<swage_host_pointer>(SWAGE_HOST_POINTER);

@@ -48,25 +48,32 @@ class Mouse final : public Device<MouseParams> {
       real<&MouseParams::drag>(
           "drag", "Drag", "m", "mm", 1e-5, 1,
           "Way of the tips for a drag over 10 mm of what is seen: 10 mm keeps them under the pointer.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::wheel>("wheel", "Wheel", "m", "mm", 1e-6, 0.1,
                                 "Way along the line of sight for one notch.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::turn>("turn", "Turn", "rad", "deg", 1 * kDegree, 3600 * kDegree,
                                "Turn for a drag over 10 mm of what is seen.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::key_move>("key_move", "Keys, move", "m/s", "mm/s", 1e-5, 1,
                                    "Speed while a key is down.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::key_turn>("key_turn", "Keys, turn", "rad/s", "deg/s", 1 * kDegree, 3600 * kDegree,
                                    "Turning speed while a key is down.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::close_time>("close_time", "Closing time", "s", "s", 0.05, 60,
                                      "From open to closed while the closing key is down.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::fine>("fine", "Fine", "1", "1", 0.001, 1,
                                "Factor of all speeds while shift is down.")
-          .group("Speed"),
+          .group("Speed")
+          .live(),
       real<&MouseParams::smoothing>("smoothing", "Smoothing", "s", "ms", 0, 1,
                                     "Time constant that takes the steps out of the mouse's reports.")
           .group("Speed")
@@ -79,6 +86,9 @@ class Mouse final : public Device<MouseParams> {
   void build(const MouseParams& params, DeviceBuilder& builder) override;
   void open() override;
   void exchange(const swage_command& command, swage_sample& sample) override;
+
+ protected:
+  void changed() override;
 
  private:
   const swage_host_pointer* pointer_ = nullptr;

@@ -55,6 +55,9 @@ class MouseHand {
     smooth(dt);
   }
 
+  /// From the next step on; the hand stays where it is. [rt]
+  void set_speeds(const Speeds& speeds) noexcept { speeds_ = speeds; }
+
   const Pose& pose() const { return pose_; }   // X_WT
   double closure() const { return closure_; }  // 0..1
 

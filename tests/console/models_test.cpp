@@ -189,6 +189,23 @@ TEST(Reading, WhileInsertingTheAngleToTheTissueTakesThePlaceOfTheTilt) {
   EXPECT_EQ(reader.read(*s).tilt, 0.2);
 }
 
+TEST(Reading, OfSeveralThingsTheOneThatIsHeldIsTold) {
+  snapshot::SceneCard card;
+  card.script.signals = {{"grasp_small", "grasp.force", "N", ""},
+                         {"grasp_small", "grasp.held", "1", ""},
+                         {"grasp_large", "grasp.force", "N", ""},
+                         {"grasp_large", "grasp.held", "1", ""}};
+  const Reader reader(card);
+  auto s = std::make_unique<snapshot::Snapshot>();
+  s->n_signal = 4;
+  for (const int held : {0, 1}) {
+    s->signal[2 * held] = 0.6;
+    s->signal[2 * held + 1] = 1;
+    s->signal[2 * (1 - held)] = s->signal[2 * (1 - held) + 1] = 0;
+    EXPECT_EQ(reader.read(*s).force, 0.6) << held;
+  }
+}
+
 TEST(Words, AxesEndAtNumbersThatAreEasilyRead) {
   EXPECT_DOUBLE_EQ(nice_end(2.1), 3);
   EXPECT_DOUBLE_EQ(nice_end(1.26), 1.5);

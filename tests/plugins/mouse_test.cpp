@@ -94,6 +94,19 @@ TEST(MouseHand, ShiftIsFine) {
   EXPECT_NEAR(after(p, 1000).pose().p.x(), 0.2 * Speeds{}.key_move, 1e-12);
 }
 
+TEST(MouseHand, NewSpeedsHoldFromTheNextStepAndMoveNothing) {
+  swage_pointer p = still();
+  p.buttons = kLeftButton;
+  p.dx = 0.1;
+  MouseHand hand = after(p);
+  Speeds slow = quick();
+  slow.drag /= 2;
+  hand.set_speeds(slow);
+  EXPECT_NEAR(hand.pose().p.x(), 1e-3, 1e-15);
+  hand.step(p, 1e-3);
+  EXPECT_NEAR(hand.pose().p.x(), 1.5e-3, 1e-15);
+}
+
 TEST(MouseHand, SqueezeWhileHeldAndStay) {
   swage_pointer p = still();
   MouseHand hand(quick(), Pose());
