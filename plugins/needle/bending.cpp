@@ -162,6 +162,8 @@ void Bending::carry(const Step& step, const Twist& V, const Rigid& start) {
   whole_.inertia = R * start.inertia * R.transpose();
   inverse_ = whole_.inertia.inverse();
   expected_ = V;
+  as_one_ = true;
+  back_W_ = R.transpose();
   for (int i = 0; i < n_; ++i) {
     const Pose& X0 = X0_[at(i)];
     X_[at(i)] = {whole_.centre + R * (X0.p - start.centre), turn * X0.q};
@@ -245,6 +247,7 @@ void Bending::advance(const Step& step) {
       relax(step);
       follow_joints(memory);
       place(middle(), Pose(X_[at(middle())]));
+      as_one_ = false;
     }
   }
   put(expected_.v, s.v);

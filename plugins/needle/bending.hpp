@@ -137,9 +137,9 @@ class Bending {
   void write(const Step& step, int base) const;
   void write_piece(const Step& step, int i, const Vec3& w_W) const;
   void load_joints();
-  int along(const double* impulse, double h, std::span<Force> force) const;
+  int along(const double* impulse, double h, std::span<Force> force);
   Force force_at(const Touch& t, const Vec3& f_W) const;
-  double peak(const double* impulse, double h) const;
+  double peak(const double* impulse, double h);
   void collect(const Step& step, std::span<const swage_contact_point> points);
   static Mat3 turn_of(const Mat3& M, const Vec3& q);
   void give(const JointMemory* memory, double h);
@@ -161,6 +161,8 @@ class Bending {
 
   // of the present step
   std::array<Pose, kMax> X0_, X_;  // of the pieces, at its start and now
+  bool as_one_ = true;             // from there to now all pieces have gone as one
+  Mat3 back_W_ = Mat3::Zero();     // and this turns them back
   Pose X0_WB0_;                    // of body 0 at its start
   Rigid whole_;                    // in W, now
   Mat3 inverse_ = Mat3::Zero();    // of its inertia
@@ -177,6 +179,7 @@ class Bending {
   std::array<Mat3, kMax> F_;
   std::array<bool, kMax> flows_{};
   std::array<Reach, kMax> reach_;
+  std::array<Mat3, kMax> R_;  // attitudes of the pieces that touch
 };
 
 }  // namespace swage::needle

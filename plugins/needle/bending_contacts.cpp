@@ -93,10 +93,12 @@ void Bending::load_joints() {
 /// From where the point came to where it is now, and on from there without forces: as a rigid body, and springing back.
 Vec3 Bending::free_velocity(int point, double h) const {
   const Touch& t = touch_[at(point)];
+  const Reach& r = reach_[at(t.piece)];
+  const Vec3 by_itself = free_.v + r.v + (free_.w - expected_.w + r.w).cross(t.arm_W);
+  if (as_one_) return by_itself + (t.arm_W - back_W_ * t.arm_W) / h;
   const Pose &X0 = X0_[at(t.piece)], &X = X_[at(t.piece)];
   const Vec3 before = X0 * (X.q.conjugate() * (t.p_W - X.p));
-  const Reach& r = reach_[at(t.piece)];
-  return (t.p_W - before) / h + (free_.v - expected_.v) + r.v + (free_.w - expected_.w + r.w).cross(t.arm_W);
+  return by_itself + (t.p_W - before) / h - expected_.v;
 }
 
 /// Velocity of point a per impulse at b: of what the way to either has in common.
@@ -136,11 +138,13 @@ void Bending::compliance(const Step& step, std::span<const swage_contact_point> 
 
 /// Forces of the contacts along the wire, in order. Two pieces that touch a face beside the joint between them are one touch: a joint
 /// that opens by theta leaves a dent of R theta between them, where the wire itself is round and touches in the middle of it.
-int Bending::along(const double* impulse, double h, std::span<Force> force) const {
-  int n = 0;
+int Bending::along(const double* impulse, double h, std::span<Force> force) {
+  int n = 0, turned = -1;
   for (int a = 0; a < n_touch_; ++a) {
     const Vec3 f = vec3(impulse + 3 * a) / h;
     if (f.isZero(0)) continue;
+    const int piece = touch_[at(a)].piece;
+    if (piece != turned) R_[at(turned = piece)] = X_[at(piece)].q.toRotationMatrix();
     const Force now = force_at(touch_[at(a)], f);
     int i = n++;
     for (; i > 0 && force[at(i - 1)].s > now.s; --i) force[at(i)] = force[at(i - 1)];
@@ -165,10 +169,10 @@ int Bending::along(const double* impulse, double h, std::span<Force> force) cons
 Bending::Force Bending::force_at(const Touch& t, const Vec3& f_W) const {
   constexpr double kDent =
       0.75;  // from the joint, in R theta: a half, and what tilts it and turns it within the step
-  const Pose& X = X_[at(t.piece)];
-  const double y = (t.p_W - X.p).dot(X.q * Vec3::UnitY());
-  Force force{t.piece * wire_.piece_length() + y, t.piece, -1, f_W,
-              X * Vec3(-0.5 * y * y / wire_.radius(), y, 0)};
+  const Mat3& R = R_[at(t.piece)];
+  const Vec3& middle = X_[at(t.piece)].p;
+  const double y = (t.p_W - middle).dot(R.col(1)), sag = 0.5 * y * y / wire_.radius();
+  Force force{t.piece * wire_.piece_length() + y, t.piece, -1, f_W, middle + y * R.col(1) - sag * R.col(0)};
   const int joint = y > 0 ? t.piece : t.piece - 1;
   if (joint < 0 || joint >= n_ - 1) return force;
   const double dent = kDent * wire_.radius() * std::abs(known_[at(joint)].turn[2]);
@@ -178,7 +182,7 @@ Bending::Force Bending::force_at(const Touch& t, const Vec3& f_W) const {
 
 /// Stress over first yield where it is greatest, by statics: between the forces of contacts the moment of a wire changes evenly,
 /// so that it is greatest at one of them, also within a piece. Joints alone would not see what bends between narrow jaws.
-double Bending::peak(const double* impulse, double h) const {
+double Bending::peak(const double* impulse, double h) {
   std::array<Force, kMaxPoints> force;
   const int n = along(impulse, h, force);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();  // of all, about the centre of mass
@@ -196,7 +200,7 @@ double Bending::peak(const double* impulse, double h) const {
     const Vec3 m_after = (moment - before) - arm.cross(sum - sum_before);
     const Vec3& m = m_before.squaredNorm() < m_after.squaredNorm() ? m_before : m_after;
     greatest =
-        std::max(greatest, wire_.stress(std::min(here.piece, n_ - 2), X_[at(here.piece)].q.conjugate() * m));
+        std::max(greatest, wire_.stress(std::min(here.piece, n_ - 2), R_[at(here.piece)].transpose() * m));
     sum_before += here.f_W, before += arm.cross(here.f_W);
   }
   return greatest;
