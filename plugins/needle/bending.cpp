@@ -139,9 +139,13 @@ void Bending::fly(const Step& step, const Rigid& start) {
   const Mat3 inverse = start.inertia.inverse();
   const Vec3 L = vec3(state(step).L);
   free_.w = inverse * L;
+  constexpr double kSettled = 1e-28;  // of the square: what turns by little in a step is there at once
   for (int i = 0; i < 3; ++i) {
     const Mat3 half = toolkit::exp_rotation(0.5 * h * free_.w).toRotationMatrix();
-    free_.w = half * (inverse * (half.transpose() * L));
+    const Vec3 w = half * (inverse * (half.transpose() * L));
+    const bool settled = (w - free_.w).squaredNorm() <= kSettled * w.squaredNorm();
+    free_.w = w;
+    if (settled) break;
   }
 }
 

@@ -108,10 +108,10 @@ class Bending {
     Mat3 turn = Mat3::Zero(), arm = Mat3::Zero(), shift = Mat3::Zero();
     Vec3 w = Vec3::Zero(), v = Vec3::Zero();  // rad/s; m/s, at the centre of mass
   };
-  struct Force {
-    double s = 0;              // m along the wire, from the middle of the first piece
-    int piece = 0, dent = -1;  // joint beside which it is in the dent, or -1
-    Vec3 f_W, p_W;             // N; m, on the centre line
+  struct Force {      // left as it is: there is room for many, and few push
+    double s;         // m along the wire, from the middle of the first piece
+    int piece, dent;  // joint beside which it is in the dent, or -1
+    Vec3 f_W, p_W;    // N; m, on the centre line
   };
   struct Load {
     int piece = 0;
