@@ -17,7 +17,8 @@ constexpr double kShortest = 60;  // of the integral: wave numbers up to this ov
 
 }  // namespace
 
-Compliance::Compliance(const Layers& layers) : shear_(layers.shear), e_(2 * layers.spread / kPi) {
+Compliance::Compliance(const Layers& layers)
+    : shear_(layers.shear), e_(2 * layers.spread / kPi), point_(1 / (4 * kPi * layers.shear)) {
   if (!(layers.skin > 0)) return;
   // plate of nu = 1/2 on a half space that resists with 2 G k
   const double D = layers.skin_young * layers.skin * layers.skin * layers.skin / 9;
@@ -39,21 +40,26 @@ Compliance::Compliance(const Layers& layers) : shear_(layers.shear), e_(2 * laye
 }
 
 double Compliance::normal(double r) const noexcept {
-  if (table_.empty() || r >= reach_) return 1 / (4 * kPi * shear_ * std::sqrt(r * r + e_ * e_));
+  if (table_.empty() || r >= reach_) return point_ / std::sqrt(r * r + e_ * e_);
   const double u = r / (r + scale_) / (reach_ / (reach_ + scale_)) * (kNodes - 1);
   const auto i = std::min(static_cast<uint32_t>(u), kNodes - 2);
   return table_[i] + (u - i) * (table_[i + 1] - table_[i]);
 }
 
-Mat3 Compliance::between(double x, double y) const noexcept {
+Compliance::Give Compliance::give(double x, double y) const noexcept {
   const double rr = x * x + y * y, r_e = std::sqrt(rr + e_ * e_), sum = r_e + e_;
-  const double along = (1 / r_e - 0.5 / sum) / (2 * kPi * shear_);
-  const double across = 0.5 / (r_e * sum * sum) / (2 * kPi * shear_);
+  const double both = point_ / (r_e * sum);  // one division for all
+  return {table_.empty() ? both * sum : normal(std::sqrt(rr)), both * (2 * sum - r_e),
+          both * both * r_e / point_};
+}
+
+Mat3 Compliance::between(double x, double y) const noexcept {
+  const Give g = give(x, y);
   Mat3 C = Mat3::Zero();
-  C(0, 0) = normal(std::sqrt(rr));
-  C(1, 1) = along + across * x * x;
-  C(2, 2) = along + across * y * y;
-  C(1, 2) = C(2, 1) = across * x * y;
+  C(0, 0) = g.n;
+  C(1, 1) = g.t + g.c * x * x;
+  C(2, 2) = g.t + g.c * y * y;
+  C(1, 2) = C(2, 1) = g.c * x * y;
   return C;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How the surface of an incompressible elastic half space, under a thin stiffer skin, gives at one place to a force at another; and the
-// standard linear solid that it does in time. Derivations: tissue.md.
+// How the surface of an incompressible elastic half space, under a thin stiffer skin, gives at one place to a force
+// at another; and the standard linear solid that it does in time. Derivations: tissue.md.
 //
 // Units: m, N. Frame: n along the surface's normal, then two axes along the surface. [rt] unless said otherwise.
 #pragma once
@@ -33,12 +33,21 @@ class Compliance {
   double normal(double r) const noexcept;
   /// Displacement per force between places that are (x, y) apart along the surface: rows and columns n, 1, 2.
   Mat3 between(double x, double y) const noexcept;
+  /// The same by its parts: of a force f it is (n f_n, t f_1 + c x (x f_1 + y f_2), t f_2 + c y (x f_1 + y f_2)).
+  struct Give {
+    double n, t, c;  // m/N, m/N, 1/(N m)
+    Vec3 of(double x, double y, const Vec3& f) const {
+      const double along = c * (x * f[1] + y * f[2]);
+      return {n * f[0], t * f[1] + along * x, t * f[2] + along * y};
+    }
+  };
+  Give give(double x, double y) const noexcept;
   double spread() const noexcept { return e_; }  // m, e of the kernel: dents of this radius have its shape
 
  private:
-  double shear_ = 1, e_ = 1;
-  double reach_ = 0, scale_ = 0;  // m, of the table
-  std::vector<double> table_;     // over r / (r + scale)
+  double shear_ = 1, e_ = 1, point_ = 1;  // Pa, m, m2/N: 1/(4 pi G)
+  double reach_ = 0, scale_ = 0;          // m, of the table
+  std::vector<double> table_;             // over r / (r + scale)
 };
 
 /// Creep of a standard linear solid whose force is constant over a step: displacement = C (f + v), exact for any dt.

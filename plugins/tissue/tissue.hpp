@@ -6,13 +6,14 @@
 #include <swage/object.hpp>
 
 #include "compliance.hpp"
+#include "mesh.hpp"
 #include "wall.hpp"
 
 namespace swage::tissue {
 
 inline constexpr double kDegree = 0.017453292519943295;  // rad
 
-enum class Level : int { kPlane, kCompliant };
+enum class Level : int { kPlane, kCompliant, kMesh };
 
 struct TissueParams {
   Level level = Level::kPlane;
@@ -34,6 +35,9 @@ struct TissueParams {
   double spread = 50e-6;         // m
   double skin = 0;               // m
   double skin_young = 5e6;       // Pa
+  Underside underside = Underside::kFree;
+  int cells = 16;
+  int refinement = 5;
   double friction = 0.2;
   double puncture_force = 20e-3;   // N
   double cutting_force = 8e-3;     // N
@@ -42,11 +46,11 @@ struct TissueParams {
   double failure_stress = 0.42e6;  // Pa
 };
 
-/// Where the wall is displaced from: a place that bears or bore a force. Places in O, on the surface; numbers along n, 1, 2 there.
+/// Where the wall is displaced from: a place that bears or bore a force. Places in O, on the surface; numbers along
+/// n, 1, 2 there.
 struct Source {
   double p[3];            // m, of what creep remembers
   double v[3];            // N, that: displacement is C (f + v)
-  double dv[3];           // N, by how much it faded in this step
   double q[3], f[3];      // m, N, force of this step: its place moves with what touches
   double q_old[3], w[3];  // m, N, the same of the step before
 };
@@ -62,18 +66,20 @@ class Tissue final : public Object<TissueParams>,
   static constexpr auto version = "1.0.0";
   static constexpr auto name = "Tissue";
   static constexpr auto summary =
-      "Patch of wall to be pierced: flat, sloping, wavy, cylindrical or from a table; rigid or a "
-      "viscoelastic half space, "
-      "small strains.";
+      "Patch of wall to be pierced: flat, sloping, wavy, cylindrical or from a table; rigid, a "
+      "viscoelastic half space or finite elements, small strains.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
-  static constexpr const char* kLevels[] = {"plane", "compliant", nullptr};
+  static constexpr const char* kLevels[] = {"plane", "compliant", "mesh", nullptr};
+  static constexpr const char* kUndersides[] = {"free", "held", nullptr};
   static constexpr const char* kForms[] = {"flat",     "left slope", "right slope", "waves",
                                            "cylinder", "table",      nullptr};
   static constexpr std::array fields = {
-      choice<&TissueParams::level>("level", "Level", kLevels,
-                                   "Plane: the surface stands still. Compliant: it yields and relaxes."),
+      choice<&TissueParams::level>(
+          "level", "Level", kLevels,
+          "Plane: the surface stands still. Compliant: it yields and relaxes as if the "
+          "wall had no end. Mesh: as this wall does, with its rim and underside."),
       choice<&TissueParams::form>("form", "Form", kForms, "Of the entry surface."),
       vector<&TissueParams::size>("size", "Size", "m", "mm", 1e-3, 100e-3, "Of the patch along x and y."),
       real<&TissueParams::thickness>("thickness", "Thickness", "m", "mm", 0.05e-3, 20e-3, "Of the wall."),
@@ -101,7 +107,7 @@ class Tissue final : public Object<TissueParams>,
                                     "Coulomb coefficient, on the surface and inside.")
           .group("Touch"),
       real<&TissueParams::young>("young", "Young's modulus", "Pa", "kPa", 1e3, 1e8,
-                                 "At once, level compliant. Arteries have 27 to 2700 kPa.")
+                                 "At once, levels compliant and mesh. Arteries have 27 to 2700 kPa.")
           .group("Elasticity"),
       real<&TissueParams::relaxed>("relaxed", "Share left", "1", "1", 0.05, 1,
                                    "Of the modulus after relaxation; 1 is purely elastic.")
@@ -118,6 +124,19 @@ class Tissue final : public Object<TissueParams>,
       real<&TissueParams::skin_young>("skin_young", "Young's modulus of the skin", "Pa", "kPa", 1e3, 1e9,
                                       "Of that layer.")
           .group("Elasticity"),
+      choice<&TissueParams::underside>(
+          "underside", "Underside", kUndersides,
+          "Of the wall, level mesh: free as a flap's, or held as by what it lies on.")
+          .group("Mesh"),
+      integer<&TissueParams::cells>(
+          "cells", "Cells", 8, 24,
+          "Coarse ones along the longer side, level mesh; evened, so that they are the "
+          "same on both sides of the middle.")
+          .group("Mesh"),
+      integer<&TissueParams::refinement>(
+          "refinement", "Refinement", 3,
+          6, "How often the cells around a touch are halved, level mesh. Costs nothing in a step.")
+          .group("Mesh"),
       real<&TissueParams::puncture_force>(
           "puncture_force", "Puncture force", "N", "mN", 0, 10,
           "Normal force at which a sharp point goes in square to the surface.")
@@ -163,19 +182,42 @@ class Tissue final : public Object<TissueParams>,
     Vec3 foot_O = Vec3::Zero();
     Mat3 axes_W = Mat3::Identity();
   };
+  /// What was asked last, so that nothing is computed twice: the same points are asked about three times in a step,
+  /// and a track's stay where they are from step to step. Answers do not depend on whether it was remembered.
+  struct Asked {
+    uint32_t n = 0;
+    toolkit::Pose X_WO;
+    std::array<swage_vec3, kPoints> p_W{};
+    std::array<Spot, kPoints> spot;
+    std::array<Mesh::Place, kPoints> place;       // level mesh
+    std::array<bool, kPoints> related{}, felt{};  // whether the next two are of this point
+    std::vector<Mat3> C_W;                        // kPoints x kPoints, m/N
+    std::array<Vec3, kPoints> creep;              // m, along n, 1, 2: displaced by what is remembered
+    std::array<Vec3, kPoints> gone;               // m, what displaced it in the step before
+    std::vector<Mat3> response;                   // of the mesh
+    std::vector<Mesh::Load> load;
+  };
 
+  bool yields() const { return params_.level != Level::kPlane; }
   void add_surface(const TissueParams& params, ObjectBuilder& builder);
+  MeshSpec mesh_spec(const TissueParams& params) const;
   Spot spot(const toolkit::Pose& X_WO, const Vec3& foot_O) const;
-  Spot spot_at(const toolkit::Pose& X_WO, swage_vec3 p_W) const;
-  Mat3 response(const Vec3& foot_a, const Vec3& foot_b) const;
-  Vec3 displaced(const State& state, const Vec3& foot_O) const;
+  Mesh::Place place(const Vec3& foot_O) const { return mesh_.place(wall_.laid_flat(foot_O.x()), foot_O.y()); }
+  uint32_t look_up(const Step& step, std::span<const swage_contact_point> points);
+  void relate(uint32_t n);
+  void feel(const State& state, uint32_t n);
+  void feel_mesh(const State& state, uint32_t n);
+  Vec3 displaced(const State& state, const Vec3& foot_O);
+  Mat3 own(const Vec3& foot_O) const;
   Source& source_at(State& state, const Vec3& foot_O) const;
   toolkit::Pose pose(const Step& step) const { return toolkit::Pose(step.pose(body_)); }
 
   TissueParams params_;
   Wall wall_;
   Compliance compliance_;
+  Mesh mesh_;
   Creep creep_;
+  Asked asked_;
   Body body_;
   Signal dimple_, force_;
 };

@@ -74,6 +74,18 @@ Vec3 Wall::normal(double x, double y) const noexcept {
   return Vec3(-dx, -dy, 1).normalized();
 }
 
+double Wall::laid_flat(double x) const noexcept {
+  switch (shape_.form) {
+    case Form::kLeftSlope:
+    case Form::kRightSlope:
+      return x / std::cos(shape_.slope);
+    case Form::kCylinder:
+      return shape_.radius * std::asin(std::clamp(x / shape_.radius, -1.0, 1.0));
+    default:
+      return x;
+  }
+}
+
 WallPlace Wall::locate(const Vec3& p_O) const noexcept {
   WallPlace place;
   double x = p_O.x(), y = p_O.y();

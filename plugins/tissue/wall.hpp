@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The shape of a patch of wall in the object's frame O: an entry surface z = height(x, y), a far surface one thickness below, a rim, a
-// slit. And the convex pieces that stand for it where things touch it.
+// The shape of a patch of wall in the object's frame O: an entry surface z = height(x, y), a far surface one
+// thickness below, a rim, a slit. And the convex pieces that stand for it where things touch it.
 #pragma once
 
 #include <array>
@@ -52,6 +52,7 @@ class Wall {
   const WallShape& shape() const { return shape_; }
   double height(double x, double y) const noexcept;  // m
   Vec3 normal(double x, double y) const noexcept;    // unit
+  double laid_flat(double x) const noexcept;  // m along the surface from x = 0; of waves and tables x itself
   WallPlace locate(const Vec3& p_O) const noexcept;  // [rt]
 
   /// One convex piece: eight corners, the upper four first, each counter-clockwise seen from above.

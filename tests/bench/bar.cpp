@@ -21,6 +21,7 @@ const std::vector<Goal>& goals() {
                                         {"S01", bar_units},
                                         {"grasp", bar_creep},
                                         {"insertion", bar_insertion},
+                                        {"tissue", bar_tissue},
                                         {"needle", bar_needle}};
   return all;
 }

@@ -72,6 +72,7 @@ std::vector<Line> bar_creep(const Effort&);      // grasp: 20 % more grip than t
 std::vector<Line> bar_free(const Effort&);       // G6
 std::vector<Line> bar_tunnel(const Effort&);     // G7, accuracy
 std::vector<Line> bar_insertion(const Effort&);  // tissue: stays, energy, cost, force
+std::vector<Line> bar_tissue(const Effort&);     // its mesh: off closed forms, build, memory
 std::vector<Line> bar_needle(const Effort&);     // the needle that bends: cost, its bench, slip and creep
 
 }  // namespace swage::bench

@@ -13,12 +13,14 @@ Scatter chart_grasp(bool quick);    // slip of a held needle, per step
 Scatter chart_slip(bool quick);     // where a pulled wire begins to slip, per step
 Scatter chart_bend(bool quick);     // how far a needle bends under a force, per step of a grasp with it
 Scatter chart_keep(bool quick);     // the angle that it keeps, per step
+Scatter chart_dent(bool quick);     // how deep tissue is dented, per step of an insertion into it
 
 struct ChartOf {
   const char* name;  // of its files, work_precision_<name>
   Scatter (*draw)(bool quick);
 };
 inline constexpr ChartOf kCharts[] = {{"query", chart_queries}, {"free", chart_free}, {"grasp", chart_grasp},
-                                      {"slip", chart_slip},     {"bend", chart_bend}, {"keep", chart_keep}};
+                                      {"slip", chart_slip},     {"bend", chart_bend}, {"keep", chart_keep},
+                                      {"dent", chart_dent}};
 
 }  // namespace swage::bench

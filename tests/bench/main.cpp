@@ -38,7 +38,8 @@ int run_charts(const std::string& out, bool quick, const std::string& only) {
     ++drawn;
   }
   if (drawn == 0)
-    throw std::runtime_error("no chart \"" + only + "\"; there are query, free, grasp, slip, bend, keep");
+    throw std::runtime_error("no chart \"" + only +
+                             "\"; there are query, free, grasp, slip, bend, keep, dent");
   return 0;
 }
 
@@ -134,7 +135,7 @@ int main(int argc, char** argv) {
   std::string charts_out = "resources/charts", out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
   auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
   charts->add_option("--out", charts_out, "folder")->capture_default_str();
-  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep");
+  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep, dent");
   charts->add_flag("--quick", quick, "fewer poses and shorter runs");
   auto* stability =
       app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");

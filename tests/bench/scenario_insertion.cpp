@@ -17,6 +17,7 @@ const std::map<std::string, FeatMethod>& methods() {
     std::map<std::string, FeatMethod> m;
     m["swage"] = {};
     m["swage, level plane"].level = tissue::Level::kPlane;
+    m["swage, level mesh"].level = tissue::Level::kMesh;
     m["swage, steps of 10 ms"].rate_hz = 100;
     m["swage, impulse method of the thesis"].options.dynamics.response = dynamics::Response::kImpulse;
     FeatMethod& penalty = m["swage, penalty forces"];
@@ -45,6 +46,7 @@ const std::map<std::string, Run>& runs() {
 const std::vector<InsertionMethod>& insertion_methods() {
   static const std::vector<InsertionMethod> all = {{"swage", "swage"},
                                                    {"swage", "swage, level plane"},
+                                                   {"swage", "swage, level mesh"},
                                                    {"swage", "swage, steps of 10 ms"},
                                                    {"thesis", "swage, impulse method of the thesis"},
                                                    {"thesis", "swage, penalty forces"}};

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 #include "dynamics/contact_law.hpp"
@@ -29,10 +30,21 @@ class Ledger {
     uint32_t object = 2;
     tissue::TissueParams params;
     tissue::Compliance compliance;
+    std::shared_ptr<const tissue::Mesh> mesh;  // level mesh
 
     Wall(uint32_t which, const tissue::TissueParams& p)
-        : object(which), params(p), compliance({p.young / 3, p.spread, p.skin, p.skin_young}) {}
+        : object(which), params(p), compliance({p.young / 3, p.spread, p.skin, p.skin_young}) {
+      if (p.level == tissue::Level::kMesh)
+        mesh = std::make_shared<const tissue::Mesh>(tissue::MeshSpec{p.size, p.thickness, p.slit, p.young,
+                                                                     p.spread, p.skin, p.skin_young,
+                                                                     p.underside, p.cells, p.refinement});
+    }
     bool plane() const { return params.level == tissue::Level::kPlane; }
+    /// Displacement of a by a force at b, places in O.
+    toolkit::Mat3 between(const double* a, const double* b) const {
+      if (mesh) return mesh->between(mesh->place(a[0], a[1]), mesh->place(b[0], b[1]));
+      return compliance.between(a[0] - b[0], a[1] - b[1]);
+    }
   };
 
   Ledger(const PierceRig& scene, std::vector<Wall> walls)
@@ -92,7 +104,7 @@ class Ledger {
     const auto sources = memory(wall);
     const double kept = 1 / wall.params.relaxed - 1;
     const auto product = [&](const double* at_a, const double* a, const double* at_b, const double* b) {
-      return vec(a).dot(wall.compliance.between(at_a[0] - at_b[0], at_a[1] - at_b[1]) * vec(b));
+      return vec(a).dot(wall.between(at_a, at_b) * vec(b));
     };
     double sum = 0;
     for (const tissue::Source& a : sources)

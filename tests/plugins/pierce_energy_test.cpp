@@ -63,6 +63,17 @@ TEST(PierceEnergy, OnAPlaneAsWell) {
   expect_balanced(regrasp(plane, 5e-3, true), "again");
 }
 
+TEST(PierceEnergy, OnAMeshAsWell) {
+  FeatMethod mesh;
+  mesh.level = tissue::Level::kMesh;
+  expect_balanced(drive(mesh, 5e-3), "drive");
+  expect_balanced(graze(mesh, 60 * kDeg), "graze");
+  expect_balanced(tear_to_rim(mesh, 5e-3), "rim");
+  expect_balanced(regrasp(mesh, 5e-3, true), "again");
+  expect_balanced(two_tissues(mesh, 0.2e-3), "two", 0.06);
+  expect_balanced(stiffness(mesh, 1e5), "soft");
+}
+
 // and the balance would show it: ties with the forces of the last step are a spring of 2000 N/m on 0.5 mg at a step of 1 ms,
 // which is stable below 2 sqrt(m/k) = 0.03 ms
 TEST(PierceEnergy, ShowsAMethodThatMakesIt) {

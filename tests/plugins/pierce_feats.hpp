@@ -83,8 +83,8 @@ class FeatScene {
         R"("level": "%s", "size": [%.9g, %.9g], "thickness": %.9g, "backing": %.9g, "stiffness": %.9g,
       "stiffening": %.9g, "young": %.9g, "friction": %.9g, "puncture_force": %.9g, "cutting_force": %.9g, "drag": %.9g,
       "side_stiffness": %.9g, "failure_stress": %.9g)",
-        t.level == tissue::Level::kPlane ? "plane" : "compliant", t.size[0], t.size[1], t.thickness,
-        t.backing, t.stiffness, t.stiffening, t.young, t.friction, t.puncture_force, t.cutting_force, t.drag,
+        tissue::Tissue::kLevels[static_cast<int>(t.level)], t.size[0], t.size[1], t.thickness, t.backing,
+        t.stiffness, t.stiffening, t.young, t.friction, t.puncture_force, t.cutting_force, t.drag,
         t.side_stiffness, t.failure_stress);
     return out;
   }

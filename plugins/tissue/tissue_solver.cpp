@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the surface yields, levels compliant and mesh: displacement = C (f + v), f the forces of this step, v what
+// creep remembers of those before. C is the half space's or the mesh's; all the rest is the same.
+#include <swage/plugin.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tissue.hpp"
+
+namespace swage::tissue {
+
+using toolkit::Pose;
+using toolkit::raw;
+using toolkit::vec;
+
+namespace {
+
+// Forces nearer to each other than this share of the spread act at one place.
+constexpr double kMerge = 0.25;
+// What creep remembers below this, N, is forgotten: it displaces less than a nanometre.
+constexpr double kForgotten = 1e-9;
+
+Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
+void put(double* to, const Vec3& a) {
+  for (int i = 0; i < 3; ++i) to[i] = a[i];
+}
+bool zero(const double* a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+bool same(const double* a, const double* b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+bool same(const swage_vec3& a, const swage_vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+/// Where a source is seen: where it bears, or bore.
+Vec3 place_of(const Source& s) { return vec3(zero(s.f) ? s.p : s.q); }
+
+/// From b to a on the surface laid flat: distances along x grow with the slope there.
+struct Way {
+  double x, y;
+  Way(const Vec3& a, const double* b) : x(a.x() - b[0]), y(a.y() - b[1]) {
+    const double dz = a.z() - b[2];
+    if (dz != 0) x = std::copysign(std::sqrt(x * x + dz * dz), x);
+  }
+};
+
+/// A C B' column by column.
+Mat3 turned(const Mat3& A, const Mat3& C, const Mat3& B) {
+  Mat3 AC, out;
+  for (int j = 0; j < 3; ++j) AC.col(j) = C(0, j) * A.col(0) + C(1, j) * A.col(1) + C(2, j) * A.col(2);
+  for (int j = 0; j < 3; ++j) out.col(j) = B(j, 0) * AC.col(0) + B(j, 1) * AC.col(1) + B(j, 2) * AC.col(2);
+  return out;
+}
+
+}  // namespace
+
+Tissue::Spot Tissue::spot(const Pose& X_WO, const Vec3& foot_O) const {
+  Spot s;
+  s.foot_O = foot_O;
+  const Vec3 n = wall_.normal(foot_O.x(), foot_O.y());
+  const Vec3 along = Vec3(n.z(), 0, -n.x()).normalized();
+  s.axes_W.col(0) = X_WO.q * n;
+  s.axes_W.col(1) = X_WO.q * along;
+  s.axes_W.col(2) = X_WO.q * n.cross(along);
+  return s;
+}
+
+/// Spots of points, at the same index in asked_; returns how many.
+uint32_t Tissue::look_up(const Step& step, std::span<const swage_contact_point> points) {
+  Asked& a = asked_;
+  const Pose X_WO = pose(step);
+  if (X_WO.p != a.X_WO.p || X_WO.q.coeffs() != a.X_WO.q.coeffs()) a.n = 0, a.X_WO = X_WO;
+  const auto n = static_cast<uint32_t>(std::min<size_t>(points.size(), kPoints));
+  const Pose X_OW = X_WO.inverse();
+  for (uint32_t i = 0; i < n; ++i) {
+    if (i < a.n && same(a.p_W[i], points[i].p_W)) continue;
+    a.p_W[i] = points[i].p_W;
+    a.spot[i] = spot(X_WO, wall_.locate(X_OW * vec(points[i].p_W)).foot);
+    if (params_.level == Level::kMesh) a.place[i] = place(a.spot[i].foot_O);
+    a.related[i] = a.felt[i] = false;
+  }
+  return a.n = n;
+}
+
+/// Displacement per force between all points, in W.
+void Tissue::relate(uint32_t n) {
+  Asked& a = asked_;
+  if (std::all_of(a.related.begin(), a.related.begin() + n, [](bool yes) { return yes; })) return;
+  const bool mesh = params_.level == Level::kMesh;
+  if (mesh) mesh_.responses({a.place.data(), n}, a.response.data());
+  for (uint32_t i = 0; i < n; ++i)
+    for (uint32_t j = 0; j <= i; ++j) {
+      if (a.related[i] && a.related[j]) continue;
+      const Way way(a.spot[i].foot_O, a.spot[j].foot_O.data());
+      const Mat3 C = mesh ? a.response[size_t{i} * n + j] : compliance_.between(way.x, way.y);
+      a.C_W[size_t{i} * kPoints + j] = turned(a.spot[i].axes_W, C, a.spot[j].axes_W);
+    }
+  std::fill_n(a.related.begin(), n, true);
+}
+
+/// What displaces all points: by what is remembered, and by the forces of the step before.
+void Tissue::feel(const State& state, uint32_t n) {
+  Asked& a = asked_;
+  if (params_.level == Level::kMesh) return feel_mesh(state, n);
+  std::fill_n(a.creep.begin(), n, Vec3::Zero());
+  std::fill_n(a.gone.begin(), n, Vec3::Zero());
+  for (const Source& s : state.source) {
+    const bool creeps = !zero(s.v), bore = !zero(s.w), stayed = same(s.p, s.q_old);
+    if (!creeps && !bore) continue;
+    const Vec3 v = vec3(s.v), w = vec3(s.w);
+    for (uint32_t i = 0; i < n; ++i) {
+      const Way from_p(a.spot[i].foot_O, s.p);
+      const Compliance::Give give = compliance_.give(from_p.x, from_p.y);
+      if (creeps) a.creep[i] += give.of(from_p.x, from_p.y, v);
+      if (!bore) continue;
+      const Way from_q(a.spot[i].foot_O, s.q_old);
+      a.gone[i] += (stayed ? give : compliance_.give(from_q.x, from_q.y)).of(from_q.x, from_q.y, w);
+    }
+  }
+}
+
+void Tissue::feel_mesh(const State& state, uint32_t n) {
+  Asked& a = asked_;
+  const auto loaded = [&](auto&& place_p, auto&& force) {
+    a.load.clear();
+    for (const Source& s : state.source)
+      if (!zero(force(s))) a.load.push_back({place(vec3(place_p(s))), vec3(force(s))});
+  };
+  loaded([](const Source& s) { return s.p; }, [](const Source& s) { return s.v; });
+  mesh_.displace({a.place.data(), n}, a.load, a.creep.data());
+  loaded([](const Source& s) { return s.q_old; }, [](const Source& s) { return s.w; });
+  mesh_.displace({a.place.data(), n}, a.load, a.gone.data());
+}
+
+void Tissue::advance(const Step& step) {
+  if (!yields()) return;
+  asked_.felt.fill(false);
+  for (Source& s : step.state<State>().source)
+    for (int i = 0; i < 3; ++i) {
+      s.q_old[i] = s.q[i], s.w[i] = s.f[i];
+      s.v[i] *= creep_.keep;
+      s.f[i] = 0;
+    }
+}
+
+/// u = C (f + v): while nothing new presses, the surface goes over the step by C (v - v / keep) - C w.
+void Tissue::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+                        double* W) {
+  const uint32_t n = look_up(step, points);
+  relate(n);
+  feel(step.state<State>(), n);
+  std::fill_n(asked_.felt.begin(), n, true);
+  const double h = step.dt(), give = creep_.at_once() / (h * h), faded = (1 - 1 / creep_.keep) / h;
+  const size_t stride = 3 * points.size();
+  for (uint32_t i = 0; i < n; ++i) {
+    const Vec3 v = faded * asked_.creep[i] - asked_.gone[i] / h;
+    put(v_free + size_t{3} * i, asked_.spot[i].axes_W * v);
+    for (uint32_t j = 0; j <= i; ++j) {
+      const double* const C = asked_.C_W[size_t{i} * kPoints + j].data();  // by columns
+      for (size_t r = 0; r < 3; ++r)
+        for (size_t c = 0; c < 3; ++c)
+          W[(size_t{3} * i + r) * stride + size_t{3} * j + c] =
+              W[(size_t{3} * j + c) * stride + size_t{3} * i + r] = give * C[3 * c + r];
+    }
+  }
+}
+
+void Tissue::displacement(const Step& step, std::span<const swage_contact_point> points, double* u_W) {
+  const uint32_t n = look_up(step, points);
+  const State& state = step.state<State>();
+  for (uint32_t i = 0; i < n; ++i) {
+    const Spot& at = asked_.spot[i];
+    put(u_W + size_t{3} * i, at.axes_W * (asked_.felt[i] ? asked_.creep[i] : displaced(state, at.foot_O)));
+  }
+}
+
+/// The source that remembers for a place and bears nothing yet in this step: the nearest one, or the one that matters
+/// least.
+Source& Tissue::source_at(State& state, const Vec3& foot_O) const {
+  Source *least = state.source, *nearest = nullptr;
+  double least_size = HUGE_VAL, near = kMerge * params_.spread;
+  for (Source& s : state.source) {
+    const double size = (vec3(s.f) + vec3(s.v)).norm();
+    if (size < least_size) least = &s, least_size = size;
+    const double distance = (vec3(s.p) - foot_O).norm();
+    if (size > 0 && zero(s.f) && distance < near) nearest = &s, near = distance;
+  }
+  if (nearest != nullptr) return *nearest;
+  *least = {};
+  put(least->p, foot_O);
+  return *least;
+}
+
+void Tissue::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+  const uint32_t n = look_up(step, points);
+  asked_.felt.fill(false);
+  State& state = step.state<State>();
+  for (uint32_t i = 0; i < n; ++i) {
+    const Vec3 f_W = vec3(impulse + size_t{3} * i) / step.dt();
+    if (f_W.isZero(0)) continue;
+    const Spot& at = asked_.spot[i];
+    Source& s = source_at(state, at.foot_O);
+    put(s.q, at.foot_O);
+    put(s.f, at.axes_W.transpose() * f_W);
+  }
+  for (Source& s : state.source) put(s.v, vec3(s.v) + creep_.gain * vec3(s.f));
+}
+
+/// Where a place of the surface is displaced to [m, along n, 1, 2].
+Vec3 Tissue::displaced(const State& state, const Vec3& foot_O) {
+  Vec3 u = Vec3::Zero();
+  if (params_.level == Level::kMesh) {
+    const Mesh::Place at = place(foot_O);
+    asked_.load.clear();
+    for (const Source& s : state.source) {
+      if (!zero(s.v)) asked_.load.push_back({place(vec3(s.p)), vec3(s.v)});
+      if (!zero(s.f)) asked_.load.push_back({place(vec3(s.q)), vec3(s.f)});
+    }
+    mesh_.displace({&at, 1}, asked_.load, &u);
+    return u;
+  }
+  const auto add = [&](const double* p, const double* f) {
+    if (zero(f)) return;
+    const Way way(foot_O, p);
+    u += compliance_.give(way.x, way.y).of(way.x, way.y, vec3(f));
+  };
+  for (const Source& s : state.source) add(s.p, s.v), add(s.q, s.f);
+  return u;
+}
+
+void Tissue::finish(const Step& step) {
+  double dimple = 0, force = 0;
+  if (yields()) {
+    State& state = step.state<State>();
+    const Source* deepest = nullptr;
+    double most = 0;
+    for (Source& s : state.source) {
+      if (zero(s.f) && zero(s.v)) continue;
+      const double size = (vec3(s.f) + vec3(s.v)).norm();
+      if (zero(s.f) && size < kForgotten) s = {};
+      force += std::max(0.0, -s.f[0]);
+      if (size > most) deepest = &s, most = size;
+    }
+    if (most > 0) dimple = displaced(state, place_of(*deepest)).norm();
+  }
+  step.signal(dimple_, dimple);
+  step.signal(force_, force);
+}
+
+/// Displacement of a place by its own force.
+Mat3 Tissue::own(const Vec3& foot_O) const {
+  if (params_.level != Level::kMesh) return compliance_.between(0, 0);
+  const Mesh::Place at = place(foot_O);
+  return mesh_.between(at, at);
+}
+
+uint32_t Tissue::dents(const Step& step, std::span<swage_dent> out) {
+  if (!yields()) return 0;
+  const Pose X_WO = pose(step);
+  uint32_t n = 0;
+  for (const Source& s : step.state<State>().source) {
+    const Vec3 amplitude = vec3(s.f) + vec3(s.v);
+    if (amplitude.norm() < 1e3 * kForgotten || n == out.size()) continue;
+    const Spot at = spot(X_WO, place_of(s));
+    out[n++] = {raw(X_WO * at.foot_O), raw(Vec3(at.axes_W * (own(at.foot_O) * amplitude))),
+                2 * params_.spread / 3.141592653589793};
+  }
+  return n;
+}
+
+}  // namespace swage::tissue

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ladder of the tissue: how right each level is about the dent under a needle, and what a step of an insertion
+// with it costs.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "../plugins/run_lesson.hpp"
+#include "charts.hpp"
+#include "plugins/tissue/tissue.hpp"
+#include "timing.hpp"
+
+namespace swage::bench {
+namespace {
+
+struct Level {
+  const char* name;   // of the chart
+  const char* level;  // of the tissue
+  int cells, refinement;
+};
+constexpr Level kLevels[] = {{"plane", "plane", 0, 0},
+                             {"compliant", "compliant", 0, 0},
+                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 3},
+                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 4},
+                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 5},
+                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 6},
+                             {"mesh, 24 cells, halved 5 times", "mesh", 24, 5}};
+
+/// Processor time of the steps in which the expert has the needle in the tissue: median [ns].
+double step_with(const Level& l) {
+  stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/110_insertion.json", {"expert", ""},
+                       [&](assembly::LessonFile& file) {
+                         for (assembly::LessonObject& o : file.objects) {
+                           if (o.name != "tissue") continue;
+                           auto params = nlohmann::json::parse(o.params);
+                           params["level"] = l.level;
+                           if (l.cells > 0) params["cells"] = l.cells, params["refinement"] = l.refinement;
+                           o.params = params.dump();
+                         }
+                       });
+  if (!run.ready()) throw std::runtime_error(run.problems());
+  std::vector<double> ns;
+  while (run.verdict().outcome == judge::Outcome::kRunning && run.world().time() < 60) {
+    const double begin = cpu_ns();
+    run.step();
+    const double took = cpu_ns() - begin;
+    if (run.signal("pierce", "pierce.state") >= 2) ns.push_back(took);
+  }
+  if (ns.empty()) throw std::runtime_error(std::string("nothing was pierced, level ") + l.level);
+  return times(ns).median;
+}
+
+constexpr double kForce = 5e-3;  // N
+
+tissue::MeshSpec wall(int cells, int refinement) {
+  tissue::MeshSpec s;  // 12 x 10 x 1 mm, its rim clamped, its underside free
+  s.cells = cells, s.refinement = refinement;
+  return s;
+}
+double dent_of_mesh(int cells, int refinement) {
+  const tissue::Mesh mesh(wall(cells, refinement));
+  const auto at = mesh.place(0.3e-3, 0.2e-3);
+  return kForce * mesh.between(at, at)(0, 0);
+}
+/// In the half space; and in the plane, where force = (stiffness + stiffening x) x.
+double dent(const Level& l) {
+  const tissue::TissueParams p;
+  if (l.level == std::string("compliant"))
+    return kForce * tissue::Compliance({p.young / 3, p.spread, 0, 0}).normal(0);
+  if (l.level == std::string("plane"))
+    return 2 * kForce / (p.stiffness + std::sqrt(p.stiffness * p.stiffness + 4 * p.stiffening * kForce));
+  return dent_of_mesh(l.cells, l.refinement);
+}
+
+}  // namespace
+
+Scatter chart_dent(bool quick) {
+  Scatter c;
+  c.title = "The tissue's levels: dent under 5 mN in a wall of 12 x 10 x 1 mm";
+  c.x = {"error of the dent against the finest mesh (32 cells, halved 6 times)", 1e-4, 2, true, "", ""};
+  c.y = {"median processor time of a step of the insertion, ns", 1e3, 1e6, true, "", ""};
+  std::vector<std::vector<double>> medians(std::size(kLevels));
+  for (int round = 0; round < (quick ? 1 : 5); ++round)
+    for (size_t i = 0; i < std::size(kLevels); ++i) medians[i].push_back(step_with(kLevels[i]));
+  const double reference = dent_of_mesh(32, 6);
+  for (size_t i = 0; i < std::size(kLevels); ++i) {
+    const Level& l = kLevels[i];
+    c.marks.push_back({"swage", l.name, std::abs(dent(l) / reference - 1), times(medians[i]).median,
+                       l.cells == 16 ? std::to_string(l.refinement) : ""});
+  }
+  return c;
+}
+
+}  // namespace swage::bench
