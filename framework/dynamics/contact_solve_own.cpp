@@ -77,18 +77,11 @@ bool ContactSolve::may_wait(const contact::Contact& c, const Known& k) const noe
   return own;
 }
 
-/// The solve starts where own solvers expect their points; what they expected to stay held may as well come back to a contact
-/// that has let go of it.
+/// The solve starts where own solvers expect their points: contacts that they come back to from there show when it has moved them.
 void ContactSolve::wake_own_points(contact::ContactSet& contacts) noexcept {
-  for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    if (k.a.point == kNone && k.b.point == kNone) continue;
-    contact::Contact& c = contacts.contact[i];
-    for (const Side* s : {&k.a, &k.b})
-      if (s->point != kNone) place_.expect(*s, c.p_W);
-    c.gap = k.found.gap + off_shapes(c, k);
-    k.active = k.active || overlaps(c);
-  }
+  for (uint32_t i = 0; i < n_; ++i)
+    for (const Side* s : {&known_[i].a, &known_[i].b})
+      if (s->point != kNone) place_.expect(*s, contacts.contact[i].p_W);
   expect_ties();
   place_.self().start();
   for (uint32_t i = 0; i < n_; ++i)

@@ -21,6 +21,7 @@ constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
 constexpr double kFar = 1e6;           // tolerances that a step of the path may go: 0.1 mm
 constexpr double kNeverSlips = 1e300;  // N
+constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
 
 /// Whether a row stiffens anything where it was last evaluated.
 bool takes_part(const Row& row) { return row.tie || row.f.fn > 0 || row.limit > 0; }
@@ -134,6 +135,8 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
     if (!direction(island, Friction::kCoulomb)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
+    // every row is on the piece for which the last step was made: it ended here
+    if (island.contact_space && far <= kHere * tolerance) return true;
     if (far > tolerance && now < 0) now = space_->merit();
 
     double fraction = 1, next = 0;
