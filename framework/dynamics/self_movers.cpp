@@ -7,11 +7,9 @@ namespace swage::dynamics {
 
 namespace {
 
-/// Without a branch: x - x is 0 for all but infinity and NaN.
+/// 0 x is 0 for all but infinity and NaN, in whatever order it is summed.
 bool finite(const double* x, size_t n) noexcept {
-  uint64_t wrong = 0;
-  for (size_t i = 0; i < n; ++i) wrong |= static_cast<uint64_t>(!(x[i] - x[i] == 0));
-  return wrong == 0;
+  return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
 }
 
 }  // namespace
