@@ -2,6 +2,8 @@
 //
 // The ladder of the tissue: how right each level is about the dent under a needle, and what a step of an insertion
 // with it costs.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -21,11 +23,11 @@ struct Level {
 };
 constexpr Level kLevels[] = {{"plane", "plane", 0, 0},
                              {"compliant", "compliant", 0, 0},
-                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 3},
-                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 4},
-                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 5},
-                             {"mesh, halved 3, 4, 5 and 6 times", "mesh", 16, 6},
-                             {"mesh, 24 cells, halved 5 times", "mesh", 24, 5}};
+                             {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 3},
+                             {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 4},
+                             {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 5},
+                             {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 6},
+                             {"mesh, 24 cells, halved 6 times", "mesh", 24, 6}};
 
 /// Processor time of the steps in which the expert has the needle in the tissue: median [ns].
 double step_with(const Level& l) {
@@ -58,19 +60,34 @@ tissue::MeshSpec wall(int cells, int refinement) {
   s.cells = cells, s.refinement = refinement;
   return s;
 }
-double dent_of_mesh(int cells, int refinement) {
+/// How deep the surface is under the needle, and 0.25, 0.5 and 1 mm beside it [m].
+using Dent = std::array<double, 4>;
+constexpr Dent kBeside = {0, 0.25e-3, 0.5e-3, 1e-3};  // m
+
+Dent dent_of_mesh(int cells, int refinement) {
   const tissue::Mesh mesh(wall(cells, refinement));
-  const auto at = mesh.place(0.3e-3, 0.2e-3);
-  return kForce * mesh.between(at, at)(0, 0);
+  Dent u;
+  for (size_t i = 0; i < u.size(); ++i)
+    u[i] = kForce * mesh.between(mesh.place(0.3e-3 + kBeside[i], 0.2e-3), mesh.place(0.3e-3, 0.2e-3))(0, 0);
+  return u;
 }
-/// In the half space; and in the plane, where force = (stiffness + stiffening x) x.
-double dent(const Level& l) {
+/// In the half space; and in the plane, where force = (stiffness + stiffening x) x, and nothing moves beside it.
+Dent dent(const Level& l) {
   const tissue::TissueParams p;
-  if (l.level == std::string("compliant"))
-    return kForce * tissue::Compliance({p.young / 3, p.spread, 0, 0}).normal(0);
   if (l.level == std::string("plane"))
-    return 2 * kForce / (p.stiffness + std::sqrt(p.stiffness * p.stiffness + 4 * p.stiffening * kForce));
-  return dent_of_mesh(l.cells, l.refinement);
+    return {2 * kForce / (p.stiffness + std::sqrt(p.stiffness * p.stiffness + 4 * p.stiffening * kForce)), 0,
+            0, 0};
+  if (l.level != std::string("compliant")) return dent_of_mesh(l.cells, l.refinement);
+  const tissue::Compliance half({p.young / 3, p.spread, 0, 0});
+  Dent u;
+  for (size_t i = 0; i < u.size(); ++i) u[i] = kForce * half.normal(kBeside[i]);
+  return u;
+}
+
+double worst_error(const Dent& u, const Dent& reference) {
+  double worst = 0;
+  for (size_t i = 0; i < u.size(); ++i) worst = std::max(worst, std::abs(u[i] / reference[i] - 1));
+  return worst;
 }
 
 }  // namespace
@@ -78,15 +95,20 @@ double dent(const Level& l) {
 Scatter chart_dent(bool quick) {
   Scatter c;
   c.title = "The tissue's levels: dent under 5 mN in a wall of 12 x 10 x 1 mm";
-  c.x = {"error of the dent against the finest mesh (32 cells, halved 6 times)", 1e-4, 2, true, "", ""};
-  c.y = {"median processor time of a step of the insertion, ns", 1e3, 1e6, true, "", ""};
+  c.x = {"worst error of the dent up to 1 mm beside, against a mesh of 32 cells halved 6 times",
+         1e-3,
+         2,
+         true,
+         "",
+         "rigid"};
+  c.y = {"median processor time of a step of the insertion, ns", 3e3, 3e5, true, "", ""};
   std::vector<std::vector<double>> medians(std::size(kLevels));
   for (int round = 0; round < (quick ? 1 : 5); ++round)
     for (size_t i = 0; i < std::size(kLevels); ++i) medians[i].push_back(step_with(kLevels[i]));
-  const double reference = dent_of_mesh(32, 6);
+  const Dent reference = dent_of_mesh(32, 6);
   for (size_t i = 0; i < std::size(kLevels); ++i) {
     const Level& l = kLevels[i];
-    c.marks.push_back({"swage", l.name, std::abs(dent(l) / reference - 1), times(medians[i]).median,
+    c.marks.push_back({"swage", l.name, worst_error(dent(l), reference), times(medians[i]).median,
                        l.cells == 16 ? std::to_string(l.refinement) : ""});
   }
   return c;
