@@ -15,19 +15,20 @@ using toolkit::vec;
 
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 
-LessonRun lesson(const std::string& file, const std::string& level) {
+LessonRun lesson(const std::string& file, std::vector<std::string> settings) {
   return LessonRun(kSeries + file, {"expert", ""}, [&](assembly::LessonFile& read) {
-    const std::string text = "needle.level=" + level;
-    assembly::Setting setting;
-    EXPECT_TRUE(assembly::parse_setting(text, setting));
+    std::vector<assembly::Setting> all(settings.size());
+    for (size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(assembly::parse_setting(settings[i], all[i]));
     base::Problems problems;
     read = {};
-    EXPECT_TRUE(assembly::read_lesson_file(kSeries + file, {&setting, 1}, read, problems));
+    EXPECT_TRUE(assembly::read_lesson_file(kSeries + file, all, read, problems));
   });
 }
 
-double wound(const std::string& level) {
-  LessonRun run = lesson("110_insertion.json", level);
+/// Of the insertion by the expert, which must pass.
+double wound(const std::string& level, std::vector<std::string> settings = {}) {
+  settings.push_back("needle.level=" + level);
+  LessonRun run = lesson("110_insertion.json", settings);
   EXPECT_TRUE(run.ready()) << run.problems();
   if (!run.ready()) return 0;
   run.run(60);
@@ -43,9 +44,21 @@ TEST(BendingNeedle, SpringsBackAsTheSurfaceGivesWay) {
   EXPECT_NEAR(bending, reference, 0.12 * reference);
 }
 
+// The needles of the study: the more of a circle, the farther round from the grip is the point, and the more it springs
+TEST(BendingNeedle, EveryNeedleOfTheStudyGoesIn) {
+  double before = 1.3;
+  for (const char* arc : {"2/8", "3/8", "4/8"}) {
+    const double now =
+        wound("bending", {std::string("needle.arc=") + arc, "needle.size_of=length", "needle.size=5 mm"});
+    EXPECT_GT(now, before) << arc;
+    EXPECT_LT(now, 1.7) << arc;
+    before = now;
+  }
+}
+
 // Held by its track alone it stays: what it is tied to takes its swing within milliseconds, as it does from a rigid needle.
 TEST(BendingNeedle, LetGoInTissueItComesToRestAndIsTakenAgain) {
-  LessonRun run = lesson("115_stitch.json", "bending");
+  LessonRun run = lesson("115_stitch.json", {"needle.level=bending"});
   ASSERT_TRUE(run.ready()) << run.problems();
   const uint32_t needle = run.body("needle");
   double alone = 0, fastest = 0;  // s; m/s after a tenth of a second on its own, before the jaws come back
