@@ -161,7 +161,9 @@ void MainWindow::add_actions() {
 void MainWindow::show_page(int page) {
   pages_->setCurrentIndex(page);
   page_buttons_[page]->setChecked(true);
-  if (page == 1) progress_->refresh();
+  if (page != 1) return;
+  progress_->refresh();
+  progress_->focus_attempts();
 }
 
 void MainWindow::review(const QString& attempt_id) {

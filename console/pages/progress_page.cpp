@@ -200,6 +200,11 @@ void ProgressPage::refresh() {
   people_view_->setCurrentIndex(people_->index(std::max(0, people_->row_of(id)), 0));
 }
 
+void ProgressPage::focus_attempts() {
+  if (!table_->selectionModel()->hasSelection()) table_->selectRow(0);
+  table_->setFocus();
+}
+
 void ProgressPage::select_person(const QString& name) {
   const qsizetype row = people_->names().indexOf(name);
   if (row >= 0) people_view_->setCurrentIndex(people_->index(static_cast<int>(row), 0));

@@ -40,6 +40,8 @@ class ProgressPage : public QWidget {
  public Q_SLOTS:
   /// Reads the store again; keeps the person and the lesson when they are still there.
   void refresh();
+  /// The keyboard goes to the attempts, the newest chosen: Enter reviews it.
+  void focus_attempts();
   void select_person(const QString& name);
 
  Q_SIGNALS:

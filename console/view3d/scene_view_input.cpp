@@ -40,7 +40,8 @@ swage_pointer SceneView::moved(const QPointF& from, const QPointF& to) {
   const QPointF delta((to.x() - from.x()) * panel.size.width() / panel.at.width(),
                       (to.y() - from.y()) * px / panel.at.height());
   input_.set_camera(eye.q_WC());
-  return input_.moved(delta, parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, middle_of_tips()));
+  return input_.moved(delta,
+                      parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, middle_of_tips()));
 }
 
 bool SceneView::moves_camera(const QMouseEvent& event) const {

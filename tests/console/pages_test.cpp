@@ -278,6 +278,17 @@ TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
   EXPECT_TRUE(page()->setup()->left_handed());
 }
 
+TEST_F(Pages, TheNewestAttemptIsTwoKeysAway) {
+  attempts = sample_attempts();
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* table = child<QTableView>("attempts");
+  ASSERT_TRUE(table->selectionModel()->hasSelection());
+  EXPECT_EQ(table->selectionModel()->selectedRows().front().row(), 0);
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_TRUE(window->review_page()->isVisible());
+}
+
 TEST_F(Pages, TheTraineesViewIsSetUpAndRemembered) {
   open();
   click("trainee_button");
