@@ -78,7 +78,7 @@ TEST(Angles, OneHandOnTheMouseIsEnough) {
   const toolkit::Vec3 start(-6e-3, -1e-3, 4.6e-3);
   const toolkit::Vec3 way = toolkit::vec(attempt.verdict().mark_p_W[kOther]) - start;
   constexpr double kView = 10e-3,
-                   kNotch = 0.2e-3;  // m, of the mouse: for the view's height, for a notch of the wheel
+                   kNotch = 0.2e-3;  // m, of the mouse: for a movement of 1, for a notch of the wheel
   for (int i = 0; i < 100; ++i) {
     attempt.pointer().buttons = kLeft;
     attempt.pointer().dx = way.x() / kView / 100;

@@ -216,7 +216,7 @@ class Person {
   explicit Person(LessonRun& attempt) : attempt_(attempt) {
     attempt_.pointer().camera = toolkit::raw(toolkit::exp_rotation({0.5 * std::numbers::pi, 0, 0}));
   }
-  /// Drags by so much of the view's height in so long a time, a report of the mouse every 8 ms.
+  /// Drags by so many times 10 mm in so long a time, a report of the mouse every 8 ms.
   void drag(uint32_t button, double dx, double dy, double time_s) {
     const int reports = static_cast<int>(time_s / 8e-3);
     for (int i = 0; i < reports; ++i) {
@@ -250,7 +250,7 @@ double with_the_mouse(bool mirror) {
   constexpr uint32_t kLeft = 1, kMiddle = 2;
   Person person(attempt);
   person.wait(0.5);
-  person.drag(kLeft, -0.68 * side, -0.10, 2);  // to the needle, 10 mm for the view's height
+  person.drag(kLeft, -0.68 * side, -0.10, 2);  // to the needle, in 10 mm
   person.wait(0.3);
   person.hold(kMiddle, 1.03);  // closes to 0.69
   person.wait(0.5);

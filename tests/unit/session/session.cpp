@@ -92,7 +92,7 @@ TEST_F(SessionTest, ThePointerMovesTheToolThroughTheMouse) {
   session->stop();
   const double moved =
       std::hypot(after.X_WB[0].p.x - before.X_WB[0].p.x, after.X_WB[0].p.y - before.X_WB[0].p.y);
-  EXPECT_NEAR(moved, 0.1 * 10e-3, 1e-5);  // a tenth of the view's height at 10 mm for the whole of it
+  EXPECT_NEAR(moved, 0.1 * 10e-3, 1e-5);  // a tenth of 10 mm
 }
 
 TEST_F(SessionTest, EventsArriveInOrder) {

@@ -63,7 +63,7 @@ typedef struct swage_device {
 #define SWAGE_HOST_POINTER "swage.host.pointer/1"
 #define SWAGE_KEY_COUNT 64u
 typedef struct swage_pointer {
-  double dx, dy;    /* fraction of the view's height; +x right, +y up */
+  double dx, dy;    /* way over what is seen, in 10 mm, at every magnification; +x right, +y up */
   double wheel;     /* notches, + away from the user */
   uint32_t buttons; /* bit 0 left, 1 middle, 2 right */
   uint32_t modifiers; /* bit 0 shift, 1 control, 2 alt */
