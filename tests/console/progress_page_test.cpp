@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The page of progress in the whole window: empty, without a store, with attempts.
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTableView>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class ProgressPages : public WindowTest {};
+
+TEST_F(ProgressPages, ProgressIsEmptyWithANextStep) {
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* empty = child<QLabel>("empty");
+  EXPECT_TRUE(empty->isVisible());
+  EXPECT_TRUE(empty->text().contains("after the first lesson"));
+  click("run_lesson");
+  EXPECT_TRUE(page()->isVisible());
+}
+
+TEST_F(ProgressPages, ProgressWithoutAStoreSaysSo) {
+  with_store = false;
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(child<QLabel>("empty")->text().contains("without a store"));
+}
+
+TEST_F(ProgressPages, ProgressShowsAPersonsAttempts) {
+  attempts = sample_attempts();
+  open();
+  EXPECT_GE(child<QComboBox>("person")->findText("Bea L."), 0);
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  console::ProgressPage* progress = window->progress_page();
+  EXPECT_EQ(progress->attempts()->rowCount(), 14);
+  auto* metric = child<QComboBox>("metric");
+  metric->setCurrentIndex(metric->findData("force.peak"));
+  EXPECT_EQ(progress->chart()->series().points.size(), 14);
+  EXPECT_EQ(progress->chart()->series().unit, "N");
+  auto* lesson = child<QComboBox>("lesson_filter");
+  lesson->setCurrentIndex(lesson->findData("swage.series.carry"));
+  EXPECT_EQ(progress->attempts()->rowCount(), 2);
+  EXPECT_EQ(progress->chart()->series().id, "force.peak");
+  progress->select_person("Bea L.");
+  EXPECT_EQ(progress->attempts()->rowCount(), 1);
+  EXPECT_TRUE(progress->chart()->series().points.isEmpty());
+  EXPECT_FALSE(progress->chart()->grab().isNull());
+}
+
+TEST_F(ProgressPages, TheNewestAttemptIsTwoKeysAway) {
+  attempts = sample_attempts();
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* table = child<QTableView>("attempts");
+  ASSERT_TRUE(table->selectionModel()->hasSelection());
+  EXPECT_EQ(table->selectionModel()->selectedRows().front().row(), 0);
+  QTest::keyClick(table, Qt::Key_Return);
+  EXPECT_TRUE(window->review_page()->isVisible());
+}
+
+TEST_F(ProgressPages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
+  attempts = sample_attempts();
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  auto* metric = child<QComboBox>("metric");
+  std::vector<std::string> asked;
+  window->progress_page()->set_metric_finder([&](const QString&, const std::string& id) {
+    asked.push_back(id);
+    return console::MetricSaid{{SWAGE_BETTER_INSIDE, "mean of F"}, {0.001, 0.002}};
+  });
+  auto* lesson = child<QComboBox>("lesson_filter");
+  lesson->setCurrentIndex(lesson->findData("swage.series.carry"));
+  metric->setCurrentIndex(metric->findData("motion.path"));
+  const console::MetricSeries& series = window->progress_page()->chart()->series();
+  EXPECT_EQ(asked.back(), "motion.path");
+  EXPECT_EQ(series.better, SWAGE_BETTER_INSIDE);
+  EXPECT_EQ(series.target, (console::MetricTarget{1, 2}));  // mm
+  // attempts of several lessons have no common target
+  lesson->setCurrentIndex(0);
+  EXPECT_EQ(series.target, console::MetricTarget{});
+  EXPECT_FALSE(window->progress_page()->chart()->grab().isNull());
+}
+
+// --- cues and what may be adjusted
+
+}  // namespace
+}  // namespace swage::test
