@@ -15,14 +15,8 @@ using toolkit::vec;
 
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 
-LessonRun lesson(const std::string& file, std::vector<std::string> settings) {
-  return LessonRun(kSeries + file, {"expert", ""}, [&](assembly::LessonFile& read) {
-    std::vector<assembly::Setting> all(settings.size());
-    for (size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(assembly::parse_setting(settings[i], all[i]));
-    base::Problems problems;
-    read = {};
-    EXPECT_TRUE(assembly::read_lesson_file(kSeries + file, all, read, problems));
-  });
+LessonRun lesson(const std::string& file, const std::vector<std::string>& settings) {
+  return LessonRun(kSeries + file, "expert", settings);
 }
 
 /// Of the insertion by the expert, which must pass.

@@ -3,7 +3,6 @@
 // Three needles on three surfaces (thesis 6.4 and appendix D), with the real physics: what the scripted hands make of them.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 
 #include "run_lesson.hpp"
@@ -18,16 +17,9 @@ struct Pair {
 };
 
 LessonRun run(const Pair& pair, const std::string& hand) {
-  const std::string settings[] = {std::string("tissue.form=") + pair.surface,
-                                  std::string("needle.arc=") + pair.needle, "needle.size_of=length",
-                                  "needle.size=5 mm"};
-  LessonRun attempt(kLesson, {hand, ""}, [&](assembly::LessonFile& file) {
-    std::array<assembly::Setting, std::size(settings)> all;
-    for (size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(assembly::parse_setting(settings[i], all[i]));
-    base::Problems problems;
-    file = {};
-    EXPECT_TRUE(assembly::read_lesson_file(kLesson, all, file, problems));
-  });
+  LessonRun attempt(kLesson, hand,
+                    {std::string("tissue.form=") + pair.surface, std::string("needle.arc=") + pair.needle,
+                     "needle.size_of=length", "needle.size=5 mm"});
   EXPECT_EQ(attempt.problems(), "");
   if (attempt.ready()) attempt.run(60);
   return attempt;

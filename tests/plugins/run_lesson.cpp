@@ -8,17 +8,35 @@ namespace swage::stage {
 
 LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrides,
                      const std::function<void(assembly::LessonFile&)>& change) {
+  base::Problems problems;
+  assembly::LessonFile file;
+  const bool read = assembly::read_lesson_file(path, file, problems);
+  if (read && change) change(file);
+  if (read) begin(file, overrides, problems);
+  for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
+}
+
+LessonRun::LessonRun(const std::string& path, const std::string& device,
+                     const std::vector<std::string>& settings) {
+  base::Problems problems;
+  assembly::LessonFile file;
+  std::vector<assembly::Setting> all(settings.size());
+  bool understood = true;
+  for (size_t i = 0; i < all.size(); ++i)
+    understood = understood && assembly::parse_setting(settings[i], all[i]);
+  if (!understood) problems_ += "a setting is not object.parameter=value\n";
+  if (understood && assembly::read_lesson_file(path, all, file, problems))
+    begin(file, {device, ""}, problems);
+  for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
+}
+
+void LessonRun::begin(const assembly::LessonFile& file, const assembly::Overrides& overrides,
+                      base::Problems& problems) {
   host::Catalogue::Options options;
   options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
   options.use_environment = false;
   const host::Catalogue catalogue(options);
-  base::Problems problems;
-  assembly::LessonFile file;
-  if (assembly::read_lesson_file(path, file, problems)) {
-    if (change) change(file);
-    rig_ = assembly::assemble(file, catalogue, overrides, problems);
-  }
-  for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
+  rig_ = assembly::assemble(file, catalogue, overrides, problems);
   if (!rig_) return;
   for (const host::DeviceSlot& slot : rig_->devices) {
     if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)

@@ -25,6 +25,9 @@ class LessonRun {
   LessonRun(const std::string& path, const assembly::Overrides& overrides,
             const std::function<void(assembly::LessonFile&)>& change = {});
 
+  /// `settings`: as after --set, "needle.level=bending".
+  LessonRun(const std::string& path, const std::string& device, const std::vector<std::string>& settings);
+
   bool ready() const { return engine_ != nullptr; }
   const std::string& problems() const { return problems_; }  // what was wrong, line by line
 
@@ -51,6 +54,9 @@ class LessonRun {
   void push(uint32_t body, const toolkit::Vec3& f_W, const toolkit::Vec3& t_W);
 
  private:
+  void begin(const assembly::LessonFile& file, const assembly::Overrides& overrides,
+             base::Problems& problems);
+
   std::string problems_;
   std::unique_ptr<host::Rig> rig_;
   std::unique_ptr<step::Engine> engine_;
