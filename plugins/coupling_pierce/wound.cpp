@@ -22,11 +22,24 @@ double corner_radius(double r) {
   return r * std::sqrt(kTurn / (kCorners * std::sin(kTurn / kCorners)));
 }
 
-/// A capsule as a convex polygon, counter-clockwise.
+/// The middle line of a capsule.
+struct Line {
+  Vec2 from, along;
+
+  double distance(const Vec2& p) const {
+    const double length2 = along.squaredNorm();
+    const double t = length2 > 0 ? std::clamp((p - from).dot(along) / length2, 0.0, 1.0) : 0;
+    return (p - from - t * along).norm();
+  }
+};
+
+/// A capsule as a convex polygon, counter-clockwise. Within `inner` of its middle line everything is inside, beyond
+/// `outer` nothing.
 struct Polygon {
   Vec2 corner[kCorners];
+  Line line;
   Vec2 middle;
-  double bound = 0;
+  double bound = 0, inner = 0, outer = 0;  // m
 };
 
 Polygon polygon(const Wound::Capsule& c, double radius) {
@@ -41,12 +54,24 @@ Polygon polygon(const Wound::Capsule& c, double radius) {
     p.corner[i] = b + out;
     p.corner[kHalf + i] = a - out;
   }
+  constexpr double kHair = 1e-9;  // by which rounding may be wrong, of the radius
+  p.line = {a, along};
   p.middle = 0.5 * (a + b);
   p.bound = 0.5 * length + r;
+  p.inner = (std::cos(std::numbers::pi / kCorners) - kHair) * r;
+  p.outer = (1 + kHair) * r;
   return p;
 }
 
 bool apart(const Polygon& p, const Polygon& q) { return (p.middle - q.middle).norm() > p.bound + q.bound; }
+
+/// Whether an edge lies in a polygon as a whole, or surely nowhere; else it must be clipped, at ten times the price.
+enum class Lies { kInside, kOutside, kPartly };
+Lies lies(const Polygon& q, const Vec2& a, const Vec2& b) {
+  const double far = q.line.distance(0.5 * (a + b)), half = 0.5 * (b - a).norm();
+  if (far > q.outer + half) return Lies::kOutside;
+  return far + half < q.inner ? Lies::kInside : Lies::kPartly;
+}
 
 /// The stretch [t0, t1] of the edge a..b that lies in a convex polygon; `edge_counts`: its border belongs to it.
 bool clip(const Polygon& q, const Vec2& a, const Vec2& b, bool edge_counts, double& t0, double& t1) {
@@ -71,6 +96,9 @@ double uncovered(const Polygon* polygon, uint32_t n, uint32_t own, const Vec2& a
   uint32_t m = 0;
   for (uint32_t j = 0; j < n; ++j) {
     if (j == own) continue;
+    const Lies place = lies(polygon[j], a, b);
+    if (place == Lies::kInside) return 0;
+    if (place == Lies::kOutside) continue;
     double t0, t1;
     if (clip(polygon[j], a, b, j < own, t0, t1)) covered[m++] = {t0, t1};
   }
@@ -112,18 +140,15 @@ double added(const Wound& w) {
   for (uint32_t i = 0; i < m; ++i)
     for (int k = 0; k < kCorners; ++k) {
       const Vec2 &a = near[i].corner[k], &b = near[i].corner[(k + 1) % kCorners];
-      double t0, t1;
-      if (!clip(last, a, b, false, t0, t1)) continue;  // as it was
-      twice += uncovered(near, m + 1, i, a, b) - uncovered(near, m, i, a, b);
+      if (lies(last, a, b) == Lies::kOutside) continue;  // as it was
+      const double before = uncovered(near, m, i, a, b);
+      if (before != 0) twice += uncovered(near, m + 1, i, a, b) - before;
     }
   return 0.5 * twice;
 }
 
 double distance(const Vec2& p, const Wound::Capsule& c) {
-  const Vec2 a = vec2(c.a), along = vec2(c.b) - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0;
-  return (p - a - t * along).norm();
+  return Line{vec2(c.a), vec2(c.b) - vec2(c.a)}.distance(p);
 }
 
 /// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last one.

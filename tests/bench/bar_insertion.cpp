@@ -54,18 +54,16 @@ std::vector<Line> balance() {
   return lines;
 }
 
-/// Steps of a lesson by its expert while `counts` says so: processor time [ns]; and the force on the tool [N].
+/// Steps of a lesson by a hand while `counts` says so: processor time [ns]; and the force on the tool [N].
 struct Played {
   std::vector<double> ns;
   std::vector<Vec3> force_W;
 };
-Played play(const char* lesson, const char* level, bool (*counts)(const stage::LessonRun&)) {
-  const auto bending = [level](assembly::LessonFile& file) {
-    for (assembly::LessonObject& object : file.objects)
-      if (object.name == "needle") object.params.insert(1, std::string("\"level\": \"") + level + "\", ");
-  };
+Played play(const char* lesson, const char* hand, const char* level,
+            bool (*counts)(const stage::LessonRun&)) {
   Played played;
-  stage::LessonRun run(std::string(SWAGE_SOURCE_DIR "/lessons/series/") + lesson, {"expert", ""}, bending);
+  stage::LessonRun run(std::string(SWAGE_SOURCE_DIR "/lessons/series/") + lesson, hand,
+                       {std::string("needle.level=") + level});
   if (!run.ready()) return played;
   uint32_t tool = 0;
   while (run.rig().objects[tool].instance->name != "holder") ++tool;
@@ -107,31 +105,48 @@ double felt_jump(const std::vector<Vec3>& force_W, double scale) {
   return worst;
 }
 
+/// A run that is the same every time: medians step by step leave out what the machine does meanwhile.
+struct Steps {
+  Played last;
+  std::vector<std::vector<double>> ns;
+
+  void add(Played played) {
+    ns.resize(played.ns.size());
+    for (size_t k = 0; k < played.ns.size(); ++k) ns[k].push_back(played.ns[k]);
+    last = std::move(played);
+  }
+  Times whole() const {
+    std::vector<double> medians;
+    for (const auto& step : ns) medians.push_back(times(step).median);
+    Times none;
+    none.median = none.p99 = kInfinity;
+    return medians.empty() ? none : times(medians);
+  }
+  Line p99(const char* name) const {
+    return at_most("insertion", name, "us", whole().p99 * 1e-3, 200, "n = " + std::to_string(ns.size()));
+  }
+};
+
 }  // namespace
 
 std::vector<Line> bar_insertion(const Effort& effort) {
   std::vector<Line> lines = stays(effort);
   for (Line& line : balance()) lines.push_back(std::move(line));
 
-  // runs in turn; a run is the same every time, so medians step by step leave out what the machine does meanwhile
+  // runs in turn
   std::vector<double> grasp;
-  std::vector<std::vector<double>> steps;
-  Played insertion;
+  Steps expert, novice;
   for (int i = 0; i < effort.passes; ++i) {
-    grasp.push_back(times(play("020_grasp_basic.json", "rigid", held).ns).median);
-    insertion = play("110_insertion.json", "bending", inserted);
-    steps.resize(insertion.ns.size());
-    for (size_t k = 0; k < insertion.ns.size(); ++k) steps[k].push_back(insertion.ns[k]);
+    grasp.push_back(times(play("020_grasp_basic.json", "expert", "rigid", held).ns).median);
+    expert.add(play("110_insertion.json", "expert", "bending", inserted));
+    novice.add(play("110_insertion.json", "novice", "bending", inserted));
   }
-  std::vector<double> ns;
-  for (const auto& step : steps) ns.push_back(times(step).median);
-  const Times whole = times(ns);
-  const bool there = !ns.empty();
-  const std::string n = "n = " + std::to_string(ns.size());
+  const Played& insertion = expert.last;
+  const bool there = !insertion.ns.empty();
   lines.push_back(ratio("insertion", "bending needle, jaws, compliant tissue: step over a rigid grasp's",
-                        there ? whole.median : kInfinity, times(grasp).median, 4));
-  lines.push_back(at_most("insertion", "the same: p99 of a step, a fifth of a tick", "us",
-                          there ? whole.p99 * 1e-3 : kInfinity, 200, n));
+                        expert.whole().median, times(grasp).median, 4));
+  lines.push_back(expert.p99("the same: p99 of a step, a fifth of a tick"));
+  lines.push_back(novice.p99("the same by a novice, who tears: p99 of a step"));
   const double slew = 1e-3 * session::ForceLimits{}.slew;
   for (const double scale : {1.0, 20.0})
     lines.push_back(at_most("insertion",
