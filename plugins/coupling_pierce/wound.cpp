@@ -2,6 +2,7 @@
 #include "wound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,14 +23,28 @@ double corner_radius(double r) {
   return r * std::sqrt(kTurn / (kCorners * std::sin(kTurn / kCorners)));
 }
 
+/// Corners of a half circle about the x axis, half a side away from its ends, so that two make a regular 24-gon.
+const std::array<Vec2, kHalf> kHalfCircle = [] {
+  std::array<Vec2, kHalf> corner;
+  for (size_t i = 0; i < corner.size(); ++i) {
+    const double angle = std::numbers::pi * ((static_cast<double>(i) + 0.5) / kHalf - 0.5);
+    corner[i] = {std::cos(angle), std::sin(angle)};
+  }
+  return corner;
+}();
+
 /// The middle line of a capsule.
 struct Line {
   Vec2 from, along;
+  double per_length2;  // 1/m2
 
-  double distance(const Vec2& p) const {
+  Line(const Vec2& a, const Vec2& b) : from(a), along(b - a), per_length2(0) {
     const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? std::clamp((p - from).dot(along) / length2, 0.0, 1.0) : 0;
-    return (p - from - t * along).norm();
+    if (length2 > 0) per_length2 = 1 / length2;
+  }
+  double distance2(const Vec2& p) const {
+    const double t = std::clamp((p - from).dot(along) * per_length2, 0.0, 1.0);
+    return (p - from - t * along).squaredNorm();
   }
 };
 
@@ -37,7 +52,7 @@ struct Line {
 /// `outer` nothing.
 struct Polygon {
   Vec2 corner[kCorners];
-  Line line;
+  Line line{Vec2::Zero(), Vec2::Zero()};
   Vec2 middle;
   double bound = 0, inner = 0, outer = 0;  // m
 };
@@ -48,14 +63,13 @@ Polygon polygon(const Wound::Capsule& c, double radius) {
   const Vec2 e = length > 0 ? Vec2(along / length) : Vec2(1, 0), f(-e.y(), e.x());
   Polygon p;
   for (int i = 0; i < kHalf; ++i) {
-    // corners half a side away from the ends of the straight edges, so that a circle is a regular 24-gon
-    const double angle = std::numbers::pi * ((i + 0.5) / kHalf - 0.5);
-    const Vec2 out = r * (std::cos(angle) * e + std::sin(angle) * f);
+    const Vec2& at = kHalfCircle[static_cast<size_t>(i)];
+    const Vec2 out = r * (at.x() * e + at.y() * f);
     p.corner[i] = b + out;
     p.corner[kHalf + i] = a - out;
   }
   constexpr double kHair = 1e-9;  // by which rounding may be wrong, of the radius
-  p.line = {a, along};
+  p.line = {a, b};
   p.middle = 0.5 * (a + b);
   p.bound = 0.5 * length + r;
   p.inner = (std::cos(std::numbers::pi / kCorners) - kHair) * r;
@@ -65,16 +79,28 @@ Polygon polygon(const Wound::Capsule& c, double radius) {
 
 bool apart(const Polygon& p, const Polygon& q) { return (p.middle - q.middle).norm() > p.bound + q.bound; }
 
+/// An edge of a polygon.
+struct Edge {
+  Vec2 a, b, middle;
+  double half;  // m, of its length
+
+  Edge(const Vec2& from, const Vec2& to)
+      : a(from), b(to), middle(0.5 * (from + to)), half(0.5 * (to - from).norm()) {}
+  Edge(const Polygon& p, int k) : Edge(p.corner[k], p.corner[(k + 1) % kCorners]) {}
+};
+
 /// Whether an edge lies in a polygon as a whole, or surely nowhere; else it must be clipped, at ten times the price.
 enum class Lies { kInside, kOutside, kPartly };
-Lies lies(const Polygon& q, const Vec2& a, const Vec2& b) {
-  const double far = q.line.distance(0.5 * (a + b)), half = 0.5 * (b - a).norm();
-  if (far > q.outer + half) return Lies::kOutside;
-  return far + half < q.inner ? Lies::kInside : Lies::kPartly;
+Lies lies(const Polygon& q, const Edge& edge) {
+  const double far2 = q.line.distance2(edge.middle), beyond = q.outer + edge.half,
+               within = q.inner - edge.half;
+  if (far2 > beyond * beyond) return Lies::kOutside;
+  return within > 0 && far2 < within * within ? Lies::kInside : Lies::kPartly;
 }
 
-/// The stretch [t0, t1] of the edge a..b that lies in a convex polygon; `edge_counts`: its border belongs to it.
-bool clip(const Polygon& q, const Vec2& a, const Vec2& b, bool edge_counts, double& t0, double& t1) {
+/// The stretch [t0, t1] of an edge that lies in a convex polygon; `edge_counts`: its border belongs to it.
+bool clip(const Polygon& q, const Edge& edge, bool edge_counts, double& t0, double& t1) {
+  const Vec2 &a = edge.a, &b = edge.b;
   const double slack = (edge_counts ? 1e-12 : -1e-12) * q.bound * q.bound;
   t0 = 0, t1 = 1;
   for (int i = 0; i < kCorners; ++i) {
@@ -88,38 +114,59 @@ bool clip(const Polygon& q, const Vec2& a, const Vec2& b, bool edge_counts, doub
   return true;
 }
 
-/// Contribution of the edge a..b to twice the area, where none of the polygons but `own` covers it.
-double uncovered(const Polygon* polygon, uint32_t n, uint32_t own, const Vec2& a, const Vec2& b) {
+/// What of an edge polygons cover.
+class Cover {
+ public:
+  /// By another polygon; `edge_counts`: its border belongs to it. False: the whole edge.
+  bool by(const Polygon& polygon, const Edge& edge, bool edge_counts) {
+    const Lies place = lies(polygon, edge);
+    if (place == Lies::kInside) return false;
+    double t0, t1;
+    if (place == Lies::kOutside || !clip(polygon, edge, edge_counts, t0, t1)) return true;
+    uint32_t k = size_++;
+    for (; k > 0 && stretch_[k - 1].from > t0; --k) stretch_[k] = stretch_[k - 1];
+    stretch_[k] = {t0, t1};
+    return true;
+  }
+  /// By all of n but its own. False: the whole edge.
+  bool by(const Polygon* polygon, uint32_t n, uint32_t own, const Edge& edge) {
+    for (uint32_t j = 0; j < n; ++j)
+      if (j != own && !by(polygon[j], edge, j < own)) return false;
+    return true;
+  }
+  /// Contribution to twice the area of what is left of the edge.
+  double rest(const Edge& edge) const {
+    const Vec2 &a = edge.a, along = edge.b - edge.a;
+    double sum = 0, at = 0;
+    const auto add = [&](double from, double upto) {
+      if (upto > from) sum += cross(a + from * along, a + upto * along);
+    };
+    for (uint32_t k = 0; k < size_; ++k) {
+      add(at, stretch_[k].from);
+      at = std::max(at, stretch_[k].upto);
+    }
+    add(at, 1);
+    return sum;
+  }
+
+ private:
   struct Stretch {
     double from, upto;
-  } covered[Wound::kCapsules];
-  uint32_t m = 0;
-  for (uint32_t j = 0; j < n; ++j) {
-    if (j == own) continue;
-    const Lies place = lies(polygon[j], a, b);
-    if (place == Lies::kInside) return 0;
-    if (place == Lies::kOutside) continue;
-    double t0, t1;
-    if (clip(polygon[j], a, b, j < own, t0, t1)) covered[m++] = {t0, t1};
-  }
-  std::sort(covered, covered + m, [](const Stretch& x, const Stretch& y) { return x.from < y.from; });
-  double sum = 0, at = 0;
-  const auto add = [&](double from, double upto) {
-    if (upto > from) sum += cross(a + from * (b - a), a + upto * (b - a));
   };
-  for (uint32_t k = 0; k < m; ++k) {
-    add(at, covered[k].from);
-    at = std::max(at, covered[k].upto);
-  }
-  add(at, 1);
-  return sum;
+  Stretch stretch_[Wound::kCapsules];
+  uint32_t size_ = 0;
+};
+
+/// Contribution of an edge to twice the area, where none of the polygons but `own` covers it.
+double uncovered(const Polygon* polygon, uint32_t n, uint32_t own, const Edge& edge) {
+  Cover cover;
+  return cover.by(polygon, n, own, edge) ? cover.rest(edge) : 0;
 }
 
 double area_of(const Polygon* polygon, uint32_t n) {
   double twice = 0;
   for (uint32_t i = 0; i < n; ++i)
-    for (int k = 0; k < kCorners; ++k)
-      twice += uncovered(polygon, n, i, polygon[i].corner[k], polygon[i].corner[(k + 1) % kCorners]);
+    for (int k = 0; k < kCorners; ++k) twice += uncovered(polygon, n, i, Edge(polygon[i], k));
   return 0.5 * twice;
 }
 
@@ -135,20 +182,21 @@ double added(const Wound& w) {
   }
   near[m] = last;
   double twice = 0;
-  for (int k = 0; k < kCorners; ++k)
-    twice += uncovered(near, m + 1, m, last.corner[k], last.corner[(k + 1) % kCorners]);
+  for (int k = 0; k < kCorners; ++k) twice += uncovered(near, m + 1, m, Edge(last, k));
   for (uint32_t i = 0; i < m; ++i)
     for (int k = 0; k < kCorners; ++k) {
-      const Vec2 &a = near[i].corner[k], &b = near[i].corner[(k + 1) % kCorners];
-      if (lies(last, a, b) == Lies::kOutside) continue;  // as it was
-      const double before = uncovered(near, m, i, a, b);
-      if (before != 0) twice += uncovered(near, m + 1, i, a, b) - before;
+      const Edge edge(near[i], k);
+      if (lies(last, edge) == Lies::kOutside) continue;  // as it was
+      Cover cover;
+      if (!cover.by(near, m, i, edge)) continue;
+      const double before = cover.rest(edge);
+      twice += (cover.by(last, edge, false) ? cover.rest(edge) : 0) - before;
     }
   return 0.5 * twice;
 }
 
 double distance(const Vec2& p, const Wound::Capsule& c) {
-  return Line{vec2(c.a), vec2(c.b) - vec2(c.a)}.distance(p);
+  return std::sqrt(Line(vec2(c.a), vec2(c.b)).distance2(p));
 }
 
 /// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last one.
