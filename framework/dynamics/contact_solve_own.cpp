@@ -64,10 +64,9 @@ void ContactSolve::add_own_points(const contact::Contact& c, Known& k, Stats& st
   }
 }
 
-/// Shapes that are apart, where they tell how the surfaces come. Ties move what they hold farther than expected in nearly every
-/// step: asking twice would cost more than asking about all.
+/// Shapes that are apart, where they tell how the surfaces come.
 bool ContactSolve::may_wait(const contact::Contact& c, const Known& k) const noexcept {
-  if (ask_all_ || !tie_.empty() || c.gap <= kApart * tolerance_ || !(c.law.stiffness > 0)) return false;
+  if (ask_all_ || c.gap <= kApart * tolerance_ || !(c.law.stiffness > 0)) return false;
   bool own = false;
   for (const Side* s : {&k.a, &k.b}) {
     if (!place_.is_self(s->mover)) continue;

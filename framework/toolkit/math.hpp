@@ -20,6 +20,14 @@ inline Quat quat(const swage_quat& q) { return {q.w, q.x, q.y, q.z}; }
 inline swage_vec3 raw(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
 inline swage_quat raw(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
+/// q v, Eigen's formula: its own is a call wherever it is used. Same operations in the same order.
+inline Vec3 rotated(const Quat& q, const Vec3& v) {
+  const Vec3 u = q.vec();
+  Vec3 uv = u.cross(v);
+  uv += uv;
+  return v + q.w() * uv + u.cross(uv);
+}
+
 /// X_AB: p_A = p + q p_B.
 struct Pose {
   Vec3 p = Vec3::Zero();  // m
@@ -29,11 +37,11 @@ struct Pose {
   Pose(const Vec3& position, const Quat& rotation) : p(position), q(rotation) {}
   explicit Pose(const swage_pose& raw_pose) : p(vec(raw_pose.p)), q(quat(raw_pose.q)) {}
 
-  Vec3 operator*(const Vec3& p_B) const { return p + q * p_B; }
-  Pose operator*(const Pose& X_BC) const { return {p + q * X_BC.p, q * X_BC.q}; }
+  Vec3 operator*(const Vec3& p_B) const { return p + rotated(q, p_B); }
+  Pose operator*(const Pose& X_BC) const { return {p + rotated(q, X_BC.p), q * X_BC.q}; }
   Pose inverse() const {
     const Quat qi = q.conjugate();
-    return {qi * (-p), qi};
+    return {rotated(qi, -p), qi};
   }
   swage_pose abi() const { return {raw(p), raw(q)}; }
 };

@@ -66,7 +66,7 @@ struct Site {
   double length = 1, radius = 1;      // m, of the needle and its wire
 
   Vec3 world(const double* p_O) const { return X_WO * Vec3(p_O[0], p_O[1], p_O[2]); }
-  Vec3 local(const Vec3& p_W) const { return X_WO.q.conjugate() * (p_W - X_WO.p); }
+  Vec3 local(const Vec3& p_W) const { return toolkit::rotated(X_WO.q.conjugate(), p_W - X_WO.p); }
   /// How far the point is inside the nearest face [m], and that face's outward normal.
   double inside(Vec3& normal_W) const;
 };

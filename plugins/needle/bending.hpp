@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A needle that bends, as the contact solve sees it. The wire is a chain of arcs (toolkit/bent_wire.hpp) whose shape follows
-// the contact forces at once; the whole moves with the mass and the inertia of a rigid body of its present shape, carried by the
-// piece that is touched first. Per step, with h its length, f = j/h the forces and G, F gains and flexibilities of the joints:
+// the contact forces at once; the whole moves with the mass and the inertia of a rigid body of its present shape, carried by a
+// piece that is touched. Per step, with h its length, f = j/h the forces and G, F gains and flexibilities of the joints:
 //
 //   v = v_rigid - (1/h) sum G F m_now  +  W j,     W = J M^-1 J' + (1/h^2) sum G F G'
 //
@@ -65,7 +65,7 @@ class Bending {
   Pose piece(const Step& step, int i) const;
   /// Its middle alone, m.
   Vec3 middle_of(const Step& step, int i) const {
-    return i == middle() ? piece(step, i).p : toolkit::vec(step->X_WB[body_of(i)].p);
+    return i == middle() ? Pose(step->X_WB[0]) * X_B0P_.p : toolkit::vec(step->X_WB[body_of(i)].p);
   }
   /// Which piece a body of the object is, and back: body 0 is the middle one.
   int piece_of(uint32_t body) const {
@@ -141,6 +141,7 @@ class Bending {
   Force force_at(const Touch& t, const Vec3& f_W) const;
   double peak(const double* impulse, double h);
   void collect(const Step& step, std::span<const swage_contact_point> points);
+  int carrier(const BendingState& s, std::span<const swage_contact_point> points) const;
   static Mat3 turn_of(const Mat3& M, const Vec3& q);
   void give(const JointMemory* memory, double h);
   Vec3 free_velocity(int point, double h) const;

@@ -13,11 +13,21 @@ using toolkit::JointMemory;
 using toolkit::Quat;
 using toolkit::vec;
 
+/// The piece that carries: that of the last step while something is at it, else the first. So what carries does not depend on which
+/// of the others is asked about.
+int Bending::carrier(const BendingState& s, std::span<const swage_contact_point> points) const {
+  const auto base = static_cast<int>(s.base);
+  const bool stays =
+      s.held != 0 && std::any_of(points.begin(), points.end(),
+                                 [&](const swage_contact_point& p) { return piece_of(p.body) == base; });
+  return stays ? base : piece_of(points[0].body);
+}
+
 /// Which joints lie between the points and the piece that carries, how they give, and what the pieces have of them.
 void Bending::collect(const Step& step, std::span<const swage_contact_point> points) {
   const JointMemory* memory = joints(step);
   n_touch_ = std::min(static_cast<int>(points.size()), kMaxPoints);
-  base_ = piece_of(points[0].body);
+  base_ = carrier(state(step), points);
   low_ = high_ = base_;
   const auto reach = [this](int piece) { low_ = std::min(low_, piece), high_ = std::max(high_, piece); };
   for (int a = 0; a < n_touch_; ++a) {

@@ -9,7 +9,7 @@
 
 namespace swage::tissue {
 
-using toolkit::Pose;
+using toolkit::Frame;
 using toolkit::raw;
 using toolkit::vec;
 
@@ -107,13 +107,13 @@ void Tissue::law(const Step&, swage_pierceable_law& out) {
 }
 
 void Tissue::locate(const Step& step, swage_vec3 p_W, swage_pierceable_place& out) {
-  const Pose X_WO = pose(step);
-  const WallPlace place = wall_.locate(X_WO.inverse() * vec(p_W));
+  const Frame& X_WO = frame(step);
+  const WallPlace place = wall_.locate(X_WO.inverse_times(vec(p_W)));
   out.depth = place.depth;
   out.beyond = place.depth - params_.thickness;
   out.edge = place.edge;
   out.p_W = raw(X_WO * place.foot);
-  out.normal_W = raw(X_WO.q * place.normal);
+  out.normal_W = raw(X_WO.turn(place.normal));
   out.body = body_;
   out.reserved = 0;
 }

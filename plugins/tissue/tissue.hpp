@@ -187,6 +187,7 @@ class Tissue final : public Object<TissueParams>,
   struct Asked {
     uint32_t n = 0;
     toolkit::Pose X_WO;
+    toolkit::Frame F_WO;
     std::array<swage_vec3, kPoints> p_W{};
     std::array<Spot, kPoints> spot;
     std::array<Mesh::Place, kPoints> place;       // level mesh
@@ -201,7 +202,7 @@ class Tissue final : public Object<TissueParams>,
   bool yields() const { return params_.level != Level::kPlane; }
   void add_surface(const TissueParams& params, ObjectBuilder& builder);
   MeshSpec mesh_spec(const TissueParams& params) const;
-  Spot spot(const toolkit::Pose& X_WO, const Vec3& foot_O) const;
+  Spot spot(const toolkit::Frame& X_WO, const Vec3& foot_O) const;
   Mesh::Place place(const Vec3& foot_O) const { return mesh_.place(wall_.laid_flat(foot_O.x()), foot_O.y()); }
   uint32_t look_up(const Step& step, std::span<const swage_contact_point> points);
   void relate(uint32_t n);
@@ -210,7 +211,8 @@ class Tissue final : public Object<TissueParams>,
   Vec3 displaced(const State& state, const Vec3& foot_O);
   Mat3 own(const Vec3& foot_O) const;
   Source& source_at(State& state, const Vec3& foot_O) const;
-  toolkit::Pose pose(const Step& step) const { return toolkit::Pose(step.pose(body_)); }
+  /// Of the wall; what was asked of it elsewhere is forgotten.
+  const toolkit::Frame& frame(const Step& step);
 
   TissueParams params_;
   Wall wall_;

@@ -11,6 +11,7 @@
 
 namespace swage::tissue {
 
+using toolkit::Frame;
 using toolkit::Pose;
 using toolkit::raw;
 using toolkit::vec;
@@ -51,28 +52,34 @@ Mat3 turned(const Mat3& A, const Mat3& C, const Mat3& B) {
 
 }  // namespace
 
-Tissue::Spot Tissue::spot(const Pose& X_WO, const Vec3& foot_O) const {
+const Frame& Tissue::frame(const Step& step) {
+  const Pose X_WO(step.pose(body_));
+  Asked& a = asked_;
+  if (X_WO.p != a.X_WO.p || X_WO.q.coeffs() != a.X_WO.q.coeffs())
+    a.n = 0, a.X_WO = X_WO, a.F_WO = Frame(X_WO);
+  return a.F_WO;
+}
+
+Tissue::Spot Tissue::spot(const Frame& X_WO, const Vec3& foot_O) const {
   Spot s;
   s.foot_O = foot_O;
   const Vec3 n = wall_.normal(foot_O.x(), foot_O.y());
   const Vec3 along = Vec3(n.z(), 0, -n.x()).normalized();
-  s.axes_W.col(0) = X_WO.q * n;
-  s.axes_W.col(1) = X_WO.q * along;
-  s.axes_W.col(2) = X_WO.q * n.cross(along);
+  s.axes_W.col(0) = X_WO.turn(n);
+  s.axes_W.col(1) = X_WO.turn(along);
+  s.axes_W.col(2) = X_WO.turn(n.cross(along));
   return s;
 }
 
 /// Spots of points, at the same index in asked_; returns how many.
 uint32_t Tissue::look_up(const Step& step, std::span<const swage_contact_point> points) {
   Asked& a = asked_;
-  const Pose X_WO = pose(step);
-  if (X_WO.p != a.X_WO.p || X_WO.q.coeffs() != a.X_WO.q.coeffs()) a.n = 0, a.X_WO = X_WO;
+  const Frame& X_WO = frame(step);
   const auto n = static_cast<uint32_t>(std::min<size_t>(points.size(), kPoints));
-  const Pose X_OW = X_WO.inverse();
   for (uint32_t i = 0; i < n; ++i) {
     if (i < a.n && same(a.p_W[i], points[i].p_W)) continue;
     a.p_W[i] = points[i].p_W;
-    a.spot[i] = spot(X_WO, wall_.locate(X_OW * vec(points[i].p_W)).foot);
+    a.spot[i] = spot(X_WO, wall_.locate(X_WO.inverse_times(vec(points[i].p_W))).foot);
     if (params_.level == Level::kMesh) a.place[i] = place(a.spot[i].foot_O);
     a.related[i] = a.felt[i] = false;
   }
@@ -253,7 +260,7 @@ Mat3 Tissue::own(const Vec3& foot_O) const {
 
 uint32_t Tissue::dents(const Step& step, std::span<swage_dent> out) {
   if (!yields()) return 0;
-  const Pose X_WO = pose(step);
+  const Frame& X_WO = frame(step);
   uint32_t n = 0;
   for (const Source& s : step.state<State>().source) {
     const Vec3 amplitude = vec3(s.f) + vec3(s.v);
