@@ -145,7 +145,8 @@ void Overlay::banner(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.5);
   font.setBold(true);
-  pill({area_.center().x(), area_.bottom() - 46}, text, font);  // the cues stand above the grasp
+  // above the bar of scale; the cues stand above the grasp
+  pill({area_.center().x(), area_.bottom() - 68}, text, font);
 }
 
 void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }
