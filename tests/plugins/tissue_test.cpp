@@ -12,6 +12,8 @@
 #include <fstream>
 #include <random>
 
+#include "pressed_tissue.hpp"
+
 namespace swage::tissue {
 namespace {
 
@@ -147,39 +149,6 @@ TEST(Tissue, ReadsAnyHeightsFromATable) {
     EXPECT_FALSE(wrong.declared.errors.empty());
   }
 }
-
-/// One step of a compliant tissue under a force at one place, as the host's solve would do it.
-struct Pressed {
-  testbed::ObjectBench<Tissue> bench;
-  swage_contact_point point{0, 0, {0.5e-3, 0, 0}, {0, 0, -1}};
-
-  explicit Pressed(double relaxed = 0.6) {
-    bench.set("level", 1);
-    bench.set("relaxed", relaxed);
-    EXPECT_TRUE(bench.start());
-  }
-  /// Displacement at the end of a step under f [N].
-  Vec3 step(const Vec3& f) {
-    const auto* s = bench.get<swage_solver>(SWAGE_EXT_SOLVER);
-    const auto* surface = bench.get<swage_surface>(SWAGE_EXT_SURFACE);
-    double v_free[3], W[9], u[3] = {0, 0, 0};
-    EXPECT_EQ(s->advance(bench.raw, &bench.step), SWAGE_OK);
-    EXPECT_EQ(s->compliance(bench.raw, &bench.step, 1, &point, v_free, W), SWAGE_OK);
-    EXPECT_EQ(surface->displacement(bench.raw, &bench.step, 1, &point, u), SWAGE_OK);
-    const double h = bench.step.dt_s;
-    Vec3 out;
-    for (int i = 0; i < 3; ++i) {
-      out[i] = u[i];
-      for (int k = 0; k < 3; ++k) out[i] += h * h * W[3 * i + k] * f[k];
-      moved[i] = h * v_free[i] + out[i] - u[i];
-    }
-    const Vec3 j = h * f;
-    EXPECT_EQ(s->yield(bench.raw, &bench.step, 1, &point, j.data()), SWAGE_OK);
-    EXPECT_EQ(bench.finish(), SWAGE_OK);
-    return out;
-  }
-  Vec3 moved = Vec3::Zero();  // over the step
-};
 
 TEST(Tissue, YieldsRelaxesAndRemembers) {
   Pressed p;
