@@ -11,13 +11,10 @@
 #include "dynamics/axes.hpp"
 #include "dynamics/dynamics.hpp"
 #include "dynamics/island.hpp"
-#include "scene/kinematics.hpp"
+#include "three_balls.hpp"
 
 namespace swage::dynamics {
 namespace {
-
-using toolkit::Pose;
-using toolkit::Quat;
 
 // What rounding leaves alike: stiffness times compliance, 1e6 N/m of 5 m/N, of the last bit.
 constexpr double kSame = 1e-8;
@@ -177,19 +174,7 @@ struct Stack {
   }
   static scene::World make(int32_t motion, const Vec3& v) {
     constexpr double kRadius = 10;  // m: flat, so that normals do not turn
-    scene::World w;
-    w.gravity = {0, 0, 0};
-    w.body.resize(3);
-    const double z[] = {0, -2 * kRadius + 0.1e-6, 2 * kRadius - 0.2e-6};
-    for (uint32_t i = 0; i < 3; ++i) {
-      w.body[i].start = Pose(Vec3(0, 0, z[i]), Quat::Identity()).abi();
-      w.body[i].object = i == 0 ? 0 : 1;
-      scene::Shape shape;
-      shape.body = i, shape.object = w.body[i].object;
-      shape.X_BS = Pose{}.abi();
-      shape.radius = shape.bounding_radius = kRadius;
-      w.shape.push_back(shape);
-    }
+    scene::World w = three_balls(kRadius, -0.1e-6, -0.2e-6);
     w.body[0].motion = motion;
     w.body[0].mass = Ball::kMass;
     for (double& I : w.body[0].inertia) I = 1e6;  // cannot turn

@@ -5,13 +5,10 @@
 
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
-#include "scene/kinematics.hpp"
+#include "three_balls.hpp"
 
 namespace swage::dynamics {
 namespace {
-
-using toolkit::Pose;
-using toolkit::Quat;
 
 constexpr double kRadius = 50e-6;  // m
 
@@ -57,19 +54,7 @@ struct Stack {
     return -1;
   }
   static scene::World make(double gap_below, double gap_above) {
-    scene::World w;
-    w.gravity = {0, 0, 0};
-    w.body.resize(3);
-    const double z[] = {0, -2 * kRadius - gap_below, 2 * kRadius + gap_above};
-    for (uint32_t i = 0; i < 3; ++i) {
-      w.body[i].start = Pose(Vec3(0, 0, z[i]), Quat::Identity()).abi();
-      w.body[i].object = i == 0 ? 0 : 1;
-      scene::Shape shape;
-      shape.body = i, shape.object = w.body[i].object;
-      shape.X_BS = Pose{}.abi();
-      shape.radius = shape.bounding_radius = kRadius;
-      w.shape.push_back(shape);
-    }
+    scene::World w = three_balls(kRadius, gap_below, gap_above);
     w.body[0].motion = SWAGE_MOTION_SELF;
     scene::reset(w);
     return w;
