@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/lesson_facts.hpp"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "assembly/lesson_text.hpp"
 #include "host/params.hpp"
 
 namespace swage::console {
@@ -15,21 +15,20 @@ namespace {
 // the checked value of one parameter of a lesson's own plugin, defaults included
 std::optional<swage_value> lesson_value(const std::string& lesson_path, const char* id, const char* unit,
                                         uint32_t dimension, const host::Catalogue& catalogue) {
-  const QString path = QString::fromStdString(lesson_path);
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  const QJsonObject root = QJsonDocument::fromJson(file.readAll()).object();
+  assembly::LessonText whole;
+  base::Problems problems;
+  if (!assembly::read_lesson_text(lesson_path, {}, whole, problems)) return {};
+  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(whole.text)).object();
   const QJsonObject lesson = root[QStringLiteral("lesson")].toObject();
   const host::PluginInfo* plugin = catalogue.find(lesson[QStringLiteral("plugin")].toString().toStdString());
   if (!plugin) return {};
 
   host::ParamSource source;
   source.plugin_id = plugin->id;
-  source.folder = QFileInfo(path).absolutePath().toStdString();
+  source.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
   source.bundle_folder = plugin->bundle_dir;
   source.where = [](const std::string& pointer) { return pointer; };
   host::ParamValues values;
-  base::Problems problems;
   const QByteArray params =
       QJsonDocument(lesson[QStringLiteral("params")].toObject()).toJson(QJsonDocument::Compact);
   if (!host::check_params(params.toStdString(), plugin->params, source, values, problems)) return {};

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QDirIterator>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -13,19 +12,23 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "assembly/lesson_text.hpp"
+
 namespace swage::console {
 
 LessonEntry read_lesson(const QString& path) {
   LessonEntry entry;
   entry.path = QFileInfo(path).absoluteFilePath();
   entry.title = QFileInfo(path).completeBaseName();
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) {
-    entry.problem = file.errorString();
+  assembly::LessonText lesson;
+  base::Problems problems;
+  assembly::read_lesson_text(path.toStdString(), {}, lesson, problems);
+  QJsonParseError error;
+  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text), &error).object();
+  if (base::failed(problems)) {
+    entry.problem = QString::fromStdString(problems.front().where + ": " + problems.front().message);
     return entry;
   }
-  QJsonParseError error;
-  const QJsonObject root = QJsonDocument::fromJson(file.readAll(), &error).object();
   if (error.error != QJsonParseError::NoError) {
     entry.problem = QObject::tr("%1 at byte %2").arg(error.errorString()).arg(error.offset);
     return entry;

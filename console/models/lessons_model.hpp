@@ -15,7 +15,7 @@ struct LessonEntry {
   QString problem;    // why it cannot be read
 };
 
-/// Reads title and summary of a lesson file; nothing else of it is looked at here.
+/// Reads title and summary of a lesson file, its own or those of what it is based on; nothing else of it is looked at here.
 LessonEntry read_lesson(const QString& path);
 
 /// Where lesson files are: SWAGE_LESSON_PATH, the user's data folder, the install's share/swage/lessons, and

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/live_params.hpp"
 
-#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "assembly/lesson_text.hpp"
 
 namespace swage::console {
 namespace {
@@ -17,11 +18,20 @@ struct Use {
   Json params;
 };
 
-Json read(const std::string& path) {
-  QFile file(QString::fromStdString(path));
-  if (!file.open(QIODevice::ReadOnly)) return Json::object();
-  const Json root = Json::parse(file.readAll().toStdString(), nullptr, false);
-  return root.is_object() ? root : Json::object();
+struct Lesson {
+  Json root = Json::object();
+  std::string folder;  // where its files are
+};
+
+Lesson read(const std::string& path) {
+  assembly::LessonText whole;
+  base::Problems ignored;  // told when the lesson is opened
+  Lesson lesson;
+  if (!assembly::read_lesson_text(path, {}, whole, ignored)) return lesson;
+  const Json root = Json::parse(whole.text, nullptr, false);
+  if (root.is_object()) lesson.root = root;
+  lesson.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
+  return lesson;
 }
 
 std::string text(const Json& object, const char* key) {
@@ -117,13 +127,13 @@ std::string LiveParam::json(const std::array<double, 4>& v) const {
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue) {
   QVector<LiveParam> out;
-  const Json root = read(lesson_path);
-  for (const Use& use : uses(root, card)) {
+  const Lesson lesson = read(lesson_path);
+  for (const Use& use : uses(lesson.root, card)) {
     const host::PluginInfo* plugin = catalogue.find(use.plugin);
     if (!plugin) continue;
     host::ParamSource source;
     source.plugin_id = plugin->id;
-    source.folder = QFileInfo(QString::fromStdString(lesson_path)).absolutePath().toStdString();
+    source.folder = lesson.folder;
     source.bundle_folder = plugin->bundle_dir;
     source.where = [](const std::string& pointer) { return pointer; };
     host::ParamValues values;

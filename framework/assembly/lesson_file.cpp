@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
+#include "assembly/lesson_text.hpp"
 #include "assembly/reader.hpp"
 #include "assembly/source_map.hpp"
 #include "host/nearest.hpp"
@@ -17,9 +16,6 @@ namespace swage::assembly {
 namespace {
 
 constexpr const char* kFormat = "swage-lesson/1";
-constexpr std::size_t kMaxBytes = std::size_t{4}
-                                  << 20;  // a lesson has some kilobytes; a mesh is a file of its own
-constexpr uint32_t kMaxNesting = 32;
 constexpr const char* kChannels[] = {"colour", "shape", "sound", "force"};  // bits SWAGE_CHANNEL_*
 
 class LessonParser {
@@ -220,68 +216,40 @@ class LessonParser {
   Teller teller_;
 };
 
-// where a parser stopped, as line and column
-std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {
-  const std::size_t end = std::min(byte > 0 ? byte - 1 : 0, text.size());
-  const auto line =
-      static_cast<uint32_t>(1 + std::count(text.begin(), text.begin() + static_cast<long>(end), '\n'));
-  const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-  return {line, static_cast<uint32_t>(start == std::string::npos ? end + 1 : end - start)};
-}
-
-bool parse_text(LessonFile& out, Json& json, base::Problems& problems) {
-  const auto error = [&](const std::string& where, const std::string& message) {
-    problems.push_back({base::Severity::kError, where, message});
-    return false;
-  };
-  if (out.text.size() > kMaxBytes) return error(out.where(""), "It is larger than 4 MiB; that is no lesson.");
-  if (nesting(out.text) > kMaxNesting) return error(out.where(""), "Its brackets are nested deeper than 32.");
-  try {
-    json = Json::parse(out.text);
-  } catch (const Json::parse_error& e) {
-    const auto [line, column] = place(out.text, e.byte);
-    return error(out.where("") + ":" + std::to_string(line),
-                 "This is not valid JSON at column " + std::to_string(column) +
-                     ": a comma, colon, quotation mark or bracket is missing or too many.");
-  } catch (const Json::exception&) {
-    return error(out.where(""), "It holds a number that is too large.");
-  }
-  SourceMap map = map_source(out.text);
-  out.line_of = std::move(map.line_of);
-  for (const auto& [pointer, key] : map.double_keys)
-    error(out.where(pointer + "/" + pointer_step(key)), "\"" + key + "\" is there twice.");
-  return map.double_keys.empty();
-}
-
 }  // namespace
 
-std::string LessonFile::where(const std::string& pointer) const {
-  // what is missing is told at the line of the object that should have it
-  std::string known = pointer;
-  while (!known.empty() && !line_of.contains(known)) known.erase(known.rfind('/'));
-  const auto line = line_of.find(known);
-  const std::string number =
-      line == line_of.end() || pointer.empty() ? "" : ":" + std::to_string(line->second);
-  return (path.empty() ? "lesson" : path) + number + (pointer.empty() ? "" : " #" + pointer);
-}
+std::string LessonFile::where(const std::string& pointer) const { return place_in(path, line_of, pointer); }
 
 std::string LessonFile::folder() const {
   std::error_code ignored;
-  return std::filesystem::absolute(path.empty() ? "." : path, ignored).parent_path().string();
+  const std::string& file = beside.empty() ? path : beside;
+  return std::filesystem::absolute(file.empty() ? "." : file, ignored).parent_path().string();
 }
 
-bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
-                  base::Problems& problems) {
+namespace {
+
+/// `lines`: whether the text is the file's, so that its lines say something.
+bool parse(const std::string& text, const std::string& path, bool lines, LessonFile& out,
+           base::Problems& problems) {
   out = {};
   out.text = text;
   out.path = path;
   const std::size_t before = problems.size();
   Json json;
   // a file with double keys is read on: one list of everything that is wrong
-  if (parse_text(out, json, problems) || !out.line_of.empty()) LessonParser(out, problems).run(json);
+  const bool read = parse_json(text, path, json, out.line_of, problems) || !out.line_of.empty();
+  if (!lines) out.line_of.clear();
+  if (read) LessonParser(out, problems).run(json);
   out.faulty = std::any_of(problems.begin() + static_cast<long>(before), problems.end(),
                            [](const base::Problem& p) { return p.severity == base::Severity::kError; });
   return !out.faulty;
+}
+
+}  // namespace
+
+bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
+                  base::Problems& problems) {
+  return parse(text, path, true, out, problems);
 }
 
 bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems) {
@@ -290,21 +258,17 @@ bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& 
 
 bool read_lesson_file(const std::string& path, std::span<const Setting> settings, LessonFile& out,
                       base::Problems& problems) {
-  std::error_code failed;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path, failed)) {
+  LessonText whole;
+  const bool read = read_lesson_text(path, settings, whole, problems);
+  if (whole.text.empty()) {
     out = {};
     out.path = path;
-    out.faulty = true;
-    problems.push_back({base::Severity::kError, path, "There is no such lesson file."});
-    return false;
+  } else {
+    parse(whole.text, path, !whole.made, out, problems);
   }
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::string changed = with_settings(text.str(), settings, path, problems);
-  const bool good = parse_lesson(changed.empty() ? text.str() : changed, path, out, problems);
-  out.faulty = out.faulty || (changed.empty() && !settings.empty());
-  return good && !out.faulty;
+  out.beside = whole.beside;
+  out.faulty = out.faulty || !read;
+  return !out.faulty;
 }
 
 }  // namespace swage::assembly

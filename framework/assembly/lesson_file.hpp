@@ -54,7 +54,9 @@ inline constexpr uint32_t kAllChannels = 15;
 
 struct LessonFile {
   std::string path;  // as given; "" for text that has no file
-  std::string text;  // as read, byte for byte
+  std::string
+      beside;        // another file that relative FILE parameters lie beside: the one this is based on, or ""
+  std::string text;  // what is assembled: as read, byte for byte, unless something was set (lesson_text.hpp)
   std::string id, title, summary;
   std::string goal;  // what the trainee learns
   uint64_t seed = 0;
@@ -70,12 +72,13 @@ struct LessonFile {
   std::vector<LessonObject> objects;
   std::vector<LessonCoupling> couplings;
   PluginUse lesson;
-  std::map<std::string, uint32_t> line_of;  // JSON pointer -> line, 1-based
+  std::map<std::string, uint32_t>
+      line_of;          // JSON pointer -> line, 1-based; empty where text is not the file's
   bool faulty = false;  // something in it is an error; assemble() then only looks for more
 
   /// "lessons/grasp.json:12 #/objects/1/params/arc": path, line of the nearest place that exists, pointer.
   std::string where(const std::string& pointer) const;
-  /// Folder of the file: relative FILE parameters start there.
+  /// Relative FILE parameters start there.
   std::string folder() const;
 };
 

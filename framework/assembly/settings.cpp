@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/settings.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "host/nearest.hpp"
 
 namespace swage::assembly {
@@ -67,32 +65,20 @@ bool parse_setting(const std::string& text, Setting& out) {
   return true;
 }
 
-std::string with_settings(const std::string& text, std::span<const Setting> settings, const std::string& name,
-                          base::Problems& problems) {
-  if (settings.empty()) return text;
-  Json file = Json::parse(text, nullptr, false);
-  if (!file.is_object()) {
-    problems.push_back(
-        {base::Severity::kError, name, "It is not a JSON object, so nothing can be set in it."});
-    return "";
+bool set_in(Json& file, const Setting& setting, const std::string& name, base::Problems& problems) {
+  const std::size_t dot = setting.what.find('.');
+  const Json value = value_of(setting.value);
+  if (dot == std::string::npos) {
+    file[setting.what] = value;
+    return true;
   }
-  bool good = true;
-  for (const Setting& setting : settings) {
-    const std::size_t dot = setting.what.find('.');
-    const Json value = value_of(setting.value);
-    if (dot == std::string::npos) {
-      file[setting.what] = value;
-      continue;
-    }
-    std::vector<std::string> names;
-    const std::string instance = setting.what.substr(0, dot);
-    if (set_instance(file, instance, setting.what.substr(dot + 1), value, names)) continue;
-    problems.push_back({base::Severity::kError, name,
-                        "There is no \"" + instance + "\" to set \"" + setting.what + "\"." +
-                            host::did_you_mean(instance, names) + " There is: " + host::join(names) + "."});
-    good = false;
-  }
-  return good ? file.dump(2) : "";
+  std::vector<std::string> names;
+  const std::string instance = setting.what.substr(0, dot);
+  if (set_instance(file, instance, setting.what.substr(dot + 1), value, names)) return true;
+  problems.push_back({base::Severity::kError, name,
+                      "There is no \"" + instance + "\" to set \"" + setting.what + "\"." +
+                          host::did_you_mean(instance, names) + " There is: " + host::join(names) + "."});
+  return false;
 }
 
 }  // namespace swage::assembly

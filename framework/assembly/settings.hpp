@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A lesson file with other values: one lesson, many variants. The changed text is what is assembled and recorded, so that an
-// attempt says by itself what it was. [main]
+// Values of a lesson, set from outside: one lesson, many variants. [main]
 #pragma once
 
-#include <span>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -21,10 +20,10 @@ struct Setting {
 /// "needle.arc=2/8" taken apart; false when it has no '='.
 bool parse_setting(const std::string& text, Setting& out);
 
-/// The text with the settings in it, or "" and `problems`: not JSON, an instance that is not there. Whether the parameter exists
-/// and bears the value is seen by assemble() as usual. `name` stands in messages. Of a device every alternative that knows the
+/// Puts the value into the lesson file; false and a problem when the instance is not there. Whether the parameter exists and
+/// bears the value is seen by assemble() as usual. `name` stands in the sentence. Of a device every alternative that knows the
 /// parameter already, else the first, is set.
-std::string with_settings(const std::string& text, std::span<const Setting> settings, const std::string& name,
-                          base::Problems& problems);
+bool set_in(nlohmann::ordered_json& file, const Setting& setting, const std::string& name,
+            base::Problems& problems);
 
 }  // namespace swage::assembly

@@ -177,8 +177,17 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"devices", list(device_schema(plugins, name))},
                    {"objects", list(object)},
                    {"couplings", list(coupling)},
-                   {"lesson", use_schema(plugins, SWAGE_KIND_LESSON, Json::object(), {})}},
-                  {"format", "id", "title", "objects", "lesson"}));
+                   {"lesson", use_schema(plugins, SWAGE_KIND_LESSON, Json::object(), {})},
+                   {"based_on", text},
+                   {"set", {{"type", "object"}, {"propertyNames", {{"pattern", "^[a-z][a-z0-9_]*\\."}}}}}},
+                  {"format", "id", "title"}));
+  // whole, or another lesson with values of its own
+  const Json parts = {"devices", "objects", "couplings", "lesson", "requires"};
+  Json none = Json::object();
+  for (const Json& part : parts) none[part.get<std::string>()] = false;
+  s["if"] = {{"required", {"based_on"}}};
+  s["then"] = {{"properties", none}};
+  s["else"] = {{"required", {"objects", "lesson"}}, {"properties", {{"set", false}}}};
   Json& definitions = s["definitions"] = Json::object();
   for (const PluginInfo& plugin : plugins) definitions[plugin.id] = params_object(plugin);
   return s.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

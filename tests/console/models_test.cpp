@@ -73,6 +73,23 @@ TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
   EXPECT_EQ(model.row_of("nobody"), -1);
 }
 
+TEST(Lessons, ThatAreBasedOnAnotherHaveItsHandsAndTheirOwnTitle) {
+  QTemporaryDir dir;
+  write(
+      dir.filePath("010_a.json"),
+      R"({"id": "a", "title": "First", "summary": "one", "devices": [{"as": "mouse", "or": [{"as": "expert"}]}]})");
+  write(dir.filePath("020_b.json"), R"({"based_on": "010_a.json", "id": "b", "title": "Second"})");
+  write(dir.filePath("030_c.json"), R"({"based_on": "none.json", "id": "c", "title": "Third"})");
+  LessonsModel model;
+  model.set_folders({dir.path()});
+  ASSERT_EQ(model.rowCount(), 3);
+  EXPECT_EQ(model.at(1).id, "b");
+  EXPECT_EQ(model.at(1).title, "Second");
+  EXPECT_EQ(model.at(1).summary, "one");
+  EXPECT_EQ(model.at(1).hands, QStringList({"mouse", "expert"}));
+  EXPECT_TRUE(model.at(2).problem.contains("There is no lesson file"));
+}
+
 TEST(EventLog, ShowsWhatTheScriptMeans) {
   EventLog log;
   Tester tester(&log, kFatal);

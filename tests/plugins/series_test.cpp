@@ -4,6 +4,7 @@
 // and is told why, and the same hand gives the same bits again.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -27,7 +28,9 @@ const char* const kLessons[] = {"010_practice_solids",
                                 "032_grasp_advanced_1_half",
                                 "040_grasp_advanced_2",
                                 "110_insertion",
-                                "115_stitch"};
+                                "113_insertion_left_half",
+                                "115_stitch",
+                                "116_insertion_hanging"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);
@@ -42,8 +45,9 @@ TEST(AllOfTheSeries, LoadWithEveryHand) {
     if (entry.path().extension() != ".json") continue;
     ++lessons;
     // what only shows something has a hand that shows it; lessons have all three
-    const bool lesson = std::any_of(std::begin(kLessons), std::end(kLessons),
-                                    [&](const char* name) { return entry.path().stem() == name; });
+    const std::string stem = entry.path().stem();
+    const bool lesson = stem.find("_insertion") != std::string::npos ||
+                        std::find(std::begin(kLessons), std::end(kLessons), stem) != std::end(kLessons);
     for (const char* hand : {"", "mouse", "expert", "novice", "clumsy"}) {
       if (!lesson && std::string(hand) != "" && std::string(hand) != "expert") continue;
       const LessonRun attempt(entry.path(), hand);
