@@ -233,6 +233,7 @@ void Assembler::add_couplings() {
     slot.coupling = table<swage_coupling>(*slot.instance, SWAGE_EXT_COUPLING, use);
     slot.ties = table<swage_ties>(*slot.instance, SWAGE_EXT_TIES, use, false);
     slot.tears = table<swage_tears>(*slot.instance, SWAGE_EXT_TEARS, use, false);
+    slot.wounds = table<swage_wounds>(*slot.instance, SWAGE_EXT_WOUNDS, use, false);
   }
 }
 

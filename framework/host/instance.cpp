@@ -13,10 +13,13 @@ namespace swage::host {
 
 namespace {
 
-constexpr std::array kCalls = {"none",          "create",  "configure",  "activate", "deactivate", "destroy",
-                               "get_extension", "bind",    "open",       "close",    "forces",     "finish",
-                               "reset",         "advance", "compliance", "yield",    "resolve",    "observe",
-                               "exchange",      "change",  "ties",       "tied"};
+constexpr std::array kCalls = {
+    "none",       "create",       "configure", "activate", "deactivate", "destroy", "get_extension",
+    "bind",       "open",         "close",     "forces",   "finish",     "reset",   "advance",
+    "compliance", "yield",        "resolve",   "observe",  "exchange",   "change",  "ties",
+    "tied",       "displacement", "dents",     "tears",    "wounds"};
+
+static_assert(kCalls.size() == static_cast<std::size_t>(Call::kWounds) + 1, "each call has its word");
 
 constexpr std::array kMisdeeds = {"nothing",
                                   "returned an error",

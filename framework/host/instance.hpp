@@ -49,7 +49,8 @@ enum class Call : uint32_t {
   kTied,
   kDisplacement,
   kDents,
-  kTears  // [rt]
+  kTears,
+  kWounds  // [rt]
 };
 
 const char* text(Misdeed misdeed);  // "returned an error", ...

@@ -45,8 +45,9 @@ struct ObjectSlot {
 struct CouplingSlot {
   std::unique_ptr<Instance> instance;
   const swage_coupling* coupling = nullptr;
-  const swage_ties* ties = nullptr;    // links that it makes, or nullptr
-  const swage_tears* tears = nullptr;  // what is drawn of it, or nullptr
+  const swage_ties* ties = nullptr;      // links that it makes, or nullptr
+  const swage_tears* tears = nullptr;    // what is drawn of it, or nullptr
+  const swage_wounds* wounds = nullptr;  // and what more is known of that, or nullptr
   uint32_t object_a = kNone, object_b = kNone;
   uint32_t pair = kNone;       // index into Rig::pairs; couplings that only look share the pair that detects
   Range state, signal, event;  // event: into Script::events

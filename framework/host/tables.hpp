@@ -21,6 +21,7 @@ inline bool complete(const swage_surface& t) { return t.displacement; }
 inline bool complete(const swage_dents& t) { return t.dents; }
 inline bool complete(const swage_ties& t) { return t.ties && t.tied; }
 inline bool complete(const swage_tears& t) { return t.tears; }
+inline bool complete(const swage_wounds& t) { return t.wounds; }
 inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }
 inline bool complete(const swage_device_sight& t) { return t.bind && t.look; }
 inline bool complete(const swage_lesson& t) { return t.bind && t.observe && t.reset; }

@@ -22,6 +22,7 @@ inline constexpr uint32_t kMaxDevices = 4;
 inline constexpr uint32_t kMaxContacts = 64;
 inline constexpr uint32_t kMaxDents = 16;
 inline constexpr uint32_t kMaxTears = 64;
+inline constexpr uint32_t kMaxWounds = 16;
 inline constexpr uint32_t kPhases = 12;
 
 /// Health of the loop, counted since the start of the run. Wall times say how the machine did, processor
@@ -53,13 +54,18 @@ struct ContactMark {
   swage_vec3 p_W{}, f_W{};
 };
 
-/// A dent in the surface of an object, and a torn place in it (see the ABI for what the numbers mean).
+/// A dent in the surface of an object, a torn place in it, and what that leads to (see the ABI for what the numbers mean). The
+/// places of a wound are its tears with the same coupling and number.
 struct DentMark {
   swage_dent dent{};
   uint32_t object = 0, reserved = 0;
 };
 struct TearMark {
   swage_tear tear{};
+  uint32_t object = 0, coupling = 0;
+};
+struct WoundMark {
+  swage_wound wound{};
   uint32_t object = 0, coupling = 0;
 };
 
@@ -70,7 +76,7 @@ struct Snapshot {
   uint32_t n_body = 0, n_particle = 0, n_object = 0, n_signal = 0;
   uint32_t n_metric = 0, n_mark = 0, n_device = 0, n_contact = 0;
   uint32_t outcome = 0, reason = 0, phase = 0, paused = 0;
-  uint32_t n_dent = 0, n_tear = 0;
+  uint32_t n_dent = 0, n_tear = 0, n_wound = 0, reserved = 0;
   double score = 0;
   LoopHealth health;
   swage_pose X_WB[kMaxBodies];
@@ -84,6 +90,7 @@ struct Snapshot {
   ContactMark contact[kMaxContacts];
   DentMark dent[kMaxDents];
   TearMark tear[kMaxTears];
+  WoundMark wound[kMaxWounds];
   double particle_p_W[3 * kMaxParticles];  // last: what a scene does not have is not copied (channel.hpp)
 };
 

@@ -28,6 +28,7 @@ class Couplings {
   void tied() noexcept;  // [rt] solved: hands each coupling its own, before finish
   /// Torn places to draw; how many. [rt] between steps
   uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
+  uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same of them
   std::span<const dynamics::Tie> solved_ties() const noexcept { return tie_; }
 
  private:
@@ -36,6 +37,9 @@ class Couplings {
     uint32_t coupling = 0;
   };
 
+  /// What a coupling has for the eye: asks it, and takes nothing of what is not finite. [rt] between steps
+  template <class Mark, class Ask>
+  uint32_t marks(uint32_t coupling, host::Call call, std::span<Mark> out, Ask ask) const noexcept;
   bool released(uint32_t coupling) const noexcept;
   bool released_pair(uint32_t pair) const noexcept;
   void release(contact::ContactSet& contacts) noexcept;

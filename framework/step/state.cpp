@@ -88,6 +88,10 @@ void mirror(snapshot::Snapshot& out) {
     swage_tear& tear = out.tear[i].tear;
     tear.a_W = mirrored(tear.a_W), tear.b_W = mirrored(tear.b_W), tear.normal_W = mirrored(tear.normal_W);
   }
+  for (uint32_t i = 0; i < out.n_wound; ++i) {
+    swage_wound& wound = out.wound[i].wound;
+    wound.p_W = mirrored(wound.p_W), wound.inward_W = mirrored(wound.inward_W);
+  }
 }
 
 }  // namespace
@@ -142,7 +146,7 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
 // dents and torn places, for the eye: asked when somebody looks, and never part of the state
 void Engine::fill_marks(snapshot::Snapshot& out) const noexcept {
   using namespace snapshot;
-  out.n_dent = out.n_tear = 0;
+  out.n_dent = out.n_tear = out.n_wound = 0;
   swage_dent dent[kMaxDents];
   for (uint32_t i = 0; i < out.n_object; ++i)
     for (uint32_t k = 0, n = objects_.dents(i, {dent, kMaxDents - out.n_dent}); k < n; ++k)
@@ -151,6 +155,10 @@ void Engine::fill_marks(snapshot::Snapshot& out) const noexcept {
   for (uint32_t i = 0; i < rig_.couplings.size(); ++i)
     for (uint32_t k = 0, n = couplings_.tears(i, {tear, kMaxTears - out.n_tear}); k < n; ++k)
       out.tear[out.n_tear++] = {tear[k], rig_.couplings[i].object_b, i};
+  swage_wound wound[kMaxWounds];
+  for (uint32_t i = 0; i < rig_.couplings.size(); ++i)
+    for (uint32_t k = 0, n = couplings_.wounds(i, {wound, kMaxWounds - out.n_wound}); k < n; ++k)
+      out.wound[out.n_wound++] = {wound[k], rig_.couplings[i].object_b, i};
 }
 
 }  // namespace swage::step

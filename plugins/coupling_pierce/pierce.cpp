@@ -289,6 +289,7 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
   follow(site, track);
   Wound& entry = state.wound[static_cast<uint32_t>(track.entry)];
+  entry.depth = std::max(entry.depth, track.cut);
   swage_piercing_place place{};
   track.s_in = crossing(site, entry, track.s_in, place);
   if (track.progress < -kClear * site.radius) {
@@ -297,15 +298,16 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     step.event(back_out_, track.deepest);
     return;
   }
-  const bool through = track.s_in > 0 && track.s_in < 1;
   const bool by_needle = params_.sweep == Sweep::kNeedle;
-  if (through) tear(step, site, entry, place, by_needle ? site.local(vec(place.p_W)) : vec3(track.hold[0].p));
+  if (through(track.s_in))
+    tear(step, site, entry, place, by_needle ? site.local(vec(place.p_W)) : vec3(track.hold[0].p));
   come_out(step, state, site, track);
   if (track.exit >= 0) {
     Wound& exit = state.wound[static_cast<uint32_t>(track.exit)];
+    exit.depth = std::max(exit.depth, track.cut);
     track.s_out = crossing(site, exit, track.s_out, place);
     const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
-    if (track.s_out > 0 && track.s_out < 1)
+    if (through(track.s_out))
       tear(step, site, exit, place, by_needle ? site.local(vec(place.p_W)) : vec3(last.p));
   }
   if (!share_out(site, track)) {
@@ -341,26 +343,6 @@ void Pierce::finish(const CouplingStep& step) {
     refuse(step, state, site, press, angle);
   }
   tell(step, state, site, press);
-}
-
-uint32_t Pierce::tears(const CouplingStep& step, std::span<swage_tear> out) {
-  const Site site(needle_, tissue_, step.a(), step.b());
-  uint32_t n = 0;
-  for (uint32_t i = 0; site.good && i < PierceState::kWounds; ++i) {
-    const Wound& wound = step.state<PierceState>().wound[i];
-    if (wound.open == 0) continue;
-    const auto world = [&](const double* at) {
-      return raw(site.X_WO * (origin(wound) + at[0] * axis(wound, 1) + at[1] * axis(wound, 2)));
-    };
-    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count) && n < out.size(); ++k)
-      out[n++] = {world(wound.capsule[k].a),
-                  world(wound.capsule[k].b),
-                  raw(site.X_WO.q * axis(wound, 0)),
-                  wound.radius,
-                  i,
-                  0};
-  }
-  return n;
 }
 
 }  // namespace swage::coupling_pierce

@@ -103,6 +103,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   void finish(const CouplingStep& step) override;
   void reset(const CouplingStep& step) override;
   uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
+  uint32_t wounds(const CouplingStep& step, std::span<swage_wound> out) override;
 
  private:
   bool passes(const PierceState& state, const Site& site, const swage_contact& contact, double s) const;
@@ -119,6 +120,8 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   void come_out(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const;
   void tear(const CouplingStep& step, const Site& site, Wound& wound, const swage_piercing_place& place,
             const Vec3& centre_O) const;
+  double filled_at(const PierceState& state, uint32_t wound) const;
+  Pose plane_in_world(const PierceState& state, const Site& site, uint32_t wound) const;
   double angle_in(const Site& site, const Track& track, const PierceState& state) const;
 
   void declare(CouplingBuilder& builder);

@@ -80,6 +80,8 @@ struct Spot {
 };
 
 Spot spot(const Site& site, const Hold& hold);
+/// Whether the needle crosses a surface at s, and is not only near it.
+inline bool through(double s) { return s > 0 && s < 1; }
 /// s at which the needle crosses the plane of a wound, near s0, and the needle there.
 double crossing(const Site& site, const Wound& wound, double s0, swage_piercing_place& place);
 /// The same for a plane through o with the normal n, in W.

@@ -230,6 +230,12 @@ void cover(Wound& w, const Vec2& a, const Vec2& b, bool goes_on) {
   w.reach = std::max({w.reach, a.norm() + w.radius, b.norm() + w.radius});
 }
 
+/// The way into the tissue: along the needle, whichever of its ends is inside.
+void lean_on(Wound& w, const Vec3& along_O) {
+  const double side = axis(w, 0).dot(along_O) > 0 ? -1 : 1;
+  for (int i = 0; i < 3; ++i) w.inward[i] = side * along_O[i];
+}
+
 }  // namespace
 
 void open_wound(Wound& w, const Vec3& p_O, const Vec3& normal_O, const Vec3& along_O,
@@ -240,6 +246,7 @@ void open_wound(Wound& w, const Vec3& p_O, const Vec3& normal_O, const Vec3& alo
   const Vec3 flat = along_O - normal_O.dot(along_O) * normal_O;
   const Vec3 first = flat.norm() > 1e-9 ? Vec3(flat.normalized()) : Vec3(normal_O.unitOrthogonal());
   for (int i = 0; i < 3; ++i) w.origin[i] = p_O[i], w.normal[i] = normal_O[i], w.first[i] = first[i];
+  lean_on(w, along_O);
   cover(w, Vec2::Zero(), Vec2::Zero(), false);
 }
 
@@ -251,6 +258,7 @@ void sweep(Wound& w, const Vec3& p_O, double cosine, const Vec3& along_O) noexce
     cover(w, before, centre, true);
     w.centre[0] = centre.x(), w.centre[1] = centre.y();
   }
+  lean_on(w, along_O);
   // the section of a leaning wire is longer by 1/cosine; a needle that lies flat is no section any more
   const Vec2 lean(axis(w, 1).dot(along_O), axis(w, 2).dot(along_O));
   const double length = lean.norm(), longer = w.radius * (1 / std::max(cosine, 0.2) - 1);

@@ -30,6 +30,8 @@ struct Wound {
   double reach;                           // m, greatest distance of the edge from the origin
   double bend;       // m, by how much the last capsule cuts the corners of what it stands for
   double centre[2];  // where the section was last
+  double inward[3];  // O, unit: the way into the tissue along the needle there
+  double depth;      // m along the needle's track, as far as it is open from here
   double told;       // 1: pierce.torn was sent
   Capsule capsule[kCapsules];
 };
@@ -45,6 +47,9 @@ double union_area(const Wound& wound, uint32_t n) noexcept;
 inline Vec3 axis(const Wound& w, int i) {
   const Vec3 n(w.normal[0], w.normal[1], w.normal[2]), e(w.first[0], w.first[1], w.first[2]);
   return i == 0 ? n : i == 1 ? e : n.cross(e);
+}
+inline Vec3 in_plane(const Wound& w, const double* at) {
+  return Vec3(w.origin[0], w.origin[1], w.origin[2]) + at[0] * axis(w, 1) + at[1] * axis(w, 2);
 }
 inline Vec3 origin(const Wound& w) { return {w.origin[0], w.origin[1], w.origin[2]}; }
 

@@ -167,6 +167,39 @@ TEST(PierceScene, PushedAboutItTearsAndTheWoundTellsByHowMuch) {
   std::array<snapshot::Snapshot, 1> shot;
   s.engine->fill(shot[0]);
   EXPECT_GE(shot[0].n_tear, 1u);
+  ASSERT_EQ(shot[0].n_wound, 1u);
+  const swage_wound& torn = shot[0].wound[0].wound;
+  EXPECT_EQ(torn.filled, 1u);
+  EXPECT_EQ(torn.wound, shot[0].tear[0].tear.wound);
+  EXPECT_EQ(torn.area, s.signal("pierce.area"));
+  EXPECT_NEAR(torn.p_W.x, s.signal("pierce.at_x"), 0.05 * kWire);
+  EXPECT_NEAR(torn.p_W.y, s.signal("pierce.at_y"), 0.05 * kWire);
+  EXPECT_NEAR(torn.depth, s.signal("pierce.depth"), 0.1 * torn.depth);
+  EXPECT_LT(torn.inward_W.z, -0.8) << "down into the tissue, less what the needle leans";
+}
+
+TEST(PierceScene, TheTearThatIsDrawnMeetsTheNeedle) {
+  for (const char* sweep : {"needle", "tissue"}) {
+    PierceScene s;
+    s.tissue = R"("level": "compliant", "stiffening": 0, "thickness": "4 mm")";
+    s.pierce = std::string(R"("sweep": ")") + sweep + R"(")";
+    s.duration = 1.6;
+    s.leash = kFirm;
+    s.make([](double t) {
+      Pose X = PierceScene::turned({-kR, 0, 0}, std::min(-0.12 + t, 0.6));
+      X.p.y() += 0.3e-3 * std::clamp((t - 1) / 0.5, 0.0, 1.0);
+      return X;
+    });
+    s.run_until(1.6);
+    std::array<snapshot::Snapshot, 1> shot;
+    s.engine->fill(shot[0]);
+    ASSERT_EQ(shot[0].n_wound, 1u);
+    const swage_wound& wound = shot[0].wound[0].wound;
+    EXPECT_NEAR(wound.p_W.x, s.signal("pierce.at_x"), 0.05 * kWire) << sweep;
+    EXPECT_NEAR(wound.p_W.y, s.signal("pierce.at_y"), 0.05 * kWire) << sweep;
+    EXPECT_NEAR(wound.p_W.z, 0, 0.05 * kWire) << sweep << ": dents go on top";
+    EXPECT_GT(wound.p_W.y, 4 * kWire) << sweep << ": it was pushed";
+  }
 }
 
 TEST(PierceScene, ThroughTheFarSideThereIsASecondPeak) {

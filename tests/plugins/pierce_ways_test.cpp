@@ -124,6 +124,12 @@ TEST(PierceWays, ASecondEntryIsAWoundOfItsOwn) {
     std::sort(wounds.begin(), wounds.end());
     wounds.erase(std::unique(wounds.begin(), wounds.end()), wounds.end());
     EXPECT_EQ(wounds.size(), beside > 0 ? 2u : 1u) << "in the old hole it is the old wound";
+    ASSERT_EQ(shot[0].n_wound, wounds.size());
+    for (uint32_t i = 0; i < shot[0].n_wound; ++i) {
+      const swage_wound& wound = shot[0].wound[i].wound;
+      EXPECT_EQ(wound.filled, i + 1 == shot[0].n_wound ? 1u : 0u) << "the old hole is empty";
+      EXPECT_GT(wound.depth, 0.1e-3) << "and stays as deep as it was";
+    }
   }
 }
 

@@ -96,6 +96,15 @@ TEST(Guard, ShowsTheCallThatIsRunning) {
   EXPECT_EQ(last_call.instance.load(), nullptr);
 }
 
+TEST(Guard, EachCallHasItsWord) {
+  EXPECT_STREQ(text(Call::kCreate), "create");
+  EXPECT_STREQ(text(Call::kTied), "tied");
+  EXPECT_STREQ(text(Call::kDisplacement), "displacement");
+  EXPECT_STREQ(text(Call::kDents), "dents");
+  EXPECT_STREQ(text(Call::kTears), "tears");
+  EXPECT_STREQ(text(Call::kWounds), "wounds");
+}
+
 TEST(Guard, QuarantinesWhoIsLateByItsOwnTime) {
   Instance i;
   i.watch.budget_ns = 200'000;

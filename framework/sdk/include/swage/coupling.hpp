@@ -67,6 +67,11 @@ class Tearing {
   virtual ~Tearing() = default;
   /// Writes at most out.size() capsules, returns how many. After finish(). [rt]
   virtual uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) SWAGE_RT = 0;
+  /// Writes at most out.size() wounds, one for each number that tears() uses; returns how many. After finish(). [rt]
+  virtual uint32_t wounds(const CouplingStep& step, std::span<swage_wound> out) SWAGE_RT {
+    static_cast<void>(step), static_cast<void>(out);
+    return 0;
+  }
 };
 
 namespace detail {
@@ -111,6 +116,7 @@ inline constexpr Entry kResetCoupling{"reset", 15, kRt, When::kActive};
 inline constexpr Entry kTies{"ties", 23, kRt, When::kActive};
 inline constexpr Entry kTied{"tied", 24, kRt, When::kActive};
 inline constexpr Entry kTears{"tears", 31, kRt, When::kActive};
+inline constexpr Entry kWounds{"wounds", 34, kRt, When::kActive};
 
 template <class List>
 constexpr auto null_terminated(const List& list) {
@@ -157,6 +163,12 @@ struct CouplingTables {
       *n = part<Tearing>(h).tears(CouplingStep(s), {out, capacity});
     });
   }
+  static swage_result wounds(swage_instance* i, Raw s, uint32_t capacity, swage_wound* out,
+                             uint32_t* n) noexcept {
+    return guarded<T>(i, kWounds, [&](auto&, Holder<T>& h) {
+      *n = part<Tearing>(h).wounds(CouplingStep(s), {out, capacity});
+    });
+  }
 
   static const void* find(const char* id) {
     static_assert(
@@ -176,7 +188,9 @@ struct CouplingTables {
     }
     if constexpr (std::is_base_of_v<Tearing, T>) {
       static constexpr swage_tears torn{tears};
+      static constexpr swage_wounds open{wounds};
       if (same(id, SWAGE_EXT_TEARS)) return &torn;
+      if (same(id, SWAGE_EXT_WOUNDS)) return &open;
     }
     return nullptr;
   }

@@ -25,7 +25,7 @@ enum class When { kAlways, kInactive, kReady, kActive };  // kReady: configured 
 
 struct Entry {
   const char* name;
-  uint32_t index;  // 0..31, a bit of Holder::told and the number in a fault record
+  uint32_t index;  // 0..63, a bit of Holder::told and the number in a fault record
   uint32_t roles;
   When when;
 };
@@ -46,7 +46,7 @@ struct Holder {
   std::string name;
   std::optional<T> plugin;  // made anew by every configure, so that build() starts from a fresh object
   uint32_t n_state = 0;
-  uint32_t told = 0;  // entries that have already complained about their thread
+  uint64_t told = 0;  // entries that have already complained about their thread
   bool ready = false, active = false;
 
   static Holder& of(swage_instance* instance) { return *static_cast<Holder*>(instance->self); }
@@ -92,7 +92,7 @@ void check_role(Holder<T>& holder, const Entry& entry) noexcept {
   if constexpr (SWAGE_CHECKS != 0) {
     const int32_t kind = holder.host->thread_kind(holder.host);
     const uint32_t caller = kind >= SWAGE_THREAD_MAIN && kind <= SWAGE_THREAD_IO ? 1u << kind : 0u;
-    const uint32_t bit = 1u << entry.index;
+    const uint64_t bit = uint64_t{1} << entry.index;
     if ((entry.roles & caller) != 0 || (holder.told & bit) != 0) return;
     holder.told |= bit;
     tell(holder, entry, SWAGE_FAULT_THREAD, kind, "the host called from the wrong thread");
