@@ -78,6 +78,7 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("F8"), tr("Mark the moment two seconds ago")},
                               {tr("Shift+F5"), tr("Stop")},
                               {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
+                              {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
                               {tr("Ctrl+1, 2, 3"), tr("Run, Progress, Review")},
                               {tr("F1"), tr("This page")}},
                              this)

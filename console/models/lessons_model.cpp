@@ -9,10 +9,10 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <algorithm>
 
 #include "assembly/lesson_text.hpp"
+#include "console/models/variant.hpp"
 
 namespace swage::console {
 
@@ -52,8 +52,7 @@ QStringList lesson_folders() {
   QStringList folders;
   const QString variable = qEnvironmentVariable("SWAGE_LESSON_PATH");
   folders += variable.split(QDir::listSeparator(), Qt::SkipEmptyParts);
-  folders += QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-             QStringLiteral("/swage/lessons");
+  folders += own_lessons_folder();
   QDir dir(QCoreApplication::applicationDirPath());
   folders += dir.absoluteFilePath(QStringLiteral("../share/swage/lessons"));
   // run from a build folder: the sources are a few levels up

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 struct Use {
   std::string name, plugin;
   Json params;
+  bool device = false;
 };
 
 struct Lesson {
@@ -67,10 +68,14 @@ std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
   for (const snapshot::CardObject& o : card.objects)
     out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
   for (const Json& c : list(root, "couplings")) {
-    if (!text(c, "name").empty()) out.push_back({text(c, "name"), text(c, "plugin"), params_of(c)});
+    const std::string plugin = text(c, "plugin");
+    // one without a name is known by the last word of its plugin
+    const std::string name = text(c, "name").empty() ? plugin.substr(plugin.rfind('.') + 1) : text(c, "name");
+    const bool taken = std::any_of(out.begin(), out.end(), [&](const Use& use) { return use.name == name; });
+    if (!taken) out.push_back({name, plugin, params_of(c)});
   }
   for (const snapshot::CardDevice& d : card.devices)
-    out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin)});
+    out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin), true});
   const auto lesson = root.find("lesson");
   if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
   return out;
@@ -124,8 +129,11 @@ std::string LiveParam::json(const std::array<double, 4>& v) const {
   return "{" + Json(param.id).dump() + ": " + host::value_text(param, value) + "}";
 }
 
-QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
-                               const host::Catalogue& catalogue) {
+namespace {
+
+template <class Wanted>
+QVector<LiveParam> collect(const std::string& lesson_path, const snapshot::SceneCard& card,
+                           const host::Catalogue& catalogue, Wanted wanted) {
   QVector<LiveParam> out;
   const Lesson lesson = read(lesson_path);
   for (const Use& use : uses(lesson.root, card)) {
@@ -142,13 +150,26 @@ QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::S
       values = host::default_values(plugin->params, plugin->bundle_dir);
     for (size_t i = 0; i < plugin->params.size(); ++i) {
       const host::Param& p = plugin->params[i];
-      if (!p.live() || p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE) continue;
+      if (p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE || !wanted(use, p)) continue;
       LiveParam live{use.name, p, {}};
       std::copy_n(values.value[i].number, 4, live.start.begin());
       out.append(live);
     }
   }
   return out;
+}
+
+}  // namespace
+
+QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
+                               const host::Catalogue& catalogue) {
+  return collect(lesson_path, card, catalogue, [](const Use&, const host::Param& p) { return p.live(); });
+}
+
+QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
+                                 const host::Catalogue& catalogue) {
+  return collect(lesson_path, card, catalogue,
+                 [](const Use& use, const host::Param&) { return !use.device; });
 }
 
 }  // namespace swage::console

@@ -31,5 +31,8 @@ struct LiveParam {
 /// In the order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's.
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue);
+/// All numbers, switches and choices of objects, couplings and lesson, for a lesson that is based on this one.
+QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
+                                 const host::Catalogue& catalogue);
 
 }  // namespace swage::console

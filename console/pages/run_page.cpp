@@ -28,6 +28,7 @@ constexpr int kSide_px = 270;  // the whole page fits a screen of 1280
 RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip, QWidget* parent)
     : QWidget(parent),
       control_(new RunControl(std::move(opener), this)),
+      lessons_(lessons),
       strip_(strip),
       setup_(new SetupPanel(lessons, this)),
       events_(new EventLog(this)),
@@ -48,6 +49,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   connect(setup_, &SetupPanel::lesson_changed, &preview_timer_, qOverload<>(&QTimer::start));
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
   connect(setup_, &SetupPanel::start, this, &RunPage::start);
+  connect(setup_, &SetupPanel::make_variant, this, &RunPage::make_variant);
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
   connect(control_, &RunControl::failed, this, &RunPage::show_problems);
   connect(control_, &RunControl::state_changed, this, &RunPage::update_state);

@@ -61,12 +61,16 @@ class RunPage : public QWidget {
 
  public Q_SLOTS:
   void start();
+  /// A lesson of the instructor's own, based on the chosen one.
+  void make_variant();
 
  Q_SIGNALS:
   void attempt_over();
   void show_progress();
 
  private:
+  QString check(const QString& lesson_path,
+                const QVector<std::pair<std::string, std::string>>& set);  // "" when it can be practised
   QWidget* make_middle();
   QWidget* make_view_bar();
   QWidget* make_actions();
@@ -93,6 +97,7 @@ class RunPage : public QWidget {
   host::Catalogue catalogue_;
   CameraPreset preset_ = CameraPreset::kOrbit;
   RunControl* control_;
+  LessonsModel* lessons_;
   StatusStrip* strip_;
   SetupPanel* setup_;
   SceneView* view_ = nullptr;

@@ -63,6 +63,13 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
                  card.frame);
   card.body->addWidget(lessons_, 1);
   card.body->addWidget(no_lessons_);
+  variant_ =
+      make_button(tr("Make your own…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
+  variant_->setToolTip(
+      tr("A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit"));
+  variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
+  connect(variant_, &QPushButton::clicked, this, &SetupPanel::make_variant);
+  card.body->addWidget(variant_);
   no_lessons_->setVisible(lessons->rowCount() == 0);
   lessons_->setVisible(lessons->rowCount() > 0);
   connect(lessons_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
@@ -192,6 +199,8 @@ void SetupPanel::set_running(bool running) {
 void SetupPanel::update_start() {
   if (!start_) return;
   start_->setEnabled(!running_ && lessons_->currentIndex().isValid());
+  variant_->setEnabled(start_->isEnabled() &&
+                       lessons_->currentIndex().data(LessonsModel::kProblem).toString().isEmpty());
   start_->setText(running_ ? tr("Running…") : tr("START   F5"));
 }
 

@@ -37,6 +37,7 @@ class SetupPanel : public QWidget {
   void start();
   void lesson_changed();
   void mode_changed();
+  void make_variant();
 
  private:
   QWidget* make_who();
@@ -50,7 +51,7 @@ class SetupPanel : public QWidget {
   QListView* lessons_;
   QLabel* no_lessons_;
   QButtonGroup* modes_;
-  QPushButton* start_ = nullptr;
+  QPushButton *start_ = nullptr, *variant_ = nullptr;
   QString wanted_device_ = QStringLiteral("mouse");
   bool running_ = false;
 };

@@ -10,10 +10,11 @@
 
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "host/params.hpp"
 
 namespace swage::console {
 
-LiveForm::LiveForm(QWidget* parent) : QFrame(parent), column_(new QVBoxLayout(this)) {
+LiveForm::LiveForm(QWidget* parent, Of of) : QFrame(parent), column_(new QVBoxLayout(this)), of_(of) {
   setObjectName(QStringLiteral("live_form"));
   column_->setContentsMargins(0, 0, 0, 0);
   explain_ = make_muted({}, this);
@@ -34,22 +35,23 @@ void LiveForm::set_params(const QVector<LiveParam>& params) {
   auto* grid = new QGridLayout(body_);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setColumnStretch(0, 1);
-  std::string heading;
+  std::string part;
+  QLabel* heading = nullptr;
   for (const LiveParam& param : params) {
-    if (param.instance != heading) {
-      heading = param.instance;
-      grid->addWidget(make_heading(human_id(QString::fromStdString(heading)), body_), grid->rowCount(), 0, 1,
-                      3);
+    if (param.instance != part) {
+      part = param.instance;
+      heading = make_heading(human_id(QString::fromStdString(part)), body_);
+      grid->addWidget(heading, grid->rowCount(), 0, 1, 3);
     }
-    add_field(param, grid);
+    add_field(param, heading, grid);
   }
   column_->insertWidget(1, body_);
   set_running(running_);
 }
 
-void LiveForm::add_field(const LiveParam& param, QGridLayout* grid) {
+void LiveForm::add_field(const LiveParam& param, QLabel* heading, QGridLayout* grid) {
   const auto index = static_cast<int>(fields_.size());
-  fields_.append({param, param.start, param.start, {}, nullptr});
+  fields_.append({param, param.start, param.start, {}, nullptr, nullptr, heading});
   const int row = grid->rowCount();
   const QString name = QString::fromStdString(param.param.label.empty() ? param.param.id : param.param.label);
   const QString doc = QString::fromStdString(param.param.doc);
@@ -57,6 +59,7 @@ void LiveForm::add_field(const LiveParam& param, QGridLayout* grid) {
   label->setWordWrap(true);
   label->setToolTip(doc);
   grid->addWidget(label, row, 0);
+  fields_[index].label = label;
   auto* editors = new QVBoxLayout;
   const int n = param.param.type == SWAGE_PARAM_VECTOR ? static_cast<int>(param.param.dimension) : 1;
   for (int c = 0; c < n; ++c) {
@@ -167,9 +170,37 @@ void LiveForm::set_running(bool running) {
     for (QWidget* editor : field.editors) editor->setEnabled(running);
     field.back->setEnabled(running && field.value != field.param.start);
   }
+  if (of_ == Of::kVariant)
+    return explain_->setText(
+        tr("What you change here is written into the new lesson; all else stays as it is."));
   explain_->setText(fields_.isEmpty() ? tr("Nothing of this lesson may be changed while it runs.")
                     : running         ? tr("A change acts at once and is recorded.")
                                       : tr("Can be changed while the lesson runs."));
+}
+
+QVector<std::pair<std::string, std::string>> LiveForm::changes() const {
+  QVector<std::pair<std::string, std::string>> out;
+  for (const Field& field : fields_) {
+    if (field.value == field.param.start) continue;
+    swage_value value{};
+    std::copy(field.value.begin(), field.value.end(), value.number);
+    out.append(
+        {field.param.instance + "." + field.param.param.id, host::value_text(field.param.param, value)});
+  }
+  return out;
+}
+
+void LiveForm::find(const QString& text) {
+  QHash<QLabel*, bool> any;
+  for (const Field& field : fields_) {
+    const bool shown = text.isEmpty() || field.label->text().contains(text, Qt::CaseInsensitive) ||
+                       field.heading->text().contains(text, Qt::CaseInsensitive);
+    field.label->setVisible(shown);
+    field.back->setVisible(shown);
+    for (QWidget* editor : field.editors) editor->setVisible(shown);
+    any[field.heading] = any[field.heading] || shown;
+  }
+  for (auto it = any.begin(); it != any.end(); ++it) it.key()->setVisible(it.value());
 }
 
 }  // namespace swage::console

@@ -14,18 +14,24 @@ class QToolButton;
 
 namespace swage::console {
 
-/// The form of what may change while a lesson runs, made from the plugins' tables: one line per number with its unit, its
-/// limits and a way back to the lesson's own value. A change goes out at once; what is refused is said below and put back.
+/// The form of a lesson's parameters, made from the plugins' tables: one line per number with its unit, its limits and a way back
+/// to the lesson's own value. Of what may change while a lesson runs: a change goes out at once; what is refused is said below
+/// and put back. Or of all, for a lesson that is to be based on this one.
 class LiveForm : public QFrame {
   Q_OBJECT
  public:
-  explicit LiveForm(QWidget* parent = nullptr);
+  enum class Of { kRunning, kVariant };
+  explicit LiveForm(QWidget* parent = nullptr, Of of = Of::kRunning);
   void set_params(const QVector<LiveParam>& params);
   /// While false the fields are shown but cannot be changed: there is nothing to change before the start.
   void set_running(bool running);
   /// After a change: `problem` "" when it was taken over.
   void answer(const QString& problem);
   int count() const { return static_cast<int>(fields_.size()); }
+  /// What differs from the lesson: "needle.arc" and JSON.
+  QVector<std::pair<std::string, std::string>> changes() const;
+  /// Shows the lines in whose name, or whose part's name, the text is; all for "".
+  void find(const QString& text);
 
  Q_SIGNALS:
   void changed(const QString& instance, const QString& json, const QString& words);
@@ -36,8 +42,9 @@ class LiveForm : public QFrame {
     std::array<double, 4> value{}, before{};
     QVector<QWidget*> editors;
     QToolButton* back = nullptr;
+    QLabel *label = nullptr, *heading = nullptr;
   };
-  void add_field(const LiveParam& param, QGridLayout* grid);
+  void add_field(const LiveParam& param, QLabel* heading, QGridLayout* grid);
   QWidget* make_editor(int field, int component);
   void edit(int field, int component, double shown);
   void put(int field, const std::array<double, 4>& value);
@@ -47,6 +54,7 @@ class LiveForm : public QFrame {
   QVBoxLayout* column_;
   QWidget* body_ = nullptr;
   QLabel *explain_, *problem_;
+  Of of_;
   int last_ = -1;
   bool running_ = false, filling_ = false;
 };
