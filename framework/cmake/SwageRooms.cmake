@@ -18,6 +18,8 @@ if(SWAGE_SANITIZE)
   list(JOIN SWAGE_SANITIZE "," sanitizers)
   add_compile_options(-fsanitize=${sanitizers} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${sanitizers})
+  # gcc tells the code by __SANITIZE_ADDRESS__, clang 14 does not
+  add_compile_definitions(SWAGE_SANITIZED)
 endif()
 
 find_program(CCACHE ccache)

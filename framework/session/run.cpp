@@ -23,7 +23,7 @@ using base::Severity;
 
 // Own processor time that a plugin may use per step. A fifth of a step: five plugins at their limit still fit. Builds for
 // finding faults calculate many times slower.
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__OPTIMIZE__) && !defined(SWAGE_SANITIZED)
 constexpr double kBudget = 200e-6;  // s
 #else
 constexpr double kBudget = 20e-3;  // s

@@ -201,7 +201,7 @@ class Coupling final : public Onlooker {
 
 }  // namespace
 
-Onlooker::Onlooker(std::unique_ptr<Stepped> scene, host::Instance& instance, uint64_t seed)
+Onlooker::Onlooker(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed)
     : world_(scene->rig->world),
       scene_(std::move(scene)),
       instance_(instance),

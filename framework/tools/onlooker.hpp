@@ -39,7 +39,8 @@ class Onlooker {
   uint64_t allocations() const { return allocations_; }  // in its functions of the step
 
  protected:
-  Onlooker(std::unique_ptr<Stepped> scene, host::Instance& instance, uint64_t seed);
+  /// `scene` is taken last: who calls may name its instance in the same breath.
+  Onlooker(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed);
 
   virtual void on_reset() = 0;
   virtual void on_step(base::Xoshiro256& random, bool poisoned) = 0;

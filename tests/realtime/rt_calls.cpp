@@ -3,7 +3,7 @@
 
 #include "host/malloc_guard.hpp"
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SWAGE_SANITIZED
 
 namespace swage::realtime {
 Calls calls() { return {}; }
