@@ -41,11 +41,10 @@ void print_ladder(const AuditLadder& ladder) {
   for (const AuditLevel& level : ladder.level) print_level(ladder, level);
   if (!ladder.level[ladder.reference].run.problem.empty())
     return static_cast<void>(std::printf("  no level could be played: nothing is known\n"));
-  const std::string &own = ladder.level[ladder.own].run.level,
-                    &best = ladder.level[ladder.cheapest].run.level,
+  const std::string &own = ladder.level[ladder.own].run.level, &best = ladder.level[ladder.chosen].run.level,
                     &finest = ladder.level[ladder.reference].run.level;
   std::printf("  enough: %s", best.c_str());
-  if (ladder.cheapest != ladder.reference)
+  if (ladder.saves > 0)
     std::printf(", saves %.0f %% of the processor time of %s", 100 * ladder.saves, finest.c_str());
   std::printf("; the lesson has %s%s\n", own.c_str(),
               ladder.level[ladder.own].enough ? "" : ", which is NOT enough");
@@ -55,7 +54,7 @@ Json to_json(const AuditLadder& ladder) {
   Json out = {{"ladder", ladder.name},
               {"own", ladder.level[ladder.own].run.level},
               {"reference", ladder.level[ladder.reference].run.level},
-              {"cheapest_enough", ladder.level[ladder.cheapest].run.level},
+              {"chosen", ladder.level[ladder.chosen].run.level},
               {"saves", number(ladder.saves)}};
   for (const AuditLevel& level : ladder.level) {
     const AuditRun& run = level.run;

@@ -53,8 +53,8 @@ struct AuditLadder {
   std::vector<AuditLevel> level;
   std::size_t own = 0;        // what the lesson has
   std::size_t reference = 0;  // the finest that could be played
-  std::size_t cheapest = 0;   // of those that are enough
-  double saves = 0;           // share of the reference's processor time
+  std::size_t chosen = 0;     // of those that are enough and cost the least, to a tenth: the simplest
+  double saves = 0;           // share of the reference's processor time; 0 below a tenth
   std::string plugin;         // whose choice it is, "" for the engine
 };
 

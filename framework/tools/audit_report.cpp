@@ -26,6 +26,11 @@ std::string remark(const AuditLadder& ladder) {
   std::string out;
   const AuditLevel& own = ladder.level[ladder.own];
   if (!own.enough) out = "**the lesson's level is not enough**: " + own.why;
+  for (std::size_t i = 0; i < ladder.chosen; ++i)
+    if (ladder.level[i].enough)
+      out += (out.empty() ? "" : "; ") + ladder.level[i].run.level +
+             format(" would do and costs %.0f %% more",
+                    100 * (ladder.level[i].run.cpu_s / ladder.level[ladder.chosen].run.cpu_s - 1));
   for (std::size_t i = ladder.reference + 1; i < ladder.level.size(); ++i)
     out += (out.empty() ? "" : "; ") + ladder.level[i].run.level + ": " + ladder.level[i].run.problem;
   return out;
@@ -50,7 +55,7 @@ void lesson_table(const AuditLesson& lesson, std::ostringstream& o) {
     for (std::size_t i = 0; i < ladder.level.size(); ++i) {
       const AuditLevel& level = ladder.level[i];
       o << "| " << (i == 0 ? ladder.name : "") << " | " << level.run.level
-        << (i == ladder.own ? " (the lesson's)" : "") << (i == ladder.cheapest ? ", **enough**" : "");
+        << (i == ladder.own ? " (the lesson's)" : "") << (i == ladder.chosen ? ", **enough**" : "");
       if (!level.run.problem.empty()) {
         o << " | not played | | | | " << level.run.problem << " |\n";
         continue;
@@ -210,7 +215,7 @@ class Chart {
 
 std::string audit_csv(const std::vector<AuditLesson>& lessons) {
   std::string out =
-      "lesson,hand,ladder,level,of_the_lesson,reference,enough,cheapest,outcome,reason,score,us_per_step,"
+      "lesson,hand,ladder,level,of_the_lesson,reference,enough,chosen,outcome,reason,score,us_per_step,"
       "simulated_s,"
       "difference,largest,cannot_tell,problem\n";
   for (const AuditLesson& lesson : lessons)
@@ -222,7 +227,7 @@ std::string audit_csv(const std::vector<AuditLesson>& lessons) {
         for (const std::string& id : level.untold) untold += (untold.empty() ? "" : " ") + id;
         out += lesson.id + "," + lesson.device + "," + ladder.name + "," + run.level +
                format(",%d,%d,%d,%d,", i == ladder.own, i == ladder.reference, level.enough,
-                      i == ladder.cheapest) +
+                      i == ladder.chosen) +
                run.outcome + "," + run.reason +
                format(",%.6g,%.4g,%.6g,", run.score, 1e6 * run.cpu_s, run.simulated_s) + plain(level.worst) +
                "," + quoted(level.why) + "," + untold + "," + quoted(run.problem) + "\n";
@@ -253,17 +258,17 @@ std::string audit_markdown(const std::vector<AuditLesson>& lessons, const AuditR
            "else 0.02; the score 5 points. ",
            lessons.empty() ? "" : lessons.front().device.c_str(), 100 * rule.tolerance)
     << "A level is enough when its verdict is that of the finest that could be played and no difference "
-       "exceeds 1. "
+       "exceeds 1. Named is the simplest of those that are enough and cost the least, to 10 %. "
        "Costs are processor time of a step, all in one run.\n\n"
     << "| lesson | ladder | it has | enough | saves | us a step (differences above 1) | |\n"
        "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const AuditLesson& lesson : lessons)
     for (const AuditLadder& ladder : lesson.ladder)
       o << "| " << (&ladder == &lesson.ladder.front() ? lesson.title : "") << " | " << ladder.name << " | "
-        << ladder.level[ladder.own].run.level << " | " << ladder.level[ladder.cheapest].run.level << " | "
-        << (ladder.cheapest == ladder.reference ? "-"
-                                                : format("%.0f %% of %s", 100 * ladder.saves,
-                                                         ladder.level[ladder.reference].run.level.c_str()))
+        << ladder.level[ladder.own].run.level << " | " << ladder.level[ladder.chosen].run.level << " | "
+        << (ladder.saves == 0 ? "-"
+                              : format("%.0f %% of %s", 100 * ladder.saves,
+                                       ladder.level[ladder.reference].run.level.c_str()))
         << " | " << levels_in_short(ladder) << " | " << remark(ladder) << " |\n";
   for (const AuditLesson& lesson : lessons) lesson_table(lesson, o);
   return o.str();

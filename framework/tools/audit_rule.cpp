@@ -9,8 +9,9 @@
 namespace swage::tools {
 namespace {
 
-// Processor times closer than this are equal: what a busy machine adds to a step.
-constexpr double kCheaper = 0.9;
+// Processor times closer than this share are equal: what a busy machine adds to a step. Smaller, and noise decides which level is
+// named; larger, and a saving goes unseen.
+constexpr double kSameCost = 0.1;
 
 // Values closer than this are equal whatever their size: what a trainee could not notice, by unit. An unlisted unit is a pure
 // number's; a larger figure calls levels enough whose difference can be seen, a smaller one tells of noise.
@@ -63,6 +64,19 @@ void compare(const AuditRule& rule, AuditLevel& level, const AuditRun& reference
                 (worst->unit.empty() || worst->unit == "1" ? "" : " " + worst->unit);
 }
 
+/// The simplest of the levels that are enough and cost no more than the cheapest of them, to within what a busy machine adds.
+std::size_t choose(const AuditLadder& ladder) {
+  double least_s = ladder.level[ladder.reference].run.cpu_s;
+  for (const AuditLevel& level : ladder.level)
+    if (level.enough) least_s = std::min(least_s, level.run.cpu_s);
+  const auto good = [&](const AuditLevel& level) {
+    return level.enough && (1 - kSameCost) * level.run.cpu_s <= least_s;
+  };
+  const auto simplest = std::find_if(ladder.level.begin(), ladder.level.end(), good);
+  return simplest == ladder.level.end() ? ladder.reference
+                                        : static_cast<std::size_t>(simplest - ladder.level.begin());
+}
+
 }  // namespace
 
 double AuditDifference::size() const { return std::abs(value - reference) / allowed; }
@@ -73,13 +87,9 @@ void judge(const AuditRule& rule, AuditLadder& ladder) {
   const AuditRun reference = ladder.level[ladder.reference].run;
   for (AuditLevel& level : ladder.level) compare(rule, level, reference);
 
-  ladder.cheapest = ladder.reference;
-  for (std::size_t i = 0; i < ladder.level.size(); ++i)
-    if (ladder.level[i].enough &&
-        ladder.level[i].run.cpu_s < kCheaper * ladder.level[ladder.cheapest].run.cpu_s)
-      ladder.cheapest = i;
-  ladder.saves =
-      ladder.cheapest == ladder.reference ? 0 : 1 - ladder.level[ladder.cheapest].run.cpu_s / reference.cpu_s;
+  ladder.chosen = choose(ladder);
+  const double saves = 1 - ladder.level[ladder.chosen].run.cpu_s / reference.cpu_s;
+  ladder.saves = saves > kSameCost ? saves : 0;
 }
 
 }  // namespace swage::tools

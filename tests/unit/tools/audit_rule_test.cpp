@@ -39,7 +39,7 @@ TEST(AuditRule, TheCheapestLevelThatChangesNothingIsEnough) {
   const AuditLadder ladder =
       judged({run("rigid", 10, 0.61), run("bending", 40, 0.605), run("reference", 200, 0.6)});
   EXPECT_EQ(ladder.reference, 2u);
-  EXPECT_EQ(ladder.cheapest, 0u);
+  EXPECT_EQ(ladder.chosen, 0u);
   EXPECT_NEAR(ladder.saves, 0.95, 1e-12);
   // 10 mN beside 5 % of 0.61 N
   EXPECT_NEAR(ladder.level[0].worst, 0.01 / (0.05 * 0.61), 1e-9);
@@ -51,8 +51,28 @@ TEST(AuditRule, ACoarseLevelThatMovesAMetricIsNotEnough) {
       judged({run("rigid", 10, 0.7), run("bending", 40, 0.605), run("reference", 200, 0.6)});
   EXPECT_FALSE(ladder.level[0].enough);
   EXPECT_GT(ladder.level[0].worst, 1);
-  EXPECT_EQ(ladder.cheapest, 1u);
+  EXPECT_EQ(ladder.chosen, 1u);
   EXPECT_NEAR(ladder.saves, 0.8, 1e-12);
+}
+
+TEST(AuditRule, OfLevelsThatCostTheSameTheSimplestIsNamed) {
+  // the finest is the cheapest, by less than a busy machine adds
+  const AuditLadder equal =
+      judged({run("rigid", 10, 0.6), run("bending", 9.8, 0.6), run("reference", 9.5, 0.6)}, 2);
+  EXPECT_EQ(equal.chosen, 0u);
+  EXPECT_EQ(equal.saves, 0) << "nothing that could be measured";
+  EXPECT_EQ(judged({run("rigid", 10, 0.8), run("bending", 9.8, 0.6), run("reference", 9.5, 0.6)}).chosen, 1u)
+      << "the simplest is not enough";
+  // costs that creep: 9 is a tenth below 10, and 8 below 9, yet 8 is not 10
+  EXPECT_EQ(judged({run("rigid", 10, 0.6), run("bending", 9, 0.6), run("reference", 8, 0.6)}).chosen, 2u);
+}
+
+TEST(AuditRule, ASimplerLevelThatCostsMoreIsSaid) {
+  const AuditLadder ladder = judged({run("rigid", 12, 0.6), run("bending", 10, 0.6)}, 1);
+  EXPECT_EQ(ladder.chosen, 1u);
+  EXPECT_THAT(
+      audit_markdown({{"x.json", "org.example.x", "Lesson", "expert", {ladder}}}, {0.05}),
+      HasSubstr("| bending | bending | - | rigid 12, bending 10 | rigid would do and costs 20 % more |"));
 }
 
 TEST(AuditRule, WhatNobodyNoticesIsEqualWhateverItsShare) {
@@ -73,7 +93,7 @@ TEST(AuditRule, AnotherVerdictIsNeverEnough) {
   EXPECT_FALSE(ladder.level[0].enough);
   EXPECT_TRUE(std::isinf(ladder.level[0].worst));
   EXPECT_EQ(ladder.level[0].why, "failed (failed.dropped), bending passed");
-  EXPECT_EQ(ladder.cheapest, 1u);
+  EXPECT_EQ(ladder.chosen, 1u);
   EXPECT_EQ(ladder.saves, 0);
 }
 
@@ -91,7 +111,7 @@ TEST(AuditRule, AFinestLevelThatFailsOrIsTooSlowIsSaidAndTheNextMeasures) {
   const AuditLadder ladder = judged({run("rigid", 10, 0.8), run("bending", 40, 0.6), slow});
   EXPECT_EQ(ladder.reference, 1u);
   EXPECT_FALSE(ladder.level[2].enough);
-  EXPECT_EQ(ladder.cheapest, 1u);
+  EXPECT_EQ(ladder.chosen, 1u);
 
   AuditLesson lesson{"x.json", "org.example.x", "Lesson <x>", "expert", {ladder}};
   const std::string md = audit_markdown({lesson}, {0.05});
