@@ -24,6 +24,7 @@ enum class Measure : size_t {
   kCosine,
   kAngle,
   kInAngle,
+  kExitDistance,
   kExitAngle,
   kDepth,
   kArc,
@@ -57,6 +58,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"insert.cosine", "1", "The thesis's cosine of the penetration angle, mean over time: 0 perfect, 1 worst.", "mean of sqrt(1 - (t . n)^2)", "M38", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"insert.angle", "rad", "Angle to the inward normal while in the tissue, by way.", "sqrt(integral of angle^2 dl / l), l: way of the needle through its entry", "M39", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"insert.in_angle", "1", "Share of that way within in_angle.", "way with angle <= in_angle / way", "M40", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C},
+    {"insert.exit_distance", "m", "Distance of the last exit from its mark, along the surface; told where the lesson has such a mark.", "length of e - e.n n, e = exit - mark", "M41", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"insert.exit_angle", "rad", "Angle to the outward normal at the exit.", "acos(t . n)", "M41", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"insert.depth", "1", "The deepest that the point has been below the surface, over the thickness of the wall.", "max of -height / thickness where it went in", "M46", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_B},
     {"insert.arc_error", "m", "Distance of the entry from the needle's own curve, by way: 0 when it is turned about its centre.", "sqrt(integral of d^2 dl / l)", "M47", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
@@ -83,7 +85,7 @@ using lessons::kHeard;
 enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
-    {"target.near", "The point is where it should go in.", kHeard, 0},
+    {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
     {"insert.good", "In the tissue, within the angle.", kHeard, 0},
     {"insert.angle_off", "In the tissue, leaning more than the angle.", kFelt, 0},
     {"needle.stuck", "In the tissue, held by nobody.", kHeard, 0},

@@ -64,6 +64,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   needle_body_ = scene->object[needle_object_].first_body;
   tissue_body_ = scene->object[tissue_object_].first_body;
   target_ = binder.mark_point({0, 0, 0}, kMarkRadius, "target.point");
+  if (has_exit()) exit_ = binder.mark_point({0, 0, 0}, kMarkRadius, "exit.point");
 }
 
 void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
@@ -118,10 +119,11 @@ void InsertionLesson::activate(double dt_s) {
   rules.max_deflections = p.max_deflections;
   rules.drop_distance = p.drop_distance;
   rules.stitches = p.stitches;
+  rules.exit_mark = has_exit();
   judge_ = Judge(rules, dt_s);
 }
 
-/// The mark: somewhere on the surface, drawn once per attempt.
+/// The mark: somewhere on the surface, drawn once per attempt; and that of the exit, beside it.
 bool InsertionLesson::draw(const View& scene, Kept& kept) {
   const toolkit::Pose X_WO(scene.pose(tissue_body_));
   const auto between = [this](const Interval& range) {
@@ -132,6 +134,7 @@ bool InsertionLesson::draw(const View& scene, Kept& kept) {
   if (!place) return false;
   Eigen::Map<Vec3>(kept.target) = vec(place->p_W);
   Eigen::Map<Vec3>(kept.normal) = vec(place->normal_W);
+  Eigen::Map<Vec3>(kept.exit) = vec(place->p_W) + X_WO.q * Eigen::Map<const Vec3>(params_.exit.data());
   kept.drawn = 1;
   return true;
 }
@@ -144,6 +147,7 @@ void InsertionLesson::next_mark(const View& scene, Kept& kept) const {
   const auto place =
       tissue_.inside(scene.object(tissue_object_), toolkit::raw(Vec3(target + params_.spacing * along)));
   if (!place) return;
+  Eigen::Map<Vec3>(kept.exit) += vec(place->p_W) - target;
   target = vec(place->p_W);
   normal = vec(place->normal_W);
 }
@@ -189,6 +193,7 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.point_W = vec(point->p_W);
   look.target_W = Eigen::Map<const Vec3>(kept.target);
   look.normal_W = Eigen::Map<const Vec3>(kept.normal);
+  look.exit_target_W = Eigen::Map<const Vec3>(kept.exit);
   look.diameter = 2 * point->radius;
   read_pierce(scene, look);
   read_stray(scene, *jaws, look);
@@ -264,9 +269,13 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
   show(tissue_object_, finding.torn ? sign(Sign::kTorn) : Cue());
-  const swage_vec3 p_W{kept.target[0], kept.target[1], kept.target[2]};
-  const Cue near = finding.near ? sign(Sign::kNear) : Cue();
-  verdict.mark(target_, finding.end == End::kPassed ? sign(Sign::kDone) : near, &p_W);
+  const auto point = [&](Mark mark, const double(&p)[3], bool near) {
+    const swage_vec3 p_W{p[0], p[1], p[2]};
+    if (finding.end == End::kPassed) return verdict.mark(mark, sign(Sign::kDone), &p_W);
+    verdict.mark(mark, near ? sign(Sign::kNear) : Cue(), &p_W);
+  };
+  point(target_, kept.target, finding.near);
+  if (has_exit()) point(exit_, kept.exit, finding.exit_near);
 
   // what happened
   if (finding.dropped) verdict.event(dropped_);
@@ -317,6 +326,7 @@ void InsertionLesson::report_stitches(const Look& look, const Memory& m, const V
   tell(Measure::kBiteIn, s.bite_in / look.diameter);
   if (params_.task == Task::kStitch) tell(Measure::kStitches, s.count);
   if (s.out == 0 && s.count == 0) return;
+  if (has_exit()) tell(Measure::kExitDistance, m.exit_distance);
   tell(Measure::kExitAngle, m.exit_angle);
   tell(Measure::kBiteOut, s.bite_out / look.diameter);
   tell(Measure::kAsymmetry, Stitches::asymmetry(s));

@@ -6,6 +6,7 @@
 
 #include <swage/lesson.hpp>
 
+#include <array>
 #include <string>
 
 #include "card.hpp"
@@ -32,7 +33,8 @@ struct InsertionParams {
   int max_deflections = Rules{}.max_deflections;
   double drop_distance = Rules{}.drop_distance;  // m
   int stitches = 1;
-  double spacing = 1e-3;  // m
+  double spacing = 1e-3;                   // m
+  std::array<double, 3> exit = {0, 0, 0};  // m, from the mark, in the tissue's frame; 0: no such mark
 };
 
 class InsertionLesson final : public Lesson<InsertionParams> {
@@ -100,6 +102,10 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::spacing>("spacing", "Spacing", "m", "mm", -0.1, 0.1,
                                       "From one stitch to the next, along the edge.")
           .group("Stitch"),
+      vector<&InsertionParams::exit>("exit", "Exit", "m", "mm", -0.1, 0.1,
+                                     "From the mark to one where the point should come out, along x, y and z "
+                                     "of the tissue; 0 0 0: there is none.")
+          .group("Stitch"),
   };
 
   void build(const InsertionParams& params, LessonBuilder& builder) override;
@@ -114,6 +120,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
     Memory memory;
     double drawn = 0;                                     // 0 or 1
     double target[3] = {0, 0, 0}, normal[3] = {0, 0, 1};  // m, unit; W
+    double exit[3] = {0, 0, 0};                           // m, W: where it should come out
   };
   /// Signals and events of the coupling that pierces.
   struct Pierce {
@@ -132,6 +139,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
   void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;
+  bool has_exit() const { return params_.exit != std::array<double, 3>{0, 0, 0}; }
   Cue sign(Sign sign) const { return cue_[static_cast<size_t>(sign)]; }
 
   InsertionParams params_;
@@ -141,7 +149,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Peer gripper_, needle_, tissue_;
   uint32_t gripper_object_ = kNone, gripper_body_ = kNone, needle_object_ = kNone, needle_body_ = kNone,
            tissue_object_ = kNone, tissue_body_ = kNone;
-  Mark target_;
+  Mark target_, exit_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];                      // by Stage

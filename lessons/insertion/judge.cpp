@@ -12,6 +12,8 @@ constexpr double kGoodWound = 2;
 // So much of the needle must be behind the jaws' place before a second grasp counts as one on the other side.
 constexpr double kOtherSide = 0.02;
 
+double along_surface(const Vec3& way, const Vec3& normal) { return (way - way.dot(normal) * normal).norm(); }
+
 }  // namespace
 
 Judge::Judge(const Rules& rules, double dt)
@@ -38,9 +40,8 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
 void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept {
   if (look.deflected) memory.deflections += 1;
   if (look.entered) {
-    const Vec3 off = look.entry_W - look.target_W;
     memory.entries += 1;
-    memory.entry_distance = (off - off.dot(look.normal_W) * look.normal_W).norm();
+    memory.entry_distance = along_surface(look.entry_W - look.target_W, look.normal_W);
     memory.entry_angle = look.angle;
     memory.wall = look.hole.wall;
     memory.missed = memory.entry_distance > rules_.tolerance ? 1 : 0;
@@ -52,15 +53,16 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
   if (look.exited) {
     memory.exited = 1;
     memory.exit_angle = look.exit_angle;
+    memory.exit_distance = along_surface(look.hole.p_W - look.exit_target_W, look.hole.normal_W);
     Stitches::exit(memory.stitch, look.hole, 2 * look.diameter);
   }
   if (look.passed) memory.through = 1;
 
   // where it is going to go in
   const Vec3 ahead = look.point_W - look.target_W;
-  const Vec3 beside = ahead - ahead.dot(look.normal_W) * look.normal_W;
-  finding.near =
-      !look.in_tissue && look.held && ahead.norm() < 4 * rules_.tolerance && beside.norm() < rules_.tolerance;
+  finding.near = !look.in_tissue && look.held && ahead.norm() < 4 * rules_.tolerance &&
+                 along_surface(ahead, look.normal_W) < rules_.tolerance;
+  finding.exit_near = rules_.exit_mark && memory.exited != 0 && memory.exit_distance < rules_.tolerance;
 }
 
 // Everything about the angle is weighted by the needle's way through its entry: waiting costs nothing and mends nothing.

@@ -41,6 +41,7 @@ struct Rules {
   int max_deflections = 5;
   double drop_distance = 3e-3;  // m
   int stitches = 1;             // that are asked for
+  bool exit_mark = false;       // there is a mark where it should come out
 };
 
 /// What one step shows. The pierce.* signals under short names.
@@ -52,6 +53,7 @@ struct Look {
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   double length = 0;                                   // m, of the needle
   Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
+  Vec3 exit_target_W = Vec3::Zero();                                        // m
   bool in_tissue = false;                                                   // the track is open
   bool entered = false, exited = false, passed = false, deflected = false;  // events of this step
   double angle = 0, cosine = 0;                                             // rad, 1
@@ -75,7 +77,7 @@ struct Memory {
   double drops = 0, entries = 0, deflections = 0, missed = 0;
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double wall = 0;                             // m, where it went in
-  double exit_angle = 0;                       // rad
+  double exit_angle = 0, exit_distance = 0;    // rad, m, of the last exit
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
   double travel = 0, travel_in = 0;            // m, of the needle through its entry, and within the angle
   double angle2 = 0, arc2 = 0;                 // rad2 m, m3: integrals over the travel
@@ -95,6 +97,7 @@ struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
   bool near = false;                           // the point is where it should go in
+  bool exit_near = false;                      // it came out where it should
   bool angle_good = false, angle_off = false;  // in the tissue
   bool stuck = false;                          // let go in the tissue
   bool torn = false;                           // the wound is beyond what is good

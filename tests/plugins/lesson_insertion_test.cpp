@@ -103,6 +103,8 @@ TEST_F(InsertionOnStage, AStitchTellsItsBitesAndMovesTheMarkOn) {
   observe();
   EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "release"));
   EXPECT_EQ(metric("insert.exit_angle"), 0.2);
+  EXPECT_EQ(metrics.count(stage.index_of(SWAGE_DECLARE_METRIC, "insert.exit_distance")), 0u)
+      << "no mark, no distance";
   EXPECT_NEAR(metric("stitch.bite_in"), 6, 1e-9);
   EXPECT_NEAR(metric("stitch.bite_out"), 2, 1e-9);
   EXPECT_NEAR(metric("stitch.asymmetry"), 1, 1e-9);
@@ -122,6 +124,50 @@ TEST_F(InsertionOnStage, AStitchTellsItsBitesAndMovesTheMarkOn) {
   EXPECT_EQ(metric("stitch.count"), 1);
   EXPECT_NEAR(std::abs(mark_p_W[0].y - before.y), 0.7e-3, 1e-9);  // the edge leads along y
   EXPECT_NEAR(mark_p_W[0].x, before.x, 1e-9);
+}
+
+TEST_F(InsertionOnStage, WhereItShouldComeOutIsAMarkOfItsOwn) {
+  stage::Params params = at_origin();
+  params.insert({"task", 1});
+  params.insert({"stitches", 2});
+  params.insert({"spacing", 0.7e-3});
+  params.insert({"exit", std::vector<double>{0.5e-3, 0, -1e-3}});
+  ASSERT_EQ(bind(params), SWAGE_OK);
+  ASSERT_EQ(marks.size(), 2u);
+  EXPECT_EQ(std::string(marks[1].meaning.data, marks[1].meaning.size), "exit.point");
+  start();
+  hold(0, 0.6, 0.7);
+  observe();
+  EXPECT_EQ(mark_p_W[1].x, 0.5e-3);
+  EXPECT_EQ(mark_p_W[1].z, -1e-3);
+  enter(0);
+  EXPECT_EQ(metrics.count(stage.index_of(SWAGE_DECLARE_METRIC, "insert.exit_distance")), 0u);
+  happen("pierce.exited");
+  now("pierce.exit_x") = 0.8e-3;
+  now("pierce.exit_y") = 0.4e-3;
+  observe();
+  // 3, 4, 5; how deep the exit is does not count
+  EXPECT_NEAR(metric("insert.exit_distance"), 0.5e-3, 1e-12);
+  EXPECT_EQ(mark_cues[1], SWAGE_NONE) << "further off than the tolerance";
+  happen("pierce.exited");
+  now("pierce.exit_x") = 0.6e-3;
+  now("pierce.exit_y") = 0;
+  observe();
+  EXPECT_NEAR(metric("insert.exit_distance"), 0.1e-3, 1e-12);
+  EXPECT_EQ(mark_cues[1], cue("target.near"));
+
+  // the next stitch takes both marks along
+  let_go(0);
+  observe();
+  now("pierce.s") = 0.8;
+  hold(0, 0.2, 0.7);
+  happen("pierce.passed");
+  observe();
+  observe();
+  EXPECT_NEAR(std::abs(mark_p_W[0].y), 0.7e-3, 1e-9);
+  EXPECT_NEAR(mark_p_W[1].y, mark_p_W[0].y, 1e-12);
+  EXPECT_NEAR(mark_p_W[1].x, 0.5e-3, 1e-12);
+  EXPECT_EQ(mark_cues[1], SWAGE_NONE);
 }
 
 TEST_F(InsertionOnStage, FailsWithAReasonAndCountsWhatIsStray) {
