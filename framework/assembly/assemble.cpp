@@ -130,6 +130,20 @@ void Assembler::check_requirements() {
   }
 }
 
+void Assembler::keep_files(const std::vector<host::GivenFile>& files) {
+  for (const host::GivenFile& given : files) {
+    const bool known = std::any_of(rig_->files.begin(), rig_->files.end(),
+                                   [&](const host::GivenFile& f) { return f.written == given.written; });
+    if (!known) rig_->files.push_back(given);
+  }
+}
+
+uint32_t Assembler::add_random(int32_t kind) {
+  if (kind == SWAGE_KIND_DEVICE) return kNone;
+  rig_->world.random.push_back(0);
+  return static_cast<uint32_t>(rig_->world.random.size() - 1);
+}
+
 std::unique_ptr<Instance> Assembler::make(const PluginUse& use, int32_t kind, const std::string& name,
                                           uint32_t object, const swage_pose& X_WO,
                                           const std::string& where_params,
@@ -144,22 +158,14 @@ std::unique_ptr<Instance> Assembler::make(const PluginUse& use, int32_t kind, co
   host::ParamValues values;
   host::ParamSource source{plugin->id, file_.folder(), plugin->bundle_dir, where, &overrides_.files};
   const bool good = host::check_params(use.params, plugin->params, source, values, problems_);
-  for (const host::GivenFile& given : values.files) {
-    const bool known = std::any_of(rig_->files.begin(), rig_->files.end(),
-                                   [&](const host::GivenFile& f) { return f.written == given.written; });
-    if (!known) rig_->files.push_back(given);
-  }
+  keep_files(values.files);
   std::string sentence;
   const host::Library* library = catalogue_.load(*plugin, sentence);
   if (library == nullptr) error(use.pointer + "/plugin", sentence);
   if (!good || library == nullptr) return nullptr;
 
-  // a device draws outside of the saved state: it may live on a thread of its own, and a replay does without
-  // it
-  const bool in_state = kind != SWAGE_KIND_DEVICE;
-  const uint32_t random = in_state ? static_cast<uint32_t>(rig_->world.random.size()) : kNone;
-  if (in_state) rig_->world.random.push_back(0);
-  auto instance = Instance::create(*plugin, *library, name, rig_->shared, random, file_.seed, sentence);
+  auto instance =
+      Instance::create(*plugin, *library, name, rig_->shared, add_random(kind), file_.seed, sentence);
   if (!instance) {
     error(use.pointer + "/plugin", sentence);
     return nullptr;

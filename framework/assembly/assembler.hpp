@@ -33,6 +33,10 @@ class Assembler {
                                        uint32_t object, const swage_pose& X_WO,
                                        const std::string& where_params,
                                        std::unique_ptr<host::Builder>& builder);
+  void keep_files(const std::vector<host::GivenFile>& files);
+  /// A stream of random numbers in the saved state. None for a device: it draws outside of the state, may live on a thread of its own,
+  /// and a replay does without it.
+  uint32_t add_random(int32_t kind);
   /// An extension of the instance, whole; without it an error when it is needed.
   template <class Table>
   const Table* table(host::Instance& instance, const char* id, const PluginUse& use, bool needed = true) {

@@ -190,6 +190,14 @@ const Motion& Detector::motion(const scene::World& world, uint32_t body) noexcep
   return m.motion;
 }
 
+Query Detector::query_of(const scene::World& world, const ShapePair& pair, double margin) const noexcept {
+  Query query{margin, world.length, options_.flatness, options_.line_points};
+  query.piece = in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b);
+  if (query.piece) query.line_points = kChainPoints;
+  query.goes_on = goes_on_[pair.shape_a] || goes_on_[pair.shape_b];
+  return query;
+}
+
 void Detector::detect_shapes(const scene::World& world, ShapePair& pair, ContactSet& set) noexcept {
   const Solid &a = solids_[pair.shape_a], &b = solids_[pair.shape_b];
   const uint32_t body_a = world.shape[pair.shape_a].body, body_b = world.shape[pair.shape_b].body;
@@ -204,13 +212,10 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
       (ball_[pair.shape_a].centre - ball_[pair.shape_b].centre).norm() - a.bound - b.bound - margin;
   const Motion &motion_a = motion(world, body_a), &motion_b = motion(world, body_b);
   const double moves = relative_motion(a, motion_a, motion_b);
-  Query query{margin + moves, world.length, options_.flatness, options_.line_points};
-  query.piece = in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b);
-  if (query.piece) query.line_points = kChainPoints;
-  query.goes_on = goes_on_[pair.shape_a] || goes_on_[pair.shape_b];
+  if (apart > moves) return;
+  const Query query = query_of(world, pair, margin + moves);
   Separation none;
   Separation& memory = pair.remembers ? pair.memory : none;
-  if (apart > moves) return;
 
   // chains of the thesis, sphere by sphere
   if (!chains_[pair.shape_a].node.empty() || !chains_[pair.shape_b].node.empty())

@@ -94,6 +94,7 @@ class Detector {
   void look_around(const scene::World& world) noexcept;
   bool far_apart(const Ball& ball, uint32_t other, double margin) const noexcept;
   const Motion& motion(const scene::World& world, uint32_t body) noexcept;
+  Query query_of(const scene::World& world, const ShapePair& pair, double margin) const noexcept;
   void detect_shapes(const scene::World& world, ShapePair& pair, ContactSet& set) noexcept;
   void detect_chain(const scene::World& world, const ShapePair& pair, const Query& query,
                     ContactSet& set) noexcept;

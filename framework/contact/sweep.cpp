@@ -51,6 +51,16 @@ class Nearest {
   double gap_ = 0;
 };
 
+/// Whether their bounding spheres are apart by more than their centres move.
+bool stay_apart(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
+                double tolerance) {
+  const Vec3 centres = motion_a.X0 * a.centre - motion_b.X0 * b.centre;
+  const double moved = (motion_a.d - motion_b.d).norm() + motion_a.turn.norm() * a.centre.norm() +
+                       motion_b.turn.norm() * b.centre.norm();
+  const double reach = a.bound + b.bound + std::max(moved, tolerance);
+  return centres.squaredNorm() > reach * reach;
+}
+
 }  // namespace
 
 double relative_motion(const Solid& a, const Motion& motion_a, const Motion& motion_b) noexcept {
@@ -61,12 +71,7 @@ double relative_motion(const Solid& a, const Motion& motion_a, const Motion& mot
 
 FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
                        double tolerance, Separation& memory, Manifold& work) noexcept {
-  // bounding spheres apart by more than their centres move
-  const Vec3 centres = motion_a.X0 * a.centre - motion_b.X0 * b.centre;
-  const double moved = (motion_a.d - motion_b.d).norm() + motion_a.turn.norm() * a.centre.norm() +
-                       motion_b.turn.norm() * b.centre.norm();
-  const double reach = a.bound + b.bound + std::max(moved, tolerance);
-  if (centres.squaredNorm() > reach * reach) return {};
+  if (stay_apart(a, motion_a, b, motion_b, tolerance)) return {};
   if (is_wire(a) && has_vertices(b)) return first_touch_wire(a, motion_a, b, motion_b, tolerance, memory);
   if (is_wire(b) && has_vertices(a)) return first_touch_wire(b, motion_b, a, motion_a, tolerance, memory);
 

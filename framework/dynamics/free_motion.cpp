@@ -191,6 +191,39 @@ void runge_kutta4(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   x.q.normalize();
 }
 
+// exact for a constant force; the two Euler methods keep their own order
+void translate(FreeMotion method, const RigidMass& m, const Vec3& f_W, double h, RigidState& s) noexcept {
+  const Vec3 v0 = s.v_W;
+  s.v_W += h / m.mass * f_W;
+  switch (method) {
+    case FreeMotion::kThesis:
+      s.p_W += h * v0;
+      break;
+    case FreeMotion::kSymplecticEuler:
+      s.p_W += h * s.v_W;
+      break;
+    default:
+      s.p_W += 0.5 * h * (v0 + s.v_W);
+  }
+}
+
+// L(t + h) = L + h t in W; R(t + h) = R + h [w]x R, back to a rotation
+void turn_thesis(const Vec3& t_W, double h, const Vec3& w_W, Spin& x) noexcept {
+  const Vec3 L_W = x.q * x.L + h * t_W;
+  const Quat dq = Quat(0, 0.5 * h * w_W.x(), 0.5 * h * w_W.y(), 0.5 * h * w_W.z()) * x.q;
+  x.q.coeffs() += dq.coeffs();
+  x.q.normalize();
+  x.L = x.q.conjugate() * L_W;
+}
+
+void turn_symplectic_euler(const RigidMass& m, const Vec3& t_W, double h, Spin& x) noexcept {
+  const Vec3 L_W = x.q * x.L + h * t_W;
+  x.L = x.q.conjugate() * L_W;
+  x.q = x.q * turn(h * m.inv_I.cwiseProduct(x.L));
+  renormalise(x.q);
+  x.L = x.q.conjugate() * L_W;
+}
+
 }  // namespace
 
 RigidMass::RigidMass(double mass_kg, const Vec3& principal)
@@ -211,41 +244,16 @@ RigidMass::RigidMass(double mass_kg, const Vec3& principal)
 
 void move_free(FreeMotion method, const RigidMass& m, const Vec3& f_W, const Vec3& t_W, double h,
                RigidState& s) noexcept {
-  // translation: exact for a constant force; the two Euler methods keep their own order
-  const Vec3 v0 = s.v_W;
-  s.v_W += h / m.mass * f_W;
-  switch (method) {
-    case FreeMotion::kThesis:
-      s.p_W += h * v0;
-      break;
-    case FreeMotion::kSymplecticEuler:
-      s.p_W += h * s.v_W;
-      break;
-    default:
-      s.p_W += 0.5 * h * (v0 + s.v_W);
-  }
-
-  // rotation
+  translate(method, m, f_W, h, s);
   if (method == FreeMotion::kElliptic) return elliptic(m, t_W, h, s);
   Spin x{s.q_WB, m.I.cwiseProduct(s.q_WB.conjugate() * s.w_W)};
   switch (method) {
-    case FreeMotion::kThesis: {
-      // L(t + h) = L + h t in W; R(t + h) = R + h [w]x R, back to a rotation
-      const Vec3 L_W = x.q * x.L + h * t_W;
-      const Quat dq = Quat(0, 0.5 * h * s.w_W.x(), 0.5 * h * s.w_W.y(), 0.5 * h * s.w_W.z()) * x.q;
-      x.q.coeffs() += dq.coeffs();
-      x.q.normalize();
-      x.L = x.q.conjugate() * L_W;
+    case FreeMotion::kThesis:
+      turn_thesis(t_W, h, s.w_W, x);
       break;
-    }
-    case FreeMotion::kSymplecticEuler: {
-      const Vec3 L_W = x.q * x.L + h * t_W;
-      x.L = x.q.conjugate() * L_W;
-      x.q = x.q * turn(h * m.inv_I.cwiseProduct(x.L));
-      renormalise(x.q);
-      x.L = x.q.conjugate() * L_W;
+    case FreeMotion::kSymplecticEuler:
+      turn_symplectic_euler(m, t_W, h, x);
       break;
-    }
     case FreeMotion::kRungeKutta4:
       runge_kutta4(m, t_W, h, x);
       break;

@@ -111,6 +111,36 @@ bool parse(const std::string& text, const Read& read) {
   }
 }
 
+// in the order of the columns of `attempt`
+Write attempt_row(const std::string& attempt_id, const std::string& session, const std::string& now,
+                  const AttemptInfo& info) {
+  return {Kind::kAttempt,
+          {attempt_id,
+           session,
+           info.lesson_id,
+           info.lesson_title,
+           info.mode,
+           info.device,
+           now,
+           std::string(),
+           std::string("running"),
+           std::string(judge::text(judge::Outcome::kRunning)),
+           std::string(),
+           0.0,
+           0.0,
+           int64_t{0},
+           int64_t{0},
+           static_cast<int64_t>(info.seed),
+           info.dt,
+           int64_t{info.realtime},
+           info.descriptor_text,
+           info.descriptor_path,
+           record::to_json(info.plugins),
+           record::to_json(info.devices),
+           record::to_json(info.script),
+           std::string("{}")}};
+}
+
 }  // namespace
 
 std::size_t arity(Kind kind) { return statement(kind).arity; }
@@ -136,31 +166,7 @@ Batch attempt_rows(const std::string& attempt_id, const AttemptInfo& info) {
   out.push_back({Kind::kPerson, {make_id(), info.person, now}});
   out.push_back({Kind::kSession, {session, station(), std::string(SWAGE_VERSION), now, info.person}});
   out.push_back({Kind::kDevice, {make_id(), info.device, std::string(), std::string()}});
-  out.push_back({Kind::kAttempt,
-                 {attempt_id,
-                  session,
-                  info.lesson_id,
-                  info.lesson_title,
-                  info.mode,
-                  info.device,
-                  now,
-                  std::string(),
-                  std::string("running"),
-                  std::string(judge::text(judge::Outcome::kRunning)),
-                  std::string(),
-                  0.0,
-                  0.0,
-                  int64_t{0},
-                  int64_t{0},
-                  static_cast<int64_t>(info.seed),
-                  info.dt,
-                  int64_t{info.realtime},
-                  info.descriptor_text,
-                  info.descriptor_path,
-                  to_json(info.plugins),
-                  to_json(info.devices),
-                  to_json(info.script),
-                  std::string("{}")}});
+  out.push_back(attempt_row(attempt_id, session, now, info));
   for (std::size_t i = 0; i < info.hands.size(); ++i) {
     const HandInfo& h = info.hands[i];
     out.push_back({Kind::kHand,

@@ -128,6 +128,22 @@ void configure_postgres(QSqlDatabase& db, const std::string& where) {
   db.setConnectOptions(QStringLiteral("connect_timeout=5"));
 }
 
+// whether the file of an SQLite store can be written or read; it is made when it is to be written
+bool file_ready(const std::string& where, Access access, std::string& error) {
+  if (access == Access::kWrite) return make_private_file(where, error);
+  if (::access(where.c_str(), R_OK) == 0) return true;
+  error = where + " cannot be read: " + std::strerror(errno) + ".";
+  return false;
+}
+
+void configure_sqlite(QSqlDatabase& db, const std::string& where, Access access) {
+  db.setDatabaseName(QString::fromStdString(where));
+  // 2000 ms: longer than any measured commit, shorter than the recorder's ring lasts
+  db.setConnectOptions(access == Access::kRead
+                           ? QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000;QSQLITE_OPEN_READONLY")
+                           : QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000"));
+}
+
 }  // namespace
 
 int64_t integer(const Value& value) {
@@ -234,12 +250,8 @@ std::unique_ptr<Database> Database::open(const std::string& where, Access access
                                          Trouble* why) {
   const bool postgres = is_postgres(where);
   if (why != nullptr) *why = Trouble::kOther;
-  if (!postgres && access == Access::kWrite && !make_private_file(where, error)) {
+  if (!postgres && !file_ready(where, access, error)) {
     if (why != nullptr && errno == ENOSPC) *why = Trouble::kFull;
-    return nullptr;
-  }
-  if (!postgres && access == Access::kRead && ::access(where.c_str(), R_OK) != 0) {
-    error = where + " cannot be read: " + std::strerror(errno) + ".";
     return nullptr;
   }
 
@@ -253,15 +265,10 @@ std::unique_ptr<Database> Database::open(const std::string& where, Access access
   connection->postgres = postgres;
   connection->name = unique_name();
   connection->db = QSqlDatabase::addDatabase(driver, connection->name);
-  if (postgres) {
+  if (postgres)
     configure_postgres(connection->db, where);
-  } else {
-    connection->db.setDatabaseName(QString::fromStdString(where));
-    // 2000 ms: longer than any measured commit, shorter than the recorder's ring lasts
-    connection->db.setConnectOptions(access == Access::kRead
-                                         ? QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000;QSQLITE_OPEN_READONLY")
-                                         : QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000"));
-  }
+  else
+    configure_sqlite(connection->db, where, access);
   const bool opened = connection->db.open();
   if (!opened) {
     connection->failed(connection->db.lastError());
@@ -326,9 +333,3 @@ Trouble Database::trouble() const { return connection_->trouble; }
 const std::string& Database::error() const { return connection_->error; }
 
 }  // namespace swage::record
-
-#ifdef __SANITIZE_ADDRESS__
-// Qt keeps what it knows of the main thread (464 bytes, once) until after the search for leaks
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libQt6Core.so\n"; }
-#endif

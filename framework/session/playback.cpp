@@ -63,6 +63,18 @@ assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& f
   return out;
 }
 
+// other versions may well give other bits: told, not refused
+void tell_other_versions(const host::Rig& rig, const record::AttemptInfo& info, base::Problems& problems) {
+  const std::vector<host::Instance*> all = host::instances(rig);
+  for (std::size_t i = 0; i < std::min(all.size(), info.plugins.size()); ++i) {
+    const auto& [id, version] = info.plugins[i];
+    if (all[i]->plugin_id == id && all[i]->plugin_version == version) continue;
+    problems.push_back({base::Severity::kWarning, all[i]->name,
+                        "Recorded with " + id + " " + version + ", replayed with " + all[i]->plugin_id + " " +
+                            all[i]->plugin_version + "."});
+  }
+}
+
 }  // namespace
 
 // gives the recorded sample of each step, whatever is asked
@@ -103,16 +115,7 @@ bool Playback::build(base::Problems& problems) {
   const Unpacked files(info.files);
   rig_ = assembly::assemble(file, catalogue, overrides(info, files), problems);
   if (!rig_) return false;
-
-  // other versions may well give other bits: told, not refused
-  const std::vector<host::Instance*> all = host::instances(*rig_);
-  for (std::size_t i = 0; i < std::min(all.size(), info.plugins.size()); ++i) {
-    const auto& [id, version] = info.plugins[i];
-    if (all[i]->plugin_id == id && all[i]->plugin_version == version) continue;
-    problems.push_back({Severity::kWarning, all[i]->name,
-                        "Recorded with " + id + " " + version + ", replayed with " + all[i]->plugin_id + " " +
-                            all[i]->plugin_version + "."});
-  }
+  tell_other_versions(*rig_, info, problems);
   if (rig_->devices.size() != info.devices.size()) {
     problems.push_back({Severity::kError, info.descriptor_path,
                         "The recording has " + std::to_string(info.devices.size()) + " devices, its lesson " +

@@ -96,9 +96,8 @@ void mirror(snapshot::Snapshot& out) {
 
 }  // namespace
 
-void Engine::fill(snapshot::Snapshot& out) const noexcept {
-  // the first picture is taken on [main], before the step thread lives; the plugins it asks are between steps all the same
-  const host::ScopedRole rt(SWAGE_THREAD_RT);
+// how many there are of everything, and what the lesson says
+void Engine::fill_head(snapshot::Snapshot& out) const noexcept {
   using namespace snapshot;
   const scene::World& w = rig_.world;
   const judge::Verdict& v = judging_.verdict();
@@ -120,6 +119,14 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
   out.reason = v.reason;
   out.phase = v.phase;
   out.score = v.score;
+}
+
+void Engine::fill(snapshot::Snapshot& out) const noexcept {
+  // the first picture is taken on [main], before the step thread lives; the plugins it asks are between steps all the same
+  const host::ScopedRole rt(SWAGE_THREAD_RT);
+  const scene::World& w = rig_.world;
+  const judge::Verdict& v = judging_.verdict();
+  fill_head(out);
   std::copy_n(w.X_WB.begin(), out.n_body, out.X_WB);
   std::copy_n(w.particle_p_W.begin(), 3 * out.n_particle, out.particle_p_W);
   std::copy_n(v.object_cue.begin(), out.n_object, out.object_cue);

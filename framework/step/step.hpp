@@ -113,6 +113,7 @@ class Engine {
   void write_state(scene::Writer& out) const noexcept;
   bool read_state(scene::Reader& in) noexcept;
   void rehash() noexcept;
+  void fill_head(snapshot::Snapshot& out) const noexcept;
   void fill_marks(snapshot::Snapshot& out) const noexcept;
 
   host::Rig& rig_;

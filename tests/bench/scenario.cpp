@@ -22,6 +22,15 @@ Pose tool_pose(Tool tool, double amount, double t, base::Xoshiro256& rng) {
   return {Vec3{jitter(), jitter(), jitter()}, Quat::Identity()};
 }
 
+/// What the slip `s` at time `t` changes in the result; whether the needle is still held.
+bool still_held(HoldResult& r, double t, const Slip& s) {
+  r.worst = std::max(r.worst, s.distance());
+  r.end = s;
+  if (t <= 1) r.after_1s = s;
+  if (t <= 10) r.after_10s = s;
+  return s.distance() <= kLostAt && s.turn <= 0.5;
+}
+
 }  // namespace
 
 HoldResult hold(const Method& method, const Setup& setup, double overlap, double seconds, Tool tool,
@@ -53,16 +62,7 @@ HoldResult hold(const Method& method, const Setup& setup, double overlap, double
     const double start = now_ns();
     e.step();
     ns.push_back(now_ns() - start);
-    if (!finite(e.needle())) {
-      r.lost_at = t;
-      break;
-    }
-    const Slip s = slip_between(e, X_WT, reference);
-    r.worst = std::max(r.worst, s.distance());
-    r.end = s;
-    if (t <= 1) r.after_1s = s;
-    if (t <= 10) r.after_10s = s;
-    if (s.distance() > kLostAt || s.turn > 0.5) {
+    if (!finite(e.needle()) || !still_held(r, t, slip_between(e, X_WT, reference))) {
       r.lost_at = t;
       break;
     }

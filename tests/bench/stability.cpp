@@ -146,6 +146,18 @@ bool exceeds(const StabilityScene& s, const Sweep::Line& line) {
   return false;
 }
 
+void read_sweep(const json& sweep, bool quick, StabilityScene& s) {
+  json list;
+  if (find(sweep, "values", list, s.value_scale)) {
+    double scale;
+    json few;
+    if (quick && find(sweep, "quick", few, scale)) list = few;
+    for (double v : list.get<std::vector<double>>()) s.values.push_back(v / s.value_scale);
+  } else if (s.scenario != "pinch") {
+    throw std::runtime_error("/sweep/values_<unit> is missing");
+  }
+}
+
 }  // namespace
 
 StabilityScene read_scene(const std::string& file, bool quick) {
@@ -164,15 +176,7 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.radius = in_si(j, "radius", s.radius);
     s.wire = in_si(j, "wire", s.wire);
     const json& sweep = j.at("sweep");
-    json list;
-    if (find(sweep, "values", list, s.value_scale)) {
-      double scale;
-      json few;
-      if (quick && find(sweep, "quick", few, scale)) list = few;
-      for (double v : list.get<std::vector<double>>()) s.values.push_back(v / s.value_scale);
-    } else if (s.scenario != "pinch") {
-      throw std::runtime_error("/sweep/values_<unit> is missing");
-    }
+    read_sweep(sweep, quick, s);
     json pass;
     if (!find(j, "pass", pass, s.measure_scale)) throw std::runtime_error("/pass is missing");
     s.pass = pass.get<double>();

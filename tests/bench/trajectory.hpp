@@ -67,6 +67,31 @@ inline double opening_for(const Needle& n, const Solid& s, int side, const Pose&
   return opening;
 }
 
+/// Opens or closes the jaws and brings the tool at time `t` (0 to 1) to a pose whose phase and needle are known.
+inline void place_jaws(TrajectoryPose& f, const Needle& n, const Solid (&solid)[2], double t) {
+  const auto gap = [&](size_t k, double wanted) {
+    return opening_for(n, solid[k], k == 0 ? 1 : -1, f.X_WN, wanted);
+  };
+  double opening[2] = {0.13, 0.13}, tool = 0;
+  if (f.phase == Phase::kFar) tool = -30e-3 + 22e-3 * t / 0.3;
+  if (f.phase == Phase::kNear)
+    tool = -8e-3 * (1 - (t - 0.3) / 0.3), opening[0] = opening[1] = 0.13 - 0.07 * (t - 0.3) / 0.3;
+  if (f.phase == Phase::kTouching) {
+    const double s = (t - 0.6) / 0.2;
+    const size_t k = static_cast<size_t>(20 * s) % 2;
+    opening[k] =
+        gap(k, 20e-6 * (1 - s) * (0.5 + 0.5 * std::sin(40 * s)) - 4e-6 * s * (0.5 - 0.5 * std::cos(55 * s)));
+    opening[1 - k] = 0.08;
+  }
+  if (f.phase == Phase::kGrasped) {
+    const double s = (t - 0.8) / 0.2;
+    for (size_t k = 0; k < 2; ++k)
+      opening[k] = gap(k, -0.5e-6 - 3e-6 * (0.5 + 0.5 * std::sin(60 * s + static_cast<double>(k))));
+  }
+  const Pose X_WT(Vec3(tool, 0, 0), Quat::Identity());
+  for (size_t k = 0; k < 2; ++k) f.X_WJ[k] = jaw_pose(X_WT, (k == 0 ? 1 : -1) * opening[k]);
+}
+
 /// `poses` poses: 30 % far (the tool comes from 30 mm), 30 % near (needle between open jaws), 20 % touching one jaw
 /// (gap +20 to -4 um), 20 % grasped (both -0.5 to -3.5 um).
 inline std::vector<TrajectoryPose> trajectory(const Needle& n, const Jaw& upper, const Jaw& lower,
@@ -90,28 +115,7 @@ inline std::vector<TrajectoryPose> trajectory(const Needle& n, const Jaw& upper,
     const Vec3 place(Jaw::kGrip + 0.8e-3 * size * wobble(4, t), 0.1e-3 * size * wobble(5, t), 0);
     f.X_WN = Pose(place - q * n.point(theta), q);
 
-    // jaws
-    double opening[2] = {0.13, 0.13}, tool = 0;
-    if (f.phase == Phase::kFar) tool = -30e-3 + 22e-3 * t / 0.3;
-    if (f.phase == Phase::kNear)
-      tool = -8e-3 * (1 - (t - 0.3) / 0.3), opening[0] = opening[1] = 0.13 - 0.07 * (t - 0.3) / 0.3;
-    if (f.phase == Phase::kTouching) {
-      const double s = (t - 0.6) / 0.2;
-      const double wanted =
-          20e-6 * (1 - s) * (0.5 + 0.5 * std::sin(40 * s)) - 4e-6 * s * (0.5 - 0.5 * std::cos(55 * s));
-      const size_t k = static_cast<size_t>(20 * s) % 2;
-      opening[k] = opening_for(n, solid[k], k == 0 ? 1 : -1, f.X_WN, wanted);
-      opening[1 - k] = 0.08;
-    }
-    if (f.phase == Phase::kGrasped) {
-      const double s = (t - 0.8) / 0.2;
-      for (size_t k = 0; k < 2; ++k) {
-        const double wanted = -0.5e-6 - 3e-6 * (0.5 + 0.5 * std::sin(60 * s + static_cast<double>(k)));
-        opening[k] = opening_for(n, solid[k], k == 0 ? 1 : -1, f.X_WN, wanted);
-      }
-    }
-    const Pose X_WT(Vec3(tool, 0, 0), Quat::Identity());
-    for (size_t k = 0; k < 2; ++k) f.X_WJ[k] = jaw_pose(X_WT, (k == 0 ? 1 : -1) * opening[k]);
+    place_jaws(f, n, solid, t);
     out.push_back(f);
   }
   return out;

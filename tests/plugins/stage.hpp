@@ -164,11 +164,28 @@ class Stage {
   void fill_builder() {
     builder_.struct_size = sizeof(swage_builder);
     builder_.host_data = this;
+    fill_shapes();
     builder_.body = [](swage_builder* b, int32_t motion, const swage_pose* X_OB, const swage_mass* mass,
                        const char* name) {
       of(b).bodies.push_back({motion, *X_OB, mass != nullptr ? *mass : swage_mass{}, name});
       return static_cast<uint32_t>(of(b).bodies.size() - 1);
     };
+    builder_.hinge = [](swage_builder* b, const swage_hinge* hinge) {
+      of(b).hinges.push_back(*hinge);
+      return static_cast<uint32_t>(of(b).hinges.size() - 1);
+    };
+    builder_.state = [](swage_builder* b, uint32_t n) { return of(b).n_state += n, 0u; };
+    builder_.declare = [](swage_builder* b, int32_t what, const char* id, const char*, const char*) {
+      auto& names = of(b).declared[what];
+      names.emplace_back(id);
+      return static_cast<uint32_t>(names.size() - 1);
+    };
+    builder_.error = [](swage_builder* b, const char* id, const char* message) {
+      of(b).errors.push_back(std::string(id) + ": " + message);
+    };
+  }
+
+  void fill_shapes() {
     builder_.sphere = [](swage_builder* b, uint32_t body, swage_vec3 c, double r, uint32_t flags) {
       return add_shape(b, SWAGE_SHAPE_SPHERE, body, flags, c, c, r);
     };
@@ -188,19 +205,6 @@ class Stage {
                                 {c->face_start, c->face_start + c->n_face + 1},
                                 {c->face_vertex, c->face_vertex + c->face_start[c->n_face]}});
       return add_shape(b, SWAGE_SHAPE_CONVEX, body, flags, {}, {}, 0);
-    };
-    builder_.hinge = [](swage_builder* b, const swage_hinge* hinge) {
-      of(b).hinges.push_back(*hinge);
-      return static_cast<uint32_t>(of(b).hinges.size() - 1);
-    };
-    builder_.state = [](swage_builder* b, uint32_t n) { return of(b).n_state += n, 0u; };
-    builder_.declare = [](swage_builder* b, int32_t what, const char* id, const char*, const char*) {
-      auto& names = of(b).declared[what];
-      names.emplace_back(id);
-      return static_cast<uint32_t>(names.size() - 1);
-    };
-    builder_.error = [](swage_builder* b, const char* id, const char* message) {
-      of(b).errors.push_back(std::string(id) + ": " + message);
     };
   }
 

@@ -18,6 +18,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -220,6 +221,22 @@ void print_json(const Soak& s, const Line* lines, int count, double minutes) {
   std::printf("]}\n");
 }
 
+// Half of the ticks are bare, half full: rates are per minute of each.
+std::array<Line, 4> lines_of(const Soak& soak) {
+  const auto late = static_cast<double>(soak.full.late);
+  const double full_minutes = static_cast<double>(soak.full.ticks) / 60e3;
+  const double rate = share(soak.bare.late, soak.bare.ticks) * static_cast<double>(soak.full.ticks);
+  const double late_bound = 1.5 * rate + 10 * full_minutes;
+  const double p99 = us(soak.full.cpu.quantile(0.99));
+  return {{{"late full ticks, against 1.5 bare + 10 a minute", late, late_bound, late <= late_bound,
+            soak.grant.fifo},
+           {"calls that may block, in full ticks", static_cast<double>(soak.calls.all()), 0,
+            soak.calls.all() == 0, counts()},
+           {"p99 of processor time per tick, us", p99, 200, p99 < 200, true},
+           {"attempts that did not pass", static_cast<double>(soak.attempts - soak.passed), 0,
+            soak.attempts == soak.passed, true}}};
+}
+
 int main_of(double minutes, bool json) {
   namespace fs = std::filesystem;
   char name[] = "/tmp/swage-soak-XXXXXX";
@@ -245,21 +262,9 @@ int main_of(double minutes, bool json) {
   delete exchange.ready.exchange(nullptr);
   fs::remove_all(folder);
 
-  // half of the ticks are bare, half full: rates are per minute of each
-  const double full_minutes = static_cast<double>(soak.full.ticks) / 60e3;
-  const double rate = share(soak.bare.late, soak.bare.ticks) * static_cast<double>(soak.full.ticks);
-  const double late_bound = 1.5 * rate + 10 * full_minutes;
-  const double p99 = us(soak.full.cpu.quantile(0.99));
-  const Line lines[] = {
-      {"late full ticks, against 1.5 bare + 10 a minute", static_cast<double>(soak.full.late), late_bound,
-       static_cast<double>(soak.full.late) <= late_bound, soak.grant.fifo},
-      {"calls that may block, in full ticks", static_cast<double>(soak.calls.all()), 0, soak.calls.all() == 0,
-       counts()},
-      {"p99 of processor time per tick, us", p99, 200, p99 < 200, true},
-      {"attempts that did not pass", static_cast<double>(soak.attempts - soak.passed), 0,
-       soak.attempts == soak.passed, true}};
-  constexpr int kLines = sizeof lines / sizeof lines[0];
-  json ? print_json(soak, lines, kLines, minutes) : print_text(soak, lines, kLines, minutes);
+  const auto lines = lines_of(soak);
+  json ? print_json(soak, lines.data(), static_cast<int>(lines.size()), minutes)
+       : print_text(soak, lines.data(), static_cast<int>(lines.size()), minutes);
   bool good = true;
   for (const Line& l : lines) good = good && (l.held || !l.judged);
   return good ? 0 : 1;

@@ -179,67 +179,82 @@ TEST(Thesis, EveryNodeOfTheTreeEnclosesItsSpheresAndEverySphereIsInOneLeaf) {
     }
 }
 
-TEST(Thesis, TheTreeFindsWhatBruteForceFindsAtTenThousandPoses) {
-  const bench::Needle n;
-  const Solid needle = bench::contact_solid(n);
-  const bench::Solid jaw(bench::jaw(1));
+/// A needle's chain of 100 spheres anywhere about a jaw, seen from the jaw.
+class ChainAtAJaw : public testing::Test {
+ protected:
+  using Hits = std::set<std::pair<uint32_t, uint32_t>>;  // sphere, faces that it touches as bits
+
+  ChainAtAJaw() {
+    for (const auto& f : solid.convex.face) {
+      loops.emplace_back();
+      for (const uint32_t v : f.vertex) loops.back().push_back(solid.convex.vertex[v]);
+      polygons.push_back({{}, f.n, f.d});
+    }
+    for (size_t i = 0; i < loops.size(); ++i) polygons[i].vertex = loops[i];
+  }
+
+  toolkit::Pose any_pose() {
+    return {Vec3(7e-3, 0, 0) + draw.vec(1.5e-3), toolkit::exp_rotation(draw.vec(3))};
+  }
+  uint32_t faces_touched(const Vec3& p) const {
+    uint32_t faces = 0;
+    for (uint32_t f = 0; f < polygons.size(); ++f)
+      if (sphere_polygon(p, needle.radius, polygons[f])) faces |= 1u << f;
+    return faces;
+  }
+  Hits brute_force(const toolkit::Pose& X) const {
+    Hits hits;
+    for (uint32_t i = 0; i < 100; ++i)
+      if (const uint32_t faces = faces_touched(X * chain[i])) hits.insert({i, faces});
+    return hits;
+  }
+  Hits by_tree(const SphereTree& tree, const toolkit::Pose& X) const {
+    Hits hits;
+    const auto near = [&](const Vec3& centre, double radius) {
+      const Vec3 p = X * centre;
+      for (const Polygon& f : polygons)
+        if (sphere_polygon(p, radius, f)) return true;
+      // a ball that holds the whole jaw touches none of its surfaces
+      return (p - solid.centre).norm() < radius + solid.bound && jaw.distance(p) < radius;
+    };
+    tree.visit(near, [&](uint32_t i) {
+      const uint32_t number = tree.number[i];
+      if (const uint32_t faces = faces_touched(X * chain[number])) hits.insert({number, faces});
+    });
+    return hits;
+  }
+
+  const Solid needle = bench::contact_solid(bench::Needle());
+  const bench::Solid jaw{bench::jaw(1)};
   const Solid solid = bench::contact_solid(bench::jaw(1));
+  const std::vector<Vec3> chain = sphere_chain(needle.arc, 100);
   std::vector<std::vector<Vec3>> loops;
   std::vector<Polygon> polygons;
-  for (const auto& f : solid.convex.face) {
-    loops.emplace_back();
-    for (const uint32_t v : f.vertex) loops.back().push_back(solid.convex.vertex[v]);
-    polygons.push_back({{}, f.n, f.d});
-  }
-  for (size_t i = 0; i < loops.size(); ++i) polygons[i].vertex = loops[i];
+  Draw draw;
+};
 
-  const std::vector<Vec3> chain = sphere_chain(needle.arc, 100);
+TEST_F(ChainAtAJaw, TheTreeFindsWhatBruteForceFindsAtTenThousandPoses) {
   const SphereTree trees[] = {build_sphere_tree(chain, needle.radius, {3, 4}),
                               build_sphere_tree(chain, needle.radius, {4, 4}),
                               build_sphere_tree(chain, needle.radius, {5, 4})};
-  Draw draw;
   int touching = 0;
   for (int k = 0; k < 10000; ++k) {
-    const toolkit::Pose X(Vec3(7e-3, 0, 0) + draw.vec(1.5e-3), toolkit::exp_rotation(draw.vec(3)));
-    const auto hit = [&](uint32_t i) {
-      uint32_t faces = 0;
-      for (uint32_t f = 0; f < polygons.size(); ++f)
-        if (sphere_polygon(X * chain[i], needle.radius, polygons[f])) faces |= 1u << f;
-      return faces;
-    };
-    std::set<std::pair<uint32_t, uint32_t>> brute;
-    for (uint32_t i = 0; i < 100; ++i)
-      if (const uint32_t faces = hit(i)) brute.insert({i, faces});
+    const toolkit::Pose X = any_pose();
+    const Hits brute = brute_force(X);
     touching += !brute.empty();
-    for (const SphereTree& tree : trees) {
-      std::set<std::pair<uint32_t, uint32_t>> found;
-      const auto near = [&](const Vec3& centre, double radius) {
-        const Vec3 p = X * centre;
-        for (const Polygon& f : polygons)
-          if (sphere_polygon(p, radius, f)) return true;
-        // a ball that holds the whole jaw touches none of its surfaces
-        return (p - solid.centre).norm() < radius + solid.bound && jaw.distance(p) < radius;
-      };
-      tree.visit(near, [&](uint32_t i) {
-        if (const uint32_t faces = hit(tree.number[i])) found.insert({tree.number[i], faces});
-      });
-      ASSERT_EQ(found, brute) << "pose " << k;
-    }
+    for (const SphereTree& tree : trees) ASSERT_EQ(by_tree(tree, X), brute) << "pose " << k;
   }
   EXPECT_GT(touching, 2000);
+}
 
-  // a tree whose nodes are too small misses some: the comparison can fail
-  SphereTree shrunk = trees[2];
+// so that the comparison can fail
+TEST_F(ChainAtAJaw, ATreeWhoseNodesAreTooSmallMissesSome) {
+  SphereTree shrunk = build_sphere_tree(chain, needle.radius, {5, 4});
   for (auto& node : shrunk.node) node.radius *= 0.3;
   int missed = 0;
   for (int k = 0; k < 1000; ++k) {
-    const toolkit::Pose X(Vec3(7e-3, 0, 0) + draw.vec(1.5e-3), toolkit::exp_rotation(draw.vec(3)));
-    size_t brute = 0, found = 0;
-    const auto touches = [&](uint32_t i) { return jaw.distance(X * chain[i]) < needle.radius; };
-    for (uint32_t i = 0; i < 100; ++i) brute += touches(i);
-    shrunk.visit([&](const Vec3& c, double r) { return jaw.distance(X * c) < r; },
-                 [&](uint32_t i) { found += touches(shrunk.number[i]); });
-    missed += found < brute;
+    const toolkit::Pose X = any_pose();
+    missed += by_tree(shrunk, X).size() < brute_force(X).size();
   }
   EXPECT_GT(missed, 0);
 }

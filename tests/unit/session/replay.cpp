@@ -9,6 +9,14 @@
 namespace swage::session {
 namespace {
 
+// Where the replay of an attempt leaves it; UINT64_MAX when it does not.
+uint64_t differs_at(const record::Recording& attempt, const std::vector<std::string>& plugin_dirs) {
+  Replay again;
+  Problems problems;
+  EXPECT_TRUE(replay(attempt, plugin_dirs, again, problems)) << told(problems);
+  return again.identical ? UINT64_MAX : again.first_difference;
+}
+
 TEST_F(SessionTest, ARecordedAttemptReplaysBitForBit) {
   options.store_path = folder + "/attempts.db";
   options.device = "mouse";  // nobody moves it: the attempt lasts until it is stopped
@@ -41,21 +49,15 @@ TEST_F(SessionTest, ARecordedAttemptReplaysBitForBit) {
 
   // a nanometre in one sample is found at that very step
   attempt.sample[1500].pose.p.y += 1e-9;
-  ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
-  EXPECT_FALSE(again.identical);
-  EXPECT_EQ(again.first_difference, 1500u);
+  EXPECT_EQ(differs_at(attempt, options.plugin_dirs), 1500u);
 
   // and so is a command that is missing, or is carried out one step late
   attempt.sample[1500].pose.p.y = recording(result.attempt_id).sample[1500].pose.p.y;
   const uint64_t when = attempt.commands[0].step;
   attempt.commands[0].step += 1;
-  ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
-  EXPECT_FALSE(again.identical);
-  EXPECT_EQ(again.first_difference, when);
+  EXPECT_EQ(differs_at(attempt, options.plugin_dirs), when);
   attempt.commands.clear();
-  ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
-  EXPECT_FALSE(again.identical);
-  EXPECT_EQ(again.first_difference, when);
+  EXPECT_EQ(differs_at(attempt, options.plugin_dirs), when);
 }
 
 // winding to any step, forwards or backwards, gives the state that was recorded there

@@ -69,30 +69,8 @@ FakeScene::FakeScene() {
   w.signal.resize(3);
   w.random = {11, 12};
   w.F_B_W.resize(2);
-
-  rig.objects.resize(2);
-  Fake* fakes[] = {&tool_, &ball_};
-  for (uint32_t i = 0; i < 2; ++i) {
-    host::ObjectSlot& slot = rig.objects[i];
-    slot.instance = fakes[i]->instance(i == 0 ? "tool" : "ball");
-    slot.object = &fakes[i]->object;
-    slot.body = slot.shape = {i, 1};
-    slot.signal = {i, 1};
-    slot.X_WO = {{0, 0, 0}, {1, 0, 0, 0}};
-  }
-  rig.objects[1].state = {0, 2};
-  rig.objects[0].follow = {0, 0};
-
-  host::CouplingSlot& c = rig.couplings.emplace_back();
-  c.instance = coupling_.instance("contact");
-  c.coupling = &coupling_.coupling;
-  c.object_a = 0;
-  c.object_b = 1;
-  c.pair = 0;
-  c.state = {2, 1};
-  c.signal = {2, 1};
-  c.event = {0, 1};
-  rig.pairs.push_back({0, 1, {}});
+  add_objects();
+  add_contact();
 
   host::DeviceSlot& d = rig.devices.emplace_back();
   d.instance = device_.instance("hand");
@@ -106,6 +84,34 @@ FakeScene::FakeScene() {
   rig.lesson.state = {3, 1};
   rig.lesson.event = {1, 1};
   rig.lesson.metric = {0, 1};
+}
+
+void FakeScene::add_objects() {
+  rig.objects.resize(2);
+  Fake* fakes[] = {&tool_, &ball_};
+  for (uint32_t i = 0; i < 2; ++i) {
+    host::ObjectSlot& slot = rig.objects[i];
+    slot.instance = fakes[i]->instance(i == 0 ? "tool" : "ball");
+    slot.object = &fakes[i]->object;
+    slot.body = slot.shape = {i, 1};
+    slot.signal = {i, 1};
+    slot.X_WO = {{0, 0, 0}, {1, 0, 0, 0}};
+  }
+  rig.objects[1].state = {0, 2};
+  rig.objects[0].follow = {0, 0};
+}
+
+void FakeScene::add_contact() {
+  host::CouplingSlot& c = rig.couplings.emplace_back();
+  c.instance = coupling_.instance("contact");
+  c.coupling = &coupling_.coupling;
+  c.object_a = 0;
+  c.object_b = 1;
+  c.pair = 0;
+  c.state = {2, 1};
+  c.signal = {2, 1};
+  c.event = {0, 1};
+  rig.pairs.push_back({0, 1, {}});
 }
 
 void FakeScene::add_body(int32_t motion, uint32_t object, swage_vec3 p) {

@@ -55,6 +55,8 @@ class FakeScene {
   Fake tool_, ball_, coupling_, device_, lesson_;
 
  private:
+  void add_objects();
+  void add_contact();
   void add_body(int32_t motion, uint32_t object, swage_vec3 p);
   std::unique_ptr<Engine> engine_;
 };
