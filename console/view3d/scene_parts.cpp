@@ -305,6 +305,36 @@ Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const 
   return mesh;
 }
 
+namespace {
+
+/// What a first look shows: the work whole, of all else what is near it.
+Bounds focus(const snapshot::SceneCard& card, const SceneParts& parts,
+             const std::map<uint32_t, Bounds>& tools) {
+  Bounds out = parts.work;
+  const QVector3D c = parts.work.centre();
+  // a picture is wider than high: what is further away is still in it
+  const float most = kBeside * std::max(parts.work.radius(), 0.3F);
+  const auto add = [&](const QVector3D& p) {
+    const float far = (p - c).length();
+    out.add(far > most ? c + (p - c) * (most / far) : p);
+  };
+  // a tool is long: only its point nearest to the work has to be in the picture
+  for (const auto& [object, b] : tools)
+    add({std::clamp(c.x(), b.low.x(), b.high.x()), std::clamp(c.y(), b.low.y(), b.high.y()),
+         std::clamp(c.z(), b.low.z(), b.high.z())});
+  // tissue has its mark anywhere
+  Bounds soft;
+  for (const ScenePart& p : parts.part) {
+    if (p.soft) add_bounds(card, p, soft);
+  }
+  for (int i = 0; i < 8 && !soft.empty(); ++i)
+    add({i & 1 ? soft.low.x() : soft.high.x(), i & 2 ? soft.low.y() : soft.high.y(),
+         i & 4 ? soft.low.z() : soft.high.z()});
+  return out;
+}
+
+}  // namespace
+
 SceneParts make_parts(const snapshot::SceneCard& card) {
   SceneParts parts;
   add_bodies(card, parts);
@@ -325,16 +355,7 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   parts.shelf = find_level(card, parts, 1e9F, [](const ScenePart& p) { return p.soft; });
   watch(card, parts);
 
-  // a tool is long: only its point nearest to the work has to be in the picture
-  parts.focus = parts.work;
-  const QVector3D c = parts.work.centre();
-  for (const auto& [object, b] : tool) {
-    const QVector3D tip(std::clamp(c.x(), b.low.x(), b.high.x()), std::clamp(c.y(), b.low.y(), b.high.y()),
-                        std::clamp(c.z(), b.low.z(), b.high.z()));
-    // a picture is wider than high: what is further away is still in it
-    const float most = kBeside * std::max(parts.work.radius(), 0.3F), far = (tip - c).length();
-    parts.focus.add(far > most ? c + (tip - c) * (most / far) : tip);
-  }
+  parts.focus = focus(card, parts, tool);
   add_marks(card, parts);
   find_tips(card, parts);
   find_aim(card, parts);

@@ -169,6 +169,13 @@ TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
   helped.start.push_back({{0, 0, 2e-3}, {1, 0, 0, 0}});
   helped.motion.push_back(SWAGE_MOTION_FOLLOWS);
   EXPECT_LT(make_parts(helped).focus.low.x(), parts.focus.low.x() - 1);
+  // so is tissue, with its mark anywhere, however high its slope rises; not all of a wall that has no end
+  snapshot::SceneCard sloping = scene();
+  sloping.objects[1].traits = {SWAGE_TRAIT_SOLID, "swage.trait.pierceable/1"};
+  sloping.shapes[2] = block(1, 1, {-1e-3, -1e-3, 0}, {1e-3, 1e-3, 4.2e-3});
+  EXPECT_NEAR(make_parts(sloping).focus.high.z(), 4.2, 1e-3);
+  sloping.shapes[2] = block(1, 1, {-1e-3, -1e-3, 0}, {1e-3, 1e-3, 0.1});
+  EXPECT_LT(make_parts(sloping).focus.high.z(), 7);
   // nothing marked: both things that can be taken are framed, and none is followed
   snapshot::SceneCard card = scene();
   card.script.marks.clear();
