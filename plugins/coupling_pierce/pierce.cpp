@@ -217,7 +217,7 @@ uint32_t Pierce::wound_at(PierceState& state, const Vec3& p_O, const Vec3& n_O, 
     if (state.wound[i].open == 0) slot = i;
   for (uint32_t i = 0; i < PierceState::kWounds; ++i)
     if (state.wound[i].open != 0 && (origin(state.wound[i]) - p_O).norm() < kSameHole * radius) return i;
-  open_wound(state.wound[slot], p_O, n_O, along_O, radius);
+  open_wound(state.wound[slot], settled_[slot], p_O, n_O, along_O, radius);
   return slot;
 }
 
@@ -251,10 +251,13 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   step.event(entered_, angle);
 }
 
-void Pierce::tear(const CouplingStep& step, const Site& site, Wound& wound, const swage_piercing_place& place,
-                  const Vec3& centre_O) const {
+/// The needle is at `place` in the plane of a wound, and the tissue holds it at held_O.
+void Pierce::tear(const CouplingStep& step, PierceState& state, const Site& site, uint32_t i,
+                  const swage_piercing_place& place, const double* held_O) const {
+  Wound& wound = state.wound[i];
+  const Vec3 centre_O = params_.sweep == Sweep::kNeedle ? site.local(vec(place.p_W)) : vec3(held_O);
   const Vec3 t_O = site.X_WO.q.conjugate() * vec(place.tangent_W);
-  sweep(wound, centre_O, std::abs(axis(wound, 0).dot(t_O)), t_O);
+  sweep(wound, settled_[i], centre_O, std::abs(axis(wound, 0).dot(t_O)), t_O);
   const double ratio = wound.reach / wound.radius;
   if (wound.told != 0 || ratio <= params_.torn_from) return;
   wound.told = 1;
@@ -288,7 +291,8 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
 /// A track after the step: crossings, wounds, exits, its end.
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
   follow(site, track);
-  Wound& entry = state.wound[static_cast<uint32_t>(track.entry)];
+  const auto entry_at = static_cast<uint32_t>(track.entry);
+  Wound& entry = state.wound[entry_at];
   entry.depth = std::max(entry.depth, track.cut);
   swage_piercing_place place{};
   track.s_in = crossing(site, entry, track.s_in, place);
@@ -298,17 +302,15 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     step.event(back_out_, track.deepest);
     return;
   }
-  const bool by_needle = params_.sweep == Sweep::kNeedle;
-  if (through(track.s_in))
-    tear(step, site, entry, place, by_needle ? site.local(vec(place.p_W)) : vec3(track.hold[0].p));
+  if (through(track.s_in)) tear(step, state, site, entry_at, place, track.hold[0].p);
   come_out(step, state, site, track);
   if (track.exit >= 0) {
-    Wound& exit = state.wound[static_cast<uint32_t>(track.exit)];
+    const auto exit_at = static_cast<uint32_t>(track.exit);
+    Wound& exit = state.wound[exit_at];
     exit.depth = std::max(exit.depth, track.cut);
     track.s_out = crossing(site, exit, track.s_out, place);
     const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
-    if (through(track.s_out))
-      tear(step, site, exit, place, by_needle ? site.local(vec(place.p_W)) : vec3(last.p));
+    if (through(track.s_out)) tear(step, state, site, exit_at, place, last.p);
   }
   if (!share_out(site, track)) {
     track.open = 0;

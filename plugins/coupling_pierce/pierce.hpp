@@ -118,8 +118,8 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
                     double radius) const;
   void go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const;
   void come_out(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const;
-  void tear(const CouplingStep& step, const Site& site, Wound& wound, const swage_piercing_place& place,
-            const Vec3& centre_O) const;
+  void tear(const CouplingStep& step, PierceState& state, const Site& site, uint32_t wound,
+            const swage_piercing_place& place, const double* held_O) const;
   double filled_at(const PierceState& state, uint32_t wound) const;
   Pose plane_in_world(const PierceState& state, const Site& site, uint32_t wound) const;
   double angle_in(const Site& site, const Track& track, const PierceState& state) const;
@@ -134,6 +134,9 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   PierceParams params_;
   Reaction reaction_;
   Peer needle_, tissue_;
+
+  // what follows from the wounds of the state, and is made anew where they are others
+  mutable Outline settled_[PierceState::kWounds];
 
   // within one step only, from ties() to finish()
   struct Made {

@@ -8,18 +8,13 @@
 
 #include <cstdint>
 
-#include "toolkit/math.hpp"
+#include "outline.hpp"
 
 namespace swage::coupling_pierce {
 
-using toolkit::Vec3;
-using Vec2 = Eigen::Vector2d;
-
 struct Wound {
-  static constexpr uint32_t kCapsules = 16;  // one more only bends the last one on: a tear has one or two
-  struct Capsule {
-    double a[2], b[2];  // m, ends of the middle line
-  };
+  static constexpr uint32_t kCapsules =
+      Outline::kMost + 1;  // one more only bends the last one on: a steady tear has one or two
 
   double open;                            // 0: not there
   double origin[3], normal[3], first[3];  // O: centre of the first puncture, outward normal, axis 1
@@ -37,12 +32,11 @@ struct Wound {
 };
 
 /// A hole with its first section at p_O.
-void open_wound(Wound& wound, const Vec3& p_O, const Vec3& normal_O, const Vec3& along_O,
+/// `settled` is what all of its capsules but the last enclose; any one will do, and one that it had before is the fastest.
+void open_wound(Wound& wound, Outline& settled, const Vec3& p_O, const Vec3& normal_O, const Vec3& along_O,
                 double radius) noexcept;
 /// The section is now at p_O, cut by the plane at an angle whose cosine is `cosine`, leaning along `along_O`.
-void sweep(Wound& wound, const Vec3& p_O, double cosine, const Vec3& along_O) noexcept;
-/// Area of the union of the first n capsules [m2], by one pass over all of them: what the running sum must agree with.
-double union_area(const Wound& wound, uint32_t n) noexcept;
+void sweep(Wound& wound, Outline& settled, const Vec3& p_O, double cosine, const Vec3& along_O) noexcept;
 
 inline Vec3 axis(const Wound& w, int i) {
   const Vec3 n(w.normal[0], w.normal[1], w.normal[2]), e(w.first[0], w.first[1], w.first[2]);
