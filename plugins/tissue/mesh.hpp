@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How a wall of finite elements gives at one place of its surface to a force at another: a coarse mesh of the whole
-// wall with its rim, and a fine one around whatever touches. Derivation, proof that it is positive, and limits:
-// tissue.md, level mesh.
+// wall with its rim, and a fine one around whatever touches. Derivation, what of its positivity is proved
+// and what only tested, and limits: tissue.md, level mesh.
 //
 // Units: m, N. Places are (x, y) on the patch laid flat, origin in its middle. Rows and columns of a response: n (out
 // of the tissue), x, y.

@@ -100,7 +100,7 @@ TEST(MeshWaves, OnAThickWallAreThoseOfAHalfSpace) {
 MeshSpec block() {
   MeshSpec s;
   s.size = {24e-3, 24e-3}, s.thickness = 12e-3, s.underside = Underside::kHeld;
-  s.cells = 24, s.refinement = 6;
+  s.cells = 24, s.refinement = 8;
   return s;
 }
 
@@ -112,7 +112,8 @@ TEST(Mesh, InTheMiddleOfABlockIsThatOfAHalfSpace) {
   const Compliance half({spec.young / 3, spec.spread, 0, 0}), soft({0.9 * spec.young / 3, spec.spread, 0, 0});
   const Mesh::Place p = mesh.place(0.3e-3, -0.4e-3);
   const double u0 = half.normal(0);
-  EXPECT_NEAR(mesh.between(p, p)(0, 0), u0, 0.03 * u0) << "under the load";
+  EXPECT_NEAR(mesh.between(p, p)(0, 0), u0, 0.01 * u0)
+      << "under the load, 0.6 % of it taken off by floor and rim";
   EXPECT_GT(std::abs(mesh.between(p, p)(0, 0) - soft.normal(0)), 0.05 * u0) << "and a wrong modulus shows";
   for (const double angle : {0.0, 0.7}) {
     const auto at = [&](double r) {
@@ -128,30 +129,88 @@ TEST(Mesh, InTheMiddleOfABlockIsThatOfAHalfSpace) {
   }
 }
 
-// Timoshenko and Woinowsky-Krieger, table 37 and article 19: clamped square plate of side a, force at its centre: w =
-// 0.00560 F a^2 / D there, D = E t^3 / 12 (1 - nu^2), and less by F r^2 ln(a / r) / (8 pi D) close by. Shear adds F
-// ln(0.539 a / r) / (2 pi (5/6) G t), 0.539 a being the conformal radius of the square (Reissner's plate, whose shear
-// is a membrane's Poisson equation).
+/// Under its own load, spread as exp(-k e): an elastic layer bonded to what does not move [m/N]. Waves of pressure of wave number
+/// k press it by L(k H) (1 - nu)/(G k), from the biharmonic equation with no motion below,
+///   L(x) = (2 q sinh 2x - 4x) / (2 q cosh 2x + 1 + q^2 + 4x^2), q = 3 - 4 nu:
+/// 1 where it is thick, and x^3 / (3 (1 - nu)), the flow in a thin film, where it is thin and nu = 1/2. Summed by the midpoint rule
+/// in k^(1/3).
+double held_layer(double young, double thickness, double e) {
+  const double G = young / 2 / (1 + kPoisson), q = 3 - 4 * kPoisson, top = 30 / e;
+  constexpr int n = 4000;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double s = (i + 0.5) / n, k = top * s * s * s, x = k * thickness;
+    const double L =
+        x > 100 ? 1 : (2 * q * std::sinh(2 * x) - 4 * x) / (2 * q * std::cosh(2 * x) + 1 + q * q + 4 * x * x);
+    sum += L * std::exp(-k * e) * 3 * top * s * s / n;
+  }
+  return (1 - kPoisson) / (2 * kPi * G) * sum;
+}
+
+// Trilinear displacements are off by (k h)^2 for each wave, so the dent is by (h / e)^2: order 2 in the fine cells once several
+// of them lie within e = 32 um. Larger ones (h = 23 um, the default's) are within 3.5 %.
+TEST(Mesh, TheDentOfAHeldLayerIsOfSecondOrderInTheFineCells) {
+  MeshSpec s;
+  s.size = {8e-3, 8e-3}, s.thickness = 1.5e-3, s.underside = Underside::kHeld;
+  const double exact = held_layer(s.young, s.thickness, 2 * s.spread / kPi);
+  EXPECT_LT(exact, 0.97 * held_layer(s.young, 1, 2 * s.spread / kPi)) << "the floor shows";
+  const auto off = [&](int refinement) {
+    s.refinement = refinement;
+    const Mesh mesh(s);
+    const Mesh::Place p = mesh.place(0.3e-3, -0.4e-3);
+    return mesh.between(p, p)(0, 0) / exact - 1;
+  };
+  const double by_16 = off(5), by_8 = off(6), by_4 = off(7);  // um
+  EXPECT_LT(std::abs(by_16), 0.035);
+  EXPECT_LT(std::abs(by_4), 0.004);
+  const double order = std::log2(by_8 / by_4);
+  EXPECT_GT(order, 1.8) << by_16 << " " << by_8 << " " << by_4;
+  EXPECT_LT(order, 2.3);
+  EXPECT_NEAR((4 * by_4 - by_8) / 3, 0, 0.001) << "and without its error of second order it is exact";
+}
+
+/// A clamped square plate of side a with a force F at its centre: what its upper face gives per F at a distance r from there, r
+/// over some thicknesses [m/N]. By Kirchhoff (Timoshenko and Woinowsky-Krieger, table 37 and article 19)
+///   w = 0.00560 a^2 / D + r^2 (ln(r / a) + b) / (8 pi D), its Laplacian (ln(r / a) + 1 + b) / (2 pi D),
+/// D = E t^3 / 12 (1 - nu^2); b = ln(1 / 0.539) - 1/2 is that of the circle with the same conformal radius, 0.539 a, and bears
+/// under 1 % here. By Reissner (article 39) D del^4 w = q - t^2 (2 - nu) / (10 (1 - nu)) del^2 q adds a membrane's deflection, and
+/// the upper face, nearer to the middle plane where it is pressed sideways, lacks t^2 nu / (10 (1 - nu)) of the Laplacian against
+/// the mean over the thickness that w is.
+double clamped_plate(double young, double a, double t, double r) {
+  const double nu = kPoisson, D = young * t * t * t / 12 / (1 - nu * nu), b = std::log(1 / 0.539) - 0.5;
+  const double bent = 0.00560 * a * a / D + r * r * (std::log(r / a) + b) / (8 * kPi * D);
+  const double sheared = t * t * (2 - nu) / (10 * (1 - nu)) * std::log(0.539 * a / r) / (2 * kPi * D);
+  const double flatter = t * t * nu / (10 * (1 - nu)) * (std::log(a / r) - 1 - b) / (2 * kPi * D);
+  return bent + sheared - flatter;
+}
+
+// What the mesh lacks is at the rim: where a clamped side meets a free face, displacements go as r^0.595 (Williams 1952, nu = 1/2:
+// sin^2(pi l / 2) = 1 - l^2), so energies, and with them the deflection, are off by h^1.19. Cells of 1 mm are a little large for
+// that yet. Neither bending nor volume locks (Brick.BendsWithoutLocking): thicker walls are as near.
 TEST(Mesh, AThinFreeWallIsAClampedPlate) {
   MeshSpec s;
-  s.size = {12e-3, 12e-3}, s.thickness = 0.6e-3, s.refinement = 4;
-  const double a = 12e-3, t = s.thickness, nu = kPoisson, r = 0.5e-3;
-  const double D = s.young * t * t * t / 12 / (1 - nu * nu), G = s.young / 2 / (1 + nu);
-  const double bent = 0.00560 * a * a / D - r * r * std::log(a / r) / (8 * kPi * D);
-  const double w = bent + std::log(0.539 * a / r) / (2 * kPi * 5 / 6 * G * t);
-  EXPECT_LT(w - bent, 0.1 * w);
-  const auto off = [&](int cells, double thicker) {
-    MeshSpec spec = s;
-    spec.cells = cells, spec.thickness *= thicker;
-    const Mesh mesh(spec);
-    return mesh.between(mesh.place(0, 0), mesh.place(r, 0))(0, 0) / w - 1;  // beside the dent
+  s.size = {12e-3, 12e-3}, s.refinement = 4;
+  // mean over places beside the dent
+  const auto off = [&](int cells, double thickness, double as_thick) {
+    s.cells = cells, s.thickness = thickness;
+    const Mesh mesh(s);
+    double sum = 0;
+    for (const double r : {0.5e-3, 1e-3, 1.5e-3})
+      for (const double angle : {0.0, 0.25 * kPi}) {
+        const Mesh::Place p = mesh.place(r * std::cos(angle), r * std::sin(angle));
+        sum += mesh.between(mesh.place(0, 0), p)(0, 0) / clamped_plate(s.young, s.size[0], as_thick, r) - 1;
+      }
+    return sum / 6;
   };
-  const double by_12 = off(12, 1), by_24 = off(24, 1);
-  EXPECT_NEAR(by_24, 0, 0.07);
-  EXPECT_GT(std::abs(by_12), 1.5 * std::abs(by_24)) << "and comes nearer with the cells";
-  EXPECT_LT(off(24, 1.05), by_24 - 0.08) << "a wall that is thicker by a twentieth shows";
+  const double t = 0.6e-3, by_12 = off(12, t, t), by_24 = off(24, t, t);
+  EXPECT_NEAR(by_24, 0, 0.04);
+  const double order = std::log2(by_12 / by_24);
+  EXPECT_GT(order, 0.9) << by_12 << " " << by_24;
+  EXPECT_LT(order, 1.4);
+  EXPECT_NEAR(off(24, 1e-3, 1e-3), 0, 0.03) << "thicker walls are nearer";
+  EXPECT_LT(off(24, 1.05 * t, t), by_24 - 0.08) << "a wall that is thicker by a twentieth shows";
   s.underside = Underside::kHeld;
-  EXPECT_LT(off(24, 1), -0.9) << "and one that lies on something does not bend";
+  EXPECT_LT(off(24, t, t), -0.9) << "and one that lies on something does not bend";
 }
 
 std::vector<MeshSpec> walls() {

@@ -78,32 +78,51 @@ INSTANTIATE_TEST_SUITE_P(Stock, WholeScene,
                                            std::pair{"110_insertion.json", "expert"},
                                            std::pair{"090_needle_bench.json", "expert"}));
 
-// the dearest scene there is: jaws, a needle that bends, tissue that yields
-TEST(Insertion, WithABendingNeedleCallsNothingThatMayBlock) {
-  SKIP_WITHOUT_COUNTING();
-  char name[] = "/tmp/swage-realtime-XXXXXX";
-  const std::string folder = mkdtemp(name);
+/// The insertion with other text in its lesson file; its hands are found from any folder.
+void insertion_with(std::vector<std::pair<std::string, std::string>> changes, const std::string& file) {
   std::ifstream in(kLessons + "110_insertion.json");
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  const auto replace = [&text](const std::string& what, const std::string& by) {
+  changes.emplace_back("../hands/", SWAGE_SOURCE_DIR "/lessons/hands/");
+  for (const auto& [what, by] : changes) {
     size_t at = text.find(what);
     EXPECT_NE(at, std::string::npos) << what;
     for (; at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
-  };
-  replace("../hands/", SWAGE_SOURCE_DIR "/lessons/hands/");
-  replace(R"("arc": "3/8",)", R"("level": "bending", "arc": "3/8",)");
-  std::ofstream(folder + "/insertion.json") << text;
+  }
+  std::ofstream(file) << text;
+}
+
+struct Dearest {
+  const char *level, *device;  // of the tissue; whose hand
+};
+
+class Insertion : public ::testing::TestWithParam<Dearest> {};
+
+// the dearest scenes there are: jaws, a needle that bends, tissue that yields, a tear
+TEST_P(Insertion, WithABendingNeedleCallsNothingThatMayBlock) {
+  SKIP_WITHOUT_COUNTING();
+  char name[] = "/tmp/swage-realtime-XXXXXX";
+  const std::string folder = mkdtemp(name), level = GetParam().level;
+  insertion_with({{R"("arc": "3/8",)", R"("level": "bending", "arc": "3/8",)"},
+                  {R"("level": "compliant")", R"("level": ")" + level + R"(")"}},
+                 folder + "/insertion.json");
   {
-    Attempt attempt(folder + "/insertion.json", "expert", kPlugins, "");
+    Attempt attempt(folder + "/insertion.json", GetParam().device, kPlugins, "");
     ASSERT_TRUE(attempt.ok());
     int ticks = 0;
     const Calls c = play(attempt, 30000, ticks);
     EXPECT_GT(ticks, 1000);
     EXPECT_EQ(c.all(), 0u);
     EXPECT_EQ(attempt.engine().quarantined(), 0u);
+    std::vector<snapshot::Snapshot> shot(1);
+    attempt.engine().fill(shot[0]);
+    EXPECT_GE(shot[0].n_wound, 1u) << "it went in";
   }
   fs::remove_all(folder);
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, Insertion,
+                         ::testing::Values(Dearest{"compliant", "expert"}, Dearest{"compliant", "novice"},
+                                           Dearest{"mesh", "expert"}));
 
 // putting everything back, saving and restoring are [rt] as well
 TEST(Engine, ResetSaveAndRestoreCallNothingEither) {
