@@ -21,12 +21,16 @@ void Mouse::build(const MouseParams& params, DeviceBuilder& builder) {
   try {
     const Quat q = hand::orientation(vec(params.start_axis), vec(params.start_closing));
     hand_ = MouseHand(speeds_of(params), Pose(vec(params.start), q));
+    hand_.set_circle({vec(params.circle_centre), vec(params.circle_axis)});
   } catch (const std::invalid_argument& problem) {
     builder.error("start_closing", problem.what());
   }
 }
 
-void Mouse::changed() { hand_.set_speeds(speeds_of(params())); }
+void Mouse::changed() {
+  hand_.set_speeds(speeds_of(params()));
+  hand_.set_circle({vec(params().circle_centre), vec(params().circle_axis)});
+}
 
 void Mouse::open() {
   pointer_ = host_extension<swage_host_pointer>(SWAGE_HOST_POINTER);

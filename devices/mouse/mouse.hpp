@@ -24,12 +24,14 @@ struct MouseParams {
   double fine = Speeds{}.fine;
   double smoothing = Speeds{}.smoothing;
   bool latch = Speeds{}.latch;
+  swage_vec3 circle_centre = {0, 0, 0};  // m
+  swage_vec3 circle_axis = {0, 0, 0};
 };
 
 class Mouse final : public Device<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
-  static constexpr auto version = "1.0.0";
+  static constexpr auto version = "1.1.0";
   static constexpr auto name = "Mouse and keyboard";
   static constexpr auto summary =
       "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
@@ -81,6 +83,16 @@ class Mouse final : public Device<MouseParams> {
       boolean<&MouseParams::latch>("latch", "Jaws stay",
                                    "The jaws stay where they are when the key is let go; otherwise "
                                    "they open again."),
+      vector<&MouseParams::circle_centre>(
+          "circle_centre", "Circle's centre", "m", "mm", -1, 1,
+          "Centre of the circle of the needle that is held, in the world; the window tells it.")
+          .live()
+          .hidden(),
+      vector<&MouseParams::circle_axis>(
+          "circle_axis", "Circle's axis", "1", "1", -1, 1,
+          "About which the needle's point goes first; 0 0 0: no needle is held.")
+          .live()
+          .hidden(),
   };
 
   void build(const MouseParams& params, DeviceBuilder& builder) override;

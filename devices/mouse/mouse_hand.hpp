@@ -24,7 +24,13 @@ inline constexpr uint64_t kLeft = uint64_t{1} << 36, kRight = uint64_t{1} << 37,
                           kPlus = uint64_t{1} << 42, kMinus = uint64_t{1} << 43, kPageUp = uint64_t{1} << 44,
                           kPageDown = uint64_t{1} << 45;
 inline constexpr uint32_t kLeftButton = 1, kMiddleButton = 2, kRightButton = 4;
-inline constexpr uint32_t kShift = 1, kControl = 2;
+inline constexpr uint32_t kShift = 1, kControl = 2, kAlt = 4;
+
+/// A circle on which a held needle turns: its own. No axis: there is none.
+struct Circle {
+  Vec3 centre_W = Vec3::Zero();  // m
+  Vec3 axis_W = Vec3::Zero();    // unit, or zero; right-handed about it the needle's point goes first
+};
 
 struct Speeds {
   double drag = 10e-3;                        // m per span of the pointer: the tips stay under it
@@ -49,7 +55,8 @@ class MouseHand {
   void step(const swage_pointer& pointer, double dt) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
     const Quat q_WC = toolkit::quat(pointer.camera);
-    target_.p += scale * (q_WC * motion_C(pointer, dt));
+    if (const double angle = scale * along_circle(pointer, q_WC, dt); angle != 0) drive(angle);
+    if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
     target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
     squeeze(pointer, scale, dt);
     smooth(dt);
@@ -58,12 +65,45 @@ class MouseHand {
   /// From the next step on; the hand stays where it is. [rt]
   void set_speeds(const Speeds& speeds) noexcept { speeds_ = speeds; }
 
+  /// For the next drives. [rt]
+  void set_circle(const Circle& circle) noexcept {
+    const double length = circle.axis_W.norm();
+    circle_ = length > 0 ? Circle{circle.centre_W, circle.axis_W / length} : Circle{};
+  }
+
   const Pose& pose() const { return pose_; }   // X_WT
   double closure() const { return closure_; }  // 0..1
 
  private:
   static double axis(uint64_t keys, uint64_t plus, uint64_t minus) {
     return ((keys & plus) != 0 ? 1.0 : 0.0) - ((keys & minus) != 0 ? 1.0 : 0.0);
+  }
+
+  bool drags_on_circle(const swage_pointer& p) const {
+    const bool wanted = (p.keys & letter('c')) != 0 || (p.modifiers & kAlt) != 0;
+    return wanted && (p.buttons & kLeftButton) != 0 && !circle_.axis_W.isZero();
+  }
+
+  /// rad about the circle's axis: by keys, or so that the tips follow the pointer as far as they go its way on the circle.
+  double along_circle(const swage_pointer& p, const Quat& q_WC, double dt) const {
+    if (circle_.axis_W.isZero()) return 0;
+    double angle = speeds_.key_turn * dt * axis(p.keys, letter('t'), letter('g'));
+    if (!drags_on_circle(p)) return angle;
+    constexpr double kSeen =
+        0.3;  // of the way that must lie in the view: a drag cannot follow what goes along the line of sight
+    const Vec3 way = circle_.axis_W.cross(target_.p - circle_.centre_W);  // m per rad
+    const Vec3 way_C = q_WC.conjugate() * way;
+    const double seen2 = way_C.x() * way_C.x() + way_C.y() * way_C.y();
+    if (seen2 > kSeen * kSeen * way.squaredNorm() && seen2 > 0)
+      angle += speeds_.drag * (p.dx * way_C.x() + p.dy * way_C.y()) / seen2;
+    return angle;
+  }
+
+  /// Turns the whole hand about the circle's axis.
+  void drive(double angle) {
+    const Quat turn = toolkit::exp_rotation(angle * circle_.axis_W);
+    target_.p = circle_.centre_W + turn * (target_.p - circle_.centre_W);
+    target_.q = (turn * target_.q).normalized();
   }
 
   /// m in the camera's frame: +x right, +y up, +z towards the viewer.
@@ -116,6 +156,7 @@ class MouseHand {
   }
 
   Speeds speeds_;
+  Circle circle_;
   Pose target_, middle_, pose_;
   double closure_ = 0;
 };

@@ -87,6 +87,53 @@ TEST(MouseHand, KeysGiveSixAxes) {
   EXPECT_LT((turned(kPageDown) - Vec3(0, turn, 0)).norm(), 1e-9);
 }
 
+// the needle's circle: about +X through a centre 3 mm below the tips, which start at the origin
+Circle below() { return {{0, 0, -3e-3}, {1, 0, 0}}; }
+
+TEST(MouseHand, KeysDriveAboutTheNeedlesCircle) {
+  MouseHand hand(quick(), Pose());
+  hand.set_circle(below());
+  swage_pointer p = still();
+  p.keys = letter('t');
+  for (int i = 0; i < 1000; ++i) hand.step(p, 1e-3);
+  const Quat turn = toolkit::exp_rotation(Speeds{}.key_turn * Vec3(1, 0, 0));
+  EXPECT_LT((hand.pose().p - (Vec3(0, 0, -3e-3) + turn * Vec3(0, 0, 3e-3))).norm(), 1e-12);
+  EXPECT_LT(toolkit::log_rotation(hand.pose().q * turn.conjugate()).norm(), 1e-9);
+  p.keys = letter('g');
+  for (int i = 0; i < 1000; ++i) hand.step(p, 1e-3);
+  EXPECT_LT(hand.pose().p.norm(), 1e-12) << "and back the same way";
+  // without a circle there is nothing to turn about
+  EXPECT_EQ(after(p, 1000).pose().p, Vec3::Zero());
+}
+
+TEST(MouseHand, ADragDrivesSoThatTheTipsFollowThePointer) {
+  // seen along the axis, from +X: right is +Y
+  const Quat side = toolkit::exp_rotation({0, 0, 0.5 * std::numbers::pi}) * kFrontView;
+  for (const bool alt : {false, true}) {
+    MouseHand hand(quick(), Pose());
+    hand.set_circle(below());
+    swage_pointer p = still();
+    p.camera = toolkit::raw(side);
+    p.buttons = kLeftButton;
+    p.keys = alt ? 0 : letter('c');
+    p.modifiers = alt ? kAlt : 0;
+    p.dx = 1e-3;
+    for (int i = 0; i < 100; ++i) hand.step(p, 1e-3);
+    EXPECT_NEAR((hand.pose().p - Vec3(0, 0, -3e-3)).norm(), 3e-3, 1e-12) << "they stay on the circle";
+    EXPECT_NEAR(hand.pose().p.y(), 1e-3, 0.06e-3) << "1 mm to the right";
+    EXPECT_NEAR(toolkit::log_rotation(hand.pose().q).x(), -std::asin(1.0 / 3), 0.02) << "and turn with it";
+  }
+  // a circle that is seen edge on is not driven by a drag along the line of sight, and nothing runs away
+  MouseHand hand(quick(), Pose());
+  hand.set_circle(below());
+  swage_pointer p = still();
+  p.buttons = kLeftButton;
+  p.keys = letter('c');
+  p.dx = p.dy = 0.1;
+  hand.step(p, 1e-3);
+  EXPECT_EQ(hand.pose().p, Vec3::Zero());
+}
+
 TEST(MouseHand, ShiftIsFine) {
   swage_pointer p = still();
   p.keys = letter('d');
