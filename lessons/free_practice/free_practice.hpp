@@ -26,7 +26,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kPath,
 };
 inline constexpr swage_cue_info kCues[] = {
-    {"grasp.good", "Held by both jaws.", lessons::kHeard, 0},
+    {"thing.held", "Held by both jaws.", lessons::kHeard, 0},
 };
 // clang-format on
 

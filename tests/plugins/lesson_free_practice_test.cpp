@@ -25,7 +25,7 @@ TEST_F(Practice, PassesWhenDifferentThingsWereHeld) {
   hold(0, 0.5, 0.3);
   observe(400);
   EXPECT_EQ(metric("practice.different"), 0) << "not long enough";
-  EXPECT_EQ(cues[1], cue("grasp.good"));
+  EXPECT_EQ(cues[1], cue("thing.held"));
   EXPECT_EQ(cues[2], SWAGE_NONE);
   observe(200);
   EXPECT_EQ(metric("practice.different"), 1);
