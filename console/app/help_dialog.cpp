@@ -80,6 +80,7 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
                               {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
                               {tr("Ctrl+1, 2, 3"), tr("Run, Progress, Review")},
+                              {tr("F12"), tr("Tell how quickly pictures come")},
                               {tr("F1"), tr("This page")}},
                              this)
                       .frame,
@@ -89,6 +90,7 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("Wheel,  Q E"), tr("Move away, come nearer")},
                               {tr("Right drag,  arrows"), tr("Turn")},
                               {tr("Ctrl+right drag,  Z X"), tr("Roll")},
+                              {tr("C+left drag,  T G"), tr("Drive the needle along its own curve")},
                               {tr("Middle button,  Space"), tr("Close the jaws")},
                               {tr("Ctrl+middle,  B"), tr("Open the jaws")},
                               {tr("Ctrl+wheel"), tr("Close, open in small steps")},
@@ -113,7 +115,9 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("Shift+← →"), tr("1 ms")},
                               {tr("Ctrl+← →"), tr("1 s")},
                               {tr("Home,  End"), tr("Start, end")},
-                              {tr(",  ."), tr("Event before, after")}},
+                              {tr(",  ."), tr("Event before, after")},
+                              {tr("Ctrl+E"), tr("Save the attempt")},
+                              {tr("Ctrl+Shift+E"), tr("Save its signals")}},
                              this)
                       .frame,
                   0, 2);

@@ -17,6 +17,8 @@ namespace swage::console {
 
 namespace {
 
+constexpr int kFrames_ms = 1000;  // once a second is often enough to read a number
+
 std::optional<CameraPreset> preset_of(const QString& view) {
   static const QHash<QString, CameraPreset> presets = {{QStringLiteral("side"), CameraPreset::kSide},
                                                        {QStringLiteral("top"), CameraPreset::kTop},
@@ -150,12 +152,22 @@ void MainWindow::add_actions() {
   add(tr("Reset needle"), Qt::Key_F7, [control] { control->reset_work(); });
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
   add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
+  add(tr("Frame times"), Qt::Key_F12, [this] {
+    strip_->set_frames_shown(!strip_->frames_shown());
+    settings_.set("frames", strip_->frames_shown());
+    strip_->show_frames(shown_view()->frames());
+  });
+  connect(&frames_timer_, &QTimer::timeout, this, [this] { strip_->show_frames(shown_view()->frames()); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
   for (int i = 0; i < page_buttons_.size(); ++i) {
     add(page_buttons_[i]->accessibleName(), Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i),
         [this, i] { show_page(i); });
   }
+}
+
+const SceneView* MainWindow::shown_view() const {
+  return pages_->currentWidget() == review_ ? review_->view() : run_->view();
 }
 
 void MainWindow::show_page(int page) {
@@ -238,6 +250,8 @@ void MainWindow::restore(const Launch& launch) {
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   trainee_look_ = read_trainee_look(settings_);
+  strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
+  frames_timer_.start(kFrames_ms);
   SetupPanel* setup = run_->setup();
   setup->set_left_handed(settings_.text("left_handed") == QLatin1String("true"));
   progress_->refresh();

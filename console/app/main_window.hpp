@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
@@ -58,8 +59,10 @@ class MainWindow : public QMainWindow {
   void review_given(const Launch& launch);
   void remember();
   void show_trainee();
+  const SceneView* shown_view() const;
 
   Settings settings_;
+  QTimer frames_timer_;
   LessonsModel lessons_;
   QString ui_id_, cues_id_;
   TraineeLook trainee_look_;

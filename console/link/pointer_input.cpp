@@ -50,6 +50,12 @@ int PointerInput::key_bit(int key) {
   }
 }
 
+bool PointerInput::drives(const swage_pointer& p) {
+  const auto down = [&](int key) { return (p.keys >> key_bit(key) & 1) != 0; };
+  const bool along = down(Qt::Key_C) || (p.modifiers & modifier_bits(Qt::AltModifier)) != 0;
+  return down(Qt::Key_T) || down(Qt::Key_G) || (along && (p.buttons & 1U) != 0);
+}
+
 swage_pointer PointerInput::state() const {
   swage_pointer p{};
   p.buttons = buttons_;

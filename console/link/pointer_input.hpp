@@ -26,6 +26,8 @@ class PointerInput {
   swage_pointer released();  // the view lost the keyboard: nothing is down any more
   void set_camera(const QQuaternion& q_WC);
 
+  /// Whether the mouse turns the needle along its own circle for this input: C or Alt with the left button, T, G.
+  static bool drives(const swage_pointer& input);
   /// Bit of swage_pointer.keys, or -1.
   static int key_bit(int qt_key);
 

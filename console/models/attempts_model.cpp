@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -111,7 +112,7 @@ QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
 MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id) {
   MetricSeries series;
   series.id = id;
-  series.name = human_id(id);
+  series.name = metric_title(id);
   series.better = metric_facts(nullptr, id.toStdString()).better;
   series.unit = id == kTimeId ? QStringLiteral("s") : QString();
   QVector<const record::AttemptRow*> order;
@@ -124,9 +125,10 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
     double value = id == kScoreId ? a->score : id == kTimeId ? a->simulated_s : std::nan("");
     for (const record::MetricValue& m : a->metrics) {
       if (qt(m.id) != id) continue;
-      series.factor = display_factor(qt(m.unit));
+      const QString unit = metric_unit(id, qt(m.unit));
+      series.factor = display_factor(unit);
       value = m.value * series.factor;
-      series.unit = display_unit(qt(m.unit));
+      series.unit = display_unit(unit);
     }
     if (!std::isfinite(value)) continue;
     const QDateTime when = QDateTime::fromString(qt(a->started_utc), Qt::ISODate).toLocalTime();

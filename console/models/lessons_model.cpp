@@ -36,6 +36,7 @@ LessonEntry read_lesson(const QString& path) {
   entry.id = root[QStringLiteral("id")].toString();
   entry.title = root[QStringLiteral("title")].toString(entry.title);
   entry.summary = root[QStringLiteral("summary")].toString();
+  entry.mirror = root[QStringLiteral("mirror")].toBool();
   entry.goal = root[QStringLiteral("goal")].toString();
   for (const QJsonValue device : root[QStringLiteral("devices")].toArray()) {
     QJsonArray choices = device[QStringLiteral("or")].toArray();
@@ -108,7 +109,7 @@ QVariant LessonsModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return e.title;
     case Qt::ToolTipRole:
-      return QStringList({e.summary, e.path, e.problem})
+      return QStringList({e.title, e.summary, e.path, e.problem})
           .filter(QRegularExpression(QStringLiteral(".")))
           .join(QLatin1Char('\n'));
     case Qt::AccessibleDescriptionRole:
@@ -121,6 +122,8 @@ QVariant LessonsModel::data(const QModelIndex& index, int role) const {
       return e.summary;
     case kGoal:
       return e.goal;
+    case kMirror:
+      return e.mirror;
     case kHands:
       return e.hands;
     case kProblem:

@@ -11,8 +11,9 @@ namespace swage::console {
 /// What the list says about one lesson file.
 struct LessonEntry {
   QString path, id, title, summary, goal;
-  QStringList hands;  // the names ("as") under which its devices can be chosen, first choice first
-  QString problem;    // why it cannot be read
+  QStringList hands;    // the names ("as") under which its devices can be chosen, first choice first
+  bool mirror = false;  // made for the left hand
+  QString problem;      // why it cannot be read
 };
 
 /// Reads title and summary of a lesson file, its own or those of what it is based on; nothing else of it is looked at here.
@@ -26,7 +27,7 @@ QStringList lesson_folders();
 class LessonsModel : public QAbstractListModel {
   Q_OBJECT
  public:
-  enum Role { kPath = Qt::UserRole, kId, kSummary, kGoal, kHands, kProblem };
+  enum Role { kPath = Qt::UserRole, kId, kSummary, kGoal, kHands, kMirror, kProblem };
 
   using QAbstractListModel::QAbstractListModel;
   void set_folders(const QStringList& folders);

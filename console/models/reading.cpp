@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -38,14 +39,14 @@ Reader::Reader(const snapshot::SceneCard& card) {
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
     if (m.unit == "1" && is_count(m.id))
-      counters_.append({i, human_id(QString::fromStdString(m.id)), QString::fromStdString(m.unit)});
+      counters_.append({i, metric_title(QString::fromStdString(m.id)), QString::fromStdString(m.unit)});
   }
   for (size_t i = 0; i < script.metrics.size(); ++i) {
     if (ends_with(script.metrics[i].id, "hold.progress")) hold_ = static_cast<int>(i);
   }
   for (const judge::Name& cue : script.cues) {
     cues_.append(QString::fromStdString(cue.id));
-    grasp_ |= cues_.last() == QLatin1String("grasp.good");
+    grasp_ |= cues_.last() == QLatin1String("grasp.point_only");
   }
   for (const judge::Name& phase : script.phases) {
     phases_.append(phase.doc.empty() ? human_id(QString::fromStdString(phase.id))
@@ -70,6 +71,7 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   for (const int i : force_) r.force = std::fmax(r.force.value_or(0), signal(i));
   const bool any_held = std::any_of(held_.begin(), held_.end(), [&](int i) { return signal(i) > 0.5; });
   const bool held = held_.isEmpty() || any_held;
+  if (!held_.isEmpty()) r.held = any_held;
   // what only lies against the tissue has no angle yet
   if (angle_ >= 0 && signal(pierced_) > (any_held ? 0.5 : 1.5)) r.tilt = signal(angle_);
   for (const int i : angle_ < 0 ? tilt_ : QVector<int>()) {

@@ -17,6 +17,7 @@ namespace swage::console {
 /// What the panel shows of one snapshot; absent what the scene does not say.
 struct Reading {
   std::optional<double> force;  // N
+  std::optional<bool> held;     // by both jaws
   std::optional<double>
       tilt;  // rad, the larger of the two; while inserting, between needle and tissue's normal
   std::optional<double> hold;      // share of the hold that is done, 0..1
@@ -38,7 +39,8 @@ class Reader {
   bool has_force() const { return !force_.isEmpty(); }
   /// What this scene's cues and marks can mean, each once, in the order in which the lesson declares them.
   static QStringList meanings(const snapshot::SceneCard& card);
-  bool has_tilt() const { return !tilt_.isEmpty() || angle_ >= 0; }
+  /// A needle has an axis that may lean; a ball has none, and where no spot is judged no lean is.
+  bool has_tilt() const { return (grasp_ && !tilt_.isEmpty()) || angle_ >= 0; }
   /// The tilt is that of the needle against the tissue.
   bool inserts() const { return angle_ >= 0; }
   bool has_hold() const { return hold_ >= 0; }

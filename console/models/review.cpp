@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 #include "judge/host_events.hpp"
 
@@ -76,8 +77,8 @@ void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Re
   for (const record::MetricValue& m : out.attempt.metrics) {
     const MetricFacts facts = metric_facts(card, m.id);
     MetricLine line;
-    line.name = human_id(qt(m.id));
-    line.value = quantity_text(m.value, qt(m.unit));
+    line.name = metric_title(qt(m.id));
+    line.value = quantity_text(m.value, metric_unit(qt(m.id), qt(m.unit)));
     line.better = facts.better;
     for (const judge::Name& name : r.info.script.metrics) {
       if (name.id == m.id) line.doc = qt(name.doc);

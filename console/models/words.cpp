@@ -27,6 +27,7 @@ double display_factor(const QString& unit) {
   if (unit == QLatin1String("m2")) return 1e6;
   if (unit == QLatin1String("N*s")) return 1000;
   if (unit == QLatin1String("rad")) return 180 / std::numbers::pi;
+  if (unit == QLatin1String("%")) return 100;
   return 1;
 }
 

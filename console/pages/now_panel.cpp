@@ -142,7 +142,8 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
 void NowPanel::show_reading(const Reading& r, double time_s) {
   if (!r.phase.isEmpty()) phase_->setText(r.phase);
   const bool contact = r.force && *r.force > 0;
-  meter_->set_value(contact ? r.force : std::nullopt);
+  // tissue and tray press on closed jaws, too
+  meter_->set_value(contact ? r.force : std::nullopt, !contact || r.held.value_or(true));
   show_fact(spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
   show_fact(tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));
   tilt_.value->setText(r.tilt ? quantity_text(*r.tilt, QStringLiteral("rad")) : QStringLiteral("–"));

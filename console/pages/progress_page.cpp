@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -241,11 +242,12 @@ void ProgressPage::show_attempts() {
   }
   attempts_->set_attempts(shown);
   review_->setEnabled(false);
-  summary_->setText(tr("%1 attempts, %2 met").arg(shown.size()).arg(met));
+  summary_->setText(shown.size() == 1 ? tr("1 attempt, %1 met").arg(met)
+                                      : tr("%1 attempts, %2 met").arg(shown.size()).arg(met));
   const QString before = metric_->currentData().toString();
   const QSignalBlocker quiet(metric_);
   metric_->clear();
-  for (const QString& id : metric_ids(attempts_->attempts())) metric_->addItem(human_id(id), id);
+  for (const QString& id : metric_ids(attempts_->attempts())) metric_->addItem(metric_title(id), id);
   metric_->setCurrentIndex(std::max(0, metric_->findData(before)));
   show_metric();
 }

@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -89,7 +90,8 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
     add(tr("Score"), QStringLiteral("%1 / 100").arg(r.score, 0, 'f', 0), {});
   add(tr("Time"), clock_text(r.simulated_s), {});
   for (const session::Result::Metric& m : r.metrics) {
-    add(human_id(QString::fromStdString(m.id)), quantity_text(m.value, QString::fromStdString(m.unit)),
+    const QString id = QString::fromStdString(m.id);
+    add(metric_title(id), quantity_text(m.value, metric_unit(id, QString::fromStdString(m.unit))),
         QString::fromStdString(m.doc));
   }
   kept_->setText(kept ? tr("Recorded.") : tr("Not recorded."));

@@ -88,19 +88,26 @@ QWidget* ReviewPage::make_head() {
   row->addWidget(verdict_, 1);
   const struct {
     QString text, name, title, ending, tip;
+    QKeySequence key;
     QString (ReviewPage::*write)(const QString&);
-  } exports[] = {
-      {tr("Save attempt"), QStringLiteral("save_swage"), tr("Save the whole attempt"),
-       QStringLiteral(".swage"),
-       tr("Everything in one file: swage replay and another station's Swage can read it"),
-       &ReviewPage::write_swage},
-      {tr("Signals CSV"), QStringLiteral("save_signals"), tr("Save the signals"),
-       QStringLiteral("_signals.csv"), tr("A thousand lines a second, SI units"), &ReviewPage::write_signals},
-      {tr("Summary CSV"), QStringLiteral("save_summary"), tr("Save metrics and events"),
-       QStringLiteral("_summary.csv"), tr("Facts, metrics and events"), &ReviewPage::write_summary}};
+  } exports[] = {{tr("Save attempt"), QStringLiteral("save_swage"), tr("Save the whole attempt"),
+                  QStringLiteral(".swage"),
+                  tr("Everything in one file: swage replay and another station's Swage can read it"),
+                  QKeySequence(Qt::CTRL | Qt::Key_E), &ReviewPage::write_swage},
+                 {tr("Signals CSV"), QStringLiteral("save_signals"), tr("Save the signals"),
+                  QStringLiteral("_signals.csv"), tr("A thousand lines a second, SI units"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &ReviewPage::write_signals},
+                 {tr("Summary CSV"),
+                  QStringLiteral("save_summary"),
+                  tr("Save metrics and events"),
+                  QStringLiteral("_summary.csv"),
+                  tr("Facts, metrics and events"),
+                  {},
+                  &ReviewPage::write_summary}};
   for (const auto& e : exports) {
     auto* button = make_button(e.text, {}, e.name, box);
-    button->setToolTip(e.tip);
+    button->setToolTip(e.key.isEmpty() ? e.tip : QStringLiteral("%1 (%2)").arg(e.tip, e.key.toString()));
+    if (!e.key.isEmpty()) button->setShortcut(e.key);
     connect(button, &QPushButton::clicked, this, [this, e] { save(e.title, e.ending, e.write); });
     row->addWidget(button);
   }

@@ -5,6 +5,7 @@
 #include <QRandomGenerator>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "console/models/live_params.hpp"
 #include "console/models/words.hpp"
@@ -19,9 +20,12 @@ constexpr int kPreviewDelay_ms =
 // the thesis: 0.6 N holds a needle well
 constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
+constexpr char kMouse[] = "swage.device.mouse";
+
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
-constexpr int kSide_px = 270;  // the whole page fits a screen of 1280
+constexpr int kSide_px = 270;     // the whole page fits a screen of 1280
+constexpr int kLessons_px = 296;  // and the titles of the lessons fit the list
 
 }  // namespace
 
@@ -36,7 +40,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 10, 12, 6);
   row->setSpacing(12);
-  setup_->setFixedWidth(kSide_px);
+  setup_->setFixedWidth(kLessons_px);
   row->addWidget(setup_);
   row->addWidget(make_middle(), 1);
   QWidget* right = make_right();
@@ -125,6 +129,7 @@ void RunPage::look(CameraPreset preset) {
 void RunPage::add_view(SceneView* view) {
   views_ += view;
   connect(view, &SceneView::pointer, control_, &RunControl::pointer);
+  connect(view, &SceneView::circle, this, &RunPage::tell_circle);
   if (view == view_) return;
   connect(view, &QObject::destroyed, this, [this, view] { views_.removeOne(view); });
   view->set_themes(ui_theme_, cue_theme_);
@@ -180,6 +185,7 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
   legend_->set_meanings(Reader::meanings(card));
   now_->form()->set_params(live_params(setup_->lesson().toStdString(), card, catalogue_));
+  loupe_button_->setVisible(reader_.inserts());
   card_ = card;
   have_card_ = true;
   for (SceneView* view : views_) view->set_card(card, preset_);
@@ -223,7 +229,19 @@ void RunPage::update_state() {
 bool RunPage::by_mouse() const {
   const std::vector<snapshot::CardDevice>& devices = control_->card().devices;
   return std::any_of(devices.begin(), devices.end(),
-                     [](const snapshot::CardDevice& d) { return d.plugin == "swage.device.mouse"; });
+                     [](const snapshot::CardDevice& d) { return d.plugin == kMouse; });
+}
+
+// To the mouse, as a change of its parameters: so it is recorded, and replayed. In a mirrored lesson it moves in the mirror image.
+void RunPage::tell_circle(const std::optional<NeedleCircle>& about) {
+  NeedleCircle circle = about.value_or(NeedleCircle{});
+  if (setup_->mirrored()) circle = mirrored(circle);
+  const auto list = [](const QVector3D& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
+  const nlohmann::json change = {{"circle_centre", list(circle.centre / static_cast<float>(kMmPerM))},
+                                 {"circle_axis", list(circle.axis)}};
+  for (const snapshot::CardDevice& d : control_->card().devices) {
+    if (d.plugin == kMouse) control_->change(d.name, change.dump());
+  }
 }
 
 void RunPage::update_second() {

@@ -21,6 +21,7 @@ QWidget* RunPage::make_middle() {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(8);
+  view_ = new SceneView(box);
   column->addWidget(make_view_bar());
   problem_ = new QLabel(box);
   problem_->setObjectName(QStringLiteral("problem"));
@@ -29,7 +30,6 @@ QWidget* RunPage::make_middle() {
   problem_->setProperty("card", true);
   problem_->setVisible(false);
   column->addWidget(problem_);
-  view_ = new SceneView(box);
   column->addWidget(view_, 1);
   column->addWidget(make_actions());
 
@@ -103,6 +103,12 @@ QWidget* RunPage::make_view_bar() {
       tr("While the mouse is the instrument: a second view at right angles, near the jaws"));
   connect(second_button_, &QPushButton::toggled, this, &RunPage::update_second);
   row->addWidget(second_button_);
+  loupe_button_ = make_button(tr("Wound"), {}, QStringLiteral("loupe"), bar);
+  loupe_button_->setCheckable(true);
+  loupe_button_->setChecked(true);
+  loupe_button_->setToolTip(tr("A magnified view of the wound while there is one"));
+  connect(loupe_button_, &QPushButton::toggled, view_, &SceneView::set_loupe_shown);
+  row->addWidget(loupe_button_);
   auto* forces = make_button(tr("Forces"), {}, QStringLiteral("forces"), bar);
   forces->setCheckable(true);
   forces->setToolTip(tr("Show contact forces in the picture"));
@@ -135,7 +141,7 @@ QWidget* RunPage::make_sound(QWidget* bar) {
   volume_->setAccessibleName(tr("Volume"));
   volume_->setToolTip(tr("Volume of the cues"));
   volume_->setRange(0, 100);
-  volume_->setFixedWidth(80);
+  volume_->setFixedWidth(60);
   volume_->setValue(static_cast<int>(100 * speaker_.volume()));
   connect(sound_button_, &QPushButton::toggled, volume_, &QSlider::setEnabled);
   connect(volume_, &QSlider::valueChanged, this, [this](int v) { speaker_.set_volume(v / 100.0); });

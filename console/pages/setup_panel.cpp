@@ -180,6 +180,10 @@ void SetupPanel::fill_devices() {
   device_->setCurrentIndex(device_->findData(wanted_device_));
 }
 
+bool SetupPanel::mirrored() const {
+  return left_handed() || lessons_->currentIndex().data(LessonsModel::kMirror).toBool();
+}
+
 QString SetupPanel::task() const {
   const QModelIndex lesson = lessons_->currentIndex();
   return QStringList(

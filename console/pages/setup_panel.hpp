@@ -29,6 +29,7 @@ class SetupPanel : public QWidget {
   QString device() const;  // for session::Options::device
   void set_device(const QString& device);
   bool left_handed() const { return left_->isChecked(); }  // the lesson is mirrored
+  bool mirrored() const;                                   // by that or by its file
   void set_left_handed(bool on) { left_->setChecked(on); }
   QString task() const;  // what the lesson is about, and what it is for
   void set_running(bool running);

@@ -20,6 +20,11 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   device_ = add("device_health");
   recording_ = add("recording");
   row->addStretch(1);
+  frames_ = add("frames");
+  frames_->setToolTip(tr(
+      "Time from picture to picture: half of them take no longer than the first number, 99 of 100 no longer "
+      "than the second (F12 hides it)"));
+  frames_->hide();
   graphics_ = add("graphics");
 }
 
@@ -27,6 +32,16 @@ void StatusStrip::set_idle(const QString& text) {
   loop_->setText(text);
   device_->clear();
   recording_->clear();
+}
+
+void StatusStrip::show_frames(const FrameTimes& frames) {
+  if (!frames_shown()) return;
+  const double half = frames.share(0.5), worst = frames.share(0.99);
+  frames_->setText(frames.count() == 0 ? tr("No picture yet")
+                                       : tr("%1 pictures/s, p50 %2 ms, p99 %3 ms")
+                                             .arg(1 / half, 0, 'f', 0)
+                                             .arg(1e3 * half, 0, 'f', 1)
+                                             .arg(1e3 * worst, 0, 'f', 1));
 }
 
 void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::SceneCard& card,

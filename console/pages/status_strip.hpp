@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QWidget>
 
+#include "console/view3d/frame_times.hpp"
 #include "snapshot/scene_card.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -18,10 +19,14 @@ class StatusStrip : public QWidget {
   void show_health(const snapshot::Snapshot& snapshot, const snapshot::SceneCard& card, double steps_per_s,
                    bool recording);
   void set_graphics(const QString& text) { graphics_->setText(text); }
+  /// How quickly pictures come, while that is wanted.
+  void show_frames(const FrameTimes& frames);
+  void set_frames_shown(bool shown) { frames_->setVisible(shown); }
+  bool frames_shown() const { return !frames_->isHidden(); }
   QString text() const;
 
  private:
-  QLabel *loop_, *device_, *recording_, *graphics_;
+  QLabel *loop_, *device_, *recording_, *frames_, *graphics_;
 };
 
 }  // namespace swage::console

@@ -46,6 +46,12 @@ void OrbitCamera::stay_at(const QVector3D& point) {
   follows_ = false;
 }
 
+// the short way round
+void OrbitCamera::look_from(float yaw_deg) {
+  goal_.yaw = yaw_deg;
+  now_.yaw = yaw_deg + std::remainder(now_.yaw - yaw_deg, 360.F);
+}
+
 void OrbitCamera::turn(float yaw_deg, float pitch_deg) {
   goal_.yaw += yaw_deg;
   goal_.pitch = std::clamp(goal_.pitch + pitch_deg, 0.0F, 89.9F);

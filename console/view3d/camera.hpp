@@ -16,6 +16,8 @@ class OrbitCamera {
   /// A sphere (mm) that should fill the picture; also the home of the presets.
   void frame(const QVector3D& centre, float radius);
   void look(CameraPreset preset);
+  /// From this side, seen on a compass: -90 is from the front.
+  void look_from(float yaw_deg);
   void turn(float yaw_deg, float pitch_deg);
   void pan(float dx, float dy);  // fractions of the picture's height
   void zoom(float notches);      // + nearer

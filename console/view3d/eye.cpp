@@ -11,6 +11,10 @@ namespace {
 constexpr float kDeg = 0.017453292F;
 constexpr float kDown_deg = 45;  // a camera that looks down more steeply is crossed from the front
 
+constexpr float kClear = 1.2F;  // radii before a wound in which things are seen: jaws beyond would hide it
+constexpr float kSteep_deg =
+    55;  // at which a wound is looked at: its lips stand out, its shape is not foreshortened
+
 // half the height of what a camera sees at a distance of 1
 float half_height() { return std::tan(0.5F * OrbitCamera::kFovDeg * kDeg); }
 
@@ -84,6 +88,24 @@ Eye cross_eye(const OrbitCamera& camera, const QVector3D& centre, float radius, 
   eye.position = centre + eye.distance * (from_above ? QVector3D(0, 0, 1) : -forwards);
   eye.up = from_above ? forwards : QVector3D(0, 0, 1);
   eye.projection.perspective(OrbitCamera::kFovDeg, aspect, near_of(eye.distance), far_of(eye.distance));
+  return eye;
+}
+
+Eye wound_eye(const OrbitCamera& camera, const QVector3D& middle, const QVector3D& normal, float radius,
+              float aspect) {
+  const auto in_plane = [&](const QVector3D& v) { return v - QVector3D::dotProduct(v, normal) * normal; };
+  QVector3D aside = in_plane(camera.eye() - camera.focus());
+  if (aside.length() < 0.1F * camera.distance()) aside = in_plane(-camera.up());
+  const QVector3D to_eye =
+      std::cos(kSteep_deg * kDeg) * aside.normalized() + std::sin(kSteep_deg * kDeg) * normal;
+  Eye eye;
+  eye.distance = radius / std::sin(0.5F * OrbitCamera::kFovDeg * kDeg);
+  eye.span = 2 * eye.distance * half_height();
+  eye.ahead = middle;
+  eye.position = middle + eye.distance * to_eye;
+  eye.up = (normal - QVector3D::dotProduct(normal, to_eye) * to_eye).normalized();
+  eye.projection.perspective(OrbitCamera::kFovDeg, aspect, eye.distance - kClear * radius,
+                             far_of(eye.distance));
   return eye;
 }
 

@@ -49,4 +49,9 @@ std::array<Eye, 2> two_eyes(const OrbitCamera& camera, const StereoRig& rig, flo
 /// Shows a sphere.
 Eye cross_eye(const OrbitCamera& camera, const QVector3D& centre, float radius, float aspect);
 
+/// Onto a place of a surface, steeply, from the camera's side. Shows a sphere; what is nearer than that is cut away, so that
+/// nothing stands before it.
+Eye wound_eye(const OrbitCamera& camera, const QVector3D& middle, const QVector3D& normal, float radius,
+              float aspect);
+
 }  // namespace swage::console

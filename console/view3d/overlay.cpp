@@ -74,7 +74,7 @@ void Overlay::scale_bar(double mm_per_pixel, double left) {
   p_.drawText(QRectF(x, y - 26, std::max(px, 60.0), 18), Qt::AlignCenter, length_text(mm));
 }
 
-void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
+void Overlay::cue(const QPointF& at, const CueStyle& style, int slot, double clear_px) {
   // a line from the grasp to its label, out of the way of the tips
   const QFont font = p_.font();
   const double sign = 22, signs = sign * static_cast<double>(style.shape.size()) + 6;
@@ -83,12 +83,17 @@ void Overlay::cue(const QPointF& at, const CueStyle& style, int slot) {
   const QRectF r = room(label, style.text, font, signs);
   label = r.center();
   p_.setRenderHint(QPainter::Antialiasing);
-  p_.setPen(QPen(QColor(0, 0, 0, 110), 3));
-  p_.drawLine(at, label);
-  p_.setPen(QPen(QColor(255, 255, 255, 220), 1.4));
-  p_.drawLine(at, label);
+  const QPointF way = label - at;
+  const QPointF from = at + way * (clear_px / std::max(std::hypot(way.x(), way.y()), 1.0));
+  p_.setBrush(Qt::NoBrush);
+  for (const auto& [colour, width] :
+       {std::pair{QColor(0, 0, 0, 110), 3.0}, {QColor(255, 255, 255, 220), 1.4}}) {
+    p_.setPen(QPen(colour, width));
+    p_.drawLine(from, label);
+    if (clear_px > 0) p_.drawEllipse(at, clear_px, clear_px);
+  }
   p_.setBrush(style.colour);
-  p_.drawEllipse(at, 3.5, 3.5);
+  if (clear_px <= 0) p_.drawEllipse(at, 3.5, 3.5);
   pill(r, style.text, font, signs);
   paint_cue_shape(p_, {r.left() + 8, r.center().y() - 0.5 * sign}, sign, style);
 }
@@ -147,6 +152,11 @@ void Overlay::banner(const QString& text) {
   font.setBold(true);
   // above the bar of scale; the cues stand above the grasp
   pill({area_.center().x(), area_.bottom() - 68}, text, font);
+}
+
+void Overlay::caption(const QString& text) {
+  const double w = QFontMetricsF(p_.font()).horizontalAdvance(text) + 20;
+  pill(QPointF(area_.left() + 0.5 * w, area_.top()), text, p_.font());
 }
 
 void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }

@@ -26,13 +26,16 @@ class Overlay {
   /// `left`: what is taken at the left of the picture, px.
   void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
-  void cue(const QPointF& at, const CueStyle& style, int slot);
+  /// `clear_px`: a ring of this radius instead of a dot, so that what is there stays to be seen.
+  void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);
   /// A ring that fills clockwise while something is held.
   void ring(const QPointF& at, double share, double radius_px = 17);
   /// A place to go to: its circle, and where there is room its sign and its word.
   void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
   void force(const QPointF& from, const QPointF& to);
   void clock(const QString& text);
+  /// What an inset shows, at its top left.
+  void caption(const QString& text);
   void banner(const QString& text);
   void hint(const QString& text);
 

@@ -4,8 +4,10 @@
 #include <swage/abi/lesson.h>
 
 #include <QPointer>
+#include <QtMath>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "console/view3d/overlay.hpp"
@@ -20,7 +22,11 @@ constexpr qint64 kPatience_ms =
 constexpr double kThreadRadius_m = 15e-6;  // 10-0 suture
 constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
 constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
-constexpr float kRoom = 1.2F;       // space around what is framed
+constexpr float kAnywhere_mm = 1e6F;
+constexpr float kStands =
+    0.7F;  // level part of its plane's normal: a needle that lies is looked at as everything is
+constexpr float kBehindTool = 0.3F;  // of the way to the viewer: from here on the tool is in the way
+constexpr float kRoom = 1.2F;        // space around what is framed
 
 // steel while it only springs, orange where it begins to stay bent, red at one and a half times that
 QColor stressed(const QColor& steel, double share) {
@@ -46,6 +52,12 @@ Floor shelf_of(const Ground& level) {
   return floor;
 }
 
+QVector3D middle_of(const Mesh& mesh) {
+  Bounds own;
+  for (const Vertex& v : mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
+  return own.empty() ? QVector3D() : own.centre();
+}
+
 // one colour only
 bool is_plain(const QImage& image) {
   for (int y = 0; y < image.height(); ++y) {
@@ -66,7 +78,7 @@ SceneView::SceneView(QWidget* parent)
   setMouseTracking(true);
   setMinimumSize(320, 240);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  if (gl_.ok) renderer_ = make_qt3d_renderer(4, 2);
+  if (gl_.ok) renderer_ = make_qt3d_renderer(4, 3);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SceneView::tick);
   clock_.start();
@@ -101,6 +113,7 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
   near_ = {};
   camera_.look(preset_ = preset);
+  look_aside();
   camera_.jump();
   if (!renderer_) return update();
   renderer_->clear();
@@ -118,7 +131,9 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   }
   add_wounds();
   dented_.clear();
-  wounded_ = false;
+  wound_ = {};
+  wounds_drawn_ = false;
+  loupe_mm_ = 0;
   colour_parts();
   place_parts();
   touch(kFirstPictures);
@@ -265,8 +280,29 @@ void SceneView::look_near() {
   }
 }
 
+// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve.
+void SceneView::look_aside() {
+  if (preset_ != CameraPreset::kSide || !have_card_) return;
+  const std::span<const swage_pose> X_WB =
+      have_snapshot_ ? std::span<const swage_pose>(snapshot_->X_WB, snapshot_->n_body)
+                     : std::span<const swage_pose>(card_.start);
+  const auto circle = needle_circle(card_, parts_, X_WB, middle_of_tips(), kAnywhere_mm);
+  if (!circle) return;
+  QVector3D level(circle->axis.x(), circle->axis.y(), 0);
+  if (level.length() < kStands) return;
+  QVector3D handle;  // from the tips
+  for (const ScenePart& part : parts_.part)
+    if (part.role == Role::kTool && part.chain < 0)
+      handle += place_of({part.body, middle_of(part.mesh)}) - middle_of_tips();
+  const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
+  const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
+  if (other_side) level = -level;
+  camera_.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
+}
+
 void SceneView::look(CameraPreset preset) {
   camera_.look(preset_ = preset);
+  look_aside();
   near_ = {};
   look_near();
   touch();
@@ -304,17 +340,14 @@ void SceneView::tick() {
   if (!isVisible() || !have_card_) return;
   if (camera_.advance(dt)) touch();
   move_second(dt);
-  if (resting()) return;
+  if (resting()) return frames_.rest();
   // a processor that draws has less left for the session: every other picture is enough
   skip_ = gl_.software && !skip_;
   if (skip_) return;
   to_draw_ = std::max(0, to_draw_ - 1);
   std::vector<View> views;
-  std::vector<QRect> parts;
-  for (const Panel& panel : panels()) {
-    views.push_back(panel.view);
-    parts.push_back(panel.view.part);
-  }
+  const std::vector<Panel> parts = panels();
+  for (const Panel& panel : parts) views.push_back(panel.view);
   renderer_->set_views(views);
   QPointer<SceneView> self(this);
   renderer_->draw([self, parts](const QImage& image) {
@@ -323,7 +356,7 @@ void SceneView::tick() {
 }
 
 // Goes on drawing until the picture stands still: a slow machine is still loading when a fast one has long finished.
-void SceneView::arrived(const QImage& image, const std::vector<QRect>& parts) {
+void SceneView::arrived(const QImage& image, const std::vector<Panel>& parts) {
   const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
   if (empty && since_card_.elapsed() < kPatience_ms) {
     alike_ = 0;
@@ -332,6 +365,7 @@ void SceneView::arrived(const QImage& image, const std::vector<QRect>& parts) {
   const bool first = image_.isNull();
   alike_ = image == image_ ? alike_ + 1 : 0;
   image_ = image;
+  frames_.add(clock_.nsecsElapsed());
   image_parts_ = parts;
   update();
   if (first) Q_EMIT ready_changed();

@@ -18,9 +18,12 @@
 #include "console/cues/cue_theme.hpp"
 #include "console/cues/ui_theme.hpp"
 #include "console/link/pointer_input.hpp"
+#include "console/view3d/frame_times.hpp"
+#include "console/view3d/needle_circle.hpp"
 #include "console/view3d/renderer.hpp"
 #include "console/view3d/scene_parts.hpp"
 #include "console/view3d/stereo_look.hpp"
+#include "console/view3d/wound_surface.hpp"
 
 namespace swage::console {
 
@@ -53,6 +56,8 @@ class SceneView : public QWidget {
   void set_hold(double share);
   /// A second view at right angles, near the jaws: it shows the depth to a person who has only a mouse.
   void set_second_shown(bool shown);
+  /// A magnified view of the wound while there is one.
+  void set_loupe_shown(bool shown);
   /// While true, mouse and keys drive the instrument and not the camera.
   void set_instrument(bool on);
   bool instrument() const { return instrument_; }
@@ -61,11 +66,14 @@ class SceneView : public QWidget {
   QImage image() const;
   /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
   bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
+  const FrameTimes& frames() const { return frames_; }
   /// Draws again although nothing moved.
   void redraw() { touch(); }
 
  Q_SIGNALS:
   void pointer(const swage_pointer& input);
+  /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
+  void circle(const std::optional<NeedleCircle>& about);
   void ready_changed();
 
  protected:
@@ -84,36 +92,42 @@ class SceneView : public QWidget {
  private:
   static constexpr int kAlike =
       3;  // pictures in a row; less, and a mesh that is still being loaded is missed
+  enum class Inset { kNone, kDepth, kWound };
   /// A part of the widget in which the scene is seen by one eye.
   struct Panel {
     QRectF at;    // on the widget
     QSizeF size;  // it is painted as large as this and then pressed into `at`
     View view;    // and where it lies in the renderer's picture
-    bool second = false;
+    Inset inset = Inset::kNone;
   };
   std::vector<Panel> panels() const;
   void lay_out();
   QSize canvas() const;  // the renderer's picture: all panels beside each other
   Panel panel_at(const QPointF& position) const;
   void move_second(double dt_s);
-  QRectF second_at(int corner) const;
+  QRectF corner_at(int corner, double shape) const;
+  Panel loupe() const;
+  void show_loupe();
+  void choose_loupe_corner();
   void choose_corner(const QVector3D& tips, const QVector3D& aim);
   void look_from(const QPointF& position);
   swage_pointer moved(const QPointF& from, const QPointF& to);
   QVector3D place_of(const Spot& spot) const;
   QVector3D middle_of_tips() const;
   QVector3D aim_near(const QVector3D& tips) const;
+  const Panel* drawn(const Panel& panel, size_t index) const;
   void paint_panel(QPainter& painter, const Panel& panel, size_t index);
   void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
-  void paint_frame(QPainter& painter, const Panel& second) const;
+  void paint_frame(QPainter& painter, const Panel& inset) const;
   void paint_words(QPainter& painter);
   void tick();
   void touch(int pictures = 3);
-  void arrived(const QImage& image, const std::vector<QRect>& parts);
+  void arrived(const QImage& image, const std::vector<Panel>& parts);
   bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
   void colour_parts();
   void look_near();
+  void look_aside();
   void add_wounds();
   void colour_wounds();
   void place_soft();
@@ -125,9 +139,11 @@ class SceneView : public QWidget {
   void paint_background(QPainter& painter, const QRectF& at);
   void paint_placeholder(QPainter& painter);
   bool has_target() const;
+  void tell_circle(const swage_pointer& input);
   void paint_marks(Overlay& overlay, const Panel& panel) const;
   void paint_forces(Overlay& overlay, const Panel& panel) const;
   void paint_cues(Overlay& overlay, const Panel& panel) const;
+  double clear_px(uint32_t object, const Panel& panel) const;
 
   GlProbe gl_;
   std::unique_ptr<Renderer> renderer_;
@@ -138,8 +154,11 @@ class SceneView : public QWidget {
   SceneParts parts_;
   std::vector<int> thread_part_;  // renderer's part per object with particles, or -1
   std::set<int> dented_;          // parts that are not as they were at rest
-  bool wounded_ = false, pierced_ = false;
-  int wound_ = -1, wound_rim_ = -1, hole_ = -1;
+  bool pierced_ = false;
+  WoundPlace wound_;  // the greatest in the scene
+  uint32_t wounded_object_ = 0;
+  bool wounds_drawn_ = false;
+  int wound_part_[3] = {-1, -1, -1};  // lip, flesh, depth
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
@@ -147,24 +166,29 @@ class SceneView : public QWidget {
   std::optional<StereoLook> stereo_;
   Bounds second_;          // what the second view shows now
   bool dragging_ = false;  // a button moves the instrument: no view moves meanwhile
-  bool drags_second_ = false;
-  int corner_ = 0;     // where the second view lies
+  Inset drags_in_ = Inset::kNone;
+  int corner_ = 0;        // where the second view lies
+  int loupe_corner_ = 1;  // and the loupe
+  float loupe_mm_ = 0;    // radius of what the loupe shows, 0 for no loupe
+  bool loupe_shown_ = true;
   double stress_ = 0;  // of first yield
   double hold_ = 0;
   QString clock_text_, banner_;
   QImage image_;                    // of all panels
-  std::vector<QRect> image_parts_;  // where each lies in it
+  std::vector<Panel> image_parts_;  // as they were when it was drawn
   QPixmap background_;
   CameraPreset preset_ = CameraPreset::kOrbit;
   std::optional<QVector3D> near_;  // the mark looked at
   int to_draw_ = 0;                // pictures still wanted
   int alike_ = 0;                  // pictures in a row that were the same
   QElapsedTimer since_card_;
+  FrameTimes frames_;
   bool skip_ = false;
   QTimer timer_;
   QElapsedTimer clock_;
   qint64 last_tick_ns_ = 0;
   PointerInput input_;
+  bool drives_ = false;  // along the needle's circle
   QPointF last_mouse_;
 };
 

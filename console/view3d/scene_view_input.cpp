@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QScreen>
 #include <QWheelEvent>
+#include <span>
 #include <utility>
 
 #include "console/view3d/scene_view.hpp"
@@ -44,6 +45,14 @@ swage_pointer SceneView::moved(const QPointF& from, const QPointF& to) {
                       parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, middle_of_tips()));
 }
 
+// where the needle is when a drive begins is where its circle stays
+void SceneView::tell_circle(const swage_pointer& input) {
+  const bool drives = PointerInput::drives(input);
+  if (std::exchange(drives_, drives) || !drives || !have_snapshot_) return;
+  Q_EMIT circle(
+      needle_circle(card_, parts_, std::span(snapshot_->X_WB, snapshot_->n_body), middle_of_tips()));
+}
+
 bool SceneView::moves_camera(const QMouseEvent& event) const {
   if (!instrument_) return event.buttons() != Qt::NoButton;
   return event.buttons() & Qt::LeftButton && event.modifiers() & Qt::ControlModifier;
@@ -54,12 +63,13 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   setFocus();
   if (!instrument_ || moves_camera(*event)) return;
   if (!dragging_) {
-    const std::vector<Panel> all = panels();
-    drags_second_ = all.size() > 1 && all[1].second && all[1].at.contains(last_mouse_);
+    drags_in_ = panel_at(last_mouse_).inset;
     dragging_ = true;
   }
   look_from(last_mouse_);
-  Q_EMIT pointer(input_.buttons(*event));
+  const swage_pointer out = input_.buttons(*event);
+  tell_circle(out);
+  Q_EMIT pointer(out);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
@@ -92,7 +102,9 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   const QPointF from = std::exchange(last_mouse_, event->position());
   if (!instrument_) return;
   if (from != last_mouse_) Q_EMIT pointer(moved(from, last_mouse_));
-  Q_EMIT pointer(input_.buttons(*event));
+  const swage_pointer out = input_.buttons(*event);
+  tell_circle(out);
+  Q_EMIT pointer(out);
   dragging_ = event->buttons() != Qt::NoButton;
 }
 
@@ -118,7 +130,9 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   swage_pointer out{};
   if (!dragging_) input_.set_camera(panels().front().view.eye.q_WC());
   if (instrument_ && input_.key(*event, true, out)) {
-    if (!event->isAutoRepeat()) Q_EMIT pointer(out);
+    if (event->isAutoRepeat()) return;
+    tell_circle(out);
+    Q_EMIT pointer(out);
     return;
   }
   // without a mouse: arrows turn, plus and minus zoom, Home frames
@@ -154,7 +168,9 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
   swage_pointer out{};
   if (instrument_ && input_.key(*event, false, out)) {
-    if (!event->isAutoRepeat()) Q_EMIT pointer(out);
+    if (event->isAutoRepeat()) return;
+    tell_circle(out);
+    Q_EMIT pointer(out);
     return;
   }
   QWidget::keyReleaseEvent(event);
@@ -168,6 +184,7 @@ void SceneView::focusInEvent(QFocusEvent* event) {
 void SceneView::focusOutEvent(QFocusEvent* event) {
   // a key that is let go elsewhere must not go on closing the jaws
   if (instrument_) Q_EMIT pointer(input_.released());
+  drives_ = false;
   dragging_ = false;
   update();
   QWidget::focusOutEvent(event);

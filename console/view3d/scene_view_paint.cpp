@@ -13,15 +13,14 @@
 namespace swage::console {
 namespace {
 
+constexpr double kBesideWound_px = 9;  // from its edge to the ring of its cue
 constexpr double kForceScale_px = 60;  // arrow of 1 N
 
 }  // namespace
 
 QVector3D SceneView::grasp_point(uint32_t object) const {
-  // a wound; else where the forces of contact act, which are greatest in the jaws; else the object itself
-  for (uint32_t i = 0; i < snapshot_->n_tear; ++i) {
-    if (snapshot_->tear[i].object == object) return to_mm(snapshot_->tear[i].tear.b_W);
-  }
+  if (wound_.there() && object == wounded_object_) return wound_.middle;
+  // where the forces of contact act, which are greatest in the jaws; else the object itself
   QVector3D sum;
   double weight = 0;
   for (uint32_t i = 0; i < snapshot_->n_contact; ++i) {
@@ -78,7 +77,7 @@ void SceneView::paint_marks(Overlay& overlay, const Panel& panel) const {
     const std::string meaning = cue < card_.script.cues.size() ? card_.script.cues[cue].id : mark.meaning;
     const QPointF at = eye.project(to_mm(snapshot_->mark_p_W[m]), panel.size);
     const double radius = mark.mark.number[0] * kMmPerM / eye.mm_per_pixel(h);
-    overlay.target(at, radius, cues_.style(QString::fromStdString(meaning)), !panel.second);
+    overlay.target(at, radius, cues_.style(QString::fromStdString(meaning)), panel.inset == Inset::kNone);
     if (cues_shown_ && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
 }
@@ -94,6 +93,13 @@ void SceneView::paint_forces(Overlay& overlay, const Panel& panel) const {
   }
 }
 
+// a cue stands beside a wound, never on it
+double SceneView::clear_px(uint32_t object, const Panel& panel) const {
+  if (!wound_.there() || object != wounded_object_) return 0;
+  const double mm = panel.view.eye.mm_per_pixel(panel.size.height(), wound_.middle);
+  return static_cast<double>(wound_.radius) / mm + kBesideWound_px;
+}
+
 void SceneView::paint_cues(Overlay& overlay, const Panel& panel) const {
   int slot = 0;
   bool ringed = false;
@@ -104,8 +110,16 @@ void SceneView::paint_cues(Overlay& overlay, const Panel& panel) const {
     if (!ringed && hold_ > 0 && !has_target()) overlay.ring(at, hold_), ringed = true;
     // the tool's own cue (too much force) goes to the left, that of the work to the right
     const bool tool = role_of(card_, o) == Role::kTool;
-    overlay.cue(at, cues_.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2);
+    overlay.cue(at, cues_.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2, clear_px(o, panel));
   }
+}
+
+// where a panel lies in the last picture, which may be of other panels
+const SceneView::Panel* SceneView::drawn(const Panel& panel, size_t index) const {
+  if (stereo_) return index < image_parts_.size() ? &image_parts_[index] : nullptr;
+  const auto same = std::find_if(image_parts_.begin(), image_parts_.end(),
+                                 [&](const Panel& p) { return p.inset == panel.inset; });
+  return same == image_parts_.end() ? nullptr : &*same;
 }
 
 // The scene as one eye sees it, and over it what belongs to places in it.
@@ -113,9 +127,9 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   painter.save();
   painter.setClipRect(panel.at);
   paint_background(painter, panel.at);
-  if (index < image_parts_.size()) {
+  if (const Panel* last = drawn(panel, index)) {
     // until the next one comes a picture of another size is stretched
-    const QRect& part = image_parts_[index];
+    const QRect& part = last->view.part;
     painter.setRenderHint(QPainter::SmoothPixmapTransform, part.size() != panel.view.part.size());
     painter.drawImage(panel.at, image_, part);
   }
@@ -125,7 +139,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   if (have_snapshot_) {
     paint_marks(overlay, panel);
     paint_forces(overlay, panel);
-    if (!panel.second) paint_cues(overlay, panel);
+    if (panel.inset == Inset::kNone) paint_cues(overlay, panel);
   }
   painter.restore();
 }
@@ -142,24 +156,33 @@ void SceneView::paint_anaglyph(QPainter& painter, const std::vector<Panel>& two)
   painter.drawImage(rect(), red_cyan(eye[0], eye[1]));
 }
 
-// the corner that shows the depth: what it is, and how large
-void SceneView::paint_frame(QPainter& painter, const Panel& second) const {
+// a corner that shows the depth or a wound: what it is, and how large
+void SceneView::paint_frame(QPainter& painter, const Panel& inset) const {
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(ui_["border"], 2));
   painter.setBrush(Qt::NoBrush);
-  painter.drawRect(second.at);
-  const bool from_above = second.view.eye.up.z() < 0.5F;
+  painter.drawRect(inset.at);
   painter.setPen(ui_["view_text"]);
-  painter.drawText(second.at.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignTop,
-                   from_above ? tr("From above") : tr("From the front"));
+  if (inset.inset == Inset::kDepth) {
+    const bool from_above = inset.view.eye.up.z() < 0.5F;
+    painter.drawText(inset.at.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignTop,
+                     from_above ? tr("From above") : tr("From the front"));
+    return;
+  }
+  // how large it is is a cue; that it is there is plain to see
+  Overlay overlay(painter, inset.at, ui_);
+  overlay.caption(cues_shown_ ? tr("Wound %1 %").arg(100 * wound_.ratio, 0, 'f', 0) : tr("Wound"));
+  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 
 void SceneView::paint_words(QPainter& painter) {
   Overlay overlay(painter, rect(), ui_);
   const std::vector<Panel> all = panels();
-  const bool beside = all.size() > 1 && corner_ == 0;
-  if (have_card_)
-    overlay.scale_bar(all.front().view.eye.mm_per_pixel(height()), beside ? all[1].at.right() : 0);
+  double left = 0;  // what insets take of the lower left
+  for (const Panel& panel : all)
+    if (panel.inset != Inset::kNone && panel.at.left() < width() / 4.0 && panel.at.bottom() > height() / 2.0)
+      left = panel.at.right();
+  if (have_card_) overlay.scale_bar(all.front().view.eye.mm_per_pixel(height()), left);
   if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
   if (!banner_.isEmpty()) overlay.banner(banner_);
   if (instrument_ && !hasFocus()) overlay.hint(tr("Click here: then mouse and keys move the instrument"));
@@ -180,7 +203,7 @@ void SceneView::paintEvent(QPaintEvent*) {
     return paint_anaglyph(painter, all);
   for (size_t i = 0; i < all.size(); ++i) {
     paint_panel(painter, all[i], i);
-    if (all[i].second) paint_frame(painter, all[i]);
+    if (all[i].inset != Inset::kNone) paint_frame(painter, all[i]);
   }
   if (!stereo_) paint_words(painter);
 }

@@ -14,6 +14,12 @@ namespace {
 constexpr double kSecond = 0.36;       // height of the second view, of that of the first
 constexpr double kSecondShape = 1.25;  // width over height
 constexpr double kMargin_px = 10;
+constexpr double kLoupeShape = 1;
+constexpr float kLeastLoupe_mm =
+    0.3F;                           // half of what is shown of a clean prick: the wire fills a third of it
+constexpr float kLoupeRoom = 1.5F;  // around the wound
+constexpr float kLoupeStep = 1.5F;
+constexpr int kGap_px = 2;          // between panels in the picture: the renderer rounds to whole pixels
 constexpr double kClear_px = 16;    // between it and what it must not cover
 constexpr float kAround_mm = 0.9F;  // shown around the tips and what they are to take
 constexpr float kFurthest_mm = 6;   // from the tips: what is further off is not shown, the tips are
@@ -37,6 +43,29 @@ void SceneView::set_second_shown(bool shown) {
   lay_out();
 }
 
+void SceneView::set_loupe_shown(bool shown) {
+  if (loupe_shown_ == shown) return;
+  loupe_shown_ = shown;
+  show_loupe();
+}
+
+// The more there is to see the less it is magnified, in steps: a picture that breathes tells nothing. Under a drag it stays.
+void SceneView::show_loupe() {
+  float wanted = 0;
+  if (loupe_shown_ && !stereo_ && wound_.there())
+    for (wanted = kLeastLoupe_mm; wanted < kLoupeRoom * wound_.radius; wanted *= kLoupeStep) {
+    }
+  if (wanted == loupe_mm_ || (dragging_ && wanted > 0 && loupe_mm_ > 0)) return;
+  loupe_mm_ = wanted;
+  lay_out();
+}
+
+SceneView::Panel SceneView::loupe() const {
+  const QRectF at = corner_at(loupe_corner_, kLoupeShape);
+  const Eye eye = wound_eye(camera_, wound_.middle, wound_.normal, loupe_mm_, shape(at.size()));
+  return {at, at.size(), {eye, {}}, Inset::kWound};
+}
+
 void SceneView::lay_out() {
   if (renderer_) renderer_->resize(canvas());
   touch(4);
@@ -57,23 +86,24 @@ std::vector<SceneView::Panel> SceneView::panels() const {
   } else {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(camera_, shape(all)), {}}});
     if (second_shown_ && !second_.empty()) {
-      const QRectF at = second_at(corner_);
+      const QRectF at = corner_at(corner_, kSecondShape);
       const Eye eye = cross_eye(camera_, second_.centre(), second_.radius(), shape(at.size()));
-      out.push_back({at, at.size(), {eye, {}}, true});
+      out.push_back({at, at.size(), {eye, {}}, Inset::kDepth});
     }
+    if (loupe_mm_ > 0) out.push_back(loupe());
   }
   int x = 0;
   for (Panel& panel : out) {
     const QSize pixels = (panel.at.size() * devicePixelRatioF()).toSize();
     panel.view.part = QRect(QPoint(x, 0), pixels);
-    x += pixels.width();
+    x += pixels.width() + kGap_px;
   }
   return out;
 }
 
 // the corners in the order in which they are liked: bottom left, bottom right, top left; clock and cues are at the top right
-QRectF SceneView::second_at(int corner) const {
-  const double h = kSecond * height(), w = kSecondShape * h;
+QRectF SceneView::corner_at(int corner, double shape) const {
+  const double h = kSecond * height(), w = shape * h;
   const double x = corner == 1 ? width() - w - kMargin_px : kMargin_px;
   return {x, corner == 2 ? kMargin_px : height() - h - kMargin_px, w, h};
 }
@@ -82,13 +112,32 @@ QRectF SceneView::second_at(int corner) const {
 void SceneView::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(camera_, shape(size()));
   const auto covers = [&](int corner) {
-    const QRectF at = second_at(corner).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
+    const QRectF at = corner_at(corner, kSecondShape).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
     return at.contains(eye.project(tips, size())) || at.contains(eye.project(aim, size()));
   };
   if (!covers(corner_)) return;
   for (int corner = 0; corner < 3; ++corner) {
     if (covers(corner)) continue;
     corner_ = corner;
+    return touch();
+  }
+}
+
+// nor the loupe over the tips, the wound or the second view
+void SceneView::choose_loupe_corner() {
+  if (loupe_mm_ <= 0 || dragging_) return;
+  const Eye eye = middle_eye(camera_, shape(size()));
+  const bool second = second_shown_ && !second_.empty();
+  const auto free = [&](int corner) {
+    if (second && corner == corner_) return false;
+    const QRectF at = corner_at(corner, kLoupeShape).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
+    return !at.contains(eye.project(middle_of_tips(), size())) &&
+           !at.contains(eye.project(wound_.middle, size()));
+  };
+  if (free(loupe_corner_)) return;
+  for (const int corner : {1, 0, 2}) {
+    if (!free(corner)) continue;
+    loupe_corner_ = corner;
     return touch();
   }
 }
@@ -101,13 +150,16 @@ QSize SceneView::canvas() const {
 }
 
 QImage SceneView::image() const {
-  return image_parts_.size() < 2 ? image_ : image_.copy(image_parts_.front());
+  return image_parts_.size() < 2 ? image_ : image_.copy(image_parts_.front().view.part);
 }
 
 SceneView::Panel SceneView::panel_at(const QPointF& position) const {
   const std::vector<Panel> all = panels();
-  const bool second = all.size() > 1 && (dragging_ ? drags_second_ : all[1].at.contains(position));
-  return all[second ? 1 : 0];
+  for (const Panel& panel : all) {
+    if (panel.inset == Inset::kNone) continue;
+    if (dragging_ ? panel.inset == drags_in_ : panel.at.contains(position)) return panel;
+  }
+  return all.front();
 }
 
 QVector3D SceneView::place_of(const Spot& spot) const {
@@ -142,6 +194,7 @@ QVector3D SceneView::aim_near(const QVector3D& tips) const {
 
 // Shows the tips and what they are to take, the larger the nearer they come.
 void SceneView::move_second(double dt_s) {
+  choose_loupe_corner();
   if (stereo_ || !second_shown_ || dragging_ || parts_.tips.empty()) return;
   const QVector3D tips = middle_of_tips();
   QVector3D aim = aim_near(tips);

@@ -2,18 +2,15 @@
 //
 // What SceneView draws of soft things: their surface where it is dented, and the wounds in it.
 #include <algorithm>
+#include <utility>
 
 #include "console/view3d/scene_view.hpp"
-#include "console/view3d/soft_surface.hpp"
+#include "console/view3d/wound_surface.hpp"
 
 namespace swage::console {
 namespace {
 
-constexpr float kRim_mm = 0.012F;   // of dark around a wound, so that it is seen on any tissue by any eye
-constexpr float kLift_mm = 0.004F;  // wounds lie so far above the surface, so that they do not flicker
-constexpr float kHole = 0.8F;       // of the wound's half width
-constexpr int kHoleDark = 800;      // per cent of darkness
-constexpr float kFlat_mm = 2e-4F;   // a shallower dent is not seen
+constexpr float kFlat_mm = 2e-4F;  // a shallower dent is not seen
 
 std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Dent> out;
@@ -25,6 +22,8 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
+constexpr uint32_t kMaxWounds = 1000;  // of a coupling: numbers of wounds are told apart by it
+
 std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Tear> out;
   for (uint32_t i = 0; i < s.n_tear; ++i) {
@@ -34,38 +33,28 @@ std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
       out.push_back({to_mm(t.a_W),
                      to_mm(t.b_W),
                      {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)},
-                     static_cast<float>(t.radius * kMmPerM)});
+                     static_cast<float>(t.radius * kMmPerM),
+                     s.tear[i].coupling * kMaxWounds + t.wound});
   }
   return out;
-}
-
-// the mouth of the track: where the needle is, or was last
-std::vector<Tear> holes_of(std::vector<Tear> tears) {
-  for (Tear& t : tears) {
-    t.a = t.b;
-    t.radius *= kHole;
-  }
-  return tears;
 }
 
 }  // namespace
 
 void SceneView::add_wounds() {
-  wound_rim_ = renderer_->add_part({}, {}, {});
-  wound_ = renderer_->add_part({}, {}, {});
-  hole_ = renderer_->add_part({}, {}, {});
+  for (int& part : wound_part_) part = renderer_->add_part({}, {}, {});
 }
 
+// anatomy, not a cue: as red as it is in any palette
 void SceneView::colour_wounds() {
-  const QColor red = cues_.style(QStringLiteral("tissue.tear")).colour;
-  renderer_->set_surface(wound_, {red, 0, 40, Finish::kMoist});
-  renderer_->set_surface(wound_rim_, {red.darker(320), 0, 10});
-  renderer_->set_surface(hole_, {red.darker(kHoleDark), 0, 10});
+  renderer_->set_surface(wound_part_[0], {ui_["wound_lip"], 0, 60, Finish::kMoist});
+  renderer_->set_surface(wound_part_[1], {ui_["wound_flesh"], 0, 70, Finish::kMoist});
+  renderer_->set_surface(wound_part_[2], {ui_["wound_depth"], 0, 30});
 }
 
 void SceneView::place_soft() {
-  Mesh wound, rim, hole;
-  bool wounded = false;
+  WoundMeshes wounds;
+  wound_ = {};
   for (size_t i = 0; i < parts_.part.size(); ++i) {
     const ScenePart& part = parts_.part[i];
     if (!part.soft || part.body >= snapshot_->n_body) continue;
@@ -84,16 +73,17 @@ void SceneView::place_soft() {
         dented_.insert(static_cast<int>(i));
     }
     const std::vector<Tear> tears = tears_of(*snapshot_, part.object);
-    wounded |= !tears.empty();
-    append_tears(tears, dents, kRim_mm, kLift_mm, rim);
-    append_tears(tears, dents, 0, 2 * kLift_mm, wound);
-    append_tears(holes_of(tears), dents, 0, 3 * kLift_mm, hole);
+    append_wounds(tears, dents, wounds);
+    if (const WoundPlace place = greatest_wound(tears, dents); place.ratio > wound_.ratio) {
+      wound_ = place;
+      wounded_object_ = part.object;
+    }
   }
-  if (!wounded && !wounded_) return;
-  wounded_ = wounded;
-  renderer_->set_mesh(wound_rim_, rim);
-  renderer_->set_mesh(wound_, wound);
-  renderer_->set_mesh(hole_, hole);
+  show_loupe();
+  if (!std::exchange(wounds_drawn_, wound_.there()) && !wounds_drawn_) return;
+  renderer_->set_mesh(wound_part_[0], wounds.lip);
+  renderer_->set_mesh(wound_part_[1], wounds.flesh);
+  renderer_->set_mesh(wound_part_[2], wounds.depth);
 }
 
 }  // namespace swage::console

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 namespace swage::console {
 namespace {
 
-constexpr int kRound = 12;       // corners of half a disc: 1 um off a circle of 50 um
 constexpr int kMostRounds = 12;  // of halving: from a wall of 20 mm to 5 um
 constexpr float kStill_mm =
     0.05F;  // a dent that moves less than this leaves the triangles alone, so that light does not flicker
@@ -19,12 +17,6 @@ QVector3D at(const float v[3]) { return {v[0], v[1], v[2]}; }
 
 void put(const QVector3D& p, const QVector3D& n, Mesh& out) {
   out.vertex.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}});
-}
-
-// any direction in the plane
-QVector3D across(const QVector3D& n) {
-  return QVector3D::crossProduct(n, std::abs(n.x()) < 0.9F ? QVector3D(1, 0, 0) : QVector3D(0, 1, 0))
-      .normalized();
 }
 
 // Halves edges and parts their triangles in two, three or four. False when there was nothing to halve.
@@ -117,33 +109,6 @@ void displace(const Mesh& rest, const QMatrix4x4& X_WB, const std::vector<Dent>&
     }
     const QVector3D p_B = X_BW.map(moved), n_B = X_BW.mapVector(bent).normalized();
     out.vertex[i] = {{p_B.x(), p_B.y(), p_B.z()}, {n_B.x(), n_B.y(), n_B.z()}};
-  }
-}
-
-void append_tears(const std::vector<Tear>& tears, const std::vector<Dent>& dents, float grow, float lift,
-                  Mesh& out) {
-  for (const Tear& t : tears) {
-    QVector3D along = t.b - t.a;
-    along -= QVector3D::dotProduct(along, t.normal) * t.normal;
-    along = along.length() > 1e-6F ? along.normalized() : across(t.normal);
-    const QVector3D side = QVector3D::crossProduct(t.normal, along);
-    const auto first = static_cast<uint32_t>(out.vertex.size());
-    const auto corner = [&](const QVector3D& p) {
-      put(p + displacement(dents, p) + lift * t.normal, t.normal, out);
-    };
-    corner(0.5F * (t.a + t.b));
-    // round b, then round a, counter-clockwise seen from outside
-    for (int end = 0; end < 2; ++end) {
-      for (int k = 0; k <= kRound; ++k) {
-        const float angle = static_cast<float>(std::numbers::pi) *
-                            (static_cast<float>(k) / kRound + static_cast<float>(end) - 0.5F);
-        const QVector3D out_from = std::cos(angle) * along + std::sin(angle) * side;
-        corner((end == 0 ? t.b : t.a) + (t.radius + grow) * out_from);
-      }
-    }
-    const uint32_t n = 2 * (kRound + 1);
-    for (uint32_t k = 0; k < n; ++k)
-      out.index.insert(out.index.end(), {first, first + 1 + k, first + 1 + (k + 1) % n});
   }
 }
 

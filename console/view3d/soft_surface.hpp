@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is drawn on top of a soft object's shapes: dents that displace its surface, and wounds in it. Free of Qt3D.
+// What becomes of a soft object's surface: dents that displace it, and places where it is torn. Free of Qt3D.
 #pragma once
 
 #include <QMatrix4x4>
@@ -21,6 +21,7 @@ struct Dent {
 struct Tear {
   QVector3D a, b, normal;
   float radius = 0;
+  uint32_t wound = 0;  // those of one wound are one region
 };
 
 /// The same surface in smaller triangles near the dents: no edge is longer than `share` of its distance from the nearest dent, but
@@ -32,10 +33,5 @@ QVector3D displacement(const std::vector<Dent>& dents, const QVector3D& p);
 
 /// `rest` displaced, with the normals of the displaced surface. `X_WB`: from the mesh to the world, rigid.
 void displace(const Mesh& rest, const QMatrix4x4& X_WB, const std::vector<Dent>& dents, Mesh& out);
-
-/// The wounds as flat patches on the dented surface, `grow` wider than they are and `lift` above it. World, mm. Patches that
-/// overlap look like one, as they are of one colour.
-void append_tears(const std::vector<Tear>& tears, const std::vector<Dent>& dents, float grow, float lift,
-                  Mesh& out);
 
 }  // namespace swage::console

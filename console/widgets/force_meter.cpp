@@ -30,16 +30,20 @@ void ForceMeter::set_range(double most, double low, double limit) {
   update();
 }
 
-void ForceMeter::set_value(std::optional<double> newtons) {
-  value_ = newtons;
-  const QString text = newtons ? quantity_text(*newtons, QStringLiteral("N")) : tr("no contact");
-  if (text == shown_) return;
+void ForceMeter::set_value(std::optional<double> newtons, bool held) {
+  const bool lost = held_ != held;
+  held_ = held;
+  value_ = held ? newtons : std::nullopt;
+  const QString text = value_ ? quantity_text(*value_, QStringLiteral("N")) : nothing();
+  if (text == shown_ && !lost) return;
   shown_ = text;
   setAccessibleDescription(
       tr("%1, good from %2 to %3")
           .arg(text, quantity_text(low_, QStringLiteral("N")), quantity_text(limit_, QStringLiteral("N"))));
   update();
 }
+
+QString ForceMeter::nothing() const { return held_ ? tr("no contact") : tr("no grasp"); }
 
 void ForceMeter::paintEvent(QPaintEvent*) {
   QPainter p(this);
@@ -56,7 +60,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
              value_ ? shown_ : QStringLiteral("–"));
   p.setFont(font());
   const bool low = value_ && *value_ < low_;
-  const QString word = !value_ ? tr("no contact") : over ? tr("! too much") : low ? tr("light") : tr("good");
+  const QString word = !value_ ? nothing() : over ? tr("! too much") : low ? tr("light") : tr("good");
   p.setPen(!value_ || low ? theme_["muted"] : over ? theme_["bad"] : theme_["good"]);
   p.drawText(QRectF(0, 0, width(), 34), Qt::AlignRight | Qt::AlignVCenter, word);
 

@@ -15,7 +15,8 @@ class ForceMeter : public QWidget {
   explicit ForceMeter(QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme);
   void set_range(double most, double low, double limit);  // N
-  void set_value(std::optional<double> newtons);
+  /// `held`: by both jaws. What presses on one of them is no grip.
+  void set_value(std::optional<double> newtons, bool held = true);
   std::optional<double> value() const { return value_; }
   double limit() const { return limit_; }
   QSize sizeHint() const override { return {220, 84}; }
@@ -25,9 +26,11 @@ class ForceMeter : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString nothing() const;
   UiTheme theme_;
   double most_ = 2, low_ = 0.4, limit_ = 0.9;
   std::optional<double> value_;
+  bool held_ = true;
   QString shown_;
 };
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kLeft_px = 56, kRight_px = 12, kEvents_px = 30, kAxis_px = 20, kGap_px = 16;
 constexpr double kFine_s = 1e-3, kStep_s = 1e-2, kCoarse_s = 1;
-constexpr double kNear_px = 5;  // so near the pointer means an event
+constexpr double kLabel_px = 14;  // height of a number at an axis
+constexpr double kNear_px = 5;    // so near the pointer means an event
 
 }  // namespace
 
@@ -213,12 +214,18 @@ void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const Q
   const auto y = [&](double v) {
     return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
   };
+  // ends first: a number that would run into another is left out
   const bool through_zero = t.low < 0 && t.high > 0;
-  for (const double v : {t.low, through_zero ? 0 : 0.5 * (t.low + t.high), t.high}) {
+  double told_px[3];
+  int told = 0;
+  for (const double v : {t.high, t.low, through_zero ? 0 : 0.5 * (t.low + t.high)}) {
     p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y(v)), QPointF(a.right(), y(v)));
     p.setPen(theme_["muted"]);
-    if (v == t.low && through_zero && y(v) - y(0) < 14) continue;  // no room for both numbers
+    if (std::any_of(told_px, told_px + told,
+                    [&](double other) { return std::abs(other - y(v)) < kLabel_px; }))
+      continue;
+    told_px[told++] = y(v);
     p.drawText(QRectF(0, y(v) - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }

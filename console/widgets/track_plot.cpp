@@ -63,6 +63,40 @@ void TrackPlot::paint_circles(QPainter& p, const QPointF& middle, double scale) 
   }
 }
 
+// What the needle's circle has swept is torn: all of it pale, up to the cursor strong, and at the cursor the needle itself.
+// In opaque colours, as what is swept twice is torn once.
+void TrackPlot::paint_torn(QPainter& p, const QPointF& middle, double scale) const {
+  const double r = scale * track_->radius_mm;
+  if (r <= 0) return;
+  const QColor done_colour = theme_["wound_flesh"];
+  const auto sweep = [&](const QPolygonF& way, const QColor& colour) {
+    if (way.isEmpty()) return;
+    p.setPen(QPen(colour, 2 * r, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    way.size() > 1 ? p.drawPolyline(way) : p.drawPoint(way.first());
+  };
+  QVector<QPolygonF> done(track_->passes.size());
+  for (int k = 0; k < track_->passes.size(); ++k) {
+    QPolygonF all;
+    for (int i = 0; i < track_->passes[k].size(); ++i) {
+      const QPointF at = track_->passes[k][i];
+      all << QPointF(middle.x() + scale * at.x(), middle.y() - scale * at.y());
+      if (track_->time_s[k][i] <= cursor_s_) done[k] << all.last();
+    }
+    sweep(all, theme_["wound_lip"]);
+  }
+  QPointF needle;
+  bool there = false;
+  for (const QPolygonF& way : done) {
+    sweep(way, done_colour);
+    if (!way.isEmpty()) needle = way.last(), there = true;
+  }
+  if (!there) return;
+  p.setPen(QPen(theme_["text"], 1));
+  p.setBrush(theme_["steel"]);
+  p.drawEllipse(needle, r, r);
+  p.setBrush(Qt::NoBrush);
+}
+
 void TrackPlot::paint_track(QPainter& p, const QPointF& middle, double scale) const {
   QColor pale = theme_["plot"];
   pale.setAlpha(90);
@@ -146,10 +180,12 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
              tr("Entry penetration, seen onto the surface"));
   p.setPen(theme_["muted"]);
-  p.drawText(QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
-             track_->radius_mm > 0
-                 ? tr("wound %1 % (green: the needle, 100 %)").arg(100 * track_->wound, 0, 'f', 0)
-                 : tr("the cross is the first puncture"));
+  p.drawText(
+      QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+      track_->radius_mm > 0
+          ? tr("wound %1 %: red is torn, the green circle would be 100 %").arg(100 * track_->wound, 0, 'f', 0)
+          : tr("the cross is the first puncture"));
+  paint_torn(p, middle, scale);
   paint_circles(p, middle, scale);
   paint_track(p, middle, scale);
   const double bar = nice_scale_mm(1 / scale, 0.3 * width());

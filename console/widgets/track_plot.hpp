@@ -8,8 +8,8 @@
 
 namespace swage::console {
 
-/// Entry penetration: the track of the needle in the plane of the surface, its circle at the first puncture, and the circle that
-/// the wound's edge reached; below it the cosine of the penetration angle over time. What is up to the cursor is strong, the rest
+/// Entry penetration: the torn region and the track of the needle in the plane of the surface, its circle at the first puncture,
+/// and the circle that the wound's edge reached; below it the cosine of the penetration angle over time. What is up to the cursor is strong, the rest
 /// pale.
 class TrackPlot : public QWidget {
   Q_OBJECT
@@ -25,6 +25,7 @@ class TrackPlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void paint_torn(QPainter& p, const QPointF& middle, double px_per_mm) const;
   void paint_circles(QPainter& p, const QPointF& middle, double px_per_mm) const;
   void paint_track(QPainter& p, const QPointF& middle, double px_per_mm) const;
   void paint_cosine(QPainter& p, const QRectF& area) const;

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace swage::console {
 namespace {
@@ -80,22 +79,6 @@ TEST(SoftSurface, ADentIsAsDeepAsItSaysAndHasTheNormalsOfItsSurface) {
     EXPECT_GT(QVector3D::dotProduct(n, n_W.normalized()), 0.9995F);
   }
   EXPECT_NEAR(deepest, -0.2F, 0.003F);
-}
-
-TEST(SoftSurface, ATearIsACapsuleThatLiesOnTheDentedSurface) {
-  const std::vector<Tear> tears = {{{-0.1F, 0, 0}, {0.2F, 0, 0}, {0, 0, 1}, 0.05F}};
-  Mesh flat;
-  append_tears(tears, {}, 0, 0.01F, flat);
-  EXPECT_NEAR(area(flat), 2 * 0.05 * 0.3 + std::numbers::pi * 0.05 * 0.05, 1e-4);
-  for (const Vertex& v : flat.vertex) EXPECT_FLOAT_EQ(v.p[2], 0.01F);
-  const std::vector<Dent> dents = {{{0, 0, 0}, {0, 0, -0.1F}, 1}};
-  Mesh dented;
-  append_tears(tears, dents, 0, 0, dented);
-  for (const Vertex& v : dented.vertex) EXPECT_NEAR(v.p[2], -0.1F, 0.004F);
-  // a prick has no length
-  Mesh prick;
-  append_tears({{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, 0.05F}}, {}, 0, 0, prick);
-  EXPECT_NEAR(area(prick), std::numbers::pi * 0.05 * 0.05, 2e-4);
 }
 
 }  // namespace

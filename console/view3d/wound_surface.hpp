@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Wounds as a surgeon sees them: an opening whose raw edges lie bare, within a lip of swollen tissue. Free of Qt3D.
+#pragma once
+
+#include "console/view3d/soft_surface.hpp"
+
+namespace swage::console {
+
+/// Triangles in three colours, world, mm.
+struct WoundMeshes {
+  Mesh lip;    // around the wound: swollen, higher than the surface
+  Mesh flesh;  // the torn region, to scale
+  Mesh depth;  // the opening in it: as wide as the needle where it is, closing up away from it
+};
+
+/// What of a wound is framed when it is looked at. World, mm.
+struct WoundPlace {
+  QVector3D middle, normal{0, 0, 1};
+  float radius = 0;  // of a sphere that holds it
+  double ratio =
+      0;  // its edge's greatest distance from the first puncture over the wire's radius: 1 is perfect
+  bool there() const { return radius > 0; }
+};
+
+/// Adds the wounds that `tears` make, on the dented surface. All capsules of one wound are one region.
+void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dents, WoundMeshes& out);
+
+/// The one whose edge is furthest from its first puncture; none when there are no tears.
+WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents);
+
+}  // namespace swage::console

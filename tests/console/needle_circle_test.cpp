@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/view3d/needle_circle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace swage::console {
+namespace {
+
+// a half circle of 3 mm that may be taken, its point at (3, 0, 0) mm of its own frame
+snapshot::SceneCard scene() {
+  snapshot::SceneCard card;
+  card.objects.resize(1);
+  card.objects[0].name = "needle";
+  card.objects[0].n_body = 1;
+  card.objects[0].traits = {SWAGE_TRAIT_GRASPABLE};
+  card.start = {{{0, 0, 0}, {1, 0, 0, 0}}};
+  card.motion = {SWAGE_MOTION_DYNAMIC};
+  snapshot::CardShape arc;
+  arc.kind = SWAGE_SHAPE_ARC;
+  arc.flags = SWAGE_SHAPE_USUAL;
+  arc.X_BS = {{0, 0, 0}, {1, 0, 0, 0}};
+  arc.arc_radius = 3e-3;
+  arc.radius = 50e-6;
+  arc.sweep = std::numbers::pi;
+  card.shapes = {arc};
+  return card;
+}
+
+TEST(NeedleCircle, IsThatOfTheWireAtTheTipsWhereItIsNow) {
+  const snapshot::SceneCard card = scene();
+  const SceneParts parts = make_parts(card);
+  // turned about x by a right angle, and moved: its plane is xz now
+  const double c = std::numbers::sqrt2 / 2;
+  const std::vector<swage_pose> X_WB = {{{1e-3, 2e-3, 0}, {c, c, 0, 0}}};
+  const auto circle = needle_circle(card, parts, X_WB, {1, 2, 3.2F});
+  ASSERT_TRUE(circle);
+  EXPECT_NEAR((circle->centre - QVector3D(1, 2, 0)).length(), 0, 1e-4);
+  EXPECT_NEAR(circle->radius, 3, 1e-4);
+  // the arc runs from its point at +x over +z: for the point to go first one turns the other way, which is about +y
+  EXPECT_NEAR((circle->axis - QVector3D(0, 1, 0)).length(), 0, 1e-4);
+  EXPECT_FALSE(needle_circle(card, parts, X_WB, {1, 2, 5})) << "2 mm from the tips is not held";
+}
+
+TEST(NeedleCircle, AStraightWireHasNone) {
+  snapshot::SceneCard card = scene();
+  card.shapes[0].sweep = 1e-4;
+  EXPECT_FALSE(needle_circle(card, make_parts(card), card.start, {3, 0, 0}));
+}
+
+TEST(NeedleCircle, ItsMirrorImageGoesPointFirstToo) {
+  const NeedleCircle circle{{1, 2, 3}, {0, 1, 0}, 3};
+  const NeedleCircle image = mirrored(circle);
+  // a place on it moves along axis x lever; mirrored lever and motion belong together
+  const QVector3D lever(3, 0, 0), way = QVector3D::crossProduct(circle.axis, lever);
+  const QVector3D way_image = QVector3D::crossProduct(image.axis, QVector3D(-3, 0, 0));
+  EXPECT_EQ(way_image, QVector3D(-way.x(), way.y(), way.z()));
+  EXPECT_EQ(image.centre, QVector3D(-1, 2, 3));
+}
+
+}  // namespace
+}  // namespace swage::console

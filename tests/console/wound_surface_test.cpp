@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "console/view3d/wound_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace swage::console {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kWire = 0.05F;  // mm
+
+QVector3D at(const Mesh& m, uint32_t i) { return {m.vertex[i].p[0], m.vertex[i].p[1], m.vertex[i].p[2]}; }
+
+// of what is seen from above
+double area(const Mesh& m) {
+  double sum = 0;
+  for (size_t i = 0; i < m.index.size(); i += 3) {
+    const QVector3D n = QVector3D::crossProduct(at(m, m.index[i + 1]) - at(m, m.index[i]),
+                                                at(m, m.index[i + 2]) - at(m, m.index[i]));
+    EXPECT_GE(n.z(), -1e-7F) << "turned over";
+    sum += 0.5 * static_cast<double>(n.z());
+  }
+  return sum;
+}
+
+Tear tear(float ax, float bx, uint32_t wound = 0) {
+  return {{ax, 0, 0}, {bx, 0, 0}, {0, 0, 1}, kWire, wound};
+}
+
+TEST(WoundSurface, FleshIsTheTornRegionToScale) {
+  const double disc = kPi * static_cast<double>(kWire * kWire);
+  WoundMeshes prick, slit, twice;
+  append_wounds({tear(0, 0)}, {}, prick);
+  EXPECT_NEAR(area(prick.flesh), disc, 0.02 * disc);
+  append_wounds({tear(0, 0), tear(0, 0.3F)}, {}, slit);
+  EXPECT_NEAR(area(slit.flesh), disc + 0.3 * 0.1, 0.02 * (disc + 0.03)) << "what overlaps counts once";
+  append_wounds({tear(0, 0), tear(1, 1, 1)}, {}, twice);
+  EXPECT_NEAR(area(twice.flesh), 2 * disc, 0.04 * disc) << "two wounds lie apart";
+}
+
+TEST(WoundSurface, TheOpeningIsWithinAndWidestAtTheNeedle) {
+  WoundMeshes slit;
+  append_wounds({tear(0, 0), tear(0, 0.5F)}, {}, slit);
+  float at_needle = 0, far_off = 0;
+  for (const Vertex& v : slit.depth.vertex) {
+    EXPECT_LT(std::abs(v.p[1]), kWire);
+    if (std::abs(v.p[0] - 0.5F) < 0.02F) at_needle = std::max(at_needle, std::abs(v.p[1]));
+    if (std::abs(v.p[0] - 0.1F) < 0.02F) far_off = std::max(far_off, std::abs(v.p[1]));
+  }
+  EXPECT_GT(at_needle, 0.75F * kWire);
+  EXPECT_GT(far_off, 0.3F * kWire);
+  EXPECT_LT(far_off, 0.5F * kWire);
+}
+
+TEST(WoundSurface, TheLipStandsUpAroundItAndFollowsTheDent) {
+  const std::vector<Tear> tears = {tear(0, 0.2F)};
+  WoundMeshes flat, dented;
+  append_wounds(tears, {}, flat);
+  float crest = 0, floor = 1;
+  for (const Vertex& v : flat.lip.vertex) crest = std::max(crest, v.p[2]);
+  for (const Vertex& v : flat.flesh.vertex) floor = std::min(floor, v.p[2]);
+  EXPECT_NEAR(crest - floor, 0.35F * kWire, 0.02F * kWire);
+  append_wounds(tears, {{{0, 0, 0}, {0, 0, -0.1F}, 1}}, dented);
+  ASSERT_EQ(dented.flesh.vertex.size(), flat.flesh.vertex.size());
+  for (size_t i = 0; i < flat.flesh.vertex.size(); ++i)
+    EXPECT_NEAR(dented.flesh.vertex[i].p[2] - flat.flesh.vertex[i].p[2], -0.1F, 0.005F);
+}
+
+TEST(WoundSurface, ATearToTheRimStaysCheap) {
+  WoundMeshes whole;
+  append_wounds({tear(0, 0), tear(0, 4)}, {}, whole);
+  EXPECT_NEAR(area(whole.flesh), 0.4 + kPi * 0.0025, 0.01);
+  EXPECT_LT(whole.flesh.index.size() / 3, 12000U);
+}
+
+TEST(WoundSurface, TheGreatestIsFramed) {
+  EXPECT_FALSE(greatest_wound({}, {}).there());
+  const WoundPlace place = greatest_wound({tear(0, 0), tear(2, 2, 1), tear(2, 2.1F, 1)}, {});
+  EXPECT_NEAR(place.ratio, 3, 1e-4) << "two radii of way and one of wire";
+  EXPECT_NEAR(place.middle.x(), 2.05F, 1e-5F);
+  EXPECT_NEAR(place.radius, 0.1F, 1e-5F);
+}
+
+}  // namespace
+}  // namespace swage::console
