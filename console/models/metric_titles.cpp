@@ -54,6 +54,7 @@ constexpr Title kTitles[] = {
     {"insert.entry_angle", QT_TRANSLATE_NOOP("metrics", "Angle at the entry")},
     {"insert.entry_distance", QT_TRANSLATE_NOOP("metrics", "Entry from the mark")},
     {"insert.exit_angle", QT_TRANSLATE_NOOP("metrics", "Angle at the exit")},
+    {"insert.exit_distance", QT_TRANSLATE_NOOP("metrics", "Exit from its mark")},
     {"insert.in_angle", QT_TRANSLATE_NOOP("metrics", "Way within the angle"), true},
     {"insert.progress", QT_TRANSLATE_NOOP("metrics", "Driven in, of what is asked"), true},
     {"motion.path", QT_TRANSLATE_NOOP("metrics", "Way of the tips")},

@@ -2,6 +2,7 @@
 #include "console/pages/result_panel.hpp"
 
 #include <QAccessible>
+#include <cmath>
 
 #include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
@@ -90,6 +91,7 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
     add(tr("Score"), QStringLiteral("%1 / 100").arg(r.score, 0, 'f', 0), {});
   add(tr("Time"), clock_text(r.simulated_s), {});
   for (const session::Result::Metric& m : r.metrics) {
+    if (!std::isfinite(m.value)) continue;  // not reported: there was none
     const QString id = QString::fromStdString(m.id);
     add(metric_title(id), quantity_text(m.value, metric_unit(id, QString::fromStdString(m.unit))),
         QString::fromStdString(m.doc));

@@ -11,7 +11,7 @@ namespace {
 constexpr float kDeg = 0.017453292F;
 constexpr float kDown_deg = 45;  // a camera that looks down more steeply is crossed from the front
 
-constexpr float kClear = 1.2F;  // radii before a wound in which things are seen: jaws beyond would hide it
+constexpr float kClear = 2;  // radii before a wound in which things are seen: jaws beyond would hide it
 constexpr float kSteep_deg =
     55;  // at which a wound is looked at: its lips stand out, its shape is not foreshortened
 

@@ -33,6 +33,8 @@ class Overlay {
   /// A place to go to: its circle, and where there is room its sign and its word.
   void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
   void force(const QPointF& from, const QPointF& to);
+  /// No label of those to come lies there.
+  void keep_clear(const QRectF& place) { taken_.push_back(place); }
   void clock(const QString& text);
   /// What an inset shows, at its top left.
   void caption(const QString& text);

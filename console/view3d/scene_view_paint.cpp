@@ -136,8 +136,11 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   painter.translate(panel.at.topLeft());
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
   Overlay overlay(painter, QRectF(QPointF(), panel.size), ui_);
+  if (panel.inset == Inset::kNone && !stereo_)
+    for (const Panel& other : panels())
+      if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
   if (have_snapshot_) {
-    paint_marks(overlay, panel);
+    if (panel.inset != Inset::kWound) paint_marks(overlay, panel);
     paint_forces(overlay, panel);
     if (panel.inset == Inset::kNone) paint_cues(overlay, panel);
   }

@@ -22,19 +22,29 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
-constexpr uint32_t kMaxWounds = 1000;  // of a coupling: numbers of wounds are told apart by it
+constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
 
+QVector3D direction(const swage_vec3& n) {
+  return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+}
+
+// Of each wound last the place where the needle is or was last: there it gapes.
 std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   std::vector<Tear> out;
   for (uint32_t i = 0; i < s.n_tear; ++i) {
     const swage_tear& t = s.tear[i].tear;
-    const swage_vec3& n = t.normal_W;
     if (s.tear[i].object == object)
-      out.push_back({to_mm(t.a_W),
-                     to_mm(t.b_W),
-                     {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)},
-                     static_cast<float>(t.radius * kMmPerM),
-                     s.tear[i].coupling * kMaxWounds + t.wound});
+      out.push_back({to_mm(t.a_W), to_mm(t.b_W), direction(t.normal_W),
+                     static_cast<float>(t.radius * kMmPerM), s.tear[i].coupling * kApart + t.wound});
+  }
+  for (uint32_t i = 0; i < s.n_wound; ++i) {
+    const swage_wound& w = s.wound[i].wound;
+    const uint32_t number = s.wound[i].coupling * kApart + w.wound;
+    const auto own = std::find_if(out.begin(), out.end(), [&](const Tear& t) { return t.wound == number; });
+    if (own == out.end()) continue;
+    Tear needle = *own;
+    needle.a = needle.b = to_mm(w.p_W);
+    out.push_back(needle);
   }
   return out;
 }

@@ -24,6 +24,11 @@ constexpr float kCell = 0.25F;     // side of a cell
 constexpr int kTile = 8;           // cells along a side of a tile
 constexpr float kLift_mm = 6e-3F;  // over the surface, so that it does not flicker
 
+/// Where a place of a wound is now: told as it is along the surface, at rest across it.
+QVector3D pressed(const std::vector<Dent>& dents, const QVector3D& p, const QVector3D& normal) {
+  return p + QVector3D::dotProduct(displacement(dents, p), normal) * normal;
+}
+
 /// A place in the plane of a wound and what is there.
 struct Place {
   QVector2D p;
@@ -143,8 +148,8 @@ class Builder {
     for (const Place& q : corners) {
       const auto [height, slope] = profile(q.wound / field_.radius());
       const QVector3D p = field_.world(q.p);
-      const QVector3D at =
-          p + displacement(dents_, p) + (kLift_mm + (height + over) * field_.radius()) * field_.normal();
+      const QVector3D at = pressed(dents_, p, field_.normal()) +
+                           (kLift_mm + (height + over) * field_.radius()) * field_.normal();
       const QVector3D n = (field_.normal() - slope * field_.along(q.away)).normalized();
       out.vertex.push_back({{at.x(), at.y(), at.z()}, {n.x(), n.y(), n.z()}});
     }
@@ -206,7 +211,7 @@ WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent
     const double ratio = static_cast<double>(reach / r);
     if (ratio <= out.ratio) continue;
     const QVector3D middle = 0.5F * (low + high);
-    out = {middle + displacement(dents, middle), wound[0].normal, 0.5F * (high - low).length() + r, ratio};
+    out = {pressed(dents, middle, wound[0].normal), wound[0].normal, 0.5F * (high - low).length() + r, ratio};
   }
   return out;
 }
