@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 
 #include "base/clock.hpp"
 
@@ -157,6 +158,8 @@ ChildResult run_program(const std::vector<std::string>& argv, double limit_s) {
 ChildResult run_forked(const std::function<std::string()>& work, double limit_s) {
   ChildResult result;
   Pipe out, err;
+  // else a plugin that calls exit() in there says once more what we were about to say
+  std::fflush(nullptr);
   const pid_t pid = fork();
   if (pid < 0) {
     result.started = false;

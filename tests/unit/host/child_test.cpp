@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "base/clock.hpp"
@@ -33,6 +35,14 @@ TEST(Child, SaysWhatItSaidAndHowItEnded) {
       kPlenty);
   EXPECT_EQ(dead.signal, SIGKILL);
   EXPECT_FALSE(dead.timed_out);
+}
+
+TEST(Child, OneThatEndsInOrderSaysNothingOfOursAgain) {
+  testing::internal::CaptureStdout();
+  std::printf("once");
+  const ChildResult child = run_forked([]() -> std::string { std::exit(7); }, kPlenty);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "once");
+  EXPECT_EQ(child.exit_code, 7);
 }
 
 TEST(Child, OneThatWorksForTooLongIsEnded) {
