@@ -29,7 +29,8 @@ const std::map<std::string, Form>& forms() {
       {"back", {Verb::kBack, {"by"}, {"by"}}},
       {"move", {Verb::kMove, {"by"}, {"by"}}},
       {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
-      {"aim", {Verb::kAim, {"mark", "into", "across", "hover", "above"}, {"mark", "into", "across"}}},
+      {"aim",
+       {Verb::kAim, {"mark", "into", "across", "hover", "above", "inside"}, {"mark", "into", "across"}}},
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
@@ -74,6 +75,7 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("closure", Measure::kNumber, act.closure);
   number("hover", Measure::kLength, act.hover);
   number("above", Measure::kLength, act.above);
+  number("inside", Measure::kLength, act.inside);
   number("angle", Measure::kAngle, act.angle);
   if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
 

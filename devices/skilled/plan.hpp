@@ -15,9 +15,10 @@
 //   back   by, time: straight back along the jaws
 //   move   by, time: a way in the world
 //   bring  mark, s, time: what is held at s to where the mark is
-//   aim    mark, into, across, hover, above, time: the point before the mark, so that turning about the needle's own centre
-//          leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
-//          turned back along the arc by the hover, and straight out of the tissue by `above`
+//   aim    mark, into, across, hover, above, inside, time: the point before the mark, so that turning about the needle's own
+//          centre leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
+//          turned back along the arc by the hover, and straight out of the tissue by `above`; `inside` of the mark, towards the
+//          needle's centre, by as much as the point will slide away from there while it presses and the needle bends
 //   drive  angle, time: along its own arc, about its centre
 //   show   mark, at, with, across, time: waits until the mark moves, then holds the needle (or the jaws: `with`) up at `at`, pointing
 //          to the mark, `across` being the normal of the needle's plane (or the closing direction)
@@ -68,6 +69,7 @@ struct Act {
   Vec3 across = Vec3::UnitY();  // W
   double hover = 0;             // m, along the arc
   double above = 0;             // m, against `into`
+  double inside = 0;            // m, towards the needle's centre
   double angle = 0;             // rad
   Vec3 at = Vec3::Zero();       // m, W
   bool jaws = false;            // show: the jaws and not the needle

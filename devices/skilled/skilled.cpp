@@ -34,6 +34,12 @@ Mat3 frame(const Vec3& x, const Vec3& z) {
   return R;
 }
 
+Signal find_signal(const Scene& scene, const std::string& id) {
+  for (uint32_t i = 0; i < scene->n_signal; ++i)
+    if (view(scene->signal[i].id) == id) return Signal(i);
+  return {};
+}
+
 }  // namespace
 
 void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
@@ -55,8 +61,19 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
   if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
   needle_peer_ = Peer(scene->object[needle_].instance);
   if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
-  for (uint32_t i = 0; i < scene->n_signal && !force_.valid(); ++i)
-    if (view(scene->signal[i].id) == "grasp.force") force_ = Signal(i);
+  force_ = find_signal(scene, "grasp.force");
+  hole_ = {};
+  if (params_.steady > 0) {
+    hole_.s = find_signal(scene, "pierce.s");
+    for (int i = 0; i < 3; ++i) {
+      hole_.entry[i] = find_signal(scene, std::string("pierce.entry_") + "xyz"[i]);
+      hole_.at[i] = find_signal(scene, std::string("pierce.at_") + "xyz"[i]);
+    }
+    if (!hole_.valid())
+      return refuse(
+          "nothing here has a signal \"pierce.s\" by which to see where the needle goes in (parameter "
+          "steady)");
+  }
 
   for (size_t i = 0; i < plan_.acts.size(); ++i) {
     const Act& act = plan_.acts[i];
@@ -106,19 +123,39 @@ bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where
   return true;
 }
 
-void Skilled::look(const Sight& sight) {
-  const View scene = sight.view();
+/// Its arc from two places on it. A hand that reaches looks beside its jaws; else it looks at the point, and not at what a bent
+/// needle would be if it went on as it does between the jaws.
+void Skilled::look_at_needle(const View& scene) {
   const Step needle = scene.object(needle_);
   seen_.wire_good = false;
-  // two places on the needle: the one nearest to the jaws and one towards its middle
-  if (const auto a = needle_peer_.locate(needle, toolkit::raw(now_.p))) {
-    const double aside = (a->s < 0.5 ? kAside : -kAside) * a->length;
-    const Vec3 further = vec(a->p_W) + aside * vec(a->tangent_W);
-    if (const auto b = needle_peer_.locate(needle, toolkit::raw(further))) {
-      seen_.wire = Wire::through(place(*a), place(*b));
-      seen_.wire_good = true;
-    }
+  auto a = needle_peer_.locate(needle, toolkit::raw(now_.p));
+  if (!a) return;
+  const bool reaches = act_ >= plan_.acts.size() || plan_.acts[act_].verb == Verb::kReach;
+  if (const auto point = needle_peer_.place(needle, 0); point && !reaches)
+    a = needle_peer_.locate(needle, point->p_W);
+  if (!a) return;
+  const double aside = (a->s < 0.5 ? kAside : -kAside) * a->length;
+  const Vec3 further = vec(a->p_W) + aside * vec(a->tangent_W);
+  if (const auto b = needle_peer_.locate(needle, toolkit::raw(further))) {
+    seen_.wire = Wire::through(place(*a), place(*b));
+    seen_.wire_good = true;
   }
+}
+
+/// How far aside of where it went in the needle goes in now.
+void Skilled::look_at_hole(const View& scene) {
+  seen_.aside_W.setZero();
+  if (!hole_.valid()) return;
+  if (!(scene.signal(hole_.s) > 0)) return;
+  for (int i = 0; i < 3; ++i) seen_.aside_W[i] = scene.signal(hole_.at[i]) - scene.signal(hole_.entry[i]);
+}
+
+void Skilled::look(const Sight& sight) {
+  const View scene = sight.view();
+  // within an act nobody looks at the needle but who reaches for it
+  const bool under_way = act_ < plan_.acts.size() && !fresh_;
+  if (!under_way || plan_.acts[act_].verb == Verb::kReach) look_at_needle(scene);
+  look_at_hole(scene);
   seen_.force = force_.valid() ? scene.signal(force_) : 0;
   if (act_ >= plan_.acts.size()) return;
   const Seeks& seeks = seeks_[act_];
@@ -159,6 +196,7 @@ void Skilled::begin_act(double time_s) {
   from_closure_ = closure_;
   act_began_s_ = time_s;
   turn_W_.setZero();
+  brought_W_.setZero();
   fresh_ = true;
 }
 
@@ -185,8 +223,10 @@ Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) const {
   if (across.dot(wire.axis_W) < 0) across = -across;
   const Mat3 R = frame(into, across) * frame(forward, wire.axis_W).transpose();
   const Quat q = toolkit::exp_rotation(params_.lean * across) * Quat(R);
-  const Pose held{target + q * (from_.p - point.p_W), (q * from_.q).normalized()};
-  const Vec3 centre = target + q * (wire.centre_W - point.p_W);
+  const Vec3 to_centre = q * (wire.centre_W - point.p_W);
+  const Vec3 at = target + act.inside * wire.curvature * to_centre;
+  const Pose held{at + q * (from_.p - point.p_W), (q * from_.q).normalized()};
+  const Vec3 centre = at + to_centre;
   Pose goal = turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));
   goal.p -= act.above * into;
   return goal;
@@ -265,6 +305,10 @@ void Skilled::follow_act(const Act& act, double share, double rate, double dt) {
   fresh_ = false;
   const double u = least_jerk(share);
   now_ = act.verb == Verb::kDrive ? turned(from_, turn_centre_W_, u * turn_W_) : between(from_, goal_, u);
+  if (act.verb == Verb::kDrive && hole_.valid()) {
+    brought_W_ -= std::min(1.0, dt / params_.steady) * seen_.aside_W;
+    now_.p += brought_W_;
+  }
   if (act.verb == Verb::kOpen || (act.verb == Verb::kClose && act.force <= 0))
     closure_ = from_closure_ + u * (act.closure - from_closure_);
   if (act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force)

@@ -28,6 +28,7 @@ struct SkilledParams {
   double pivot_error = 0;          // m
   double angle_bias = 0;           // rad
   double angle_noise = 0;          // rad
+  double steady = 0;               // s; 0: it does not
 };
 
 class Skilled final : public SeeingDevice<SkilledParams> {
@@ -49,6 +50,10 @@ class Skilled final : public SeeingDevice<SkilledParams> {
       text<&SkilledParams::needle>("needle", "Needle", "What it grasps: anything graspable."),
       real<&SkilledParams::speed>("speed", "Speed", "1", "1", 0.05, 20,
                                   "1 takes the times of the plan, 2 half of them."),
+      real<&SkilledParams::steady>(
+          "steady", "Steady", "s", "s", 0, 10,
+          "In this time a drive brings back a needle that it sees leave the place where it went in; eyes and "
+          "hand take 0.2 s. 0: it does not look."),
       real<&SkilledParams::tremor>(
           "tremor", "Tremor", "m", "um", 0, 2e-3,
           "Root mean square of the shaking, as a length in the scene. Eye surgeons at work: "
@@ -102,12 +107,15 @@ class Skilled final : public SeeingDevice<SkilledParams> {
     Wire wire;
     bool wire_good = false;
     double force = 0;              // N
+    Vec3 aside_W = Vec3::Zero();   // m, from where the needle went in to where it goes in now
     Vec3 mark_W = Vec3::Zero();    // m, of the act under way
     Vec3 other_W = Vec3::Zero();   // m
     Vec3 up_W = Vec3::UnitZ();     // unit, of what is to be judged: from its point or tips to its other end
     Vec3 into_W = -Vec3::UnitZ();  // unit
   };
 
+  void look_at_needle(const View& scene);
+  void look_at_hole(const View& scene);
   void restart();
   void begin_act(double time_s);
   Vec3 answer();
@@ -129,6 +137,11 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   uint32_t gripper_ = kNone, needle_ = kNone;
   Peer needle_peer_;
   Signal force_;
+  struct Hole {
+    Signal s, entry[3],
+        at[3];  // of a coupling that pierces: where the needle crosses the surface, and where it went in
+    bool valid() const { return s.valid(); }
+  } hole_;
 
   Seen seen_;
   size_t act_ = 0;
@@ -137,9 +150,10 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose from_, goal_, now_;                // X_WT
   double from_closure_ = 0, closure_ = 0;
   Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
-  Vec3 shown_W_ = Vec3::Zero();   // m, the mark that was last shown
-  double missed_m_ = 0;           // along the needle, of this reach
-  Vec3 missed_W_ = Vec3::Zero();  // m, of this aim
+  Vec3 brought_W_ = Vec3::Zero();  // m, by what this drive has brought the needle back
+  Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
+  double missed_m_ = 0;            // along the needle, of this reach
+  Vec3 missed_W_ = Vec3::Zero();   // m, of this aim
 };
 
 }  // namespace swage::skilled

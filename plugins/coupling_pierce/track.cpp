@@ -109,7 +109,8 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.exit = -1;
   track.s_in = s_in;
   track.spacing = kSpacing * site.radius;
-  track.progress = track.deepest = track.cut = s_in * site.length;
+  // of what is in nothing is cut yet: the point goes on through it until no more than cutting is left of its force
+  track.progress = track.deepest = s_in * site.length;
   put(track.hold[0].p, site.local(entry_W));
   set_front(site, track);
   track.hold[0].rest = s_in;

@@ -41,8 +41,8 @@ const Case kCases[] = {{"010_practice_solids", "expert"},
                        {"032_grasp_advanced_1_half", "clumsy"},
                        {"040_grasp_advanced_2", "expert"},
                        {"110_insertion", "expert", kInserted},
-                       {"110_insertion", "expert", kInserted, {"needle.level=bending"}},
-                       {"110_insertion", "expert", kInserted, {"tissue.level=mesh"}}};
+                       {"110_insertion", "expert", kInserted, {"needle.level=rigid"}},
+                       {"110_insertion", "expert", kInserted, {"needle.level=rigid", "tissue.level=mesh"}}};
 
 std::string lesson_file(const std::string& name) {
   return SWAGE_SOURCE_DIR "/lessons/series/" + name + ".json";

@@ -77,6 +77,29 @@ TEST(PierceScene, ForcesAreThoseOfTheInsertionModel) {
   EXPECT_LT(s.signal("pierce.wound"), 1.2);
 }
 
+/// As the surface gives way the force falls to what cutting takes and no further: the tissue stays dented by that, and does not jump
+/// back past it (Okamura: cutting force plus friction from the puncture on).
+TEST(PierceScene, AtThePunctureTheForceFallsToThatOfCuttingAndNotBelow) {
+  for (const char* level : {"plane", "compliant"}) {
+    PierceScene s;
+    s.tissue = std::string(R"("level": ")") + level + R"(", "thickness": "4 mm", "backing": "10 mm",
+      "puncture_force": "20 mN", "cutting_force": "8 mN", "drag": 5, "friction": 0)";
+    s.pierce = R"("null_angle": "80 deg")";
+    s.leash = kFirm;
+    s.duration = 0.8;
+    s.make([](double t) { return PierceScene::turned({-kR, 0, 0}, -0.05 + t); });
+    double off = 0;
+    int inside = 0;
+    s.run_until(0.6, [&] {
+      if (s.signal("pierce.state") < 2 || ++inside == 1) return;  // the first one bore what let it in
+      const double along = 5 * s.signal("pierce.depth");
+      off = std::max(off, std::abs(s.signal("pierce.force") - 8e-3) - along);
+    });
+    EXPECT_GT(inside, 100) << level;
+    EXPECT_LT(off, 0.2e-3) << level << ": friction may hold it back or, as the dent goes, push it on";
+  }
+}
+
 /// Comes straight along its point's direction at an angle to the inward normal.
 Path straight(double angle, double speed, double distance) {
   return [=](double t) {

@@ -99,6 +99,8 @@ class SkilledHand : public ::testing::Test {
     needle_.self = this;
     needle_.get_extension = [](swage_instance*, const char* id) -> const void* {
       static const swage_graspable table{locate};
+      static const swage_piercing point{place, nullptr};
+      if (std::strcmp(id, SWAGE_TRAIT_PIERCING) == 0) return &point;
       return std::strcmp(id, SWAGE_TRAIT_GRASPABLE) == 0 ? &table : nullptr;
     };
     objects_ = {{text("holder"), text("x"), 0, 0, 0, 0, &gripper_},
@@ -108,9 +110,22 @@ class SkilledHand : public ::testing::Test {
   void TearDown() override { std::remove(path_.c_str()); }
 
   swage_result bind(bool with_force = true) {
-    const swage_scene_signal force{text("grasp"), text("grasp.force"), text("N")};
-    const swage_scene_card scene{
-        sizeof(swage_scene_card), 2, with_force ? 1u : 0u, 0, objects_.data(), &force, nullptr, 1e-3};
+    std::vector<swage_scene_signal> signals;
+    if (with_force) signals.push_back({text("grasp"), text("grasp.force"), text("N")});
+    if (pierces_) {
+      signals.push_back({text("pierce"), text("pierce.s"), text("1")});
+      for (const char* id : {"pierce.entry_x", "pierce.entry_y", "pierce.entry_z", "pierce.at_x",
+                             "pierce.at_y", "pierce.at_z"})
+        signals.push_back({text("pierce"), text(id), text("m")});
+    }
+    const swage_scene_card scene{sizeof(swage_scene_card),
+                                 2,
+                                 static_cast<uint32_t>(signals.size()),
+                                 0,
+                                 objects_.data(),
+                                 signals.data(),
+                                 nullptr,
+                                 1e-3};
     const swage_scene_mark marks[] = {{SWAGE_MARK_POINT, SWAGE_NONE, text("target.point"), {1e-4, 0}},
                                       {SWAGE_MARK_POINT, SWAGE_NONE, text("other.point"), {1e-4, 0}}};
     const swage_sight_card card{sizeof(swage_sight_card), two_marks_ ? 2u : 1u, &scene, marks};
@@ -124,8 +139,9 @@ class SkilledHand : public ::testing::Test {
   void step() {
     swage_object_step objects[2] = {};
     swage_view view{};
-    view.n_signal = 1;
-    view.signal = &force_;
+    view.n_signal = 8;
+    signal_[0] = force_;
+    view.signal = signal_.data();
     view.n_object = 2;
     view.object_step = objects;
     const swage_vec3 marks[] = {mark_, other_};
@@ -147,6 +163,12 @@ class SkilledHand : public ::testing::Test {
   }
   Place needle_at(double s) const {
     Place p = Half::at(s);
+    if (s < kKinkAt) {
+      const Vec3 kink = Half::at(kKinkAt).p_W;
+      const Quat q = toolkit::exp_rotation({0, 0, kink_});
+      p.p_W = kink + q * (p.p_W - kink);
+      p.tangent_W = q * p.tangent_W;
+    }
     p.p_W = X_WN_ * p.p_W;
     p.tangent_W = X_WN_.q * p.tangent_W;
     p.normal_W = X_WN_.q * p.normal_W;
@@ -156,10 +178,21 @@ class SkilledHand : public ::testing::Test {
   static swage_result locate(swage_instance* i, const swage_object_step*, swage_vec3 p,
                              swage_graspable_place* out) {
     const auto& self = *static_cast<SkilledHand*>(i->self);
-    const Vec3 p_N = self.X_WN_.inverse() * vec(p);
-    const double s = std::clamp(std::atan2(p_N.y(), p_N.x()) / kPi, 0.0, 1.0);
-    const Place at = self.needle_at(s);
-    *out = {s, at.length, raw(at.p_W), raw(at.tangent_W), raw(at.normal_W)};
+    const Vec3 p_N = self.X_WN_.inverse() * vec(p), kink = Half::at(kKinkAt).p_W;
+    const Vec3 unbent = kink + toolkit::exp_rotation({0, 0, -self.kink_}) * (p_N - kink);
+    const auto along = [](const Vec3& q, double low, double high) {
+      return std::clamp(std::atan2(q.y(), q.x()) / kPi, low, high);
+    };
+    const Place front = self.needle_at(along(unbent, 0, kKinkAt - 1e-9)),
+                rest = self.needle_at(along(p_N, kKinkAt, 1));
+    const Place& at = (front.p_W - vec(p)).norm() < (rest.p_W - vec(p)).norm() ? front : rest;
+    *out = {at.s, at.length, raw(at.p_W), raw(at.tangent_W), raw(at.normal_W)};
+    return SWAGE_OK;
+  }
+  static swage_result place(swage_instance* i, const swage_object_step*, double s,
+                            swage_piercing_place* out) {
+    const Place at = static_cast<SkilledHand*>(i->self)->needle_at(s);
+    *out = {s, at.length, 50e-6, raw(at.p_W), raw(at.tangent_W), 0, 0};
     return SWAGE_OK;
   }
   static swage_str text(const char* t) { return {t, std::strlen(t)}; }
@@ -171,6 +204,10 @@ class SkilledHand : public ::testing::Test {
   Pose X_WN_{Vec3(1e-3, 0, 0), toolkit::exp_rotation({0.3, -0.2, 0.5})}, X_TN_, X_WT_;
   swage_vec3 mark_{-4e-3, 1e-3, 2e-3}, other_{};
   bool two_marks_ = false;
+  static constexpr double kKinkAt = 0.3;
+  double kink_ = 0;  // rad, by which what is before kKinkAt is bent
+  bool pierces_ = false;
+  std::array<double, 8> signal_{};  // grip force, where it is pierced, its entry, where it passes now
   double force_ = 0;
   bool held_ = false;
   int n_ = 0;
@@ -217,6 +254,47 @@ TEST_F(SkilledHand, AimsAndDrivesTheNeedleThroughTheMarkAlongItself) {
   EXPECT_LT(nearest, 5e-6);  // within half the way of one step
   EXPECT_GT(square, 0.9999);
   EXPECT_NEAR(std::abs(needle_at(0).normal_W.x()), 1, 1e-9);
+}
+
+TEST_F(SkilledHand, AimsByWhereThePointIsAndNotByWhatTheJawsHold) {
+  make(
+      kGrasp +
+      R"(, {"act": "aim", "mark": "target.point", "into": [0, 0.6, -0.8], "across": [1, 0, 0], "inside": "0.1 mm",
+                      "time": "1 s"})");
+  kink_ = 0.1;  // extrapolated from the jaws its point would be 0.2 mm off
+  ASSERT_EQ(bind(), SWAGE_OK);
+  run();
+  const Place point = needle_at(0);
+  EXPECT_NEAR(-point.tangent_W.dot(Vec3(0, 0.6, -0.8)), 1, 1e-9);
+  const Vec3 way = point.p_W - vec(mark_);
+  EXPECT_NEAR(way.norm(), 0.1e-3, 1e-9) << "so much inside of the mark";
+  EXPECT_GT(way.dot(needle_at(0.2).p_W - point.p_W), 0) << "on the side to which it curves";
+}
+
+TEST_F(SkilledHand, ASteadyOneBringsBackANeedleThatLeavesWhereItWentIn) {
+  const Vec3 drift(0, 40e-6, 0);
+  for (const double steady : {0.0, 0.2}) {
+    make(R"({"act": "drive", "angle": "0 deg", "time": "1 s"})", {{"steady", steady}});
+    held_ = true;
+    pierces_ = true;
+    signal_ = {0, 0.1, 1e-3, 2e-3, 3e-3};
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    const Vec3 start(8e-3, 0, 5e-3);
+    X_WT_.p = start;
+    X_TN_ = Pose(Vec3(0, 0, 0), Quat::Identity());
+    while (n_ < 1000) {
+      // the needle passes where the hand leads it, and 40 um aside
+      const Vec3 at = Vec3(1e-3, 2e-3, 3e-3) + drift + X_WT_.p - start;
+      for (int i = 0; i < 3; ++i) signal_[5 + static_cast<size_t>(i)] = at[i];
+      step();
+    }
+    const Vec3 left = drift + X_WT_.p - start;
+    EXPECT_NEAR(left.norm(), steady > 0 ? 40e-6 * std::exp(-5) : 40e-6, 0.1e-6);
+  }
+  pierces_ = false;
+  make(kGrasp, {{"steady", 0.2}});
+  EXPECT_LT(bind(), 0) << "nothing tells where it goes in";
 }
 
 TEST_F(SkilledHand, ShowsTheNeedlePointingToTheMarkWheneverThatMoves) {

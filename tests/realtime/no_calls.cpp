@@ -102,9 +102,7 @@ TEST_P(Insertion, WithABendingNeedleCallsNothingThatMayBlock) {
   SKIP_WITHOUT_COUNTING();
   char name[] = "/tmp/swage-realtime-XXXXXX";
   const std::string folder = mkdtemp(name), level = GetParam().level;
-  insertion_with({{R"("arc": "3/8",)", R"("level": "bending", "arc": "3/8",)"},
-                  {R"("level": "compliant")", R"("level": ")" + level + R"(")"}},
-                 folder + "/insertion.json");
+  insertion_with({{R"("level": "compliant")", R"("level": ")" + level + R"(")"}}, folder + "/insertion.json");
   {
     Attempt attempt(folder + "/insertion.json", GetParam().device, kPlugins, "");
     ASSERT_TRUE(attempt.ok());
