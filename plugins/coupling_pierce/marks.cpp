@@ -41,8 +41,12 @@ uint32_t Pierce::tears(const CouplingStep& step, std::span<swage_tear> out) {
     const Pose X = plane_in_world(state, site, i);
     const auto world = [&](const double* at) { return raw(X * in_plane(wound, at)); };
     const swage_vec3 normal_W = raw(X.q * axis(wound, 0));
-    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count) && n < out.size(); ++k)
-      out[n++] = {world(wound.capsule[k].a), world(wound.capsule[k].b), normal_W, wound.radius, i, 0};
+    const auto put = [&](const double* a, const double* b) {
+      if (n < out.size()) out[n++] = {world(a), world(b), normal_W, wound.radius, i, 0};
+    };
+    for (uint32_t k = 0; k < static_cast<uint32_t>(wound.count); ++k)
+      put(wound.capsule[k].a, wound.capsule[k].b);
+    put(wound.centre, wound.centre);
   }
   return n;
 }

@@ -65,8 +65,9 @@ bool clip(const Polygon& q, const Edge& e, bool edge_counts, Stretch& s) {
   const double slack = (edge_counts ? 1e-12 : -1e-12) * q.size2;
   s = {0, 1};
   for (int i = 0; i < kCorners; ++i) {
-    const Vec2 &p = q.corner[i], side = q.corner[(i + 1) % kCorners] - p;
-    const double at_a = cross(side, e.a - p) + slack, at_b = cross(side, e.b - p) + slack;
+    const double border = q.beside[i] - slack;
+    const double at_a = cross(q.side[i], e.a) - border, at_b = cross(q.side[i], e.b) - border;
+    if (at_a >= 0 && at_b >= 0) continue;
     if (at_a < 0 && at_b < 0) return false;
     if (at_a < 0) s.from = std::max(s.from, at_a / (at_a - at_b));
     if (at_b < 0) s.upto = std::min(s.upto, at_a / (at_a - at_b));
@@ -153,6 +154,10 @@ Polygon::Polygon(const Capsule& capsule, double radius) : line(capsule) {
     corner[i] = b + out;
     corner[kHalf + i] = a - out;
   }
+  for (int i = 0; i < kCorners; ++i) {
+    side[i] = corner[(i + 1) % kCorners] - corner[i];
+    beside[i] = cross(side[i], corner[i]);
+  }
   constexpr double kHair = 1e-9;  // by which rounding may be wrong, of the radius
   low = a.cwiseMin(b) - Vec2::Constant((1 + kHair) * r);
   high = a.cwiseMax(b) + Vec2::Constant((1 + kHair) * r);
@@ -196,6 +201,12 @@ void Outline::insert(const Capsule& capsule, double radius) noexcept {
   });
   capsule_[n_] = capsule;
   polygon_[n_++] = polygon;
+}
+
+double Outline::area() const noexcept {
+  double twice = 0;
+  for (uint32_t i = 0; i < n_piece_; ++i) twice += cross(piece_[i].a, piece_[i].b);
+  return 0.5 * twice;
 }
 
 double Outline::added(const Capsule& capsule, double radius) const noexcept {

@@ -34,6 +34,8 @@ struct Line {
 struct Polygon {
   static constexpr int kCorners = 24;
   Vec2 corner[kCorners];
+  Vec2 side[kCorners];      // m, from each corner to the next
+  double beside[kCorners];  // m2, cross(side, p) of what lies on it
   Line line;
   Vec2 low, high;                      // of the box around it
   double inner = 0, outer = 0, size2;  // m, m; m2, of its longest way across, squared
@@ -50,6 +52,7 @@ class Outline {
 
   /// Makes it the outline of n <= kMost capsules: cheap for those that it is one of already.
   void follow(const Capsule* capsule, uint32_t n, double radius) noexcept;
+  double area() const noexcept;  // m2
   /// By how much another would enlarge the union [m2].
   double added(const Capsule& capsule, double radius) const noexcept;
 

@@ -2,7 +2,9 @@
 #include "wound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace swage::coupling_pierce {
 namespace {
@@ -14,35 +16,97 @@ Vec2 vec2(const double* a) { return {a[0], a[1]}; }
 
 double distance(const Vec2& p, const Capsule& c) { return std::sqrt(Line(c).distance2(p)); }
 
+/// Places on a circle of radius 1.
+constexpr int kAround = 24;
+const std::array<Vec2, kAround> kCircle = [] {
+  std::array<Vec2, kAround> place;
+  for (size_t i = 0; i < place.size(); ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / kAround;
+    place[i] = {std::cos(angle), std::sin(angle)};
+  }
+  return place;
+}();
+
+/// How far a capsule sticks out of all but `own` [m], 0 when it does not: the farthest of places on its border that are a quarter of the radius apart
+/// round its ends, half along its sides (kAlong of them at most, beyond which they lie wider). Looks no further once it is more
+/// than `enough`.
+double sticks_out(const Wound& w, const Capsule& capsule, uint32_t own, double enough) {
+  constexpr int kAlong = 24;
+  const Line line(capsule);
+  Line other[Wound::kCapsules];
+  uint32_t m = 0;
+  for (uint32_t i = 0; i < static_cast<uint32_t>(w.count); ++i)
+    if (i != own) other[m++] = Line(w.capsule[i]);
+  double far2 = w.radius * w.radius;
+  const double enough2 = (w.radius + enough) * (w.radius + enough);
+  const auto look = [&](const Vec2& p) {
+    double near2 = HUGE_VAL;
+    for (uint32_t i = 0; i < m && near2 > far2; ++i) near2 = std::min(near2, other[i].distance2(p));
+    far2 = std::max(far2, near2);
+    return far2 > enough2;
+  };
+  const auto out = [&] { return std::sqrt(far2) - w.radius; };
+  for (const Vec2& at : kCircle)
+    if (look(line.from + w.radius * at) || look(line.from + line.along + w.radius * at)) return out();
+  const double length = line.along.norm();
+  const Vec2 side = length > 0 ? Vec2(w.radius / length * Vec2(-line.along.y(), line.along.x())) : Vec2(0, 0);
+  const int steps = std::min(kAlong, static_cast<int>(2 * length / w.radius));
+  for (int k = 1; k < steps; ++k) {
+    const Vec2 at = line.from + line.along * (static_cast<double>(k) / steps);
+    if (look(at + side) || look(at - side)) return out();
+  }
+  return out();
+}
+
+void forget(Wound& w, uint32_t i) {
+  std::copy(w.capsule + i + 1, w.capsule + static_cast<uint32_t>(w.count), w.capsule + i);
+  w.count -= 1;
+}
+
+/// Forgets capsules that the others cover, else the one that sticks out least; the first, where the puncture was, stays.
+void make_room(Wound& w) {
+  const double fine = kFine * w.radius;
+  for (auto i = static_cast<uint32_t>(w.count); i-- > 1;)
+    if (sticks_out(w, w.capsule[i], i, fine) < fine) forget(w, i);
+  if (w.count < Wound::kCapsules) return;
+  double least = HUGE_VAL;
+  uint32_t least_at = 1;
+  for (uint32_t i = 1; i < Wound::kCapsules; ++i) {
+    const double out = sticks_out(w, w.capsule[i], i, least);
+    if (out < least) least = out, least_at = i;
+  }
+  forget(w, least_at);
+}
+
+/// Whether the path from a to b, that goes on where the last capsule ends, is one with that.
+bool lengthen(Wound& w, const Vec2& a, const Vec2& b) {
+  Capsule& last = w.capsule[static_cast<uint32_t>(w.count) - 1];
+  if ((vec2(last.b) - a).norm() >= kFine * w.radius) return false;
+  Capsule whole = last;
+  whole.b[0] = b.x(), whole.b[1] = b.y();
+  const double corner = w.bend + distance(vec2(last.b), whole);
+  if (corner >= kCorner * w.radius) return false;
+  last = whole, w.bend = corner;
+  return true;
+}
+
 /// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last one.
 void cover(Wound& w, Outline& settled, const Vec2& a, const Vec2& b, bool goes_on) {
   const double fine = kFine * w.radius;
-  auto n = static_cast<uint32_t>(w.count);
+  const auto n = static_cast<uint32_t>(w.count);
   for (uint32_t i = 0; i < n; ++i)
     if (distance(a, w.capsule[i]) < fine && distance(b, w.capsule[i]) < fine) return;
-
-  Capsule next{{a.x(), a.y()}, {b.x(), b.y()}};
-  Capsule* last = n > 0 ? &w.capsule[n - 1] : nullptr;
-  bool longer = false;
-  if (goes_on && last != nullptr && (vec2(last->b) - a).norm() < fine) {
-    Capsule whole = *last;
-    whole.b[0] = b.x(), whole.b[1] = b.y();
-    const double corner = w.bend + distance(vec2(last->b), whole);
-    longer = corner < kCorner * w.radius || n == Wound::kCapsules;
-    if (longer) *last = whole, w.bend = corner;
-  }
-  if (!longer && n == Wound::kCapsules) {  // no room: the last one reaches there
-    last->b[0] = b.x(), last->b[1] = b.y();
-    longer = true;
-  }
-  if (!longer) {
-    w.settled = w.area;
-    w.capsule[n] = next;
-    w.count = ++n;
+  if (!goes_on || !lengthen(w, a, b)) {
+    const Capsule next{{a.x(), a.y()}, {b.x(), b.y()}};
+    if (sticks_out(w, next, n, fine) < fine) return;
+    if (n == Wound::kCapsules) make_room(w);
+    w.capsule[static_cast<uint32_t>(w.count)] = next;
+    w.count += 1;
     w.bend = 0;
   }
-  settled.follow(w.capsule, n - 1, w.radius);
-  w.area = std::max(w.area, w.settled + settled.added(w.capsule[n - 1], w.radius));
+  const uint32_t before = static_cast<uint32_t>(w.count) - 1;
+  settled.follow(w.capsule, before, w.radius);
+  w.area = std::max(w.area, settled.area() + settled.added(w.capsule[before], w.radius));
   w.reach = std::max({w.reach, a.norm() + w.radius, b.norm() + w.radius});
 }
 

@@ -14,13 +14,12 @@ namespace swage::coupling_pierce {
 
 struct Wound {
   static constexpr uint32_t kCapsules =
-      Outline::kMost + 1;  // one more only bends the last one on: a steady tear has one or two
+      Outline::kMost + 1;  // for one more, one that the others cover makes room
 
   double open;                            // 0: not there
   double origin[3], normal[3], first[3];  // O: centre of the first puncture, outward normal, axis 1
   double radius;                          // m, of the wire
   double count;                           // of capsules
-  double settled;                         // m2, area of all but the last
   double area;                            // m2
   double reach;                           // m, greatest distance of the edge from the origin
   double bend;       // m, by how much the last capsule cuts the corners of what it stands for
