@@ -4,12 +4,11 @@
 #pragma once
 
 #include <swage/device.hpp>
+#include <swage/units.hpp>
 
 #include "mouse_hand.hpp"
 
 namespace swage::mouse {
-
-inline constexpr double kDegree = std::numbers::pi / 180;  // rad
 
 struct MouseParams {
   swage_vec3 start = {-8e-3, 0, 4e-3};  // m

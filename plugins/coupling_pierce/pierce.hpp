@@ -4,14 +4,13 @@
 #pragma once
 
 #include <swage/coupling.hpp>
+#include <swage/units.hpp>
 
 #include "reaction.hpp"
 #include "track.hpp"
 #include "wound.hpp"
 
 namespace swage::coupling_pierce {
-
-inline constexpr double kDegree = 0.017453292519943295;  // rad
 
 enum class Sweep : int { kNeedle, kTissue };
 

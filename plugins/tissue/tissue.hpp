@@ -4,14 +4,13 @@
 #pragma once
 
 #include <swage/object.hpp>
+#include <swage/units.hpp>
 
 #include "compliance.hpp"
 #include "mesh.hpp"
 #include "wall.hpp"
 
 namespace swage::tissue {
-
-inline constexpr double kDegree = 0.017453292519943295;  // rad
 
 enum class Level : int { kPlane, kCompliant, kMesh };
 
