@@ -124,6 +124,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   double angle_in(const Site& site, const Track& track, const PierceState& state) const;
 
   void declare(CouplingBuilder& builder);
+  void declare_events(CouplingBuilder& builder);
   void tell(const CouplingStep& step, const PierceState& state, const Site& site, const Press& press) const;
   void tell_track(const CouplingStep& step, const PierceState& state, const Site& site,
                   const Press& press) const;

@@ -44,6 +44,10 @@ void Pierce::declare(CouplingBuilder& builder) {
   entries_ = builder.signal("pierce.entries", "1", "How often the point went in so far.");
   deflections_ = builder.signal("pierce.deflections", "1", "How often it was deflected so far.");
   law_signal_ = builder.signal("pierce.law", "1", "Index of the reaction law.");
+  declare_events(builder);
+}
+
+void Pierce::declare_events(CouplingBuilder& builder) {
   touched_ =
       builder.event("pierce.touched", "The point presses, after at least 0.15 s without; value: angle, rad.");
   entered_ = builder.event("pierce.entered", "The point went in; value: angle to the inward normal, rad.");

@@ -134,7 +134,17 @@ struct Waves {
       tt += s * s * u(0, 0) - 2 * c * s * u(0, 1) + c * c * u(1, 1);
     }
   }
+  /// That share of the way to other answers, times a weight.
+  Waves towards(const Waves& to, double share, double weight) const {
+    Waves out;
+    out.nn = weight * (nn + share * (to.nn - nn)), out.nl = weight * (nl + share * (to.nl - nl));
+    out.ll = weight * (ll + share * (to.ll - ll)), out.tt = weight * (tt + share * (to.tt - tt));
+    return out;
+  }
 };
+
+/// Weight of sample i of n in Simpson's rule, times 3 and over the step; the first is 0 here.
+double simpson(int i, int n) { return i == n ? 1 : i % 2 == 1 ? 4 : 2; }
 
 }  // namespace
 
@@ -163,21 +173,17 @@ TouchTable::TouchTable(const MeshSpec& spec, const CoarseGrid& grid) {
     while (before + 2 < kWaves && at_k[before + 1] < k) ++before;
     const Waves &a = answer[before], &b = answer[before + 1];
     const double t = std::clamp((k - at_k[before]) / (at_k[before + 1] - at_k[before]), 0.0, 1.0);
-    // Hankel transform, Simpson
-    const double weight = (i == n       ? 1
-                           : i % 2 == 1 ? 4
-                                        : 2) *
-                          dk / 3 / (2 * kPi) * short_share(k, cell) * std::exp(-k * e);
-    const double nn = weight * (a.nn + t * (b.nn - a.nn)), nl = weight * (a.nl + t * (b.nl - a.nl));
-    const double ll = weight * (a.ll + t * (b.ll - a.ll)), tt = weight * (a.tt + t * (b.tt - a.tt));
+    // Hankel transform
+    const double weight = simpson(i, n) * dk / 3 / (2 * kPi) * short_share(k, cell) * std::exp(-k * e);
+    const Waves wave = a.towards(b, t, weight);
     for (size_t j = 0; j < kEntries; ++j) {
       const double u = static_cast<double>(j) / per_u_, x = k * scale_ * u / (1 - u);
       const double j0 = ::j0(x), j1 = ::j1(x), ring = x > 1e-6 ? j1 / x : 0.5;
       Entry& at = entry_[j];
-      at.nn += nn * j0;
-      at.nl -= nl * j1;
-      at.along += ll * (j0 - ring) + tt * ring;
-      at.across += ll * ring + tt * (j0 - ring);
+      at.nn += wave.nn * j0;
+      at.nl -= wave.nl * j1;
+      at.along += wave.ll * (j0 - ring) + wave.tt * ring;
+      at.across += wave.ll * ring + wave.tt * (j0 - ring);
     }
   }
 }
