@@ -118,8 +118,8 @@ QString Review::verdict() const {
   const QString text = sign + verdict_text(attempt.is_void ? QStringLiteral("void") : qt(attempt.outcome));
   if (attempt.outcome == "passed")
     return QObject::tr("%1, %2 of 100").arg(text).arg(attempt.score, 0, 'f', 0);
-  const QString why = human_id(qt(attempt.reason));
-  return attempt.reason.empty() || why == text ? text : QStringLiteral("%1: %2").arg(text, why);
+  const QString told = why.isEmpty() ? human_id(qt(attempt.reason)) : why;
+  return attempt.reason.empty() || told == text ? text : QStringLiteral("%1: %2").arg(text, told);
 }
 
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
@@ -136,6 +136,9 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   };
   std::stable_sort(out.traces.begin(), out.traces.end(),
                    [&](const Trace& a, const Trace& b) { return order(a) < order(b); });
+  for (const judge::Name& event : recording.info.script.events) {
+    if (event.id == attempt.reason) out.why = qt(event.doc);
+  }
   add_moments(recording, events, out);
   add_metrics(recording, card, out);
   return out;

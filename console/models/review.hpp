@@ -43,6 +43,7 @@ struct Review {
   double dt_s = 1e-3, length_s = 0;
   uint64_t seed = 0;  // targets and tremor were drawn from it
 
+  QString why;               // it ended so, in the lesson's words; "" where it has none
   QString headline() const;  // "Basic grasp, Arun P., 21 Nov 2026 10:30"
   QString verdict() const;   // "✓ Met, 87 of 100"
 };

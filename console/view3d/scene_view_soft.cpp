@@ -22,6 +22,7 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
+constexpr int kMostSteps = 24;     // along a tear: on one to the rim triangles are a little coarser
 constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
 
 QVector3D direction(const swage_vec3& n) {
@@ -45,6 +46,19 @@ std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
     Tear needle = *own;
     needle.a = needle.b = to_mm(w.p_W);
     out.push_back(needle);
+  }
+  return out;
+}
+
+// Where the surface must be fine: at its dents, and along its wounds, or its coarse triangles would stand out of them.
+std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<Tear>& tears) {
+  std::vector<Dent> out = dents;
+  for (const Tear& t : tears) {
+    const int steps = std::min(kMostSteps, static_cast<int>((t.b - t.a).length() / (2 * t.radius)) + 1);
+    for (int k = 0; k <= steps; ++k) {
+      const QVector3D p = t.a + (t.b - t.a) * (static_cast<float>(k) / static_cast<float>(steps));
+      out.push_back({at_rest(dents, p, t.normal), {}, t.radius});
+    }
   }
   return out;
 }
@@ -73,16 +87,16 @@ void SceneView::place_soft() {
     X_WB.translate(to_mm(X.p));
     X_WB.rotate(to_qt(X.q));
     const std::vector<Dent> dents = dents_of(*snapshot_, part.object);
+    const std::vector<Tear> tears = tears_of(*snapshot_, part.object);
     if (!dents.empty() || dented_.contains(static_cast<int>(i))) {
       Mesh mesh;
-      displace(refined(part.mesh, X_WB, dents), X_WB, dents, mesh);
+      displace(refined(part.mesh, X_WB, with_wounds(dents, tears)), X_WB, dents, mesh);
       renderer_->set_mesh(static_cast<int>(i), mesh);
       if (dents.empty())
         dented_.erase(static_cast<int>(i));
       else
         dented_.insert(static_cast<int>(i));
     }
-    const std::vector<Tear> tears = tears_of(*snapshot_, part.object);
     append_wounds(tears, dents, wounds);
     if (const WoundPlace place = greatest_wound(tears, dents); place.ratio > wound_.ratio) {
       wound_ = place;

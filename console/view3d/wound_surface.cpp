@@ -22,11 +22,12 @@ constexpr float kCloses = 3;       // way along the wound in which it closes
 constexpr float kOver = 0.03F;     // by which the opening is drawn over the flesh
 constexpr float kCell = 0.25F;     // side of a cell
 constexpr int kTile = 8;           // cells along a side of a tile
-constexpr float kLift_mm = 6e-3F;  // over the surface, so that it does not flicker
+constexpr int kRounds = 6;         // a sixty-fourth of the way is left: 2 um of 0.1 mm
+constexpr float kLift_mm = 8e-3F;  // over the surface, so that it does not flicker
 
 /// Where a place of a wound is now: told as it is along the surface, at rest across it.
 QVector3D pressed(const std::vector<Dent>& dents, const QVector3D& p, const QVector3D& normal) {
-  return p + QVector3D::dotProduct(displacement(dents, p), normal) * normal;
+  return p + QVector3D::dotProduct(displacement(dents, at_rest(dents, p, normal)), normal) * normal;
 }
 
 /// A place in the plane of a wound and what is there.
@@ -176,6 +177,17 @@ std::vector<std::vector<Tear>> wounds_of(const std::vector<Tear>& tears) {
 }
 
 }  // namespace
+
+// solves q + the part of its displacement along the surface = p, half a step at a time: where tissue is drawn along by more than
+// a dent's radius a whole one goes back and forth
+QVector3D at_rest(const std::vector<Dent>& dents, const QVector3D& p, const QVector3D& normal) {
+  QVector3D q = p;
+  for (int round = 0; !dents.empty() && round < kRounds; ++round) {
+    const QVector3D u = displacement(dents, q);
+    q += 0.5F * (p - (u - QVector3D::dotProduct(u, normal) * normal) - q);
+  }
+  return q;
+}
 
 void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dents, WoundMeshes& out) {
   for (const std::vector<Tear>& wound : wounds_of(tears)) {

@@ -23,6 +23,9 @@ struct WoundPlace {
   bool there() const { return radius > 0; }
 };
 
+/// Where a place that is told as it is along the surface lies while nothing is displaced. World, mm.
+QVector3D at_rest(const std::vector<Dent>& dents, const QVector3D& p, const QVector3D& normal);
+
 /// Adds the wounds that `tears` make, on the dented surface. All capsules of one wound are one region.
 void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dents, WoundMeshes& out);
 

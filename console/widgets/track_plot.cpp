@@ -180,11 +180,10 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
              tr("Entry penetration, seen onto the surface"));
   p.setPen(theme_["muted"]);
-  p.drawText(
-      QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
-      track_->radius_mm > 0
-          ? tr("wound %1 %: red is torn, the green circle would be 100 %").arg(100 * track_->wound, 0, 'f', 0)
-          : tr("the cross is the first puncture"));
+  p.drawText(QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
+             track_->radius_mm > 0
+                 ? tr("wound %1 %, torn: red; 100 %: green").arg(100 * track_->wound, 0, 'f', 0)
+                 : tr("the cross is the first puncture"));
   paint_torn(p, middle, scale);
   paint_circles(p, middle, scale);
   paint_track(p, middle, scale);

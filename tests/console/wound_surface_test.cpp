@@ -69,6 +69,16 @@ TEST(WoundSurface, TheLipStandsUpAroundItAndFollowsTheDent) {
     EXPECT_NEAR(dented.flesh.vertex[i].p[2] - flat.flesh.vertex[i].p[2], -0.1F, 0.005F);
 }
 
+TEST(WoundSurface, LiesOnTheSurfaceThatIsDrawnAlong) {
+  const std::vector<Dent> dents = {{{0, 0, 0}, {0.08F, 0, -0.1F}, 0.2F}};
+  const QVector3D normal(0, 0, 1);
+  for (const QVector3D& rest : {QVector3D(0, 0, 0), QVector3D(0.1F, 0.05F, 0), QVector3D(-0.2F, 0, 0)}) {
+    const QVector3D now = rest + displacement(dents, rest), told(now.x(), now.y(), 0);
+    EXPECT_NEAR((at_rest(dents, told, normal) - rest).length(), 0, 0.004F);
+  }
+  EXPECT_EQ(at_rest({}, {1, 2, 3}, normal), QVector3D(1, 2, 3));
+}
+
 TEST(WoundSurface, ATearToTheRimStaysCheap) {
   WoundMeshes whole;
   append_wounds({tear(0, 0), tear(0, 4)}, {}, whole);
