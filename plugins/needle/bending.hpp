@@ -63,10 +63,6 @@ class Bending {
 
   /// Pose of piece i in W.
   Pose piece(const Step& step, int i) const;
-  /// Its middle alone, m.
-  Vec3 middle_of(const Step& step, int i) const {
-    return i == middle() ? Pose(step->X_WB[0]) * X_B0P_.p : toolkit::vec(step->X_WB[body_of(i)].p);
-  }
   /// Which piece a body of the object is, and back: body 0 is the middle one.
   int piece_of(uint32_t body) const {
     return body == 0                            ? middle()

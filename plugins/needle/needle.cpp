@@ -3,6 +3,9 @@
 
 #include <swage/plugin.hpp>
 
+#include <array>
+#include <bit>
+
 namespace swage::needle {
 namespace {
 
@@ -20,6 +23,16 @@ constexpr int kFiner = 4;
 
 void take(double given, double& value) {
   if (given > 0) value = given;
+}
+
+/// Zeros of either sign are not the same.
+bool same_bits(const swage_pose& a, const swage_pose& b) {
+  constexpr size_t kWords = sizeof(swage_pose) / sizeof(uint64_t);
+  using Words = std::array<uint64_t, kWords>;
+  const auto x = std::bit_cast<Words>(a), y = std::bit_cast<Words>(b);
+  uint64_t differ = 0;
+  for (size_t i = 0; i < kWords; ++i) differ |= x[i] ^ y[i];
+  return differ == 0;
 }
 
 }  // namespace
@@ -75,6 +88,7 @@ void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
                       : params.pieces;
     build_bending(n, X_OB, builder);
   }
+  divide();
 }
 
 /// Body 0 has the frame B of a rigid needle and carries the middle piece; the others stand in the middle of theirs.
@@ -133,57 +147,71 @@ void Needle::finish(const Step& step) {
   step.signal(broken_, now.broken);
 }
 
-/// One piece of the wire, as an arc about its own middle. A rigid needle is one piece.
-Needle::Stretch Needle::stretch(const Step& step, int i) const {
-  if (!bends())
-    return {toolkit::Frame(toolkit::Pose(step.pose(body_)) * toolkit::Pose(centre_B_, turn_B_)), arc_, 0, 1,
-            0};
-  const int n = bending_.pieces();
-  toolkit::Frame X_WA(bending_.piece(step, i));
-  X_WA.p -= arc_.radius * X_WA.R.col(0);
-  return {X_WA,
-          {arc_.radius, bending_.piece_sweep(), arc_.wire_radius},
-          static_cast<double>(i) / n,
-          (i + 1.0) / n,
-          bending_.body_of(i)};
+/// What there is of the wire, from the point on.
+void Needle::divide() {
+  const int n = std::max(1, bending_.pieces());
+  for (int i = 0; i < n; ++i) {
+    Stretch& wire = wire_[static_cast<size_t>(i)] = {};
+    wire.arc = {arc_.radius, arc_.sweep / n, arc_.wire_radius};
+    wire.s0 = static_cast<double>(i) / n, wire.s1 = (i + 1.0) / n;
+    wire.body = bends() ? bending_.body_of(i) : 0;
+  }
+}
+
+/// One piece of the wire, as an arc about its own middle: asked about dozens of times a step, it is found once for each pose.
+const Needle::Stretch& Needle::stretch(const Step& step, int i) {
+  Stretch& wire = wire_[static_cast<size_t>(i)];
+  const swage_pose& X = step->X_WB[wire.body];
+  if (same_bits(X, wire.known)) return wire;
+  wire.known = X;
+  if (!bends()) {
+    wire.X_WA = toolkit::Frame(toolkit::Pose(X) * toolkit::Pose(centre_B_, turn_B_));
+  } else {
+    wire.X_WA = toolkit::Frame(bending_.piece(step, i));
+    wire.middle_W = wire.X_WA.p;
+    wire.X_WA.p -= arc_.radius * wire.X_WA.R.col(0);
+  }
+  return wire;
 }
 
 Needle::Found Needle::nearest_on(const Stretch& wire, const Vec3& p_W) {
-  return {wire, nearest_place(wire.arc, wire.X_WA.inverse_times(p_W))};
+  return {&wire, nearest_place(wire.arc, wire.X_WA.inverse_times(p_W))};
 }
 
 /// The nearest place of all pieces.
-Needle::Found Needle::find_nearest(const Step& step, const Vec3& p_W) const {
+Needle::Found Needle::find_nearest(const Step& step, const Vec3& p_W) {
   if (!bends()) return nearest_on(stretch(step, 0), p_W);
   const int n = bending_.pieces();
   int nearest = 0;
   double least = 1e300;
   for (int i = 0; i < n; ++i) {
-    const double d = (bending_.middle_of(step, i) - p_W).squaredNorm();
+    // but for the one whose body has the frame of the whole, bodies stand in the middle of their pieces
+    const uint32_t body = wire_[static_cast<size_t>(i)].body;
+    const Vec3 middle_W = body == 0 ? stretch(step, i).middle_W : toolkit::vec(step->X_WB[body].p);
+    const double d = (middle_W - p_W).squaredNorm();
     if (d < least) least = d, nearest = i;
   }
   // at its end its neighbour may be as near
   const Found best = nearest_on(stretch(step, nearest), p_W);
   const int beside = best.place.s <= 0 ? nearest - 1 : best.place.s >= 1 ? nearest + 1 : nearest;
   if (beside == nearest || beside < 0 || beside >= n) return best;
-  const auto distance = [&](const Found& f) { return (f.wire.X_WA * f.place.p - p_W).squaredNorm(); };
   const Found other = nearest_on(stretch(step, beside), p_W);
-  return distance(other) < distance(best) ? other : best;
+  return (other.p_W() - p_W).squaredNorm() < (best.p_W() - p_W).squaredNorm() ? other : best;
 }
 
 void Needle::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) {
   const Found at = find_nearest(step, toolkit::vec(p_W));
   out.s = at.s();
   out.length = arc_.length();
-  out.p_W = toolkit::raw(at.wire.X_WA * at.place.p);
-  out.tangent_W = toolkit::raw(at.wire.X_WA.turn(at.place.tangent));
-  out.normal_W = toolkit::raw(Vec3(at.wire.X_WA.R.col(2)));
+  out.p_W = toolkit::raw(at.p_W());
+  out.tangent_W = toolkit::raw(at.tangent_W());
+  out.normal_W = toolkit::raw(Vec3(at.wire->X_WA.R.col(2)));
 }
 
 void Needle::place(const Step& step, double s, swage_piercing_place& out) {
   const int n = std::max(1, bending_.pieces());
-  const Stretch wire = stretch(step, std::clamp(static_cast<int>(s * n), 0, n - 1));
-  tell({wire, place_at(wire.arc, (s - wire.s0) / (wire.s1 - wire.s0))}, out);
+  const Stretch& wire = stretch(step, std::clamp(static_cast<int>(s * n), 0, n - 1));
+  tell({&wire, place_at(wire.arc, (s - wire.s0) / (wire.s1 - wire.s0))}, out);
 }
 
 void Needle::nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) {
@@ -194,9 +222,9 @@ void Needle::tell(const Found& found, swage_piercing_place& out) const {
   out = {found.s(),
          arc_.length(),
          arc_.wire_radius,
-         toolkit::raw(found.wire.X_WA * found.place.p),
-         toolkit::raw(found.wire.X_WA.turn(found.place.tangent)),
-         found.wire.body,
+         toolkit::raw(found.p_W()),
+         toolkit::raw(found.tangent_W()),
+         found.wire->body,
          0};
 }
 

@@ -128,19 +128,24 @@ class Needle final : public Object<NeedleParams>,
   /// A piece of the wire that is one arc: its circle frame in W, and the share of the wire that it is.
   struct Stretch {
     toolkit::Frame X_WA;
+    Vec3 middle_W = Vec3::Zero();  // m; of one that bends
+    swage_pose known{};            // of its body, for which these two are
     Arc arc;
     double s0 = 0, s1 = 1;
     uint32_t body = 0;
   };
   /// A place of the wire, seen from its stretch.
   struct Found {
-    Stretch wire;
+    const Stretch* wire = nullptr;
     ArcPlace place;
-    double s() const { return wire.s0 + (wire.s1 - wire.s0) * place.s; }
+    double s() const { return wire->s0 + (wire->s1 - wire->s0) * place.s; }
+    Vec3 p_W() const { return wire->X_WA * place.p; }
+    Vec3 tangent_W() const { return wire->X_WA.turn(place.tangent); }
   };
-  Stretch stretch(const Step& step, int piece) const;
+  void divide();
+  const Stretch& stretch(const Step& step, int piece);
   static Found nearest_on(const Stretch& wire, const Vec3& p_W);
-  Found find_nearest(const Step& step, const Vec3& p_W) const;
+  Found find_nearest(const Step& step, const Vec3& p_W);
   void tell(const Found& found, swage_piercing_place& out) const;
   bool read_form(const NeedleParams& params, ObjectBuilder& builder);
   void build_bending(int pieces, const toolkit::Pose& X_OB, ObjectBuilder& builder);
@@ -152,6 +157,7 @@ class Needle final : public Object<NeedleParams>,
   toolkit::Quat turn_B_ = toolkit::Quat::Identity();  // of the circle frame
   Body body_;
   Bending bending_;
+  std::array<Stretch, toolkit::BentWire::kMaxPieces> wire_;  // one of a rigid needle
   Signal stress_, bend_, damage_, broken_;
 };
 
