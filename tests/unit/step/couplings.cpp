@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "fake_scene.hpp"
 
@@ -127,6 +128,48 @@ TEST(Couplings, AreReleasedInQuarantine) {
   push_up(healthy);
   healthy.run(kTouch + 50);
   EXPECT_GT(healthy.ball().p.z, 5e-3);
+}
+
+// what a coupling has for the eye: in every snapshot, for the left hand mirrored, and nothing of it when a number has no sense
+TEST(Couplings, ShowTornPlacesAndWhereTheyLead) {
+  static swage_tear torn;
+  static swage_wound leads;
+  torn = {{1e-3, 0, 0}, {2e-3, 0, 0}, {0, 0, 1}, 5e-5, 3, 0};
+  leads = {{2e-3, 0, 0}, {0.6, 0, -0.8}, 4e-4, 1e-7, 3, 1};
+  static constexpr swage_tears tears{
+      [](swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tear* out, uint32_t* n) {
+        for (*n = 0; *n < std::min(capacity, 1u); ++*n) out[*n] = torn;
+        return swage_result{SWAGE_OK};
+      }};
+  static constexpr swage_wounds wounds{
+      [](swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_wound* out, uint32_t* n) {
+        for (*n = 0; *n < std::min(capacity, 1u); ++*n) out[*n] = leads;
+        return swage_result{SWAGE_OK};
+      }};
+  FakeScene s;
+  s.rig.couplings[0].tears = &tears;
+  s.rig.couplings[0].wounds = &wounds;
+  const auto shot = std::make_unique<snapshot::Snapshot>();
+  for (const bool mirror : {false, true}) {
+    s.rig.mirror = mirror;
+    s.engine().fill(*shot);
+    ASSERT_EQ(shot->n_tear, 1u);
+    ASSERT_EQ(shot->n_wound, 1u);
+    const snapshot::WoundMark& mark = shot->wound[0];
+    EXPECT_EQ(mark.object, s.rig.couplings[0].object_b);
+    EXPECT_EQ(mark.wound.wound, shot->tear[0].tear.wound);
+    EXPECT_EQ(mark.wound.filled, 1u);
+    EXPECT_EQ(mark.wound.p_W.x, mirror ? -2e-3 : 2e-3);
+    EXPECT_EQ(mark.wound.inward_W.x, mirror ? -0.6 : 0.6);
+    EXPECT_EQ(shot->tear[0].tear.b_W.x, mark.wound.p_W.x);
+  }
+  leads.depth = std::numeric_limits<double>::quiet_NaN();
+  s.engine().fill(*shot);
+  EXPECT_EQ(shot->n_wound, 0u);
+  EXPECT_EQ(shot->n_tear, 1u);
+  torn.normal_W.z = std::numeric_limits<double>::infinity();
+  s.engine().fill(*shot);
+  EXPECT_EQ(shot->n_tear, 0u);
 }
 
 TEST(Couplings, TellEventsOfTheirOwn) {
