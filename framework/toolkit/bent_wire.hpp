@@ -27,6 +27,15 @@ struct JointMemory {
   double broken = 0;  // 1: it bears nothing any more
 };
 
+/// exp_rotation of what a joint turns by: below a tenth of a radian by series whose next terms are under 1e-19.
+inline Quat joint_rotation(const Vec3& a) {
+  const double q = 0.25 * a.squaredNorm();  // square of half the angle
+  if (q > 2.5e-3) return exp_rotation(a);
+  const double k = 0.5 - q * (1.0 / 12 - q * (1.0 / 240 - q * (1.0 / 10080 - q / 725760)));
+  const double c = 1 - q * (0.5 - q * (1.0 / 24 - q * (1.0 / 720 - q / 40320)));
+  return {c, k * a.x(), k * a.y(), k * a.z()};
+}
+
 class BentWire {
  public:
   static constexpr int kMaxPieces = 48;
@@ -88,7 +97,7 @@ class BentWire {
   /// Where a joint is and how its axes lie, from the pose of the piece before it.
   Frame joint_frame(const Pose& X_WP, const JointMemory& memory) const {
     const Pose X_WJ = X_WP * half_;
-    return {X_WJ.p, (X_WJ.q * exp_rotation(0.5 * turn(memory))).toRotationMatrix()};
+    return {X_WJ.p, (X_WJ.q * joint_rotation(0.5 * turn(memory))).toRotationMatrix()};
   }
 
   /// Displacement of a point of piece i per turn of joint j, while piece `base` stands still; zero when the joint is not
@@ -166,7 +175,7 @@ class BentWire {
   };
   static size_t at(int i) { return static_cast<size_t>(i); }
   static void bend_frame(const Vec3& turn, Pose& X_WJ) {
-    if (!turn.isZero(0)) X_WJ.q = X_WJ.q * exp_rotation(turn);
+    if (!turn.isZero(0)) X_WJ.q = X_WJ.q * joint_rotation(turn);
   }
   Vec3 normalised(int j, const Vec3& t) const {
     const Joint& joint = joint_[at(j)];

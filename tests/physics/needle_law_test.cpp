@@ -15,6 +15,15 @@ namespace {
 constexpr double kWire = 100e-6;  // m
 
 // M_y, M_p and the yield force at a 4 mm arm for three steels; E = 195 GPa
+TEST(Joint, TurnsByASeriesAsByTheExponential) {
+  for (double angle = 1e-9; angle < 1; angle *= 1.7) {
+    const Vec3 a = angle * Vec3(0.6, -0.64, 0.48);
+    const Quat exact = exp_rotation(a), turn = joint_rotation(a);
+    EXPECT_NEAR(turn.w(), exact.w(), 2.3e-16) << angle;
+    EXPECT_LT((turn.vec() - exact.vec()).norm(), 2.3e-16 * angle) << angle;
+  }
+}
+
 TEST(WireSection, FirstYieldAndFullPlasticityOfRoundWire) {
   const double expected[][4] = {{0.8e9, 7.854e-5, 1.3333e-4, 19.6e-3},
                                 {1.6e9, 1.5708e-4, 2.6667e-4, 39.3e-3},
