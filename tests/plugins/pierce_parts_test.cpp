@@ -76,8 +76,7 @@ TEST_F(Wounds, ALeaningWireTearsAnEllipseOfItsSection) {
 }
 
 /// Area of a region by counting points of a fine grid.
-double counted(const std::function<bool(const Vec2&)>& has, double far) {
-  const double step = kR / 25;
+double counted(const std::function<bool(const Vec2&)>& has, double far, double step = kR / 25) {
   long inside = 0;
   for (double x = -far; x < far; x += step)
     for (double y = -far; y < far; y += step) inside += has({x, y});
@@ -160,11 +159,11 @@ TEST_F(Wounds, OfManyTurnsWhatIsTornStaysTorn) {
     EXPECT_NEAR(w.area, now, 0.03 * now) << i;
     drawn = now;
   }
-  const double exact = counted(
-      [&](const Vec2& p) {
-        return std::any_of(way.begin(), way.end(), [&](const Vec2& c) { return (p - c).norm() < kR; });
-      },
-      w.reach + kR);
+  const auto swept = [&](const Vec2& p) {
+    return std::any_of(way.begin(), way.end(),
+                       [&](const Vec2& c) { return (p - c).squaredNorm() < kR * kR; });
+  };
+  const double exact = counted(swept, w.reach + kR, kR / 12);
   EXPECT_NEAR(w.area, exact, 0.03 * exact);
 }
 

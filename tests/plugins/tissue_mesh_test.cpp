@@ -100,7 +100,7 @@ TEST(MeshWaves, OnAThickWallAreThoseOfAHalfSpace) {
 MeshSpec block() {
   MeshSpec s;
   s.size = {24e-3, 24e-3}, s.thickness = 12e-3, s.underside = Underside::kHeld;
-  s.cells = 24, s.refinement = 8;
+  s.cells = 24, s.refinement = 7;
   return s;
 }
 
