@@ -26,6 +26,19 @@ std::optional<CameraPreset> preset_of(const QString& view) {
   return presets.contains(view) ? std::optional(presets[view]) : std::nullopt;
 }
 
+QComboBox* add_choice(QHBoxLayout* row, QWidget* bar, const QString& label, const char* name,
+                      const QString& tip) {
+  auto* text = new QLabel(label, bar);
+  text->setProperty("muted", true);
+  row->addWidget(text);
+  auto* choice = new QComboBox(bar);
+  choice->setObjectName(QString::fromLatin1(name));
+  choice->setToolTip(tip);
+  row->addWidget(choice);
+  row->addSpacing(8);
+  return choice;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
@@ -103,29 +116,16 @@ QWidget* MainWindow::make_top_bar() {
   }
   page_buttons_.first()->setChecked(true);
   row->addStretch(1);
-  auto* cue_label = new QLabel(tr("Cue colours"), bar);
-  cue_label->setProperty("muted", true);
-  row->addWidget(cue_label);
-  cues_ = new QComboBox(bar);
-  cues_->setObjectName(QStringLiteral("cue_theme"));
+  cues_ = add_choice(row, bar, tr("Cue colours"), "cue_theme",
+                     tr("Colours of the cues; shapes, words and sounds stay the same"));
   cues_->setAccessibleName(tr("Cue colours"));
-  cues_->setToolTip(tr("Colours of the cues; shapes, words and sounds stay the same"));
   for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
   connect(cues_, &QComboBox::activated, this, [this] { set_theme(ui_id_, cues_->currentData().toString()); });
-  row->addWidget(cues_);
-  row->addSpacing(8);
-  auto* theme_label = new QLabel(tr("Window"), bar);
-  theme_label->setProperty("muted", true);
-  row->addWidget(theme_label);
-  theme_ = new QComboBox(bar);
-  theme_->setObjectName(QStringLiteral("theme"));
+  theme_ = add_choice(row, bar, tr("Window"), "theme", tr("Colours of the window"));
   theme_->setAccessibleName(tr("Colours of the window"));
-  theme_->setToolTip(tr("Colours of the window"));
   for (const QString& id : UiTheme::names()) theme_->addItem(UiTheme::stock(id).title(), id);
   connect(theme_, &QComboBox::activated, this,
           [this] { set_theme(theme_->currentData().toString(), cues_id_); });
-  row->addWidget(theme_);
-  row->addSpacing(8);
   auto* trainee =
       make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
   trainee->setToolTip(tr("The scene for two eyes in a window of its own: settings (F9 shows it at once)"));

@@ -25,7 +25,7 @@ constexpr char kMouse[] = "swage.device.mouse";
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
 constexpr int kSide_px = 270;     // the whole page fits a screen of 1280
-constexpr int kLessons_px = 296;  // and the titles of the lessons fit the list
+constexpr int kLessons_px = 290;  // and the titles of the lessons fit the list
 
 }  // namespace
 
@@ -185,7 +185,6 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
   legend_->set_meanings(Reader::meanings(card));
   now_->form()->set_params(live_params(setup_->lesson().toStdString(), card, catalogue_));
-  loupe_button_->setVisible(reader_.inserts());
   card_ = card;
   have_card_ = true;
   for (SceneView* view : views_) view->set_card(card, preset_);
@@ -246,6 +245,7 @@ void RunPage::tell_circle(const std::optional<NeedleCircle>& about) {
 
 void RunPage::update_second() {
   view_->set_second_shown(control_->running() && by_mouse() && second_button_->isChecked());
+  view_->set_loupe_shown(second_button_->isChecked());
 }
 
 void RunPage::update_cues() {

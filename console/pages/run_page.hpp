@@ -105,7 +105,7 @@ class RunPage : public QWidget {
   QList<SceneView*> views_;  // that one first
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
-              *cues_button_ = nullptr, *second_button_ = nullptr, *loupe_button_ = nullptr;
+              *cues_button_ = nullptr, *second_button_ = nullptr;
   QStackedWidget* right_ = nullptr;
   NowPanel* now_ = nullptr;
   ResultPanel* result_ = nullptr;

@@ -14,6 +14,17 @@ namespace {
 
 constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
 
+// a button that stays as it was pressed
+QPushButton* add_toggle(QHBoxLayout* row, QWidget* bar, const QString& text, const char* name,
+                        const QString& tip, bool on) {
+  auto* button = make_button(text, {}, QString::fromLatin1(name), bar);
+  button->setCheckable(true);
+  button->setChecked(on);
+  button->setToolTip(tip);
+  row->addWidget(button);
+  return button;
+}
+
 }  // namespace
 
 QWidget* RunPage::make_middle() {
@@ -90,39 +101,25 @@ QWidget* RunPage::make_view_bar() {
     row->addWidget(button);
   }
   row->addSpacing(10);
-  cues_button_ = make_button(tr("Cues"), {}, QStringLiteral("cues"), bar);
-  cues_button_->setCheckable(true);
-  cues_button_->setChecked(true);
-  cues_button_->setToolTip(tr("Show cues in the picture"));
+  cues_button_ = add_toggle(row, bar, tr("Cues"), "cues", tr("Show cues in the picture"), true);
   connect(cues_button_, &QPushButton::toggled, this, &RunPage::update_cues);
-  row->addWidget(cues_button_);
-  second_button_ = make_button(tr("Depth"), {}, QStringLiteral("second"), bar);
-  second_button_->setCheckable(true);
-  second_button_->setChecked(true);
-  second_button_->setToolTip(
-      tr("While the mouse is the instrument: a second view at right angles, near the jaws"));
+  second_button_ =
+      add_toggle(row, bar, tr("Insets"), "second",
+                 tr("Small views: while the mouse is the instrument one at right angles, near the jaws; the "
+                    "wound magnified while there is one"),
+                 true);
   connect(second_button_, &QPushButton::toggled, this, &RunPage::update_second);
-  row->addWidget(second_button_);
-  loupe_button_ = make_button(tr("Wound"), {}, QStringLiteral("loupe"), bar);
-  loupe_button_->setCheckable(true);
-  loupe_button_->setChecked(true);
-  loupe_button_->setToolTip(tr("A magnified view of the wound while there is one"));
-  connect(loupe_button_, &QPushButton::toggled, view_, &SceneView::set_loupe_shown);
-  row->addWidget(loupe_button_);
-  auto* forces = make_button(tr("Forces"), {}, QStringLiteral("forces"), bar);
-  forces->setCheckable(true);
-  forces->setToolTip(tr("Show contact forces in the picture"));
+  auto* forces =
+      add_toggle(row, bar, tr("Forces"), "forces", tr("Show contact forces in the picture"), false);
   connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
-  row->addWidget(forces);
-  auto* detail = make_button(tr("Detail"), {}, QStringLiteral("detail"), bar);
-  detail->setCheckable(true);
-  detail->setToolTip(
-      tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"));
+  auto* detail = add_toggle(
+      row, bar, tr("Detail"), "detail",
+      tr("For the instructor: list also what the machine did, and colour a needle that bends by its stress"),
+      false);
   connect(detail, &QPushButton::toggled, this, [this](bool on) {
     shown_events_->show_technical(on);
     view_->set_stress_shown(on);
   });
-  row->addWidget(detail);
   row->addSpacing(10);
   row->addWidget(make_sound(bar));
   return bar;

@@ -131,7 +131,10 @@ class FakeSession final : public session::Session {
   }
   bool finished() const override { return aborted_ || (script_.end_s > 0 && now() >= script_.end_s); }
   void wait() override {}
-  bool change(const std::string&, const std::string&, base::Problems&) override { return false; }
+  bool change(const std::string& instance, const std::string& json, base::Problems&) override {
+    log_->changed.push_back(instance + " " + json);
+    return false;
+  }
   void pointer(const swage_pointer& p) override { log_->pointer.push_back(p); }
 
   bool latest(snapshot::Snapshot& out) const override {

@@ -70,6 +70,30 @@ TEST_F(Pages, KeysPauseResetMarkAndStop) {
   EXPECT_TRUE(child<QPushButton>("start")->isEnabled());
 }
 
+// the needle of the fake scene is an arc of 1.9 mm about the z axis through (0, -1.9) mm, a wire's radius high until it is lifted
+TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
+  script.rate = 20;
+  script.end_s = 0;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_time(4.2));
+  ASSERT_EQ(log->changed.size(), 0U);
+  QTest::keyPress(page()->view(), Qt::Key_T);
+  ASSERT_EQ(log->changed.size(), 1U);
+  EXPECT_EQ(log->changed[0].rfind("hand {\"circle_axis\":[", 0), 0U) << log->changed[0];
+  EXPECT_EQ(log->changed[0].find("[0.0,0.0,0.0]"), std::string::npos) << "there is a needle at the tips";
+  ASSERT_FALSE(log->pointer.empty());
+  EXPECT_NE(log->pointer.back().keys & uint64_t{1} << ('t' - 'a'), 0U);
+  QTest::keyRelease(page()->view(), Qt::Key_T);
+  EXPECT_EQ(log->changed.size(), 1U) << "once for each drive";
+  QTest::keyPress(page()->view(), Qt::Key_G);
+  QTest::keyRelease(page()->view(), Qt::Key_G);
+  EXPECT_EQ(log->changed.size(), 2U);
+  // other keys move on as ever
+  QTest::keyClick(page()->view(), Qt::Key_W);
+  EXPECT_EQ(log->changed.size(), 2U);
+}
+
 TEST_F(Pages, NumbersArrive) {
   script.rate = 20;
   script.end_s = 0;
@@ -264,6 +288,12 @@ TEST_F(Pages, TheTraineesViewIsSetUpAndRemembered) {
   form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
   EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
   EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
+}
+
+TEST_F(Pages, AScreenOf1280IsWideEnough) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  EXPECT_LE(window->minimumSizeHint().width(), 1280);
 }
 
 TEST_F(Pages, ALongTitleEndsInAnEllipsis) {
