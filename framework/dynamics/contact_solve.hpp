@@ -66,6 +66,12 @@ class ContactSolve {
     double off_before[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
   };
 
+  /// How far points of an own solver are from where they were expected [m]: most (1 + grows |p - middle|).
+  struct Strayed {
+    double most = 0, grows = 0;  // m, 1/m
+    Vec3 middle = Vec3::Zero();  // m, of the points that were asked about
+  };
+
   void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
              std::span<SelfSolver* const> self, Stats& stats) noexcept;
   bool settle(contact::ContactSet& contacts, Stats& stats) noexcept;
@@ -96,7 +102,7 @@ class ContactSolve {
   Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
   double off_shapes(const contact::Contact& c, const Known& k) const noexcept;
   bool wait_in_vain(contact::ContactSet& contacts, bool moved) noexcept;
-  double strayed(const contact::ContactSet& contacts, uint32_t mover, const Vec3& p_W) const noexcept;
+  Strayed strayed(const contact::ContactSet& contacts, uint32_t mover) const noexcept;
   void as_found(contact::ContactSet& contacts) noexcept;
 
   // ties: contact_solve_ties.cpp

@@ -118,6 +118,8 @@ void ContactSolve::meet_surfaces(contact::ContactSet& contacts) noexcept {
 /// Whether something came so far from where it was expected that a contact may touch of which nobody was told. `moved`: that the
 /// solve moved anything at all.
 bool ContactSolve::wait_in_vain(contact::ContactSet& contacts, bool moved) noexcept {
+  uint32_t of = kNone;  // whose way is known
+  Strayed strayed;
   for (uint32_t i = 0; waiting_ > 0 && i < n_; ++i) {
     const Known& k = known_[i];
     if (!k.waits) continue;
@@ -126,19 +128,23 @@ bool ContactSolve::wait_in_vain(contact::ContactSet& contacts, bool moved) noexc
     if ((!own_a || still(k.a)) && (!own_b || still(k.b))) continue;
     evaluate(contacts, i);
     double gap = contacts.contact[i].gap;
-    for (const Side* s : {&k.a, &k.b})
-      if (place_.is_self(s->mover)) gap -= strayed(contacts, s->mover, contacts.contact[i].p_W);
+    for (const Side* s : {&k.a, &k.b}) {
+      if (!place_.is_self(s->mover)) continue;
+      if (of != s->mover) strayed = this->strayed(contacts, of = s->mover);
+      gap -= strayed.most * (1 + strayed.grows * (contacts.contact[i].p_W - strayed.middle).norm());
+    }
     if (gap < 0) return true;
   }
   return false;
 }
 
-/// How far a point of an own solver may be from where it was expected, at most: what its asked points are, and the farther the
-/// point is from them, for the width that they have across their length, the more [m].
-double ContactSolve::strayed(const contact::ContactSet& contacts, uint32_t mover,
-                             const Vec3& p_W) const noexcept {
-  Vec3 middle = Vec3::Zero(), end = Vec3::Zero();
-  double most = 0, n = 0, length = 0, width = 0;
+/// How far points of an own solver may be from where they were expected, at most: what its asked points are, and the farther a
+/// point is from them, for the width that they have across their length, the more.
+ContactSolve::Strayed ContactSolve::strayed(const contact::ContactSet& contacts,
+                                            uint32_t mover) const noexcept {
+  Strayed out;
+  Vec3 end = Vec3::Zero();
+  double n = 0, length = 0, width = 0;
   const auto each = [&](auto&& look) {
     for (uint32_t i = 0; i < n_; ++i)
       for (const Side* s : {&known_[i].a, &known_[i].b})
@@ -146,16 +152,18 @@ double ContactSolve::strayed(const contact::ContactSet& contacts, uint32_t mover
   };
   each([&](const Vec3& p, const Side& s) {
     const Vec3 off = solved_[mover] ? place_.beyond(s, p) : place_.beyond_free(s, p);
-    middle += p, ++n, most = std::max(most, off.norm());
+    out.middle += p, ++n, out.most = std::max(out.most, off.norm());
   });
-  if (n == 0) return HUGE_VAL;  // there was no room for its points
-  if (most == 0) return 0;
-  middle /= n;
+  if (n == 0) out.most = HUGE_VAL;  // there was no room for its points
+  if (n == 0 || out.most == 0) return out;
+  out.middle /= n;
   each([&](const Vec3& p, const Side&) {
-    if ((p - middle).norm() > length) length = (p - middle).norm(), end = (p - middle) / length;
+    const double away = (p - out.middle).norm();
+    if (away > length) length = away, end = (p - out.middle) / length;
   });
-  each([&](const Vec3& p, const Side&) { width = std::max(width, end.cross(p - middle).norm()); });
-  return most * (1 + 2 * (p_W - middle).norm() / width);
+  each([&](const Vec3& p, const Side&) { width = std::max(width, end.cross(p - out.middle).norm()); });
+  out.grows = 2 / width;
+  return out;
 }
 
 /// Contacts as they were before the solve looked at them.

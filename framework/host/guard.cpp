@@ -55,12 +55,18 @@ void quarantine(Instance& instance, Misdeed misdeed, Call call, uint64_t step) n
 bool accept(Instance& instance, Call call, uint64_t step, const double* data, std::size_t n,
             double limit) noexcept {
   // one look, without a branch, at what is almost always sound: sizes that add up to no more than the limit
-  double sum[4] = {};
+  typedef double Two __attribute__((vector_size(16)));
+  typedef long long Bits __attribute__((vector_size(16)));
+  constexpr Bits kSize = {0x7FFFFFFFFFFFFFFF, 0x7FFFFFFFFFFFFFFF};  // all but the sign
+  Two sum[2] = {};
   std::size_t i = 0;
-  for (; i + 4 <= n; i += 4)
-    for (std::size_t k = 0; k < 4; ++k) sum[k] += std::abs(data[i + k]);
-  for (; i < n; ++i) sum[0] += std::abs(data[i]);
-  if ((sum[0] + sum[1]) + (sum[2] + sum[3]) <= limit) return true;
+  for (; i + 4 <= n; i += 4) {
+    const Two a = {data[i], data[i + 1]}, b = {data[i + 2], data[i + 3]};
+    sum[0] += __builtin_bit_cast(Two, __builtin_bit_cast(Bits, a) & kSize);
+    sum[1] += __builtin_bit_cast(Two, __builtin_bit_cast(Bits, b) & kSize);
+  }
+  for (; i < n; ++i) sum[0][0] += std::abs(data[i]);
+  if ((sum[0][0] + sum[1][0]) + (sum[0][1] + sum[1][1]) <= limit) return true;
 
   // no comparison holds for what is not a number
   const auto sound = [&](double x) { return std::abs(x) <= limit; };

@@ -38,6 +38,13 @@ inline void follow_stray(StrayState& s, bool needle, bool jaws, double dt) noexc
 /// How deep a place is in a tissue, negative outside: under its surface, before its far side, within its rim.
 inline double depth_in(const swage_pierceable_place& p) { return std::min({p.depth, -p.beyond, p.edge}); }
 
+/// Of places on a line, `apart` from each other, how many after one are as surely outside as that. Half of what its distance from
+/// the tissue says: where a surface bends, the nearest place of it that was found need not be the nearest.
+inline int as_far_outside(const swage_pierceable_place& p, double apart) {
+  const double away = 0.5 * std::max(-p.depth, p.beyond);
+  return away > apart ? static_cast<int>(std::min(away / apart, 1e3)) : 0;
+}
+
 /// Where the task has the needle touch the tissue.
 struct Region {
   Vec3 middle[2] = {Vec3::Zero(), Vec3::Zero()};  // the mark, or where the needle went in and came out
@@ -66,7 +73,9 @@ inline bool needle_astray(const Peer& needle, const Step& needle_step, const Pee
     const auto at = needle.place(needle_step, s);
     if (!at || region.has(toolkit::vec(at->p_W))) continue;
     const auto in = tissue.inside(tissue_step, at->p_W);
-    if (in && depth_in(*in) > -at->radius) return true;
+    if (!in) continue;
+    if (depth_in(*in) > -at->radius) return true;
+    i += as_far_outside(*in, at->length / kPlaces + 2 * at->radius);
   }
   return false;
 }
@@ -78,10 +87,13 @@ inline bool jaws_astray(const swage_gripper_state& jaws, const Vec3 (&hinge)[2],
   const Vec3 tips = toolkit::vec(jaws.tip_W), closing = toolkit::vec(jaws.closing_W);
   for (int jaw = 0; jaw < 2; ++jaw) {
     const double apart = (tips - hinge[jaw]).norm() * std::tan(0.5 * jaws.opening);
-    const Vec3 tip = tips + (jaw == 0 ? apart : -apart) * closing;
+    const Vec3 tip = tips + (jaw == 0 ? apart : -apart) * closing, way = (hinge[jaw] - tip) / kPlaces;
+    const double apart_m = way.norm();
     for (int i = 0; i < kPlaces; ++i) {
-      const auto in = tissue.inside(step, toolkit::raw(Vec3(tip + i * (hinge[jaw] - tip) / kPlaces)));
-      if (in && depth_in(*in) > 0) return true;
+      const auto in = tissue.inside(step, toolkit::raw(Vec3(tip + i * way)));
+      if (!in) continue;
+      if (depth_in(*in) > 0) return true;
+      i += as_far_outside(*in, apart_m);
     }
   }
   return false;

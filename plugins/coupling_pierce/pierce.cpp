@@ -66,6 +66,7 @@ void Pierce::bind(const Peer& a, const Peer& b) {
 void Pierce::reset(const CouplingStep& step) {
   auto& state = step.state<PierceState>();
   state = {};
+  before_.reset(), after_.reset();
   state.last_entry = state.last_exit = -1;
 }
 
@@ -84,7 +85,8 @@ bool Pierce::passes(const PierceState& state, const Site& site, const swage_cont
 }
 
 void Pierce::resolve(const CouplingStep& step) {
-  const Site site(needle_, tissue_, step.a(), step.b());
+  after_.reset();
+  const Site& site = before_.emplace(needle_, tissue_, step.a(), step.b());
   if (!site.good) return discard();
   auto& state = step.state<PierceState>();
   along_ = lateral_ = pull_ = 0;
@@ -103,7 +105,8 @@ void Pierce::resolve(const CouplingStep& step) {
 }
 
 uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
-  const Site site(needle_, tissue_, step.a(), step.b());
+  if (!before_) return 0;
+  const Site& site = *before_;
   const auto& state = step.state<PierceState>();
   uint32_t n = 0;
   for (uint32_t t = 0; site.good && t < PierceState::kTracks; ++t) {
@@ -120,7 +123,7 @@ uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
 }
 
 void Pierce::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
-  const Site site(needle_, tissue_, step.a(), step.b());
+  const Site& site = after_.emplace(needle_, tissue_, step.a(), step.b());
   auto& state = step.state<PierceState>();
   if (!site.good) return discard();
   along_ = lateral_ = pull_ = 0;
@@ -238,7 +241,7 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   Track& track = state.track[t];
   const uint32_t wound = wound_at(state, site.local(entry), to_O * n, to_O * back, site.radius);
   open_track(site, track, entry, s_in);
-  share_out(site, track);
+  share_out(site, spots(site, track), track);
   track.entry = wound;
   track.age = state.entries += 1;
   state.newest = t;
@@ -290,7 +293,8 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
 
 /// A track after the step: crossings, wounds, exits, its end.
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
-  follow(site, track);
+  const Spots at = spots(site, track);
+  follow(site, at, track);
   const auto entry_at = static_cast<uint32_t>(track.entry);
   Wound& entry = state.wound[entry_at];
   entry.depth = std::max(entry.depth, track.cut);
@@ -312,24 +316,24 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
     if (through(track.s_out)) tear(step, state, site, exit_at, place, last.p);
   }
-  if (!share_out(site, track)) {
+  if (!share_out(site, at, track)) {
     track.open = 0;
     state.clearing = 1;
     step.event(cut_out_, entry.reach / entry.radius);
     return;
   }
-  lengthen(site, track);
+  const double end = at.hold[static_cast<uint32_t>(track.count) - 1].s;
+  lengthen(site, at, track);
   if (track.s_in >= 1 && track.passed == 0) {
     track.passed = 1;
     step.event(passed_, entry.reach / entry.radius);
   }
   // the whole needle is beyond its last hold
-  if (track.passed != 0 && spot(site, track.hold[static_cast<uint32_t>(track.count) - 1]).s > 1)
-    track.open = 0;
+  if (track.passed != 0 && end > 1) track.open = 0;
 }
 
 void Pierce::finish(const CouplingStep& step) {
-  const Site site(needle_, tissue_, step.a(), step.b());
+  const Site& site = after_ ? *after_ : after_.emplace(needle_, tissue_, step.a(), step.b());
   if (!site.good) return discard();
   auto& state = step.state<PierceState>();
   for (Track& track : state.track)

@@ -6,6 +6,8 @@
 #include <swage/coupling.hpp>
 #include <swage/units.hpp>
 
+#include <optional>
+
 #include "reaction.hpp"
 #include "track.hpp"
 #include "wound.hpp"
@@ -138,7 +140,9 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   // what follows from the wounds of the state, and is made anew where they are others
   mutable Outline settled_[PierceState::kWounds];
 
-  // within one step only, from ties() to finish()
+  // within one step only: what resolve() finds serves ties(), what tied() finds serves finish()
+  std::optional<Site> before_, after_;
+  // from ties() to finish()
   struct Made {
     uint32_t track = 0, of = 0;
   };

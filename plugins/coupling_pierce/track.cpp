@@ -23,6 +23,10 @@ constexpr double kLeast = 1;
 constexpr double kLever = 10;
 // With so little a hold begins, in wire radii: a hundredth of what it will have.
 constexpr double kSprout = 0.02;
+// What is in by less than this, in wire radii, is held at its entry alone.
+constexpr double kOne = 2;
+// A crossing this near to the place last looked at is that place.
+constexpr double kThere = 1e-10;
 // A needle this flat (sine of its angle to the plane) has no crossing to speak of.
 constexpr double kFlat = 0.05;
 
@@ -97,7 +101,7 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
     const double off = (vec(at->p_W) - o).dot(n), slope = vec(at->tangent_W).dot(n);
     if (std::abs(slope) < kFlat) return s;
     const double next = std::clamp(s - off / (slope * site.length), 0.0, 1.0);
-    if (next == s) return s;
+    if (std::abs(next - s) <= kThere) return next;
     s = next;
   }
   return s;
@@ -134,11 +138,19 @@ double progress(const Site& site, const Track& track) {
   return last.at + spot(site, last).s * site.length;
 }
 
-void follow(const Site& site, Track& track) {
+Spots spots(const Site& site, const Track& track) {
+  Spots at;
+  for (uint32_t i = 0; i < holds(track); ++i) at.hold[i] = spot(site, track.hold[i]);
+  return at;
+}
+
+void follow(const Site& site, const Spots& at, Track& track) {
   // holds that the point has left: the way stays cut, and is laid anew when it comes back
-  double s = spot(site, track.hold[holds(track) - 1]).s;
-  for (; s < 0 && holds(track) > 1; s = spot(site, track.hold[holds(track) - 1]).s) track.count -= 1;
-  track.progress = track.hold[holds(track) - 1].at + s * site.length;
+  const auto last = [&] { return holds(track) - 1; };
+  const auto deep = [&] { return track.hold[last()].at + at.hold[last()].s * site.length; };
+  while (at.hold[last()].s < 0 && (last() > 1 || (last() == 1 && deep() < kOne * site.radius)))
+    track.count -= 1;
+  track.progress = deep();
   track.deepest = std::max(track.deepest, track.progress);
   track.below = std::max(track.below, site.point_in.depth);
 }
@@ -173,6 +185,31 @@ void grow(const Site& site, Hold& hold, double share) {
   hold.share = share;
 }
 
+/// A new hold, of the needle at s. Across the needle it is not known yet where that place is when nothing pulls at the tissue. So little
+/// of it cannot store much, tells within a step, and what is then added to it begins unstretched.
+void sprout(const Site& site, const Track& track, double s, Hold& hold) {
+  const auto place = site.needle.place(site.a, s);
+  if (!place) return;
+  hold = {};
+  put(hold.p, site.local(vec(place->p_W)));
+  hold.rest = s;
+  hold.at = track.progress - s * site.length;
+  hold.share = kSprout * site.radius;
+}
+
+/// By its entry alone what is in would hang as from a hinge. So the last other hold, when the point has left it, is laid again halfway
+/// between the two, stretched as it is.
+void lay_halfway(const Site& site, const Track& track, const Spot& left, Hold& hold) {
+  const double s = 0.5 * track.progress / site.length;
+  const auto place = site.needle.place(site.a, s);
+  if (!place) return;
+  const Vec3 way = left.p_W - site.world(hold.p), advance = vec(place->tangent_W);
+  const Vec3 across = way - left.advance_W.dot(way) * left.advance_W;
+  put(hold.p, site.local(vec(place->p_W) - (across - advance.dot(across) * advance)));
+  hold.rest += s - left.s;
+  hold.at = track.progress - s * site.length;
+}
+
 /// Every other hold goes. Those that stay bear what all bore, with the mean of their stretches, which stores no more than they did.
 void thin_out(const Site& site, Track& track) {
   Hold merged[Track::kHolds / 2];
@@ -200,19 +237,18 @@ void thin_out(const Site& site, Track& track) {
 
 }  // namespace
 
-bool share_out(const Site& site, Track& track) {
+bool share_out(const Site& site, const Spots& spots, Track& track) {
   const uint32_t count = holds(track);
-  double at[Track::kHolds];
-  for (uint32_t i = 0; i < count; ++i) at[i] = spot(site, track.hold[i]).s;
+  const auto at = [&](uint32_t i) { return spots.hold[i].s; };
   const double tip = track.out == Track::kOut ? track.s_out : 0;
   double upper = track.s_in;
   bool held = false;
   for (uint32_t i = 0; i < count; ++i) {
-    const double lower = i + 1 < count ? std::clamp(0.5 * (at[i] + at[i + 1]), tip, upper) : tip;
+    const double lower = i + 1 < count ? std::clamp(0.5 * (at(i) + at(i + 1)), tip, upper) : tip;
     double share = std::max(0.0, upper - lower) * site.length;
     upper = lower;
     if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
-    if (at[i] >= 1) share = 0;  // the needle has left it
+    if (at(i) >= 1) share = 0;  // the needle has left it
     const auto place = site.tissue.inside(site.b, raw(site.world(track.hold[i].p)));
     const bool beyond = place && place->edge < 0;  // torn as far as the rim
     if (beyond) share = 0;
@@ -222,17 +258,13 @@ bool share_out(const Site& site, Track& track) {
   return held;
 }
 
-void lengthen(const Site& site, Track& track) {
-  const double last = track.hold[holds(track) - 1].at;
-  if (track.out != Track::kInside || track.cut - last < track.spacing) return;
+void lengthen(const Site& site, const Spots& at, Track& track) {
+  const Spot& end = at.hold[holds(track) - 1];
+  Hold& last = track.hold[holds(track) - 1];
+  if (holds(track) > 1 && end.s < 0) return lay_halfway(site, track, end, last);
+  if (track.out != Track::kInside || track.progress - last.at < track.spacing) return;
   if (holds(track) == Track::kHolds) return thin_out(site, track);
-  // Across the needle it is not known yet where that place is when nothing pulls at the tissue. So little of it cannot store much,
-  // tells within a step, and what is then added to it begins unstretched.
-  Hold hold{};
-  std::copy_n(track.front, 3, hold.p);
-  hold.at = track.progress - spot(site, hold).s * site.length;
-  hold.share = kSprout * site.radius;
-  track.hold[holds(track)] = hold;
+  sprout(site, track, 0, track.hold[holds(track)]);
   track.count += 1;
 }
 

@@ -27,7 +27,7 @@ struct Hold {
 };
 
 struct Track {
-  static constexpr uint32_t kHolds = 6;
+  static constexpr uint32_t kHolds = 4;
   static constexpr uint32_t kTies = kHolds + 2;  // and the point, and what keeps it from rolling
   static constexpr uint32_t kOfPoint = kHolds,
                             kOfRoll = kHolds + 1;  // whose a tie is: of a hold, or of these
@@ -82,6 +82,11 @@ struct Spot {
 Spot spot(const Site& site, const Hold& hold);
 /// Whether the needle crosses a surface at s, and is not only near it.
 inline bool through(double s) { return s > 0 && s < 1; }
+/// The same at all holds of a track; those that it no longer has are left as they are.
+struct Spots {
+  Spot hold[Track::kHolds];
+};
+Spots spots(const Site& site, const Track& track);
 /// s at which the needle crosses the plane of a wound, near s0, and the needle there.
 double crossing(const Site& site, const Wound& wound, double s0, swage_piercing_place& place);
 /// The same for a plane through o with the normal n, in W.
@@ -90,12 +95,12 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
 /// The track of a needle that has just gone in at `entry_W`, crossed there at s_in.
 void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in);
 /// Where the point is along it; drops holds that it has left behind.
-void follow(const Site& site, Track& track);
+void follow(const Site& site, const Spots& at, Track& track);
 /// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet. False when
 /// none is left in the tissue: the tear has come to its rim.
-bool share_out(const Site& site, Track& track);
-/// New holds where the point went on.
-void lengthen(const Site& site, Track& track);
+bool share_out(const Site& site, const Spots& at, Track& track);
+/// New holds where the point went on; the last one laid again where it went back.
+void lengthen(const Site& site, const Spots& at, Track& track);
 /// The cut ends where the point is, but for what the tissue gives ahead of it.
 void set_front(const Site& site, Track& track);
 /// Writes its ties to `out` (up to kTies): `reaction`: N on top of the entry's drag; `exit_force`: N that a face bears from inside.

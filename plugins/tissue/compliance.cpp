@@ -46,13 +46,6 @@ double Compliance::normal(double r) const noexcept {
   return table_[i] + (u - i) * (table_[i + 1] - table_[i]);
 }
 
-Compliance::Give Compliance::give(double x, double y) const noexcept {
-  const double rr = x * x + y * y, r_e = std::sqrt(rr + e_ * e_), sum = r_e + e_;
-  const double both = point_ / (r_e * sum);  // one division for all
-  return {table_.empty() ? both * sum : normal(std::sqrt(rr)), both * (2 * sum - r_e),
-          both * both * r_e / point_};
-}
-
 Mat3 Compliance::between(double x, double y) const noexcept {
   const Give g = give(x, y);
   Mat3 C = Mat3::Zero();

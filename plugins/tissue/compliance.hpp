@@ -6,6 +6,7 @@
 // Units: m, N. Frame: n along the surface's normal, then two axes along the surface. [rt] unless said otherwise.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -41,7 +42,12 @@ class Compliance {
       return {n * f[0], t * f[1] + along * x, t * f[2] + along * y};
     }
   };
-  Give give(double x, double y) const noexcept;
+  Give give(double x, double y) const noexcept {
+    const double rr = x * x + y * y, r_e = std::sqrt(rr + e_ * e_), sum = r_e + e_;
+    const double both = point_ / (r_e * sum);  // one division for all
+    return {table_.empty() ? both * sum : normal(std::sqrt(rr)), both * (2 * sum - r_e),
+            both * both * r_e / point_};
+  }
   double spread() const noexcept { return e_; }  // m, e of the kernel: dents of this radius have its shape
 
  private:

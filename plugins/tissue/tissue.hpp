@@ -209,7 +209,7 @@ class Tissue final : public Object<TissueParams>,
   void feel_mesh(const State& state, uint32_t n);
   Vec3 displaced(const State& state, const Vec3& foot_O);
   Mat3 own(const Vec3& foot_O) const;
-  Source& source_at(State& state, const Vec3& foot_O) const;
+  uint32_t source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const;
   /// Of the wall; what was asked of it elsewhere is forgotten.
   const toolkit::Frame& frame(const Step& step);
 

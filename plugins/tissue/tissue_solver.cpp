@@ -179,33 +179,42 @@ void Tissue::displacement(const Step& step, std::span<const swage_contact_point>
 }
 
 /// The source that remembers for a place and bears nothing yet in this step: the nearest one, or the one that matters
-/// least.
-Source& Tissue::source_at(State& state, const Vec3& foot_O) const {
-  Source *least = state.source, *nearest = nullptr;
-  double least_size = HUGE_VAL, near = kMerge * params_.spread;
-  for (Source& s : state.source) {
-    const double size = (vec3(s.f) + vec3(s.v)).norm();
-    if (size < least_size) least = &s, least_size = size;
-    const double distance = (vec3(s.p) - foot_O).norm();
-    if (size > 0 && zero(s.f) && distance < near) nearest = &s, near = distance;
+/// least. `size`: of what each displaces by, squared, N2.
+uint32_t Tissue::source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const {
+  const double merge = kMerge * params_.spread;
+  uint32_t least = 0, nearest = kSources;
+  double near = merge * merge;  // m2
+  for (uint32_t i = 0; i < kSources; ++i) {
+    const Source& s = state.source[i];
+    if (size[i] < size[least]) least = i;
+    if (!(size[i] > 0) || !zero(s.f)) continue;
+    const double distance = (vec3(s.p) - foot_O).squaredNorm();
+    if (distance < near) nearest = i, near = distance;
   }
-  if (nearest != nullptr) return *nearest;
-  *least = {};
-  put(least->p, foot_O);
-  return *least;
+  if (nearest < kSources) return nearest;
+  state.source[least] = {};
+  put(state.source[least].p, foot_O);
+  return least;
 }
 
 void Tissue::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
   const uint32_t n = look_up(step, points);
   asked_.felt.fill(false);
   State& state = step.state<State>();
+  std::array<double, kSources> size;
+  const auto measure = [&](uint32_t i) {
+    size[i] = (vec3(state.source[i].f) + vec3(state.source[i].v)).squaredNorm();
+  };
+  for (uint32_t i = 0; i < kSources; ++i) measure(i);
   for (uint32_t i = 0; i < n; ++i) {
     const Vec3 f_W = vec3(impulse + size_t{3} * i) / step.dt();
     if (f_W.isZero(0)) continue;
     const Spot& at = asked_.spot[i];
-    Source& s = source_at(state, at.foot_O);
+    const uint32_t to = source_at(state, size, at.foot_O);
+    Source& s = state.source[to];
     put(s.q, at.foot_O);
     put(s.f, at.axes_W.transpose() * f_W);
+    measure(to);
   }
   for (Source& s : state.source) put(s.v, vec3(s.v) + creep_.gain * vec3(s.f));
 }
@@ -240,8 +249,8 @@ void Tissue::finish(const Step& step) {
     double most = 0;
     for (Source& s : state.source) {
       if (zero(s.f) && zero(s.v)) continue;
-      const double size = (vec3(s.f) + vec3(s.v)).norm();
-      if (zero(s.f) && size < kForgotten) s = {};
+      const double size = (vec3(s.f) + vec3(s.v)).squaredNorm();
+      if (zero(s.f) && size < kForgotten * kForgotten) s = {};
       force += std::max(0.0, -s.f[0]);
       if (size > most) deepest = &s, most = size;
     }
