@@ -167,7 +167,9 @@ class Player {
     out.score = v.score;
     for (std::size_t i = 0; i < v.metric.size(); ++i)
       out.metric.push_back({rig.script.metrics[i].id, rig.script.metrics[i].unit, v.metric[i]});
-    if (engine.quarantined() > 0) out.problem = "a plugin went into quarantine";
+    for (const host::Instance* instance : host::instances(rig))
+      if (out.problem.empty() && instance->quarantined.load() != 0)
+        out.problem = host::quarantine_text(*instance);
   }
 
   const AuditPlan& plan_;
