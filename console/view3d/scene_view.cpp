@@ -268,9 +268,9 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   touch();
 }
 
-// At the mark that is in the world, else at what is watched. A lesson may draw its mark only once it runs.
+// At the mark that is in the world, else at what is watched.
 void SceneView::look_near() {
-  if (preset_ != CameraPreset::kNear || !have_snapshot_) return;
+  if (preset_ != CameraPreset::kNear || !judged()) return;
   for (uint32_t m = 0; m < card_.script.marks.size() && m < snapshot_->n_mark; ++m) {
     if (card_.script.marks[m].mark.kind != SWAGE_MARK_POINT) continue;
     const QVector3D at = to_mm(snapshot_->mark_p_W[m]);

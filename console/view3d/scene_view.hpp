@@ -140,6 +140,8 @@ class SceneView : public QWidget {
   void paint_placeholder(QPainter& painter);
   bool has_target() const;
   void tell_circle(const swage_pointer& input);
+  /// Whether the lesson has looked at the scene yet: only then are its marks where it has drawn them.
+  bool judged() const { return have_snapshot_ && snapshot_->step > 0; }
   void paint_marks(Overlay& overlay, const Panel& panel) const;
   void paint_forces(Overlay& overlay, const Panel& panel) const;
   void paint_cues(Overlay& overlay, const Panel& panel) const;

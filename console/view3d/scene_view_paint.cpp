@@ -69,7 +69,7 @@ bool SceneView::has_target() const {
 void SceneView::paint_marks(Overlay& overlay, const Panel& panel) const {
   const Eye& eye = panel.view.eye;
   const double h = panel.size.height();
-  for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
+  for (uint32_t m = 0; judged() && m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
     const auto& mark = card_.script.marks[m];
     if (mark.mark.kind != SWAGE_MARK_POINT) continue;
     const uint32_t cue = cues_shown_ ? snapshot_->mark_cue[m] : SWAGE_NONE;

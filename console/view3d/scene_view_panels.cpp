@@ -185,7 +185,7 @@ QVector3D SceneView::aim_near(const QVector3D& tips) const {
     least = (p - tips).length();
     aim = p;
   }
-  if ((aim - tips).length() > kAround_mm || !have_snapshot_) return aim;
+  if ((aim - tips).length() > kAround_mm || !judged()) return aim;
   for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m) {
     if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT) return to_mm(snapshot_->mark_p_W[m]);
   }
