@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assembly/lesson_text.hpp"
+#include "assembly/settings.hpp"
 
 namespace swage::console {
 namespace {
@@ -69,8 +70,7 @@ std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
     out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
   for (const Json& c : list(root, "couplings")) {
     const std::string plugin = text(c, "plugin");
-    // one without a name is known by the last word of its plugin
-    const std::string name = text(c, "name").empty() ? plugin.substr(plugin.rfind('.') + 1) : text(c, "name");
+    const std::string name = text(c, "name").empty() ? assembly::last_word(plugin) : text(c, "name");
     const bool taken = std::any_of(out.begin(), out.end(), [&](const Use& use) { return use.name == name; });
     if (!taken) out.push_back({name, plugin, params_of(c)});
   }

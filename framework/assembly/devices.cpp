@@ -16,8 +16,6 @@ using scene::kNone;
 
 namespace {
 
-std::string last_word(const std::string& id) { return id.substr(id.rfind('.') + 1); }
-
 bool matches(const DeviceChoice& choice, const std::string& wanted) {
   return choice.as == wanted || choice.plugin == wanted || last_word(choice.plugin) == wanted;
 }

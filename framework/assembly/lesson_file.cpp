@@ -168,7 +168,7 @@ class LessonParser {
     for (const LessonCoupling& c : out_.couplings) taken.insert(c.name);
     for (LessonCoupling& c : out_.couplings) {
       if (!c.name.empty() || c.plugin.empty()) continue;
-      const std::string word = c.plugin.substr(c.plugin.rfind('.') + 1);
+      const std::string word = last_word(c.plugin);
       c.name = word;
       for (int i = 2; !taken.insert(c.name).second; ++i) c.name = word + "_" + std::to_string(i);
     }

@@ -13,11 +13,9 @@ Json value_of(const std::string& text) {
   return value.is_discarded() ? Json(text) : value;
 }
 
-/// The name by which a coupling without one is known: the last word of its plugin's id.
 std::string name_of(const Json& use) {
   if (use.contains("name") && use["name"].is_string()) return use["name"];
-  const std::string plugin = use.value("plugin", "");
-  return plugin.substr(plugin.rfind('.') + 1);
+  return last_word(use.value("plugin", ""));
 }
 
 void set_param(Json& use, const std::string& key, const Json& value) { use["params"][key] = value; }
@@ -57,6 +55,8 @@ bool set_instance(Json& file, const std::string& name, const std::string& key, c
 }
 
 }  // namespace
+
+std::string last_word(const std::string& plugin_id) { return plugin_id.substr(plugin_id.rfind('.') + 1); }
 
 bool parse_setting(const std::string& text, Setting& out) {
   const std::size_t equals = text.find('=');

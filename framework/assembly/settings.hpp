@@ -17,6 +17,9 @@ struct Setting {
   std::string what, value;
 };
 
+/// "grasp" of "swage.coupling.grasp": the name by which what has no other is known.
+std::string last_word(const std::string& plugin_id);
+
 /// "needle.arc=2/8" taken apart; false when it has no '='.
 bool parse_setting(const std::string& text, Setting& out);
 

@@ -72,11 +72,7 @@ TEST_F(Pages, KeysPauseResetMarkAndStop) {
 
 // the needle of the fake scene is an arc of 1.9 mm about the z axis through (0, -1.9) mm, a wire's radius high until it is lifted
 TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
-  script.rate = 20;
-  script.end_s = 0;
-  open();
-  click("start");
-  ASSERT_TRUE(wait_for_time(4.2));
+  run_to(4.2);
   ASSERT_EQ(log->changed.size(), 0U);
   QTest::keyPress(page()->view(), Qt::Key_T);
   ASSERT_EQ(log->changed.size(), 1U);
@@ -95,11 +91,7 @@ TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
 }
 
 TEST_F(Pages, NumbersArrive) {
-  script.rate = 20;
-  script.end_s = 0;
-  open();
-  click("start");
-  ASSERT_TRUE(wait_for_time(6));
+  run_to(6);
   ASSERT_TRUE(
       eventually([&] { return child<console::ForceMeter>("force_meter")->value().value_or(0) > 0.4; }));
   EXPECT_NEAR(child<console::ForceMeter>("force_meter")->value().value_or(0), 0.6, 0.2);

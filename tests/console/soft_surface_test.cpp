@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "mesh_measures.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -18,17 +20,8 @@ Mesh square() {
   return m;
 }
 
-QVector3D at(const Mesh& m, uint32_t i) { return {m.vertex[i].p[0], m.vertex[i].p[1], m.vertex[i].p[2]}; }
-
 double area(const Mesh& m) {
-  double sum = 0;
-  for (size_t i = 0; i < m.index.size(); i += 3) {
-    const QVector3D n = QVector3D::crossProduct(at(m, m.index[i + 1]) - at(m, m.index[i]),
-                                                at(m, m.index[i + 2]) - at(m, m.index[i]));
-    EXPECT_GE(n.z(), -1e-6F) << "turned over";
-    sum += 0.5 * static_cast<double>(n.length());
-  }
-  return sum;
+  return area(m, [](const QVector3D& n) { return n.length(); });
 }
 
 TEST(SoftSurface, RefiningKeepsTheSurfaceWholeAndIsFineWhereItIsDented) {

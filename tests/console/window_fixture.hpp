@@ -72,6 +72,14 @@ class WindowTest : public testing::Test {
   bool wait_for_time(double t) {
     return eventually([&] { return control()->newest() && control()->newest()->time_s >= t; });
   }
+  /// An attempt without an end, that far.
+  void run_to(double t) {
+    script.rate = 20;
+    script.end_s = 0;
+    open();
+    click("start");
+    ASSERT_TRUE(wait_for_time(t));
+  }
   bool wait_for_end() {
     return eventually([&] { return control()->state() == console::RunControl::State::kFinished; });
   }

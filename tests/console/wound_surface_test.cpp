@@ -6,24 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh_measures.hpp"
+
 namespace swage::console {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr float kWire = 0.05F;  // mm
 
-QVector3D at(const Mesh& m, uint32_t i) { return {m.vertex[i].p[0], m.vertex[i].p[1], m.vertex[i].p[2]}; }
-
 // of what is seen from above
 double area(const Mesh& m) {
-  double sum = 0;
-  for (size_t i = 0; i < m.index.size(); i += 3) {
-    const QVector3D n = QVector3D::crossProduct(at(m, m.index[i + 1]) - at(m, m.index[i]),
-                                                at(m, m.index[i + 2]) - at(m, m.index[i]));
-    EXPECT_GE(n.z(), -1e-7F) << "turned over";
-    sum += 0.5 * static_cast<double>(n.z());
-  }
-  return sum;
+  return area(m, [](const QVector3D& n) { return n.z(); });
 }
 
 Tear tear(float ax, float bx, uint32_t wound = 0) {
