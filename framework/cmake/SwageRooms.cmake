@@ -56,8 +56,7 @@ function(swage_test name)
   string(REPLACE "." "_" target test_${name})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main swage_flags)
-  target_compile_definitions(${target} PRIVATE
-    SWAGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SWAGE_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/tests/include)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   add_test(NAME ${name} COMMAND ${target} ${TEST_ARGS})
   # only so that a hang ends: no test takes a tenth of it, however busy the machine is

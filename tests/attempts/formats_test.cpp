@@ -7,6 +7,7 @@
 
 #include "attempt.hpp"
 #include "record/schema.hpp"
+#include "test_places.hpp"
 
 namespace swage::record::test {
 namespace {

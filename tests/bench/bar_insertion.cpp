@@ -5,6 +5,7 @@
 #include "pierce_feats.hpp"
 #include "run_lesson.hpp"
 #include "session/force_guard.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 namespace {

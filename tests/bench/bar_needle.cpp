@@ -6,6 +6,7 @@
 #include "bar.hpp"
 #include "lesson_step.hpp"
 #include "tools/needle_bench.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 namespace {

@@ -7,6 +7,7 @@
 #include "lesson_step.hpp"
 #include "timing.hpp"
 #include "tools/needle_bench.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 namespace {

@@ -12,6 +12,7 @@
 #include "charts.hpp"
 #include "plugins/tissue/tissue.hpp"
 #include "timing.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "../plugins/run_lesson.hpp"
 #include "timing.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 

@@ -9,6 +9,7 @@
 #include "bar.hpp"
 #include "charts.hpp"
 #include "stability.hpp"
+#include "test_places.hpp"
 
 namespace swage::bench {
 namespace {

@@ -8,6 +8,7 @@
 #include "console/app/application.hpp"
 #include "console/app/main_window.hpp"
 #include "fake_session.hpp"
+#include "test_places.hpp"
 
 using namespace swage;
 

@@ -12,6 +12,7 @@
 #include "fake_recording.hpp"
 #include "fake_session.hpp"
 #include "fake_store.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 

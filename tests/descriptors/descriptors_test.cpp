@@ -12,6 +12,7 @@
 
 #include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
+#include "test_places.hpp"
 
 using namespace swage;
 namespace fs = std::filesystem;

@@ -11,6 +11,7 @@
 #include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 #include "base/rng.hpp"
+#include "test_places.hpp"
 
 using namespace swage;
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace {
 

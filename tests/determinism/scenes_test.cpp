@@ -14,6 +14,7 @@
 #include "assembly/assemble.hpp"
 #include "base/rng.hpp"
 #include "step/step.hpp"
+#include "test_places.hpp"
 
 namespace {
 

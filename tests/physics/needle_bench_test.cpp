@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tools/needle_bench.hpp"
+#include "test_places.hpp"
 
 namespace swage::tools {
 namespace {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace {
 

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace swage::stage {
 namespace {

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace swage::stage {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "host/catalogue.hpp"
 #include "host/units.hpp"
+#include "test_places.hpp"
 
 namespace swage::host {
 namespace {

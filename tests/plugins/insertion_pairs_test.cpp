@@ -6,6 +6,7 @@
 #include <string>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace swage::stage {
 namespace {

@@ -8,6 +8,7 @@
 #include "plugins/needle/form.hpp"
 
 #include "stage.hpp"
+#include "test_places.hpp"
 
 namespace swage::needle {
 namespace {

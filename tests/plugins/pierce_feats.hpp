@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "pierce_energy.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 

@@ -20,6 +20,7 @@
 #include "assembly/assemble.hpp"
 #include "judge/verdict.hpp"
 #include "step/step.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pierce_rig.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 

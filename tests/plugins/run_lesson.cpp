@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 #include <cmath>
 #include <limits>

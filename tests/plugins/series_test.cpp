@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "run_lesson.hpp"
+#include "test_places.hpp"
 
 namespace swage::stage {
 namespace {

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "pressed_tissue.hpp"
+#include "test_places.hpp"
 
 namespace swage::tissue {
 namespace {

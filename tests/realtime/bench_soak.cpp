@@ -34,6 +34,7 @@
 #include "host/services.hpp"
 #include "rt_calls.hpp"
 #include "session/rt_thread.hpp"
+#include "test_places.hpp"
 
 namespace swage::realtime {
 namespace {

@@ -17,6 +17,7 @@
 #include "attempt.hpp"
 #include "host/services.hpp"
 #include "rt_calls.hpp"
+#include "test_places.hpp"
 
 namespace swage::realtime {
 namespace {

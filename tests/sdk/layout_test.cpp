@@ -33,6 +33,7 @@ TEST(Layout, sizes_and_offsets_are_as_released) {
 #define SWAGE_OFFSET(type, member, bytes) \
   EXPECT_EQ(offsetof(type, member), size_t{bytes}) << #type "." #member;
 #include "layout.inc"
+#include "test_places.hpp"
 #undef SWAGE_SIZE
 #undef SWAGE_OFFSET
 }

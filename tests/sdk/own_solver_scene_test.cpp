@@ -12,6 +12,7 @@
 #include "../catalogue.hpp"
 #include "assembly/assemble.hpp"
 #include "step/step.hpp"
+#include "test_places.hpp"
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "../../temp_folder.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 namespace {

@@ -9,6 +9,7 @@
 #include "../../catalogue.hpp"
 #include "base/rng.hpp"
 #include "judge/host_events.hpp"
+#include "test_places.hpp"
 
 using namespace swage;
 using scene::kNone;

@@ -13,6 +13,7 @@
 
 #include "record/store.hpp"
 #include "session/session.hpp"
+#include "test_places.hpp"
 
 namespace swage::session {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "session/playback.hpp"
 #include "session_bed.hpp"
+#include "test_places.hpp"
 
 namespace swage::session {
 namespace {

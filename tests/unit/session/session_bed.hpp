@@ -14,6 +14,7 @@
 
 #include "record/recorder.hpp"
 #include "session/session.hpp"
+#include "test_places.hpp"
 
 namespace swage::session {
 

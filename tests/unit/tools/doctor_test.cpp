@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program.hpp"
+#include "test_places.hpp"
 
 namespace swage::tools::test {
 namespace {

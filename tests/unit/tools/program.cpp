@@ -13,6 +13,7 @@
 #include <iterator>
 
 #include "host/child.hpp"
+#include "test_places.hpp"
 
 namespace swage::tools::test {
 

@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "program.hpp"
+#include "test_places.hpp"
 
 namespace swage::tools::test {
 namespace {
