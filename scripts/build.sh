@@ -8,11 +8,16 @@ shift
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 options=()
 [ -n "${SWAGE_CMAKE_OPTIONS:-}" ] && read -ra options <<<"$SWAGE_CMAKE_OPTIONS"
-if [ ! -f "build/$preset/build.ninja" ] || [ ${#options[@]} -gt 0 ]; then
+# what setup.sh installed since then may be what an optional part was waiting for (the peers of the bench, for one)
+packages=$(dpkg-query -W -f='${Package} ${Status}\n' $(awk '!/^#/ { print $2 }' scripts/packages.txt) 2>/dev/null |
+  awk '/install ok installed/ { print $1 }' | sort)
+known=build/$preset/packages_configured_with.txt
+if [ ! -f "build/$preset/build.ninja" ] || [ ${#options[@]} -gt 0 ] || [ "$packages" != "$(cat "$known" 2>/dev/null)" ]; then
   echo "== configure: build/$preset"
   log=$(mktemp)
   trap 'rm -f "$log"' EXIT
   cmake --preset "$preset" "${options[@]}" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+  echo "$packages" >"$known"
 fi
 echo "== build: build/$preset ${*:-everything} (the first time takes minutes, later seconds)"
 if [ -t 1 ]; then status='[%f/%t %es] '; else status='[%f/%t] '; fi

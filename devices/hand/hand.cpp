@@ -142,7 +142,7 @@ Hand parse_hand(const std::string& text, const std::string& name) {
     reader.fail("", "give either \"keys\" or \"samples\"");
 
   Hand hand;
-  hand.title = file.value("title", "");
+  hand.title = reader.text(file, "title");
   hand.sampled = file.contains("samples");
   const std::string list = hand.sampled ? "samples" : "keys";
   const Json& lines = file[list];

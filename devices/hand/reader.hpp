@@ -6,17 +6,16 @@
 #include <swage/units.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "toolkit/math.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::hand {
 
@@ -49,16 +48,23 @@ class Reader {
     if (value.is_number()) return finite(value.get<double>(), where);
     if (!value.is_string()) fail(where, "a number or a text like \"2.6 mm\" is needed here");
     const std::string text = value.get<std::string>();
-    char* end = nullptr;
-    const double amount = std::strtod(text.c_str(), &end);
-    const std::string unit =
-        std::string(end).substr(std::string_view(end).find_first_not_of(' ') == std::string::npos
-                                    ? 0
-                                    : std::string_view(end).find_first_not_of(' '));
+    // from_chars: the decimal point is a point in every language
+    double amount = 0;
+    const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), amount);
+    std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
+    while (unit.starts_with(' ')) unit.remove_prefix(1);
     for (const Unit& u : kUnits) {
-      if (end != text.c_str() && unit == u.name && u.measure == measure) return finite(amount * u.si, where);
+      if (status == std::errc{} && unit == u.name && u.measure == measure)
+        return finite(amount * u.si, where);
     }
     fail(where, "\"" + text + "\" is not " + expected(measure));
+  }
+
+  /// The text at a key, "" where it is absent.
+  std::string text(const Json& object, const char* key) const {
+    if (!object.contains(key)) return "";
+    if (!object[key].is_string()) fail(std::string("/") + key, "a text is needed here");
+    return object[key].get<std::string>();
   }
 
   Vec3 vec3(const Json& value, Measure measure, const std::string& where) const {
@@ -95,11 +101,9 @@ class Reader {
 
 /// The text of a file. Throws.
 inline std::string text_of(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
+  std::string text, why;
+  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) throw std::runtime_error(path + ": " + why);
+  return text;
 }
 
 /// A JSON object of this format with no keys but `known`; `has` says so to who wrote another one.
@@ -111,7 +115,7 @@ inline Json object_of(const Reader& reader, const std::string& text, const std::
   } catch (const Json::parse_error& problem) {
     reader.fail("", std::string("not JSON: ") + problem.what());
   }
-  if (!file.is_object() || file.value("format", "") != format)
+  if (!file.is_object() || !file.contains("format") || file["format"] != format)
     reader.fail("/format", "\"" + format + "\" is needed here");
   for (const auto& item : file.items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())

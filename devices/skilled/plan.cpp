@@ -136,7 +136,7 @@ Plan parse_plan(const std::string& text, const std::string& name) {
     reader.fail("", "a plan needs \"start\", a pose, and \"acts\", a list of at least one");
 
   Plan plan;
-  plan.title = file.value("title", "");
+  plan.title = reader.text(file, "title");
   const Json& start = file["start"];
   for (const char* key : {"p", "axis", "closing"})
     if (!start.is_object() || !start.contains(key))

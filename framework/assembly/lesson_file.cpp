@@ -134,8 +134,8 @@ class LessonParser {
     object.X_WO = reader.pose("pose");
     if (const Json* follows = reader.find("follows")) {
       ObjectReader f(*follows, reader.at("follows"), "\"follows\"", teller_);
-      object.follow_pose = f.text("pose", false);
-      object.follow_closure = f.text("closure", false);
+      object.follow_pose = f.filled("pose");
+      object.follow_closure = f.filled("closure");
       f.finish();
     }
     reader.finish();
@@ -148,8 +148,10 @@ class LessonParser {
     coupling.name = reader.name("name", false);
     read_use(reader, coupling);
     if (const Json* between = reader.need("between")) {
-      const bool two = between->is_array() && between->size() == 2 && (*between)[0].is_string() &&
-                       (*between)[1].is_string();
+      // an empty name is no name: nothing else would find that the coupling lacks an object
+      const auto named = [](const Json& j) { return j.is_string() && !j.get_ref<const std::string&>().empty(); };
+      const bool two = between->is_array() && between->size() == 2 && named((*between)[0]) &&
+                       named((*between)[1]);
       if (two) {
         coupling.a = (*between)[0].get<std::string>();
         coupling.b = (*between)[1].get<std::string>();

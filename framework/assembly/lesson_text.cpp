@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "assembly/source_map.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::assembly {
 namespace {
@@ -64,7 +63,8 @@ class Chain {
       }
       if (links_.size() > kMostBases)
         return error(link, "/based_on", "More than eight lessons are based on one another.");
-      if (!fs::is_regular_file(next))
+      std::error_code none;
+      if (!fs::is_regular_file(next, none))
         return error(link, "/based_on", "There is no lesson file \"" + next + "\" to be based on.");
       if (!open(next)) return false;
     }
@@ -100,15 +100,14 @@ class Chain {
   }
 
   bool open(const std::string& path) {
-    std::error_code failed;
-    std::ifstream file(path, std::ios::binary);
-    if (!file || !fs::is_regular_file(path, failed)) {
-      problems_.push_back({base::Severity::kError, path, "There is no such lesson file."});
+    std::string text, why;
+    if (!toolkit::read_file(path, kMaxBytes, text, why)) {
+      std::error_code ignored;
+      if (!fs::exists(path, ignored)) why = "There is no such lesson file.";
+      problems_.push_back({base::Severity::kError, path, why});
       return false;
     }
-    std::ostringstream text;
-    text << file.rdbuf();
-    links_.push_back({path, text.str(), {}, {}});
+    links_.push_back({path, std::move(text), {}, {}});
     // what is wrong with a file that is based on nothing is told when it is read as a lesson
     base::Problems found;
     Link& link = links_.back();

@@ -65,6 +65,8 @@ std::string ObjectReader::text(const std::string& key, bool required) {
   return value->get<std::string>();
 }
 
+std::string ObjectReader::filled(const std::string& key) { return text(key, find(key) != nullptr); }
+
 bool ObjectReader::flag(const std::string& key, bool fallback) {
   const Json* value = find(key);
   if (value == nullptr) return fallback;

@@ -44,6 +44,8 @@ class ObjectReader {
   const Json* need(const std::string& key);
 
   std::string text(const std::string& key, bool required);
+  /// A text that need not be there, but is not empty where it is.
+  std::string filled(const std::string& key);
   /// true or false.
   bool flag(const std::string& key, bool fallback);
   /// One of a few words; the first one when it is none of them.

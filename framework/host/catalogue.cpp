@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "host/child.hpp"
+#include "host/elf_exports.hpp"
 #include "host/library.hpp"
 #include "host/nearest.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::host {
 
@@ -51,10 +52,9 @@ std::string user_dir() {
 }
 
 std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  std::string text, why;
+  toolkit::read_file(path, kMostSidecarBytes, text, why);
+  return text;
 }
 
 // what lies in a folder, by name: the order of a directory is no order
@@ -115,6 +115,11 @@ void Catalogue::add_bundle(const std::string& bundle, bool stock, const Options&
 
 void Catalogue::add_library(const std::string& path, bool stock, const Options& options, Searched& where) {
   const fs::path bundle = fs::path(path).parent_path();
+  const std::string unfit = toolkit::file_refusal(path, kMostLibraryBytes);
+  if (!unfit.empty()) {
+    refused_.push_back({path, bundle.filename().string(), unfit});
+    return;
+  }
   const std::string hash = content_hash(path);
   std::string written_hash, error;
   std::vector<PluginInfo> found;

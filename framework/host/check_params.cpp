@@ -9,6 +9,7 @@
 #include "host/nearest.hpp"
 #include "host/params_json.hpp"
 #include "host/units.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::host {
 
@@ -152,7 +153,8 @@ class Checker {
     std::error_code failed;
     fs::path path = fs::absolute(fs::path(source_.folder) / name, failed).lexically_normal();
     if (source_.files != nullptr && source_.files->contains(name)) path = source_.files->at(name);
-    if (!failed && fs::is_regular_file(path, failed)) {
+    const std::string why = toolkit::file_refusal(path.string(), toolkit::kMostFileBytes);
+    if (!failed && why.empty()) {
       text = path.string();
       out_.files.push_back({name, text});
       return;
@@ -162,6 +164,8 @@ class Checker {
     if (!source_.bundle_folder.empty() && fs::is_regular_file(brought, failed)) {
       text = brought.string();
       out_.files.push_back({name, text});
+    } else if (fs::exists(path, failed)) {
+      error(pointer, "\"" + p.label + "\", " + path.string() + ": " + why);
     } else {
       error(pointer, "\"" + p.label + "\": there is no file " + path.string() + ".");
     }

@@ -9,7 +9,9 @@
 #include <memory>
 
 #include "base/clock.hpp"
+#include "host/elf_exports.hpp"
 #include "host/guard.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::host {
 
@@ -65,10 +67,8 @@ const Library* Library::load(const std::string& path, std::string& error) {
     error = found->second;
     return nullptr;
   }
-  if (!std::filesystem::is_regular_file(real, ignored)) {
-    error = "There is no such file.";
-    return nullptr;
-  }
+  error = toolkit::file_refusal(real, kMostLibraryBytes);
+  if (!error.empty()) return nullptr;
 
   auto library = std::unique_ptr<Library>(new Library);
   library->path_ = real;

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/hash.hpp"
+#include "host/elf_exports.hpp"
 #include "host/library.hpp"
 #include "host/params_json.hpp"
 #include "host/version.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::host {
 
@@ -197,16 +197,10 @@ std::vector<std::string> plugin_faults(const PluginInfo& plugin) {
 }
 
 std::string content_hash(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return "";
-  base::Hash hash;
-  std::vector<char> block(std::size_t{1} << 16);
-  while (file) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    hash.add(block.data(), static_cast<std::size_t>(file.gcount())).add(static_cast<uint64_t>(file.gcount()));
-  }
+  std::string bytes, why;
+  if (!toolkit::read_file(path, kMostLibraryBytes, bytes, why)) return "";
   std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash.value()));
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash_of_kept(bytes)));
   return text.data();
 }
 

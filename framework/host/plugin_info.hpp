@@ -51,7 +51,10 @@ bool describe(const Library& library, std::vector<PluginInfo>& out, std::string&
 /// What is wrong with a descriptor and its table, one sentence each; empty for a good plugin.
 std::vector<std::string> plugin_faults(const PluginInfo& plugin);
 
-/// Hash of a file's content, "" when it cannot be read.
+/// What a bundle says of its plugins has some tens of kilobytes.
+inline constexpr std::size_t kMostSidecarBytes = std::size_t{8} << 20;
+
+/// Hash of what an installation keeps of a library (elf_exports.hpp), "" when it cannot be read.
 std::string content_hash(const std::string& path);
 
 /// Text of plugin.json for a library and its plugins (format "swage-plugin/1").

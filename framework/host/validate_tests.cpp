@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "base/rng.hpp"
 #include "host/elf_exports.hpp"
@@ -16,6 +14,7 @@
 #include "host/tables.hpp"
 #include "host/trial.hpp"
 #include "host/validate.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::host {
 
@@ -137,13 +136,13 @@ Finding test_descriptor(const Subject& subject) {
     f.fail("descriptor() beyond the count must answer NULL.");
 
   // the sidecar says what the binary says
-  std::ostringstream text;
-  text << std::ifstream(library->bundle_dir() + "/plugin.json").rdbuf();
+  std::string text, why;
+  toolkit::read_file(library->bundle_dir() + "/plugin.json", kMostSidecarBytes, text, why);
   const std::string fresh =
       write_sidecar(subject.library_path, content_hash(subject.library_path), subject.plugins);
-  if (text.str().empty()) {
+  if (text.empty()) {
     f.warn("There is no plugin.json beside it; each start has to ask the library itself.");
-  } else if (text.str() != fresh) {
+  } else if (text != fresh) {
     f.fail("plugin.json beside it was made from another binary; run swage-describe again.");
   }
   return f.take();

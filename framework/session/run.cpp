@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "host/services.hpp"
 #include "record/store.hpp"
 #include "session/live.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::session {
 
@@ -60,10 +59,10 @@ void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& prob
   }
   std::size_t total = 0;
   for (const host::GivenFile& file : rig.files) {
-    std::ifstream in(file.path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::string bytes, why;
+    const bool read = toolkit::read_file(file.path, kMostLuggage - total, bytes, why);
     total += bytes.size();
-    if (in.bad() || !in.is_open() || total > kMostLuggage)
+    if (!read)
       problems.push_back({Severity::kWarning, file.path,
                           "This file is not kept with the attempt: it cannot be read, or the files of this "
                           "lesson are more than 16 MiB. Replaying it needs the file at its place."});

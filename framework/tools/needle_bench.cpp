@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/needle_bench.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <type_traits>
 
 #include "host/units.hpp"
+#include "toolkit/read_file.hpp"
 
 namespace swage::tools {
 namespace {
@@ -136,9 +136,10 @@ std::vector<NeedleFigure> bench_needle(const NeedleModel& n, int pieces, double 
 
 std::string read_needle(const std::string& path, NeedleModel& out) {
   using Json = nlohmann::json;
-  std::ifstream file(path);
-  const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != "swage-needle/1" || !json.contains("values"))
+  std::string text, why;
+  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) return path + ": " + why;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("format") || json["format"] != "swage-needle/1" || !json.contains("values"))
     return path + " is not a needle of format swage-needle/1.";
   out = {};
   out.file = path;

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "session/session.hpp"
+#include "toolkit/read_file.hpp"
 #include "tools/print.hpp"
 #include "tools/verbs.hpp"
 
@@ -158,14 +158,12 @@ bool write(const std::string& path, const std::string& text) {
 }  // namespace
 
 bool read_study(const std::string& path, Study& out, base::Problems& problems) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file) {
-    problems.push_back({base::Severity::kError, path, "There is no such study file."});
+  std::string text, why;
+  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) {
+    problems.push_back({base::Severity::kError, path, why});
     return false;
   }
-  const Json json = Json::parse(text.str(), nullptr, false);
+  const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded())
     problems.push_back({base::Severity::kError, path, "It is not JSON."});
   else

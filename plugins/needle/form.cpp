@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "form.hpp"
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+
+#include "toolkit/read_file.hpp"
 
 namespace swage::needle {
 namespace {
@@ -114,9 +115,10 @@ std::string fault(const Form& f) {
 }
 
 std::string read_model(const std::string& path, Form& form) {
-  std::ifstream file(path);
-  const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != "swage-needle/1")
+  std::string text, why;
+  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) return path + ": " + why;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("format") || json["format"] != "swage-needle/1")
     return path + " is not a needle of format swage-needle/1";
   if (!json.contains("values") || !json["values"].is_object()) return path + " has no \"values\"";
   for (const auto& [name, entry] : json["values"].items()) {

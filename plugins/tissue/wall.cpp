@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <locale>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
+
+#include "toolkit/read_file.hpp"
 
 namespace swage::tissue {
 namespace {
@@ -18,8 +21,11 @@ constexpr int kFeet = 3;  // corrections of the nearest place on a bent surface;
 }  // namespace
 
 HeightTable read_heights(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read the table of heights \"" + path + "\".");
+  std::string text, why;
+  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why))
+    throw std::runtime_error("cannot read the table of heights \"" + path + "\": " + why);
+  std::istringstream file(text);
+  file.imbue(std::locale::classic());  // the decimal point is a point in every language
   HeightTable table;
   if (!(file >> table.nx >> table.ny) || table.nx < 2 || table.ny < 2 || table.nx > kMostNodes ||
       table.ny > kMostNodes)

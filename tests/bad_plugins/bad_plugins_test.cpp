@@ -227,6 +227,26 @@ TEST(Catalogue, TrustsASidecarOnlyForItsOwnBinary) {
   EXPECT_EQ(Catalogue(no_child).refused()[0].reason, "It could not be described.");
 }
 
+// an installation writes the paths of the loader anew and may strip a library; its program stays the one that was described
+TEST(Catalogue, AnInstallationKeepsTheSidecar) {
+  const swage::test::TempFolder folder;
+  const auto copy_with = [&](const std::string& from, const std::string& to) {
+    std::ifstream in(library("org.example.ball"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t at = bytes.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    if (at != std::string::npos) bytes.replace(at, from.size(), to);
+    std::ofstream(folder / "ball.so", std::ios::binary) << bytes;
+    return content_hash(folder / "ball.so");
+  };
+  const std::string built = content_hash(library("org.example.ball"));
+  EXPECT_EQ(copy_with("$ORIGIN", std::string("$ORIG\0\0", 7)), built) << "another path";
+  EXPECT_NE(copy_with(std::string("Ball\0", 5), std::string("Bill\0", 5)), built) << "another program";
+  fs::copy_file(library("org.example.ball"), folder / "stripped.so");
+  ASSERT_EQ(std::system(("strip " + (folder / "stripped.so")).c_str()), 0);
+  EXPECT_EQ(content_hash(folder / "stripped.so"), built);
+}
+
 TEST(Catalogue, SearchesInOrder) {
   const swage::test::TempFolder folder;
   const std::string& root = folder.path();

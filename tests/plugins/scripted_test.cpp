@@ -81,7 +81,7 @@ TEST_F(Scripted, AFileThatIsNotThereIsAProblemOfTheParameter) {
   Stage stage("swage.device.scripted");
   EXPECT_LT(stage.configure({{"file", std::string("/no/such/hand.json")}}), 0);
   ASSERT_EQ(stage.errors.size(), 1u);
-  EXPECT_EQ(stage.errors[0], "file: /no/such/hand.json: cannot be read");
+  EXPECT_EQ(stage.errors[0], "file: /no/such/hand.json: There is no such file.");
 }
 
 }  // namespace

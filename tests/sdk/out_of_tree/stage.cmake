@@ -6,3 +6,10 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${STAGE} OU
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "the build cannot be installed; is all of it built?\n${problem}")
 endif()
+
+# what is installed was described by the build: it is still the same library
+execute_process(COMMAND ${STAGE}/bin/swage validate ${STAGE}/lib/swage/plugins/swage.object.solids --strictness 1
+  OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "an installed plugin does not validate:\n${said}")
+endif()

@@ -72,7 +72,7 @@ TEST_F(Study, SetsAValueInEveryAttemptUnlessTheStudySaysOtherwise) {
 }
 
 TEST_F(Study, SaysWhatIsWrong) {
-  EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr("There is no such study file."));
+  EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr("There is no such file."));
   write("study.json", "{");
   EXPECT_THAT(swage({"study", path("study.json")}).err, HasSubstr("It is not JSON."));
   write("study.json", R"({ "format": "swage-lesson/1" })");

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The bytes of a file from outside, none of a pipe, a device or a file beyond a limit. [main]
+#pragma once
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+namespace swage::toolkit {
+
+/// A lesson, a needle or a table has kilobytes, a hand of some minutes at 1 kHz megabytes; more is a mistake, and its reading
+/// would take the memory of the machine.
+inline constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
+
+namespace detail {
+
+inline std::string bytes_text(std::size_t bytes) {
+  const bool whole = bytes >= (std::size_t{1} << 20) && bytes % (std::size_t{1} << 20) == 0;
+  return whole ? std::to_string(bytes >> 20) + " MiB" : std::to_string(bytes) + " bytes";
+}
+
+inline int open_file(const std::string& path) {
+  return open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+}
+
+/// Why an open file is not to be read, "" when it is.
+inline std::string file_refusal(int file, std::size_t most) {
+  struct stat status {};
+  if (fstat(file, &status) != 0) return std::string("It cannot be read: ") + std::strerror(errno) + ".";
+  if (S_ISDIR(status.st_mode)) return "It is a folder, not a file.";
+  if (!S_ISREG(status.st_mode)) return "It is a pipe or a device, not a file.";
+  return static_cast<std::size_t>(status.st_size) > most ? "It is larger than " + bytes_text(most) + "." : "";
+}
+
+}  // namespace detail
+
+/// Why a file is not to be read, as a sentence without the path; "" when it may be.
+inline std::string file_refusal(const std::string& path, std::size_t most) {
+  const int file = detail::open_file(path);
+  if (file < 0)
+    return errno == ENOENT ? "There is no such file."
+                           : std::string("It cannot be read: ") + std::strerror(errno) + ".";
+  std::string why = detail::file_refusal(file, most);
+  close(file);
+  return why;
+}
+
+/// Calls take(data, size) for one block after another. "" when all was read, else a sentence without the path. Opening waits for
+/// nobody, and what grows while it is read ends at `most` as well.
+template <class Take>
+std::string read_blocks(const std::string& path, std::size_t most, Take take) {
+  std::string why = file_refusal(path, most);
+  if (!why.empty()) return why;
+  const int file = detail::open_file(path);
+  if (file < 0) return std::string("It cannot be read: ") + std::strerror(errno) + ".";
+  why = detail::file_refusal(file, most);  // it may be another one by now
+  char block[1 << 16];
+  std::size_t total = 0;
+  while (why.empty()) {
+    const ssize_t n = read(file, block, sizeof block);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) why = std::string("It cannot be read: ") + std::strerror(errno) + ".";
+    if (n <= 0) break;
+    total += static_cast<std::size_t>(n);
+    if (total > most)
+      why = "It is larger than " + detail::bytes_text(most) + ".";
+    else
+      take(static_cast<const char*>(block), static_cast<std::size_t>(n));
+  }
+  close(file);
+  return why;
+}
+
+/// The whole file. False with a sentence, and with what had been read.
+inline bool read_file(const std::string& path, std::size_t most, std::string& bytes, std::string& why) {
+  bytes.clear();
+  why = read_blocks(path, most, [&](const char* data, std::size_t size) { bytes.append(data, size); });
+  return why.empty();
+}
+
+}  // namespace swage::toolkit
