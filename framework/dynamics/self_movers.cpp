@@ -71,8 +71,7 @@ void SelfMovers::ask(double h) noexcept {
       std::fill_n(o.u.begin(), n, 0.0);
       continue;
     }
-    o.displaced = std::any_of(o.u.begin(), o.u.begin() + static_cast<std::ptrdiff_t>(n),
-                              [](double u) { return u != 0; });
+    o.displaced = self_[i]->displaces();
   }
 }
 

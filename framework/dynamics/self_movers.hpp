@@ -55,7 +55,8 @@ class SelfMovers {
     return object_[slot].h * at(object_[slot].v_free, point);
   }
   Vec3 extra(uint32_t slot, uint32_t point) const noexcept { return at(object_[slot].extra, point); }
-  /// Some point's surface is not where its shape is.
+  /// Its surface is told apart from its shapes, also where both coincide: elastic tissue under a load keeps no displacement of its
+  /// own, and its free motion over the step springs back from one that no shape shows.
   bool displaced(uint32_t slot) const noexcept { return object_[slot].displaced; }
   /// How far a point is from where its shape is [m].
   Vec3 off_shape(uint32_t slot, uint32_t point) const noexcept {

@@ -29,6 +29,9 @@ class SelfSolver {
   /// moved.
   virtual bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
 
+  /// It answers displacement(): its surface is not where its shapes are, in no step, however little it is displaced by.
+  virtual bool displaces() const noexcept { return false; }
+
   /// By how much the free surface is displaced from the shapes at the same points: u_W is 3 n [m], zero on entry. False: as
   /// if it stood still there.
   virtual bool displacement(std::span<const swage_contact_point> /*point*/, double* /*u_W*/) noexcept {

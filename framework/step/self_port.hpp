@@ -17,6 +17,7 @@ class SelfPort final : public dynamics::SelfSolver {
 
   uint32_t object() const noexcept override { return object_; }
   bool shows_itself() const noexcept override { return slot_.surface == nullptr; }
+  bool displaces() const noexcept override { return slot_.surface != nullptr; }
   bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
   bool displacement(std::span<const swage_contact_point> point, double* u_W) noexcept override;
   void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;

@@ -117,7 +117,8 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.progress = track.deepest = s_in * site.length;
   put(track.hold[0].p, site.local(entry_W));
   set_front(site, track);
-  track.hold[0].rest = s_in;
+  // a blunt point that goes in at a small force has its middle outside still: its bristle is at rest there, and not at the surface
+  track.hold[0].rest = s_in > 0 ? s_in : spot(site, track.hold[0]).s;
   track.count = 1;
   // what is in already is held where it is
   while (track.spacing * (Track::kHolds - 2) < s_in * site.length) track.spacing *= 2;
