@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/banded_blocks.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace swage::dynamics {
+
+namespace {
+
+using Block = BandedBlocks::Block;
+using Vec4 = Eigen::Vector4d;
+
+/// A -= L B', column by column.
+void take_product(const Block& L, const Block& B, Block& A) noexcept {
+  for (int c = 0; c < 4; ++c) {
+    Vec4 a = A.col(c);
+    for (int k = 0; k < 4; ++k) a -= B(c, k) * L.col(k);
+    A.col(c) = a;
+  }
+}
+
+/// L B.
+Block product(const Block& L, const Block& B) noexcept {
+  Block out;
+  for (int c = 0; c < 4; ++c) {
+    Vec4 a = B(0, c) * L.col(0);
+    for (int k = 1; k < 4; ++k) a += B(k, c) * L.col(k);
+    out.col(c) = a;
+  }
+  return out;
+}
+
+/// y -= L x and y -= L' x.
+void take(const Block& L, const double* x, double* y) noexcept {
+  Eigen::Map<Vec4> to(y);
+  for (int k = 0; k < 4; ++k) to -= x[k] * L.col(k);
+}
+void take_transposed(const Block& L, const double* x, double* y) noexcept {
+  for (int k = 0; k < 4; ++k) {
+    const double* l = L.data() + 4 * k;
+    y[k] -= (l[0] * x[0] + l[1] * x[1]) + (l[2] * x[2] + l[3] * x[3]);
+  }
+}
+
+}  // namespace
+
+BandedBlocks::BandedBlocks(uint32_t max_blocks, uint32_t max_fill)
+    : max_blocks_(max_blocks), max_fill_(max_fill), words_((max_blocks + 63) / 64) {
+  near_.resize(static_cast<size_t>(max_blocks) * words_);
+  at_.resize(max_blocks), of_.resize(max_blocks), degree_.resize(max_blocks);
+  first_.resize(max_blocks + 1), first_update_.resize(max_blocks + 1);
+  row_.resize(max_fill);
+  update_.resize(8 * static_cast<size_t>(max_fill));
+  diagonal_.resize(max_blocks), lower_.resize(max_fill), upper_.resize(max_fill);
+  y_.resize(4 * static_cast<size_t>(max_blocks));
+}
+
+bool BandedBlocks::analyse(uint32_t blocks, std::span<const Pair> coupled) noexcept {
+  n_ = blocks, updates_ = 0;
+  first_[0] = 0;
+  if (blocks <= max_blocks_ && order(coupled) && list_updates()) return true;
+  n_ = 0;
+  return false;
+}
+
+/// Eliminates the block of least degree, joins its neighbours, and so on.
+bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
+  std::fill_n(near_.begin(), static_cast<size_t>(n_) * words_, uint64_t{0});
+  const auto join = [&](uint32_t a, uint32_t b) { line(a)[b / 64] |= uint64_t{1} << (b % 64); };
+  for (const Pair& p : coupled)
+    if (p.a != p.b) join(p.a, p.b), join(p.b, p.a);
+  const auto count = [&](uint32_t i) {
+    uint32_t bits = 0;
+    for (uint32_t w = 0; w < words_; ++w) bits += static_cast<uint32_t>(std::popcount(line(i)[w]));
+    return bits;
+  };
+  constexpr uint32_t kGone = ~uint32_t{0};
+  for (uint32_t i = 0; i < n_; ++i) degree_[i] = count(i);
+  uint32_t entries = 0;
+  for (uint32_t k = 0; k < n_; ++k) {
+    uint32_t least = 0;
+    for (uint32_t i = 1; i < n_; ++i)
+      if (degree_[i] < degree_[least]) least = i;
+    if (entries + degree_[least] > max_fill_) return false;
+    of_[k] = least, at_[least] = k, degree_[least] = kGone;
+    first_[k] = entries;
+    for (uint32_t w = 0; w < words_; ++w)
+      for (uint64_t bits = line(least)[w]; bits != 0; bits &= bits - 1)
+        row_[entries++] = 64 * w + static_cast<uint32_t>(std::countr_zero(bits));
+    for (uint32_t e = first_[k]; e < entries; ++e) {
+      const uint32_t i = row_[e];
+      for (uint32_t w = 0; w < words_; ++w) line(i)[w] |= line(least)[w];
+      line(i)[i / 64] &= ~(uint64_t{1} << (i % 64));
+      line(i)[least / 64] &= ~(uint64_t{1} << (least % 64));
+      degree_[i] = count(i);
+    }
+  }
+  first_[n_] = entries;
+  return true;
+}
+
+/// Rows become places in the order, and every product finds its block.
+bool BandedBlocks::list_updates() noexcept {
+  for (uint32_t k = 0; k < n_; ++k) {
+    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) row_[e] = at_[row_[e]];
+    std::sort(row_.begin() + first_[k], row_.begin() + first_[k + 1]);
+  }
+  for (uint32_t k = 0; k < n_; ++k) {
+    first_update_[k] = static_cast<uint32_t>(updates_);
+    for (uint32_t j = first_[k]; j < first_[k + 1]; ++j)
+      for (uint32_t i = j + 1; i < first_[k + 1]; ++i) {
+        if (updates_ == update_.size()) return false;
+        update_[updates_++] = {place(row_[i], row_[j]), static_cast<uint16_t>(i - first_[k]),
+                               static_cast<uint16_t>(j - first_[k])};
+      }
+  }
+  first_update_[n_] = static_cast<uint32_t>(updates_);
+  return true;
+}
+
+/// The entry of a row in a column, both in the order.
+uint32_t BandedBlocks::place(uint32_t row, uint32_t column) const noexcept {
+  const auto begin = row_.begin() + first_[column], end = row_.begin() + first_[column + 1];
+  return static_cast<uint32_t>(std::lower_bound(begin, end, row) - row_.begin());
+}
+
+void BandedBlocks::set_zero() noexcept {
+  for (uint32_t i = 0; i < n_; ++i) diagonal_[i].setZero();
+  for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e].setZero(), upper_[e].setZero();
+}
+
+void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
+  const uint32_t i = at_[a], j = at_[b];
+  if (i == j)
+    diagonal_[i] += M;
+  else if (i > j)
+    lower_[place(i, j)] += M;
+  else  // above the diagonal: kept transposed, as what it would be below it
+    upper_[place(j, i)] += M.transpose();
+}
+
+/// D^-1 in place, by Gauss and Jordan without pivoting.
+bool BandedBlocks::invert(Block& D) noexcept {
+  for (int k = 0; k < 4; ++k) {
+    const double pivot = D(k, k);
+    if (!std::isfinite(pivot) || pivot == 0 || (symmetric_ && pivot < 0)) return false;
+    negative_ += pivot < 0;
+    const double inverse = 1 / pivot;
+    const Vec4 column = D.col(k);
+    for (int c = 0; c < 4; ++c) {
+      if (c == k) continue;
+      const double share = D(k, c) * inverse;
+      D.col(c) -= share * column;
+      D(k, c) = share;
+    }
+    D.col(k) = -inverse * column;
+    D(k, k) = inverse;
+  }
+  return true;
+}
+
+bool BandedBlocks::factor(bool symmetric) noexcept {
+  symmetric_ = symmetric, negative_ = 0;
+  // symmetric: either half was given
+  if (symmetric)
+    for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
+  for (uint32_t k = 0; k < n_; ++k) {
+    if (!invert(diagonal_[k])) return false;
+    const uint32_t first = first_[k], size = first_[k + 1] - first;
+    // column: L' = A D^-1; row: U' kept transposed, as it stands. Symmetric: U' is the column before it is divided
+    for (uint32_t i = 0; i < size; ++i) {
+      if (symmetric) upper_[first + i] = lower_[first + i];
+      lower_[first + i] = product(lower_[first + i], diagonal_[k]);
+      take_product(lower_[first + i], upper_[first + i], diagonal_[row_[first + i]]);
+    }
+    for (uint32_t u = first_update_[k]; u < first_update_[k + 1]; ++u) {
+      const Update& p = update_[u];
+      take_product(lower_[first + p.i], upper_[first + p.j], lower_[p.to]);
+      // (j, i), transposed: U_i' (L_j)' = (L_j U_i)'
+      if (!symmetric) take_product(upper_[first + p.i], lower_[first + p.j], upper_[p.to]);
+    }
+  }
+  return true;
+}
+
+void BandedBlocks::solve(double* x) const noexcept {
+  double* y = y_.data();
+  for (uint32_t k = 0; k < n_; ++k)
+    for (int r = 0; r < 4; ++r)
+      y[4 * k + static_cast<uint32_t>(r)] = x[4 * of_[k] + static_cast<uint32_t>(r)];
+  for (uint32_t k = 0; k < n_; ++k)
+    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take(lower_[e], y + 4 * k, y + 4 * row_[e]);
+  for (uint32_t k = n_; k-- > 0;) {
+    double* yk = y + 4 * k;
+    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take_transposed(upper_[e], y + 4 * row_[e], yk);
+    const Vec4 right = Eigen::Map<const Vec4>(yk);
+    Vec4 z = right[0] * diagonal_[k].col(0);
+    for (int c = 1; c < 4; ++c) z += right[c] * diagonal_[k].col(c);
+    Eigen::Map<Vec4> to(yk);
+    to = z;
+  }
+  for (uint32_t k = 0; k < n_; ++k)
+    for (int r = 0; r < 4; ++r)
+      x[4 * of_[k] + static_cast<uint32_t>(r)] = y[4 * k + static_cast<uint32_t>(r)];
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Newton's system of flexible bodies and of the rigid ones that they touch, H = A + J' D J, factored directly as a sparse matrix of
+// 4 x 4 blocks. A thread of n nodes is n blocks (x, theta), each coupled to two on either side (its band); a contact couples the
+// nodes under its two points, wherever along the thread these are; a rigid body is two blocks (v, -) and (w, -), the fourth
+// unknowns idle. So contacts of a thread with itself, with rigid bodies and between threads are all alike, and the cost grows with
+// what is coupled, not with the square of the contacts.
+//
+// analyse() orders the blocks so that little fills in (least degree, the lowest index of equals) and lists every update; it is
+// repeated only when pairs change. factor() does L D L' (symmetric) or L D U, each without pivoting. Its order of operations is fixed:
+// the same bits at every level of optimisation.
+//
+// Threads: built on [main]; the rest [rt], nothing allocates.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace swage::dynamics {
+
+class BandedBlocks {
+ public:
+  using Block = Eigen::Matrix4d;
+  struct Pair {
+    uint32_t a = 0, b = 0;
+  };
+
+  /// Room for so many blocks, and blocks below the diagonal with what fills in.
+  BandedBlocks(uint32_t max_blocks, uint32_t max_fill);
+
+  /// The pattern: which blocks are coupled; pairs may repeat. False: there is no room for what fills in.
+  bool analyse(uint32_t blocks, std::span<const Pair> coupled) noexcept;
+  uint32_t blocks() const noexcept { return n_; }
+  /// Blocks below the diagonal, and products of blocks that factor() makes.
+  size_t fill() const noexcept { return row_.size() < first_[n_] ? row_.size() : first_[n_]; }
+  size_t work() const noexcept { return updates_; }
+
+  void set_zero() noexcept;
+  /// H(a, b) += M. Symmetric: the caller adds (a, b) or (b, a), not both. Else (b, a) is added on its own.
+  void add(uint32_t a, uint32_t b, const Block& M) noexcept;
+
+  /// False: a pivot is not above zero (symmetric), or zero, or not finite.
+  bool factor(bool symmetric) noexcept;
+  /// x = H^-1 x, 4 numbers a block.
+  void solve(double* x) const noexcept;
+  /// Pivots below zero: an odd number where the determinant is.
+  uint32_t negative_pivots() const noexcept { return negative_; }
+
+ private:
+  struct Update {  // of column c: L_i D L_j' is taken from the block `to`
+    uint32_t to;
+    uint16_t i, j;  // places in the column
+  };
+
+  bool order(std::span<const Pair> coupled) noexcept;
+  bool list_updates() noexcept;
+  uint32_t place(uint32_t row, uint32_t column) const noexcept;
+  bool invert(Block& D) noexcept;
+  uint64_t* line(uint32_t i) noexcept { return near_.data() + static_cast<size_t>(i) * words_; }
+
+  uint32_t max_blocks_, max_fill_, words_;
+  uint32_t n_ = 0;
+  size_t updates_ = 0;
+  bool symmetric_ = true;
+  uint32_t negative_ = 0;
+  std::vector<uint64_t> near_;              // neighbours of each block as bits
+  std::vector<uint32_t> at_, of_, degree_;  // place in the order of a block, and back
+  std::vector<uint32_t> first_;             // of a column's entries, in the order; n + 1
+  std::vector<uint32_t> row_;               // of an entry, in the order
+  std::vector<uint32_t> first_update_;
+  std::vector<Update> update_;
+  std::vector<Block, Eigen::aligned_allocator<Block>> diagonal_, lower_,
+      upper_;  // upper_: transposed, where unsymmetric
+  mutable std::vector<double> y_;
+};
+
+}  // namespace swage::dynamics

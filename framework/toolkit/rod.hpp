@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A thin elastic rod: a chain of n nodes with a director on each edge (discrete elastic rod, Bergou et al. 2008 and 2010), of round
+// section, that stretches, bends and twists. Unknowns are the nodes' positions and the edges' rotations about themselves, in the
+// order x0 theta0 x1 theta1 .. x(n-1), so that a node is coupled to 10 unknowns before and after: the Hessian is a band.
+//
+//   m/h^2 (x - x_hat) + dE/dx = 0        backward Euler; second_order: BDF2, for what flies free
+//   I/h^2 (theta - theta_0) + dE/dtheta = 0       rotation keeps no speed: 1e-7 of the twisting stiffness, it holds what is torque-free
+//
+// An end that is clamped has one more joint, over half an edge, between the direction of the clamp and the first edge (half-cell
+// clamp): the deflection is of order 2 in the length of the edges, where a frozen first edge is of order 1.
+// Newton's method on the whole step; the tension that stiffens an edge against turning is that of the linear model of the last
+// iteration (an unknown of its own, eliminated), so that a step which turns an edge does not stretch it.
+//
+// State is the caller's (RodState). Frames: all vectors in W. SI units. Header-only.
+// Threads: built on [main]; the rest [rt], nothing allocates.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "toolkit/band.hpp"
+#include "toolkit/rod_drag.hpp"
+#include "toolkit/rod_joint.hpp"
+
+namespace swage::toolkit {
+
+struct RodSection {
+  double stretching = 0;  // N, EA
+  double bending = 0;     // N m2, EI; 0: a chain (catenary)
+  double twisting = 0;    // N m2, GJ; 0: directors only go along
+  double mass = 0;        // kg/m
+  double radius = 0;      // m
+
+  /// Of a round wire. E: Pa; density: kg/m3.
+  static RodSection round(double diameter, double youngs, double poisson, double density) {
+    const double r = 0.5 * diameter, A = std::numbers::pi * r * r, I = 0.25 * A * r * r;
+    return {youngs * A, youngs * I, youngs * I / (1 + poisson), density * A, r};
+  }
+};
+
+/// What lasts from step to step, in numbers of the caller: size(n) of them.
+struct RodState {
+  int n = 0;
+  double* x = nullptr;         // [3 n] m
+  double* v = nullptr;         // [3 n] m/s
+  double* director = nullptr;  // [3 (n - 1)] unit, perpendicular to its edge
+  double* twist = nullptr;     // [n] rad at the nodes, whole turns counted; of an end where it is clamped
+  double* before = nullptr;    // [6 n] x and v of the step before, for second_order
+  double* steps = nullptr;     // [1] how many of those there are
+
+  RodState() = default;
+  RodState(int nodes, double* numbers)
+      : n(nodes),
+        x(numbers),
+        v(x + 3 * n),
+        director(v + 3 * n),
+        twist(director + 3 * (n - 1)),
+        before(twist + n),
+        steps(before + 6 * n) {}
+  static size_t size(int n) { return static_cast<size_t>(3 * n + 3 * n + 3 * (n - 1) + n + 6 * n + 1); }
+
+  Vec3 node(int i) const { return Eigen::Map<const Vec3>(x + 3 * i); }
+  Vec3 velocity(int i) const { return Eigen::Map<const Vec3>(v + 3 * i); }
+  Vec3 edge(int j) const { return node(j + 1) - node(j); }
+  Vec3 material(int j) const { return Eigen::Map<const Vec3>(director + 3 * j); }
+};
+
+/// The direction that an end keeps, and the director there.
+struct RodClamp {
+  bool on = false;
+  Vec3 tangent = Vec3::UnitX(), director = Vec3::UnitY();
+};
+
+/// The load of a step. Empty spans are zero.
+struct RodLoad {
+  double h = 0;                    // s; 0: statics, nothing has mass
+  Vec3 gravity = Vec3::Zero();     // m/s2
+  std::span<const double> force;   // [3 n] N on the nodes
+  std::span<const double> torque;  // [n - 1] N m on the edges about themselves
+  RodFluid fluid;                  // drags and bears up
+  bool second_order = false;
+};
+
+struct RodEffort {
+  int iterations = 0;    // solves
+  bool settled = false;  // the last change was below the tolerance
+  double change = 0;     // m, of the last iteration
+};
+
+class Rod {
+ public:
+  static constexpr int kHalfBand = 10;
+  using Matrix = Band<kHalfBand>;
+
+  Rod() = default;
+  /// `rest`: lengths of the edges [m]. Unloaded it is straight, or bent by `memory` [1/m] about its directors (a circle).
+  Rod(const RodSection& section, std::span<const double> rest, double memory = 0);
+
+  int nodes() const { return n_; }
+  int edges() const { return n_ - 1; }
+  int unknowns() const { return 4 * n_ - 1; }
+  const RodSection& section() const { return section_; }
+  double rest_length(int j) const { return rest_[at(j)]; }
+  double rest_length() const { return length_; }
+  double node_mass(int i) const { return mass_[at(i)]; }
+
+  RodClamp& clamp(int end) { return clamp_[end]; }
+  /// A node that stays, or goes where the caller puts it.
+  void hold(int node, bool on = true) { held_[at(node)] = on; }
+  /// An edge that does not turn about itself.
+  void hold_turn(int edge, bool on = true) { turn_held_[at(edge)] = on; }
+
+  /// Straight directors without twist, at rest. x stands already.
+  void start(RodState& s) const;
+  /// After a clamp has turned, by less than half a turn.
+  void follow_clamps(RodState& s) const;
+  /// One step in time, or (h = 0) the shape at rest. `tolerance` [m], of the last change.
+  RodEffort step(RodState& s, const RodLoad& load, int iterations, double tolerance);
+
+  /// Free motion and Hessian at the state, factored, for contacts: A = M/h^2 + K. False where it is not positive definite.
+  bool linearise(const RodState& s, const RodLoad& load);
+  /// At rest it would stay: the Hessian without mass is positive definite.
+  bool stable(const RodState& s, const RodLoad& load);
+  const Matrix& matrix() const { return A_; }
+
+  /// Edges stiffen by the tension of this state.
+  void take_tension(const RodState& s) {
+    for (int j = 0; j < edges(); ++j) tension_[at(j)] = tension(s, j);
+  }
+  double energy(const RodState& s) const;  // J, elastic
+  /// Gradient of the elastic energy, 4 n - 1 numbers, and its Hessian, when asked for.
+  void differentiate(const RodState& s, double* gradient, Matrix* hessian) const;
+  /// Goes by `share` of a change of all unknowns: nodes go, directors go along and turn.
+  void move(const RodState& from, const double* change, double share, RodState& to) const;
+  double tension(const RodState& s, int j) const;  // N, of an edge
+  /// Angle over length at an inner node [1/m].
+  double curvature(const RodState& s, int i) const;
+  /// Twist from the first to the last node, in turns.
+  double turns(const RodState& s) const;
+
+ private:
+  /// An edge turns in one iteration by so much at most [rad], across itself and about itself: the linear model holds no farther.
+  static constexpr double kMostAcross = 0.5, kMostAbout = 1;
+
+  static size_t at(int i) { return static_cast<size_t>(i); }
+  struct Edge {
+    Vec3 t;
+    double inverse;  // 1/m
+  };
+  Edge edge(const RodState& s, int j) const;
+  RodJoint joint(const RodState& s, int i) const;
+  RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
+  bool has_joint(int i) const { return i > 0 && i < n_ - 1 ? true : clamp_[i == 0 ? 0 : 1].on; }
+  double joint_length(int i) const;
+  Vec3 remembered(const Vec3& director, double length) const;
+  static double angle(const RodJoint& j, const Vec3& de, const Vec3& df, double before);
+  static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
+  void add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const;
+  static void add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
+  static void add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
+  static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
+  void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
+  void prepare(const RodState& s, const RodLoad& load);
+  void system(const RodState& s, const RodLoad& load, bool hessian);
+  bool factor(const RodState& s, const RodLoad& load);
+  void slow_turns();
+  bool solve(const RodState& s, const RodLoad& load);
+  double potential(const RodState& s, const RodLoad& load) const;
+  void follow_tension(const RodState& s, double share);
+  void go_on(RodState& s, const RodLoad& load);
+  double bounded(const RodState& s) const;
+  double search(const RodState& s, const RodLoad& load, double share);
+  double twisted(const RodState& s, int i, double before) const;
+  void finish(RodState& s, const RodLoad& load) const;
+
+  int n_ = 0;
+  RodSection section_;
+  double length_ = 0;                          // m
+  double memory_ = 0;                          // 1/m
+  std::vector<double> rest_, mass_, tension_;  // m, kg, N
+  std::vector<char> held_, turn_held_;
+  RodClamp clamp_[2];
+
+  // of the present step
+  Matrix A_;
+  std::vector<double> x0_, hat_, drag_, gradient_, change_, turned_, stored_, trial_;
+  bool slow_ = false;
+  double g_ = 0;     // s, of the backward Euler step that it is
+  double m_hh_ = 0;  // 1/s2, 1 / g^2
+};
+
+}  // namespace swage::toolkit
+
+#include "toolkit/rod_energy.hpp"
+#include "toolkit/rod_step.hpp"

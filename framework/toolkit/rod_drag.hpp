@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a fluid does to a thin thread that moves across itself: the force per length over the speed. Header-only, pure.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace swage::toolkit {
+
+struct RodFluid {
+  double density = 0;    // kg/m3; water 998, air 1.2
+  double viscosity = 0;  // Pa s; water 1.0e-3, air 1.8e-5; 0: no fluid
+};
+
+/// Drag of a cylinder across its axis, per length and speed [N s/m2]. Lamb 1911 up to Re = 0.7, where it meets White's fit of
+/// measurements (Viscous Fluid Flow, C_D = 1 + 10 Re^-2/3) raised by 11 %; Lamb's own law is infinite at Re = 7.4. Along the axis
+/// a slender body has half of it.
+inline double rod_drag(const RodFluid& fluid, double diameter, double speed) {
+  if (!(fluid.viscosity > 0)) return 0;
+  constexpr double kJoined = 0.7;
+  // at rest the law has no limit but zero: below Re = 1e-6 it is that of 1e-6, 0.8 um/s in water for 25 um
+  const double Re = std::max(fluid.density * speed * diameter / fluid.viscosity, 1e-6);
+  if (Re <= kJoined) return 4 * std::numbers::pi * fluid.viscosity / (0.5 - 0.5772156649 - std::log(Re / 8));
+  const double third = std::cbrt(Re);
+  return 0.5 * fluid.viscosity * Re * 1.11 * (1 + 10 / (third * third));
+}
+
+}  // namespace swage::toolkit

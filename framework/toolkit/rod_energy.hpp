@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rod: its elastic energy and what follows from it. Part of rod.hpp.
+#pragma once
+
+#include "toolkit/rod.hpp"
+
+namespace swage::toolkit {
+
+inline Rod::Rod(const RodSection& section, std::span<const double> rest, double memory)
+    : n_(static_cast<int>(rest.size()) + 1),
+      section_(section),
+      memory_(memory),
+      rest_(rest.begin(), rest.end()) {
+  mass_.assign(at(n_), 0.0);
+  for (int j = 0; j < edges(); ++j) {
+    length_ += rest_[at(j)];
+    mass_[at(j)] += 0.5 * section.mass * rest_[at(j)];
+    mass_[at(j + 1)] += 0.5 * section.mass * rest_[at(j)];
+  }
+  tension_.assign(at(edges()), 0.0);
+  held_.assign(at(n_), 0);
+  turn_held_.assign(at(edges()), 0);
+  A_ = Matrix(unknowns());
+  x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_));
+  gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
+  stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
+}
+
+inline Rod::Edge Rod::edge(const RodState& s, int j) const {
+  const Vec3 e = s.edge(j);
+  const double inverse = 1 / e.norm();
+  return {inverse * e, inverse};
+}
+
+/// What a joint stands for: half of the edges that meet there, half an edge at a clamp.
+inline double Rod::joint_length(int i) const {
+  const double before = i > 0 ? rest_[at(i - 1)] : 0, after = i < n_ - 1 ? rest_[at(i)] : 0;
+  return 0.5 * (before + after);
+}
+
+/// Natural curvature of a piece of the rod, about its director: the binormal of the circle to which it would bend.
+inline Vec3 Rod::remembered(const Vec3& director, double length) const {
+  return 2 * std::tan(0.5 * memory_ * length) * director;
+}
+
+/// The director after the least rotation that takes one tangent to the other.
+inline Vec3 Rod::carried(const Vec3& director, const Vec3& from, const Vec3& to) {
+  const Vec3 axis = from.cross(to);
+  const double c = from.dot(to), along = axis.dot(director) / (1 + c);
+  Vec3 d = c * director + axis.cross(director) + along * axis;
+  d -= d.dot(to) * to;
+  return d / d.norm();
+}
+
+/// The angle of twist at a joint: of the many that differ by whole turns the one nearest to `before`.
+inline double Rod::angle(const RodJoint& j, const Vec3& de, const Vec3& df, double before) {
+  const Vec3 d = carried(de, j.te, j.tf);
+  const double m = std::atan2(j.tf.dot(d.cross(df)), d.dot(df));
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return m + kTurn * std::floor((before - m) / kTurn + 0.5);
+}
+
+inline RodJoint Rod::joint(const RodState& s, int i) const {
+  return joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : edge(s, i - 1),
+               i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : edge(s, i));
+}
+
+inline RodJoint Rod::joint(const RodState& s, int i, const Edge& e, const Edge& f) const {
+  RodJoint j;
+  const bool first = i == 0, last = i == n_ - 1;
+  j.te = e.t, j.tf = f.t;
+  j.inv_e = e.inverse, j.inv_f = f.inverse;
+  const double l = joint_length(i);
+  j.bend = section_.bending / l, j.turn = section_.twisting / l;
+  j.twist = s.twist[i];
+  if (memory_ != 0) {
+    j.Ke = remembered(first ? clamp_[0].director : s.material(i - 1), l);
+    j.Kf = remembered(last ? clamp_[1].director : s.material(i), l);
+  }
+  return j;
+}
+
+inline double Rod::energy(const RodState& s) const {
+  double E = 0;
+  for (int j = 0; j < edges(); ++j) {
+    const double strain = s.edge(j).norm() / rest_[at(j)] - 1;
+    E += 0.5 * section_.stretching * rest_[at(j)] * strain * strain;
+  }
+  if (section_.bending > 0)
+    for (int i = 0; i < n_; ++i)
+      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0);
+  return E;
+}
+
+/// A joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. At a clamp one of the edges is not there.
+inline void Rod::add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const {
+  if (i == 0) d.e.setZero(), d.ee.setZero(), d.ef.setZero(), d.e_tf.setZero();
+  if (i == n_ - 1) d.f.setZero(), d.ff.setZero(), d.ef.setZero(), d.e_tf.setZero(), d.f_te.setZero();
+  const int a = 4 * (i - 1), b = 4 * i, c = 4 * (i + 1);  // first unknowns of the three nodes
+  const bool has_e = i > 0, has_f = i < n_ - 1;
+  for (int r = 0; r < 3; ++r) {
+    if (has_e) gradient[a + r] -= d.e[r];
+    gradient[b + r] += d.e[r] - d.f[r];
+    if (has_f) gradient[c + r] += d.f[r];
+  }
+  if (has_e) gradient[a + 3] += d.te;
+  if (has_f) gradient[b + 3] += d.tf;
+  if (hessian == nullptr) return;
+  if (has_e) add_before(a, has_f, d, *hessian);
+  add_middle(b, has_f, d, *hessian);
+  if (has_f) add_after(c, d, *hessian);
+}
+
+/// Columns of the first node, at `a`, and of the rotation of its edge.
+inline void Rod::add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+  double* turn = H.column(a + 3);
+  turn[0] += d.te_te;
+  for (int col = 0; col < 3; ++col) {
+    double* h = H.column(a + col) - col;  // entry of unknown a + k at h[k]
+    for (int r = col; r < 3; ++r) h[r] += d.ee(r, col);
+    h[3] -= d.e_te[col];
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ee(r, col);
+    turn[1 + col] += d.e_te[col] - d.f_te[col];
+    if (!has_f) continue;
+    h[7] -= d.e_tf[col];
+    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef(col, r);
+    turn[5 + col] += d.f_te[col];
+  }
+  if (has_f) turn[4] += d.te_tf;
+}
+
+inline void Rod::add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+  for (int col = 0; col < 3; ++col) {
+    double* h = H.column(b + col) - col;
+    for (int r = col; r < 3; ++r) h[r] += (d.ee(r, col) + d.ff(r, col)) - (d.ef(r, col) + d.ef(col, r));
+    if (!has_f) continue;
+    h[3] += d.e_tf[col] - d.f_tf[col];
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ff(r, col);
+  }
+}
+
+/// The last node, at `c`, and the rotation of the edge before it.
+inline void Rod::add_after(int c, const RodJoint::Derivatives& d, Matrix& H) {
+  double* turn = H.column(c - 1);
+  turn[0] += d.tf_tf;
+  for (int col = 0; col < 3; ++col) {
+    turn[1 + col] += d.f_tf[col];
+    double* h = H.column(c + col) - col;
+    for (int r = col; r < 3; ++r) h[r] += d.ff(r, col);
+  }
+}
+
+/// An edge stretches by its length and stiffens by tension_, the tension of the linear model.
+inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const {
+  const double L = rest_[at(j)], k = section_.stretching / L;
+  const Vec3 f = (k * (1 / e.inverse - L)) * e.t;
+  const int a = 4 * j, b = a + 4;
+  for (int r = 0; r < 3; ++r) gradient[a + r] -= f[r], gradient[b + r] += f[r];
+  if (hessian == nullptr) return;
+  const double side = tension_[at(j)] * e.inverse;
+  const Vec3 along = (k - side) * e.t;
+  for (int col = 0; col < 3; ++col) {
+    double *Ha = hessian->column(a + col) - col, *Hb = hessian->column(b + col) - col;
+    for (int r = 0; r < 3; ++r) {
+      const double K = e.t[r] * along[col] + (r == col ? side : 0);
+      if (r >= col) Ha[r] += K, Hb[r] += K;
+      Ha[4 + r] -= K;
+    }
+  }
+}
+
+inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
+  for (int k = 0; k < unknowns(); ++k) gradient[k] = 0;
+  if (hessian != nullptr) hessian->set_zero();
+  const bool bends = section_.bending > 0;
+  RodJoint::Derivatives d;
+  Edge before{clamp_[0].tangent, 0};
+  for (int i = 0; i < n_; ++i) {
+    const Edge after = i < n_ - 1 ? edge(s, i) : Edge{clamp_[1].tangent, 0};
+    if (bends && has_joint(i)) {
+      joint(s, i, before, after).differentiate(memory_ != 0, hessian != nullptr, d);
+      add(i, d, gradient, hessian);
+    }
+    if (i < n_ - 1) add_stretch(i, after, gradient, hessian);
+    before = after;
+  }
+}
+
+inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
+  // edge by edge, so that `to` may be `from`: an edge is known before its second node goes
+  Vec3 x = from.node(0), next = x;
+  const auto gone = [&](int i) {
+    return Vec3(from.node(i) + share * Vec3(change[4 * i], change[4 * i + 1], change[4 * i + 2]));
+  };
+  Vec3 x_new = gone(0);
+  for (int j = 0; j < edges(); ++j) {
+    next = from.node(j + 1);
+    const Vec3 next_new = gone(j + 1);
+    const Vec3 t = (next - x).normalized(), t_new = (next_new - x_new).normalized();
+    Vec3 d = carried(from.material(j), t, t_new);
+    const double turn = share * change[4 * j + 3];
+    if (turn != 0) d = std::cos(turn) * d + std::sin(turn) * t_new.cross(d);
+    Eigen::Map<Vec3>(to.director + 3 * j) = d;
+    Eigen::Map<Vec3>(to.x + 3 * j) = x_new;
+    x = next, x_new = next_new;
+  }
+  Eigen::Map<Vec3>(to.x + 3 * (n_ - 1)) = x_new;
+  for (int i = 0; i < n_; ++i) to.twist[i] = has_joint(i) ? twisted(to, i, from.twist[i]) : 0.0;
+}
+
+inline double Rod::twisted(const RodState& s, int i, double before) const {
+  const bool first = i == 0, last = i == n_ - 1;
+  RodJoint j;
+  j.te = first ? clamp_[0].tangent : edge(s, i - 1).t;
+  j.tf = last ? clamp_[1].tangent : edge(s, i).t;
+  return angle(j, first ? clamp_[0].director : s.material(i - 1), last ? clamp_[1].director : s.material(i),
+               before);
+}
+
+inline double Rod::tension(const RodState& s, int j) const {
+  return section_.stretching * (s.edge(j).norm() / rest_[at(j)] - 1);
+}
+
+inline double Rod::curvature(const RodState& s, int i) const {
+  return joint(s, i).curvature().norm() / joint_length(i);
+}
+
+inline double Rod::turns(const RodState& s) const {
+  double sum = 0;
+  for (int i = 0; i < n_; ++i) sum += s.twist[i];
+  return sum / (2 * std::numbers::pi);
+}
+
+}  // namespace swage::toolkit

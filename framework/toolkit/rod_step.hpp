@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rod: a step in time. Part of rod.hpp.
+#pragma once
+
+#include "toolkit/rod.hpp"
+
+namespace swage::toolkit {
+
+inline void Rod::start(RodState& s) const {
+  // some direction across the first edge, then carried along
+  const Vec3 t0 = edge(s, 0).t;
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(t0[k]) < std::abs(t0[least])) least = k;
+  Vec3 d = t0.cross(Vec3::Unit(least)).normalized();
+  if (clamp_[0].on) d = carried(clamp_[0].director, clamp_[0].tangent, t0);
+  for (int j = 0; j < edges(); ++j) {
+    if (j > 0) d = carried(d, edge(s, j - 1).t, edge(s, j).t);
+    Eigen::Map<Vec3>(s.director + 3 * j) = d;
+  }
+  for (int k = 0; k < 3 * n_; ++k) s.v[k] = 0;
+  for (int i = 0; i < n_; ++i) s.twist[i] = has_joint(i) ? twisted(s, i, 0) : 0.0;
+  *s.steps = 0;
+}
+
+/// What the step starts from: x0_, where it would go without forces (hat_), drag by the speed that it has.
+inline void Rod::prepare(const RodState& s, const RodLoad& load) {
+  const bool second = load.second_order && *s.steps > 0;
+  g_ = second ? 2.0 / 3.0 * load.h : load.h;  // s, of which this step is a backward Euler step
+  m_hh_ = load.h > 0 ? 1 / (g_ * g_) : 0.0;
+  for (int k = 0; k < 3 * n_; ++k) {
+    const double x = second ? (4 * s.x[k] - s.before[k]) / 3 : s.x[k];
+    const double v = second ? (4 * s.v[k] - s.before[3 * n_ + k]) / 3 : s.v[k];
+    x0_[at(k)] = x;
+    hat_[at(k)] = x + g_ * v;
+  }
+  take_tension(s);
+  std::fill(turned_.begin(), turned_.end(), 0.0);
+  std::fill(drag_.begin(), drag_.end(), 0.0);
+  if (!(load.fluid.viscosity > 0) || load.h == 0) return;
+  // half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz
+  for (int j = 0; j < edges(); ++j) {
+    const Vec3 t = edge(s, j).t;
+    for (const int i : {j, j + 1}) {
+      const Vec3 v = s.velocity(i);
+      const double c =
+          0.5 * rest_[at(j)] * rod_drag(load.fluid, 2 * section_.radius, (v - v.dot(t) * t).norm());
+      double* D = drag_.data() + 6 * i;
+      for (int col = 0, k = 0; col < 3; ++col)
+        for (int r = col; r < 3; ++r, ++k) D[k] += c / g_ * ((r == col ? 1 : 0) - 0.5 * t[r] * t[col]);
+    }
+  }
+}
+
+/// Gradient of the step's potential and, when asked for, its Hessian.
+inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
+  differentiate(s, gradient_.data(), hessian ? &A_ : nullptr);
+  const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
+                                                   section_.radius / section_.mass
+                                         : 1;
+  for (int i = 0; i < n_; ++i) {
+    const double m = mass_[at(i)], w = m * m_hh_;
+    const double* D = drag_.data() + 6 * i;
+    const double DD[3][3] = {{D[0], D[1], D[2]}, {D[1], D[3], D[4]}, {D[2], D[4], D[5]}};
+    for (int r = 0; r < 3; ++r) {
+      const int k = 3 * i + r;
+      double F = w * (s.x[k] - hat_[at(k)]) - borne * m * load.gravity[r];
+      for (int c = 0; c < 3; ++c) F += DD[r][c] * (s.x[3 * i + c] - x0_[at(3 * i + c)]);
+      if (!load.force.empty()) F -= load.force[at(k)];
+      gradient_[at(4 * i + r)] += F;
+      if (!hessian) continue;
+      A_.at(4 * i + r, 4 * i + r) += w;
+      for (int c = 0; c <= r; ++c) A_.at(4 * i + r, 4 * i + c) += DD[r][c];
+    }
+  }
+  for (int j = 0; j < edges(); ++j) {
+    const double L = rest_[at(j)], k = section_.twisting / L;
+    double& F = gradient_[at(4 * j + 3)];
+    // at rest what is torque-free is held by a billionth of its stiffness, in the Hessian alone
+    const double I =
+        load.h > 0 ? 0.5 * section_.mass * L * section_.radius * section_.radius * m_hh_ : 1e-9 * k;
+    if (load.h > 0) F += I * turned_[at(j)];
+    if (!load.torque.empty()) F -= load.torque[at(j)];
+    if (hessian) A_.at(4 * j + 3, 4 * j + 3) += k > 0 ? I : 1.0;
+    if (!(k > 0)) F = 0;
+  }
+  for (int i = 0; i < n_; ++i)
+    for (int r = 0; held_[at(i)] != 0 && r < 3; ++r) {
+      gradient_[at(4 * i + r)] = 0;
+      if (hessian) A_.hold(4 * i + r);
+    }
+  for (int j = 0; j < edges(); ++j) {
+    if (turn_held_[at(j)] == 0) continue;
+    gradient_[at(4 * j + 3)] = 0;
+    if (hessian) A_.hold(4 * j + 3);
+  }
+}
+
+/// Factors the system. Where it is not positive definite, rotations stiffen; then compressed edges (what is pressed together would
+/// buckle) do as stretched ones would; then the diagonal grows until it is.
+inline bool Rod::factor(const RodState& s, const RodLoad& load) {
+  system(s, load, true);
+  slow_turns();
+  if (A_.factor()) return true;
+  double shift = 0;  // N/m
+  for (int attempt = 0; attempt < 14; ++attempt) {
+    if (attempt == 0) slow_ = true;
+    if (attempt == 1)
+      for (double& T : tension_) T = std::abs(T);
+    system(s, load, true);
+    slow_turns();
+    double largest = 0;
+    for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) {
+      largest = std::max(largest, A_.at(k, k));
+      A_.at(k, k) += shift;
+    }
+    if (A_.factor()) return true;
+    if (attempt > 0) shift = shift == 0 ? 1e-9 * largest : 30 * shift;
+  }
+  return false;
+}
+
+/// Rotations that hardly anything holds back: the rod that bends the way it remembers turns all of its edges together. They stiffen
+/// by EI k^2 l, what bending to the remembered curvature k costs when it does not follow, and so that their torque does not turn them
+/// by more than the linear model holds.
+inline void Rod::slow_turns() {
+  const double k2 = section_.bending * memory_ * memory_;
+  for (int j = 0; slow_ && j < edges(); ++j)
+    A_.at(4 * j + 3, 4 * j + 3) += k2 * rest_[at(j)] + std::abs(gradient_[at(4 * j + 3)]) / kMostAbout;
+}
+
+/// The next change of all unknowns. False: there is none.
+inline bool Rod::solve(const RodState& s, const RodLoad& load) {
+  for (slow_ = false;; slow_ = true) {
+    if (!factor(s, load)) return false;
+    double most = 0;
+    for (int k = 0; k < unknowns(); ++k) change_[at(k)] = -gradient_[at(k)];
+    A_.solve(change_.data());
+    for (int j = 0; j < edges(); ++j) most = std::max(most, std::abs(change_[at(4 * j + 3)]));
+    if (slow_ || most < kMostAbout) return true;
+  }
+}
+
+/// The energy that the step makes least.
+inline double Rod::potential(const RodState& s, const RodLoad& load) const {
+  double sum = energy(s);
+  const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
+                                                   section_.radius / section_.mass
+                                         : 1;
+  for (int i = 0; i < n_; ++i) {
+    const double* D = drag_.data() + 6 * i;
+    double d[3];
+    for (int r = 0; r < 3; ++r) {
+      const int k = 3 * i + r;
+      const double away = s.x[k] - hat_[at(k)];
+      d[r] = s.x[k] - x0_[at(k)];
+      sum += mass_[at(i)] * (0.5 * m_hh_ * away * away - borne * load.gravity[r] * d[r]);
+      if (!load.force.empty()) sum -= load.force[at(k)] * d[r];
+    }
+    sum += 0.5 * (D[0] * d[0] * d[0] + D[3] * d[1] * d[1] + D[5] * d[2] * d[2]) + D[1] * d[0] * d[1] +
+           D[2] * d[0] * d[2] + D[4] * d[1] * d[2];
+  }
+  return sum;
+}
+
+/// The tension of the linear model after a change.
+inline void Rod::follow_tension(const RodState& s, double share) {
+  for (int j = 0; j < edges(); ++j) {
+    const Edge e = edge(s, j);
+    const double* d = change_.data() + 4 * j;
+    const double more = e.t.dot(Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]));
+    const double T = section_.stretching * ((1 / e.inverse + more) / rest_[at(j)] - 1);
+    tension_[at(j)] += share * (T - tension_[at(j)]);
+  }
+}
+
+/// The share of a change after which no edge has turned by more than half a radian, nor about itself by more than one.
+inline double Rod::bounded(const RodState& s) const {
+  double most = 1;
+  for (int j = 0; j < edges(); ++j) {
+    const double* d = change_.data() + 4 * j;
+    const Edge e = edge(s, j);
+    const Vec3 by = e.inverse * Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]);
+    most = std::max({most, (by - by.dot(e.t) * e.t).norm() / kMostAcross, std::abs(d[3]) / kMostAbout});
+  }
+  return 1 / most;
+}
+
+inline void Rod::finish(RodState& s, const RodLoad& load) const {
+  if (load.h == 0) return;
+  for (int k = 0; k < 3 * n_; ++k) s.v[k] = (s.x[k] - x0_[at(k)]) / g_;
+}
+
+/// Newton's method starts where the nodes would be if they went on; or where they are, if that would stretch an edge or turn it by
+/// much (held nodes go on nevertheless).
+inline void Rod::go_on(RodState& s, const RodLoad& load) {
+  if (load.h == 0) return;
+  for (int k = 0; k < unknowns(); ++k) change_[at(k)] = k % 4 == 3 ? 0.0 : load.h * s.v[k / 4 * 3 + k % 4];
+  bool far = bounded(s) < 1;
+  for (int j = 0; j < edges(); ++j) {
+    const double* d = change_.data() + 4 * j;
+    const double length = (s.edge(j) + Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2])).norm();
+    far = far || std::abs(length / rest_[at(j)] - 1) > 0.1;  // a tenth: nylon breaks at two
+  }
+  for (int k = 0; far && k < unknowns(); ++k)
+    if (k % 4 != 3 && held_[at(k / 4)] == 0) change_[at(k)] = 0;
+  move(s, change_.data(), 1, s);
+}
+
+inline RodEffort Rod::step(RodState& s, const RodLoad& load, int iterations, double tolerance) {
+  RodEffort effort;
+  prepare(s, load);
+  RodState old(n_, stored_.data());
+  std::copy_n(s.x, RodState::size(n_), old.x);
+  go_on(s, load);
+  double last = HUGE_VAL;
+  bool guarded = false;
+  for (int it = 0; it < iterations; ++it) {
+    if (!solve(s, load)) break;
+    ++effort.iterations;
+    double share = bounded(s), size = 0;
+    for (int k = 0; k < unknowns(); ++k)
+      if (k % 4 != 3) size = std::max(size, std::abs(change_[at(k)]));
+    if (guarded) share = search(s, load, share);
+    follow_tension(s, share);
+    move(s, change_.data(), share, s);
+    for (int j = 0; j < edges(); ++j) turned_[at(j)] += share * change_[at(4 * j + 3)];
+    effort.change = share * size;
+    effort.settled = share == 1 && size <= tolerance;
+    if (effort.settled) break;
+    // whole steps while they shrink; else by the potential
+    guarded = guarded || (it > 3 && size > 0.7 * last);
+    last = size;
+  }
+  finish(s, load);
+  if (load.second_order) std::copy_n(old.x, 6 * n_, s.before), *s.steps = 1;
+  return effort;
+}
+
+/// The share of a change that lowers the potential.
+inline double Rod::search(const RodState& s, const RodLoad& load, double share) {
+  const double before = potential(s, load);
+  RodState trial(n_, trial_.data());
+  for (int halved = 0; halved < 12; ++halved, share *= 0.5) {
+    move(s, change_.data(), share, trial);
+    if (potential(trial, load) <= before) break;
+  }
+  return share;
+}
+
+inline bool Rod::linearise(const RodState& s, const RodLoad& load) {
+  prepare(s, load);
+  return factor(s, load);
+}
+
+inline bool Rod::stable(const RodState& s, const RodLoad& load) {
+  RodLoad at_rest = load;
+  at_rest.h = 0;
+  prepare(s, at_rest);
+  system(s, at_rest, true);
+  return A_.factor();
+}
+
+inline void Rod::follow_clamps(RodState& s) const {
+  for (const int i : {0, n_ - 1})
+    if (has_joint(i)) s.twist[i] = twisted(s, i, s.twist[i]);
+}
+
+}  // namespace swage::toolkit

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sparse system of threads and bodies against a dense one.
+#include "dynamics/banded_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "dynamics/banded_assembly.hpp"
+
+namespace swage::dynamics {
+namespace {
+
+using toolkit::Mat3;
+using toolkit::Vec3;
+
+/// A thread of n nodes with one rigid body, contacts between both and of the thread with itself; and the same densely.
+struct Knot {
+  Knot(uint32_t n, uint32_t contacts, bool symmetric, unsigned seed)
+      : random(seed), band(static_cast<int>(4 * n - 1)), blocks(n + 2, 4 * n * 16) {
+    for (int j = 0; j < band.size(); ++j)
+      for (int i = j; i < std::min(band.size(), j / 4 * 4 + 11); ++i)
+        band.at(i, j) = i == j ? 12 + any(random) : any(random);
+    std::vector<BandedBlocks::Pair> pairs;
+    for (uint32_t i = 0; i < n; ++i)
+      for (uint32_t k = 1; k < 3 && i + k < n; ++k) pairs.push_back({i + k, i});
+    pairs.push_back({n, n + 1});
+    const int size = static_cast<int>(4 * n + 8);
+    dense = Eigen::MatrixXd::Zero(size, size);
+    for (int j = 0; j < band.size(); ++j)
+      for (int i = j; i < std::min(band.size(), j + 11); ++i) dense(i, j) = dense(j, i) = band.at(i, j);
+    for (const int idle :
+         {static_cast<int>(4 * n - 1), static_cast<int>(4 * n + 3), static_cast<int>(4 * n + 7)})
+      dense(idle, idle) = 1;
+    struct Contact {
+      BlockPoint a, b;
+      Mat3 D;
+    };
+    std::vector<Contact> all;
+    for (uint32_t k = 0; k < contacts; ++k) {
+      Contact c;
+      const auto node = [&] { return static_cast<uint32_t>(random() % (n - 1)); };
+      c.a = thread_point(0, node(), 0.3, Vec3::UnitX(), Vec3(0, 0.1, 0));
+      if (k % 3 == 0) c.b = body_point(n, Vec3(any(random), any(random), 1));
+      if (k % 3 == 1) c.b = thread_point(0, node(), 0.6, Vec3::UnitY(), Vec3(0.1, 0, 0.2));
+      c.D = Mat3::Identity() * 3;
+      if (!symmetric) c.D(1, 0) = 0.9;
+      for (const BlockPoint* p : {&c.a, &c.b})
+        for (uint32_t i = 0; i < p->size; ++i)
+          for (const BlockPoint* q : {&c.a, &c.b})
+            for (uint32_t j = 0; j < q->size; ++j) pairs.push_back({p->block[i], q->block[j]});
+      Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, size);
+      for (uint32_t i = 0; i < c.a.size; ++i) J.middleCols(4 * c.a.block[i], 4) += c.a.J[i];
+      for (uint32_t i = 0; i < c.b.size; ++i) J.middleCols(4 * c.b.block[i], 4) -= c.b.J[i];
+      dense += J.transpose() * c.D * J;
+      all.push_back(c);
+    }
+    EXPECT_TRUE(blocks.analyse(n + 2, pairs));
+    blocks.set_zero();
+    add_band(blocks, 0, band, symmetric);
+    BandedBlocks::Block body = BandedBlocks::Block::Identity();
+    body.topLeftCorner<3, 3>() *= 2;
+    for (uint32_t k = 0; k < 2; ++k) {
+      blocks.add(n + k, n + k, body);
+      for (int r = 0; r < 3; ++r)
+        dense(static_cast<int>(4 * (n + k)) + r, static_cast<int>(4 * (n + k)) + r) += 2;
+    }
+    for (const Contact& c : all) add_contact(blocks, c.a, c.b, c.D, symmetric);
+  }
+  std::mt19937 random;
+  std::uniform_real_distribution<double> any{-1, 1};
+  toolkit::Band<10> band;
+  BandedBlocks blocks;
+  Eigen::MatrixXd dense;
+};
+
+TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
+  for (const bool symmetric : {true, false})
+    for (const uint32_t contacts : {0u, 1u, 12u, 60u, 200u}) {
+      Knot k(30, contacts, symmetric, contacts + 1);
+      ASSERT_TRUE(k.blocks.factor(symmetric)) << contacts;
+      const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
+      Eigen::VectorXd x = b;
+      k.blocks.solve(x.data());
+      EXPECT_LT((k.dense * x - b).norm(), 1e-11 * b.norm()) << symmetric << " " << contacts;
+      EXPECT_EQ(k.blocks.negative_pivots(), 0u);
+    }
+}
+
+TEST(BandedBlocks, AThreadAloneFillsNothingIn) {
+  Knot k(100, 0, true, 1);
+  EXPECT_EQ(k.blocks.fill(), 99u + 98u + 1u);  // two neighbours each, and the body's own pair
+}
+
+TEST(BandedBlocks, TellAnIndefiniteSystem) {
+  Knot k(30, 0, true, 1);
+  BandedBlocks::Block M = BandedBlocks::Block::Zero();
+  M(1, 1) = -1000;
+  k.blocks.add(17, 17, M);
+  EXPECT_FALSE(k.blocks.factor(true));
+  Knot other(30, 0, false, 1);
+  other.blocks.add(17, 17, M);
+  EXPECT_TRUE(other.blocks.factor(false));
+  EXPECT_EQ(other.blocks.negative_pivots() % 2, 1u);
+}
+
+TEST(BandedBlocks, SayWhenThereIsNoRoom) {
+  BandedBlocks blocks(10, 12);
+  std::vector<BandedBlocks::Pair> all;
+  for (uint32_t i = 0; i < 10; ++i)
+    for (uint32_t j = 0; j < i; ++j) all.push_back({i, j});
+  EXPECT_FALSE(blocks.analyse(10, all));
+  EXPECT_FALSE(blocks.analyse(11, {}));
+  EXPECT_TRUE(blocks.analyse(10, {}));
+}
+
+}  // namespace
+}  // namespace swage::dynamics

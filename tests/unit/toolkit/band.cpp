@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "toolkit/band.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace swage::toolkit {
+namespace {
+
+template <int B>
+Band<B> some(int n, unsigned seed, Eigen::MatrixXd& dense) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1, 1);
+  Band<B> a(n);
+  dense = Eigen::MatrixXd::Zero(n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = j; i < std::min(n, j + B + 1); ++i) {
+      const double value = i == j ? B + 1 + any(random) : any(random);
+      a.at(i, j) = dense(i, j) = dense(j, i) = value;
+    }
+  return a;
+}
+
+TEST(Band, SolvesAsADenseMatrixDoes) {
+  for (const int n : {1, 5, 10, 11, 12, 39, 399}) {
+    Eigen::MatrixXd dense;
+    Band<10> a = some<10>(n, static_cast<unsigned>(n), dense);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2);
+    Eigen::VectorXd product(n), x = b;
+    a.multiply(b.data(), product.data());
+    EXPECT_LT((product - dense * b).norm(), 1e-13 * product.norm());
+    ASSERT_TRUE(a.factor());
+    a.solve(x.data());
+    EXPECT_LT((x - dense.ldlt().solve(b)).norm(), 1e-13 * x.norm()) << n;
+  }
+}
+
+TEST(Band, SolvesManySidesToTheBitAsEachAlone) {
+  Eigen::MatrixXd dense;
+  Band<10> a = some<10>(77, 3, dense);
+  ASSERT_TRUE(a.factor());
+  constexpr int kSides = 6;
+  std::vector<double> all(77 * kSides);
+  for (size_t k = 0; k < all.size(); ++k) all[k] = 1.0 / static_cast<double>(k + 1);
+  std::vector<double> together = all;
+  a.solve<kSides>(together.data());
+  for (size_t r = 0; r < kSides; ++r) {
+    std::vector<double> alone(77);
+    for (size_t i = 0; i < 77; ++i) alone[i] = all[i * kSides + r];
+    a.solve(alone.data());
+    for (size_t i = 0; i < 77; ++i) EXPECT_EQ(alone[i], together[i * kSides + r]);
+  }
+}
+
+TEST(Band, RefusesWhatIsNotPositiveDefinite) {
+  Eigen::MatrixXd dense;
+  Band<10> a = some<10>(30, 3, dense);
+  a.at(17, 17) = -1;
+  EXPECT_FALSE(a.factor());
+  Band<10> nan = some<10>(30, 3, dense);
+  nan.at(17, 12) = std::nan("");
+  EXPECT_FALSE(nan.factor());
+}
+
+TEST(Band, HoldsAnUnknown) {
+  Eigen::MatrixXd dense;
+  Band<10> a = some<10>(30, 5, dense);
+  a.hold(13);
+  dense.row(13).setZero(), dense.col(13).setZero(), dense(13, 13) = 1;
+  Eigen::VectorXd b = Eigen::VectorXd::Ones(30);
+  b[13] = 0;
+  Eigen::VectorXd x = b;
+  ASSERT_TRUE(a.factor());
+  a.solve(x.data());
+  EXPECT_EQ(x[13], 0);
+  EXPECT_LT((dense * x - b).norm(), 1e-13);
+}
+
+}  // namespace
+}  // namespace swage::toolkit

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The rod's derivatives against differences of its energy, and its band against a dense solve.
+#include "toolkit/rod.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace swage::toolkit {
+namespace {
+
+// 10-0 nylon: 22 um, 2.5 GPa
+const RodSection kNylon = RodSection::round(22e-6, 2.5e9, 0.39, 1140);
+
+/// A bent, twisted and stretched rod of uneven edges, both ends clamped.
+struct Tangled {
+  Tangled(int n, const RodSection& section, double memory, unsigned seed)
+      : random(seed), numbers(RodState::size(n)), s(n, numbers.data()) {
+    std::uniform_real_distribution<double> any(-1, 1);
+    std::vector<double> rest;
+    Vec3 x = Vec3::Zero(), t = Vec3(1, 0.2, -0.3).normalized();
+    for (int i = 0; i < n; ++i) {
+      Eigen::Map<Vec3>(s.x + 3 * i) = x;
+      const double l = 1e-3 * (1 + 0.4 * any(random));
+      if (i < n - 1) rest.push_back(l);
+      t = (t + 0.5 * Vec3(any(random), any(random), any(random))).normalized();
+      x += l * (1 + 0.01 * any(random)) * t;
+    }
+    rod = Rod(section, rest, memory);
+    for (int end = 0; end < 2; ++end) {
+      RodClamp& c = rod.clamp(end);
+      c.on = true;
+      c.tangent = Vec3(1, any(random), any(random)).normalized();
+      c.director = c.tangent.cross(Vec3(0.1, 0.3, 1)).normalized();
+    }
+    rod.start(s);
+    std::vector<double> turn(static_cast<size_t>(rod.unknowns()), 0.0);
+    for (int j = 0; j < n - 1; ++j) turn[static_cast<size_t>(4 * j + 3)] = 0.7 * any(random);
+    rod.move(s, turn.data(), 1, s);
+  }
+  std::mt19937 random;
+  std::vector<double> numbers;
+  RodState s;
+  Rod rod;
+};
+
+/// Fourth-order differences of the energy along unknowns of unlike size: lengths by l, angles by 1.
+class Differences {
+ public:
+  Differences(Tangled& t) : t_(t), n_(t.rod.unknowns()), moved_(RodState::size(t.s.n)) {}
+  double scale(int k) const { return k % 4 == 3 ? 1.0 : 1e-3; }
+  double at(int i, double a, int j, double b) {
+    std::vector<double> change(static_cast<size_t>(n_), 0.0);
+    change[static_cast<size_t>(i)] += a * scale(i);
+    change[static_cast<size_t>(j)] += b * scale(j);
+    moved_ = t_.numbers;
+    RodState to(t_.s.n, moved_.data());
+    t_.rod.move(t_.s, change.data(), 1, to);
+    return t_.rod.energy(to);
+  }
+  double first(int i) {
+    const double h = 2e-4;
+    return (8 * (at(i, h, i, 0) - at(i, -h, i, 0)) - (at(i, 2 * h, i, 0) - at(i, -2 * h, i, 0))) / (12 * h);
+  }
+  double second(int i, int j) {
+    const double h = 2e-3;
+    const auto mixed = [&](double d) {
+      return (at(i, d, j, d) - at(i, d, j, -d) - at(i, -d, j, d) + at(i, -d, j, -d)) / (4 * d * d);
+    };
+    return (4 * mixed(h) - mixed(2 * h)) / 3;
+  }
+
+ private:
+  Tangled& t_;
+  int n_;
+  std::vector<double> moved_;
+};
+
+// curvature that it keeps, and by how much it is softer against stretching: bending then is as large as stretching
+struct Kind {
+  double memory, softer;
+};
+class RodDerivatives : public testing::TestWithParam<Kind> {};
+
+TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
+  RodSection section = kNylon;
+  section.stretching *= GetParam().softer;
+  Tangled t(6, section, GetParam().memory, 7);
+  std::vector<double> gradient(static_cast<size_t>(t.rod.unknowns()));
+  t.rod.take_tension(t.s);
+  Rod::Matrix H(t.rod.unknowns());
+  t.rod.differentiate(t.s, gradient.data(), &H);
+  Differences differences(t);
+  double most = 0, largest = 0;
+  for (int i = 0; i < t.rod.unknowns(); ++i)
+    most = std::max(most, std::abs(gradient[static_cast<size_t>(i)]) * differences.scale(i));
+  for (int i = 0; i < t.rod.unknowns(); ++i)
+    EXPECT_NEAR(gradient[static_cast<size_t>(i)] * differences.scale(i), differences.first(i), 1e-8 * most)
+        << i;
+  const auto scaled = [&](int i, int j) { return H.at(i, j) * differences.scale(i) * differences.scale(j); };
+  for (int j = 0; j < t.rod.unknowns(); ++j) largest = std::max(largest, scaled(j, j));
+  for (int j = 0; j < t.rod.unknowns(); ++j)
+    for (int i = j; i < std::min(t.rod.unknowns(), j + 11); ++i)
+      EXPECT_NEAR(scaled(i, j), differences.second(i, j), 1e-7 * largest + 1e-5 * std::abs(scaled(i, j)))
+          << i << " " << j;
+}
+INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
+                         testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
+
+}  // namespace
+}  // namespace swage::toolkit
