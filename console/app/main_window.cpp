@@ -64,6 +64,7 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   setCentralWidget(middle);
   add_actions();
   connect(run_, &RunPage::show_progress, this, [this] { show_page(1); });
+  connect(run_, &RunPage::review, this, &MainWindow::review);
   connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
   connect(progress_, &ProgressPage::review, this, &MainWindow::review);
   connect(review_, &ReviewPage::back, this, [this] { show_page(1); });
@@ -121,16 +122,21 @@ QWidget* MainWindow::make_top_bar() {
   cues_->setAccessibleName(tr("Cue colours"));
   for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
   connect(cues_, &QComboBox::activated, this, [this] { set_theme(ui_id_, cues_->currentData().toString()); });
-  theme_ = add_choice(row, bar, tr("Window"), "theme", tr("Colours of the window"));
-  theme_->setAccessibleName(tr("Colours of the window"));
+  theme_ = add_choice(row, bar, tr("Theme"), "theme", tr("Colours of the window"));
+  theme_->setAccessibleName(tr("Theme"));
   for (const QString& id : UiTheme::names()) theme_->addItem(UiTheme::stock(id).title(), id);
   connect(theme_, &QComboBox::activated, this,
           [this] { set_theme(theme_->currentData().toString(), cues_id_); });
   auto* trainee =
       make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
-  trainee->setToolTip(tr("The scene for two eyes in a window of its own: settings (F9 shows it at once)"));
-  connect(trainee, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);
+  trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
+  connect(trainee, &QPushButton::clicked, this, &MainWindow::toggle_trainee);
   row->addWidget(trainee);
+  auto* eyes = make_button(tr("…"), {}, QStringLiteral("trainee_settings"), bar);
+  eyes->setAccessibleName(tr("Settings of the trainee view"));
+  eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
+  connect(eyes, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);
+  row->addWidget(eyes);
   row->addSpacing(8);
   auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
@@ -152,7 +158,8 @@ void MainWindow::add_actions() {
   add(tr("Reset needle"), Qt::Key_F7, [control] { control->reset_work(); });
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
   add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
-  add(tr("Frame times"), Qt::Key_F12, [this] {
+  add(tr("Instructor"), Qt::Key_F10, [this] { run_->show_instructor(!run_->instructor_shown()); });
+  add(tr("Show frame rate"), Qt::Key_F12, [this] {
     strip_->set_frames_shown(!strip_->frames_shown());
     settings_.set("frames", strip_->frames_shown());
     strip_->show_frames(shown_view()->frames());
@@ -186,9 +193,12 @@ void MainWindow::review(const QString& attempt_id) {
 }
 
 void MainWindow::show_help() {
-  // a held key must not go on while the help is read, so the attempt waits
-  if (run_->control()->state() == RunControl::State::kRunning) run_->control()->toggle_pause();
+  // a held key must not go on while the help is read, so the attempt waits, and goes on afterwards
+  RunControl* control = run_->control();
+  const bool ran = control->state() == RunControl::State::kRunning;
+  if (ran) control->toggle_pause();
   HelpDialog(CueTheme::stock(cues_id_), this).exec();
+  if (ran && control->state() == RunControl::State::kPaused) control->toggle_pause();
 }
 
 void MainWindow::show_trainee() {
@@ -238,17 +248,29 @@ void MainWindow::set_theme(const QString& ui, const QString& cues) {
   cues_->setCurrentIndex(cues_->findData(cues_id_));
 }
 
+// Nothing lies outside the screen, at the first start and on a smaller screen than the last time.
+void MainWindow::fit_screen() {
+  const QRect all = screen()->availableGeometry();
+  const QSize frame = frameGeometry().size() - size();
+  resize(size().boundedTo(all.size() - frame));
+  if (!all.contains(geometry())) move(all.topLeft());
+}
+
 void MainWindow::restore(const Launch& launch) {
   const auto or_remembered = [&](const QString& given, const char* key, const char* otherwise) {
     return given.isEmpty() ? settings_.text(key, QString::fromLatin1(otherwise)) : given;
   };
   set_theme(or_remembered(launch.theme, "theme", "light"), or_remembered(launch.cues, "cues", "thesis"));
   resize(launch.size.isValid() ? launch.size : QSize(1440, 900));
-  if (!launch.size.isValid()) restoreGeometry(settings_.bytes("geometry"));
+  if (!launch.size.isValid()) {
+    restoreGeometry(settings_.bytes("geometry"));
+    fit_screen();
+  }
   run_->set_base_options(launch.options);
   run_->set_draws_seed(launch.draws_seed);
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
+  run_->set_used_controls(settings_.text("used_controls"));
   trainee_look_ = read_trainee_look(settings_);
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);
@@ -301,6 +323,7 @@ void MainWindow::remember() {
   settings_.set("volume", run_->speaker().volume());
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());
+  settings_.set("used_controls", run_->used_controls());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
  private:
   QWidget* make_top_bar();
   void add_actions();
+  void fit_screen();
   void restore(const Launch& launch);
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);

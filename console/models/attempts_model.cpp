@@ -59,7 +59,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kLesson:
       return a.lesson_title.empty() ? qt(a.lesson_id) : qt(a.lesson_title);
     case kMode:
-      return human_id(qt(a.mode));
+      return is_hand(a) ? tr("Recorded hand") : human_id(qt(a.mode));
     case kVerdict:
       return verdict(a);
     case kScore:
@@ -93,17 +93,20 @@ QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int
     case kTime:
       return tr("Time");
     case kReason:
-      return tr("Because");
+      return tr("Reason");
     default:
       return {};
   }
 }
 
+bool is_hand(const record::AttemptRow& attempt) { return attempt.mode == "hand"; }
+
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
   QStringList ids = {kScoreId, kTimeId};
   for (const record::AttemptRow& a : attempts) {
     for (const record::MetricValue& m : a.metrics) {
-      if (!ids.contains(qt(m.id))) ids += qt(m.id);
+      const QString id = qt(m.id);
+      if (!ids.contains(id) && metric_show(id) != SWAGE_SHOW_POINTS) ids += id;
     }
   }
   return ids;
@@ -121,7 +124,7 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
                    [](const auto* a, const auto* b) { return a->started_utc < b->started_utc; });
   for (const record::AttemptRow* a : order) {
     // what was stopped half way says nothing about skill
-    if (a->is_void || (a->outcome != "passed" && a->outcome != "failed")) continue;
+    if (a->is_void || is_hand(*a) || (a->outcome != "passed" && a->outcome != "failed")) continue;
     double value = id == kScoreId ? a->score : id == kTimeId ? a->simulated_s : std::nan("");
     for (const record::MetricValue& m : a->metrics) {
       if (qt(m.id) != id) continue;

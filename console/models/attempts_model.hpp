@@ -30,6 +30,9 @@ class AttemptsModel : public QAbstractTableModel {
   QVector<record::AttemptRow> rows_;
 };
 
+/// An attempt that a scripted or recorded hand made: shown, and no person's progress.
+bool is_hand(const record::AttemptRow& attempt);
+
 /// One metric over the attempts, oldest first; what a chart draws.
 struct MetricPoint {
   double value = 0;  // as shown, in the unit of the series

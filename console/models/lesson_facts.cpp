@@ -1,20 +1,39 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/lesson_facts.hpp"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 
 #include "assembly/lesson_text.hpp"
+#include "console/models/words.hpp"
 #include "host/params.hpp"
 
 namespace swage::console {
 
 namespace {
 
-// the checked value of one parameter of a lesson's own plugin, defaults included
-std::optional<swage_value> lesson_value(const std::string& lesson_path, const char* id, const char* unit,
-                                        uint32_t dimension, const host::Catalogue& catalogue) {
+QString tr(const char* text) { return QCoreApplication::translate("lesson_facts", text); }
+
+/// The lesson plugin of a lesson file with the checked values of its parameters, defaults included.
+struct Judged {
+  const host::PluginInfo* plugin = nullptr;  // nullptr: the file or the plugin cannot be read
+  host::ParamValues values;
+
+  /// nullptr where the plugin has no such parameter.
+  const host::Param* find(const std::string& id, const swage_value** value) const {
+    for (size_t i = 0; plugin && i < plugin->params.size(); ++i) {
+      if (plugin->params[i].id != id) continue;
+      *value = &values.value[i];
+      return &plugin->params[i];
+    }
+    return nullptr;
+  }
+};
+
+Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalogue) {
   assembly::LessonText whole;
   base::Problems problems;
   if (!assembly::read_lesson_text(lesson_path, {}, whole, problems)) return {};
@@ -28,54 +47,108 @@ std::optional<swage_value> lesson_value(const std::string& lesson_path, const ch
   source.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
   source.bundle_folder = plugin->bundle_dir;
   source.where = [](const std::string& pointer) { return pointer; };
-  host::ParamValues values;
+  Judged out;
   const QByteArray params =
       QJsonDocument(lesson[QStringLiteral("params")].toObject()).toJson(QJsonDocument::Compact);
-  if (!host::check_params(params.toStdString(), plugin->params, source, values, problems)) return {};
-  for (size_t i = 0; i < plugin->params.size(); ++i) {
-    const host::Param& p = plugin->params[i];
-    if (p.id == id && p.unit == unit && p.dimension == dimension) return values.value[i];
+  if (!host::check_params(params.toStdString(), plugin->params, source, out.values, problems)) return {};
+  out.plugin = plugin;
+  return out;
+}
+
+/// The number of a parameter that says a limit: of an interval its `end`, 0 or 1.
+std::optional<double> limit(const Judged& lesson, const std::string& id, size_t end) {
+  const swage_value* value = nullptr;
+  const host::Param* p = id.empty() ? nullptr : lesson.find(id, &value);
+  if (!p) return {};
+  return value->number[p->dimension == 2 ? end : 0];
+}
+
+QString value_words(const host::Param& p, const swage_value& value, const std::string& text) {
+  const auto number = [&](size_t i) {
+    return quantity_text(value.number[i], p.display_unit == "%" ? QStringLiteral("%") : QString::fromStdString(p.unit));
+  };
+  switch (p.type) {
+    case SWAGE_PARAM_BOOL:
+      return value.number[0] != 0 ? tr("yes") : tr("no");
+    case SWAGE_PARAM_CHOICE:
+      return QString::fromStdString(p.choices[static_cast<size_t>(value.number[0])]);
+    case SWAGE_PARAM_TEXT:
+    case SWAGE_PARAM_FILE:
+      return QString::fromStdString(text).replace(QLatin1Char('_'), QLatin1Char(' '));
+    default:
+      break;
   }
-  return {};
+  if (p.dimension == 2) return tr("%1 to %2").arg(number(0), number(1));
+  QStringList all;
+  for (uint32_t i = 0; i < std::max(1u, p.dimension); ++i) all += number(i);
+  return all.join(QStringLiteral(", "));
+}
+
+bool holds(const Judged& lesson, const std::string& when) {
+  if (when.empty()) return true;
+  const bool not_so = when.front() == '!';
+  const size_t equals = when.find('=');
+  const swage_value* value = nullptr;
+  const host::Param* p = lesson.find(when.substr(not_so, equals == std::string::npos ? equals : equals - not_so), &value);
+  if (!p) return false;
+  if (equals == std::string::npos) return (value->number[0] != 0) != not_so;
+  return (p->type == SWAGE_PARAM_CHOICE && p->choices[static_cast<size_t>(value->number[0])] == when.substr(equals + 1)) != not_so;
+}
+
+/// The sentence with the values of its parameters.
+QString sentence(const Judged& lesson, const std::string& text) {
+  const QString form = QCoreApplication::translate("criteria", text.c_str());
+  QString out;
+  qsizetype at = 0;
+  for (qsizetype open = form.indexOf(QLatin1Char('{')); open >= 0; open = form.indexOf(QLatin1Char('{'), at)) {
+    const qsizetype close = form.indexOf(QLatin1Char('}'), open);
+    if (close < 0) break;
+    const swage_value* value = nullptr;
+    const host::Param* p = lesson.find(form.mid(open + 1, close - open - 1).toStdString(), &value);
+    out += form.mid(at, open - at);
+    if (p) out += value_words(*p, *value, lesson.values.text[static_cast<size_t>(value - lesson.values.value.data())]);
+    at = close + 1;
+  }
+  return out + form.mid(at);
 }
 
 }  // namespace
 
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue) {
-  if (const auto value = lesson_value(lesson_path, "force", "N", 2, catalogue))
-    return ForceBand{value->number[0], value->number[1]};
-  if (const auto value = lesson_value(lesson_path, "max_force", "N", 1, catalogue))
-    return ForceBand{0, value->number[0]};
+  const Judged lesson = read_judged(lesson_path, catalogue);
+  const swage_value* value = nullptr;
+  const host::Param* p = lesson.find("force", &value);
+  if (p && p->unit == "N" && p->dimension == 2) return ForceBand{value->number[0], value->number[1]};
+  p = lesson.find("max_force", &value);
+  if (p && p->unit == "N" && p->dimension <= 1) return ForceBand{0, value->number[0]};
   return {};
 }
 
 MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
                            const host::Catalogue& catalogue) {
-  if (metric_id == "force.peak") {
-    const auto band = force_band(lesson_path, catalogue);
-    return band ? MetricTarget{{}, band->high} : MetricTarget{};
-  }
-  // a limit of the greatest force says nothing about its mean; an interval does
-  if (metric_id == "force.mean") {
-    const auto value = lesson_value(lesson_path, "force", "N", 2, catalogue);
-    return value ? MetricTarget{value->number[0], value->number[1]} : MetricTarget{};
-  }
-  static constexpr struct {
-    const char *metric, *param, *unit;
-  } kMost[] = {{"time", "par_time", "s"},
-               {"time.task", "par_time", "s"},
-               {"grasp.drops", "max_drops", "1"},
-               {"insert.entry_distance", "tolerance", "m"},
-               {"insert.entry_angle", "in_angle", "rad"},
-               {"insert.angle", "in_angle", "rad"},
-               {"insert.deflections", "max_deflections", "1"},
-               {"wound.size", "max_wound", "1"}};
-  for (const auto& most : kMost) {
-    if (metric_id != most.metric) continue;
-    if (const auto value = lesson_value(lesson_path, most.param, most.unit, 1, catalogue))
-      return {{}, value->number[0]};
-  }
+  const Judged lesson = read_judged(lesson_path, catalogue);
+  if (!lesson.plugin) return {};
+  for (const host::MetricInfo& m : lesson.plugin->metrics)
+    if (m.id == metric_id) return {limit(lesson, m.least, 0), limit(lesson, m.most, 1)};
   return {};
+}
+
+Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& catalogue) {
+  const Judged lesson = read_judged(lesson_path, catalogue);
+  Criteria out;
+  if (!lesson.plugin) return out;
+  for (const host::CriterionInfo& c : lesson.plugin->criteria) {
+    if (!holds(lesson, c.when)) continue;
+    const QString text = sentence(lesson, c.text);
+    if (c.kind == SWAGE_CRITERION_PASS) out.pass += text;
+    if (c.kind == SWAGE_CRITERION_LIMIT) out.limits += text;
+    if (c.kind == SWAGE_CRITERION_POINTS) out.points += text;
+    if (c.kind == SWAGE_CRITERION_SHOW) out.show = true, out.pass += text;
+  }
+  const swage_value* value = nullptr;
+  const host::Param* p = lesson.find("max_time", &value);
+  if (p && p->unit == "s") out.max_time_s = value->number[0];
+  return out;
 }
 
 }  // namespace swage::console

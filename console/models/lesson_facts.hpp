@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <QStringList>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,16 @@ namespace swage::console {
 struct ForceBand {
   double low = 0, high = 0;
 };
+
+/// What a lesson asks, in sentences with its own values.
+struct Criteria {
+  QStringList pass, limits, points;
+  bool show = false;      // a demonstration: nothing is judged or kept
+  double max_time_s = 0;  // its time limit; 0: none
+};
+
+/// As the card of the lesson's plugin says; empty where it says nothing.
+Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& catalogue);
 
 /// Reads the lesson's interval "force", or its limit "max_force" without a least force, checked against its plugin's table,
 /// defaults included. Nothing when the file, the plugin or the parameter is not there.

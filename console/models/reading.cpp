@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/reading.hpp"
 
+#include <swage/abi/lesson_card.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +40,9 @@ Reader::Reader(const snapshot::SceneCard& card) {
   // what is counted is live; metrics with a unit are told at the end
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
-    if (m.unit == "1" && is_count(m.id))
+    const auto row = static_cast<size_t>(i);
+    const bool said = row < card.metrics.size() && !card.metrics[row].title.empty();
+    if (said ? card.metrics[row].show == SWAGE_SHOW_COUNT : m.unit == "1" && is_count(m.id))
       counters_.append({i, metric_title(QString::fromStdString(m.id)), QString::fromStdString(m.unit)});
   }
   for (size_t i = 0; i < script.metrics.size(); ++i) {
@@ -48,6 +52,12 @@ Reader::Reader(const snapshot::SceneCard& card) {
     cues_.append(QString::fromStdString(cue.id));
     grasp_ |= cues_.last() == QLatin1String("grasp.point_only");
   }
+  // an assistant's jaws hold, too: a lesson that neither measures nor signals a grip has no force to show
+  const bool grips = std::any_of(script.metrics.begin(), script.metrics.end(), [](const judge::Name& m) { return m.unit == "N"; }) ||
+                     std::any_of(cues_.begin(), cues_.end(), [](const QString& c) {
+                       return c.startsWith(QLatin1String("grip.")) || c.startsWith(QLatin1String("grasp.")) || c.endsWith(QLatin1String(".held"));
+                     });
+  if (!grips && !script.metrics.empty()) force_.clear();
   for (const judge::Name& phase : script.phases) {
     phases_.append(phase.doc.empty() ? human_id(QString::fromStdString(phase.id))
                                      : QString::fromStdString(phase.doc));

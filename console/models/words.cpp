@@ -38,11 +38,12 @@ QString display_unit(const QString& unit) {
   if (unit == QLatin1String("m2")) return QStringLiteral("mm²");
   if (unit == QLatin1String("N*s")) return QStringLiteral("mN·s");
   if (unit == QLatin1String("rad")) return QStringLiteral("°");
-  return unit == QLatin1String("1") ? QString() : unit;
+  return unit == QLatin1String("1") || unit == QLatin1String("yes/no") ? QString() : unit;
 }
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
+  if (unit == QLatin1String("yes/no")) return value > 0.5 ? tr("yes") : tr("no");
   // a tenth of a wire and less is told in micrometres
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
     return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
@@ -73,9 +74,9 @@ QString clock_text(double seconds) {
 }
 
 QString verdict_text(const QString& outcome) {
-  if (outcome == QLatin1String("passed")) return tr("Met");
-  if (outcome == QLatin1String("failed")) return tr("Not met yet");
-  if (outcome == QLatin1String("void")) return tr("Does not count");
+  if (outcome == QLatin1String("passed")) return tr("Passed");
+  if (outcome == QLatin1String("failed")) return tr("Not passed");
+  if (outcome == QLatin1String("void")) return tr("Void");
   if (outcome == QLatin1String("aborted")) return tr("Stopped");
   if (outcome == QLatin1String("running")) return tr("Running");
   return human_id(outcome);

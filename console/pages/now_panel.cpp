@@ -23,33 +23,54 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   Card now = make_card(tr("Now"), this);
   phase_ = make_muted(tr("Press START, then follow the marks in the picture."), now.frame);
   now.body->addWidget(phase_);
-  auto* force_name = new QLabel(tr("Jaw force"), now.frame);
-  now.body->addWidget(force_name);
-  meter_ = new ForceMeter(now.frame);
-  now.body->addWidget(meter_);
+  left_ = new QLabel(now.frame);
+  left_->setObjectName(QStringLiteral("time_left"));
+  now.body->addWidget(left_);
+  criteria_ = new QLabel(now.frame);
+  criteria_->setObjectName(QStringLiteral("criteria"));
+  criteria_->setWordWrap(true);
+  criteria_->setTextFormat(Qt::RichText);
+  now.body->addWidget(criteria_);
+  hidden_ = make_muted(tr("A test: readings are hidden until it is over. The instructor's window (F10) shows them."),
+                       now.frame);
+  hidden_->hide();
+  now.body->addWidget(hidden_);
+  readings_ = make_readings(now.frame);
+  now.body->addWidget(readings_);
+  column->addWidget(now.frame);
+  lower_ = make_lower();
+  column->addWidget(lower_, 1);
+  column->addStretch(0);
+}
 
+QWidget* NowPanel::make_readings(QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  force_name_ = new QLabel(tr("Jaw force"), box);
+  column->addWidget(force_name_);
+  meter_ = new ForceMeter(box);
+  column->addWidget(meter_);
   auto* facts = new QGridLayout;
   facts->setHorizontalSpacing(8);
   facts->setColumnStretch(2, 1);
   const auto add = [&](int row, const QString& name, bool with_badge) {
-    Fact fact{new QLabel(name, now.frame), new QLabel(QStringLiteral("–"), now.frame),
-              with_badge ? new CueBadge(now.frame) : nullptr};
+    Fact fact{new QLabel(name, box), new QLabel(QStringLiteral("–"), box),
+              with_badge ? new CueBadge(box) : nullptr};
     facts->addWidget(fact.name, row, 0);
     if (fact.badge) facts->addWidget(fact.badge, row, 1);
     facts->addWidget(fact.value, row, 2);
     return fact;
   };
-  spot_ = add(0, tr("Spot"), true);
+  spot_ = add(0, tr("Position"), true);
   tips_ = add(1, tr("Tips"), true);
   tilt_ = add(2, tr("Tilt"), false);
   hold_ = add(3, tr("Hold"), false);
-  now.body->addLayout(facts);
+  column->addLayout(facts);
   counts_ = new QGridLayout;
   counts_->setColumnStretch(0, 1);
-  now.body->addLayout(counts_);
-  column->addWidget(now.frame);
-
-  column->addWidget(make_lower(), 1);
+  column->addLayout(counts_);
+  return box;
 }
 
 // the last ten seconds, or what may be adjusted
@@ -103,7 +124,44 @@ void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {
   tilt_plot_->set_theme(ui, "plot_2");
 }
 
-void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task) {
+namespace {
+
+QString list_of(const QString& heading, const QStringList& lines) {
+  if (lines.isEmpty()) return {};
+  QString out = QStringLiteral("<p style=\"margin:6px 0 2px 0\"><b>%1</b></p><ul style=\"margin:0 0 0 12px; -qt-list-indent:0\">").arg(heading.toHtmlEscaped());
+  for (const QString& line : lines) out += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
+  return out + QStringLiteral("</ul>");
+}
+
+}  // namespace
+
+void NowPanel::set_running(bool running) {
+  criteria_->setVisible(!running && !criteria_->text().isEmpty());
+  left_->setVisible(running);
+  readings_->setVisible(!readings_hidden_ && (running || criteria_->text().isEmpty()));
+}
+
+void NowPanel::set_readings_hidden(bool hidden) {
+  readings_hidden_ = hidden;
+  hidden_->setVisible(hidden);
+  readings_->setVisible(!hidden);
+  lower_->setVisible(!hidden);
+}
+
+// In a test the limit ends the attempt; in practice it is told.
+void NowPanel::show_time(double time_s) {
+  const double left = asked_.max_time_s - time_s;
+  left_->setText(asked_.max_time_s <= 0 ? tr("Time: %1").arg(clock_text(time_s))
+                 : left > 0             ? tr("Time left: %1").arg(clock_text(std::ceil(left)))
+                                        : tr("Over the time limit by %1").arg(clock_text(-left)));
+}
+
+void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria) {
+  asked_ = criteria;
+  criteria_->setText(list_of(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
+                     list_of(tr("Limits in a test"), criteria.limits) + list_of(tr("Points"), criteria.points));
+  force_name_->setVisible(reader.has_force());
+  meter_->setVisible(reader.has_force());
   phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);
   spot_.set_visible(reader.has_grasp());
   tips_.set_visible(reader.has_grasp());
@@ -141,6 +199,7 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
   if (!r.phase.isEmpty()) phase_->setText(r.phase);
+  show_time(time_s);
   const bool contact = r.force && *r.force > 0;
   // tissue and tray press on closed jaws, too
   meter_->set_value(contact ? r.force : std::nullopt, !contact || r.held.value_or(true));

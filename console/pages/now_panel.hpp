@@ -23,13 +23,19 @@ class NowPanel : public QWidget {
  public:
   explicit NowPanel(QWidget* parent = nullptr);
   void set_themes(const UiTheme& ui, const CueTheme& cues);
-  void set_scene(const Reader& reader, const ForceBand& band, const QString& task);
+  void set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria);
+  /// What is asked is read before the attempt; during it, only the time that is left.
+  void set_running(bool running);
+  /// In a test the trainee sees no reading: they would tell the answers.
+  void set_readings_hidden(bool hidden);
   void show_reading(const Reading& reading, double time_s);
   ForceMeter* meter() { return meter_; }
   LiveForm* form() { return form_; }
 
  private:
   QWidget* make_lower();
+  QWidget* make_readings(QWidget* parent);
+  void show_time(double time_s);
   CueTheme cues_;
   struct Fact {
     QLabel *name, *value;
@@ -37,7 +43,11 @@ class NowPanel : public QWidget {
     void set_visible(bool shown) const;
   };
   Fact spot_, tips_, tilt_, hold_;
-  QLabel* phase_;
+  QLabel *phase_, *criteria_, *left_, *hidden_;
+  QWidget *readings_, *lower_;
+  Criteria asked_;
+  bool readings_hidden_ = false;
+  QLabel* force_name_;
   ForceMeter* meter_;
   void show_fact(const Fact& fact, std::optional<bool> is, QChar filled, const QString& yes,
                  const QString& no);

@@ -238,12 +238,12 @@ void ProgressPage::show_attempts() {
   for (const record::AttemptRow& a : all_) {
     if (!lesson.empty() && a.lesson_id != lesson) continue;
     shown.push_back(a);
-    met += a.outcome == "passed" && !a.is_void;
+    met += a.outcome == "passed" && !a.is_void && !is_hand(a);
   }
   attempts_->set_attempts(shown);
   review_->setEnabled(false);
-  summary_->setText(shown.size() == 1 ? tr("1 attempt, %1 met").arg(met)
-                                      : tr("%1 attempts, %2 met").arg(shown.size()).arg(met));
+  summary_->setText(shown.size() == 1 ? tr("1 attempt, %1 passed").arg(met)
+                                      : tr("%1 attempts, %2 passed").arg(shown.size()).arg(met));
   const QString before = metric_->currentData().toString();
   const QSignalBlocker quiet(metric_);
   metric_->clear();

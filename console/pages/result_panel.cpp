@@ -2,6 +2,7 @@
 #include "console/pages/result_panel.hpp"
 
 #include <QAccessible>
+#include <algorithm>
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
@@ -27,26 +28,50 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   outcome_->setProperty("big", true);
   reason_ = new QLabel(card.frame);
   reason_->setWordWrap(true);
-  metrics_ = new QGridLayout;
-  metrics_->setColumnStretch(0, 1);
-  metrics_->setVerticalSpacing(5);
+  const auto grid = [] {
+    auto* made = new QGridLayout;
+    made->setColumnStretch(0, 1);
+    made->setVerticalSpacing(5);
+    return made;
+  };
+  metrics_ = grid();
+  points_ = grid();
+  points_heading_ = make_heading(tr("Points lost"), card.frame);
+  more_box_ = new QWidget(card.frame);
+  more_ = grid();
+  more_->setContentsMargins(0, 0, 0, 0);
+  more_box_->setLayout(more_);
+  more_box_->hide();
+  more_button_ = make_button(tr("All numbers"), {}, QStringLiteral("all_numbers"), card.frame);
+  more_button_->setCheckable(true);
+  connect(more_button_, &QPushButton::toggled, more_box_, &QWidget::setVisible);
   kept_ = make_muted({}, card.frame);
   problems_ = make_muted({}, card.frame);
   card.body->addWidget(outcome_);
   card.body->addWidget(reason_);
   card.body->addSpacing(4);
   card.body->addLayout(metrics_);
+  card.body->addWidget(points_heading_);
+  card.body->addLayout(points_);
   card.body->addWidget(kept_);
   card.body->addWidget(problems_);
-  auto* row = new QHBoxLayout;
+  auto* buttons = new QGridLayout;
+  review_ = make_button(tr("Review"), {}, QStringLiteral("to_review"), card.frame);
   auto* again = make_button(tr("Again"), QStringLiteral("F5"), QStringLiteral("again"), card.frame);
+  next_ = make_button(tr("Next lesson"), {}, QStringLiteral("next_lesson"), card.frame);
   auto* progress = make_button(tr("Progress"), {}, QStringLiteral("to_progress"), card.frame);
-  row->addWidget(again);
-  row->addWidget(progress);
-  card.body->addLayout(row);
+  buttons->addWidget(again, 0, 0);
+  buttons->addWidget(review_, 0, 1);
+  buttons->addWidget(next_, 1, 0);
+  buttons->addWidget(progress, 1, 1);
+  card.body->addLayout(buttons);
+  card.body->addWidget(more_button_);
+  card.body->addWidget(more_box_);
   card.body->addStretch(1);
   column->addWidget(card.frame);
   connect(again, &QPushButton::clicked, this, &ResultPanel::again);
+  connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
+  connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
   connect(progress, &QPushButton::clicked, this, &ResultPanel::progress);
 }
 
@@ -62,8 +87,81 @@ void ResultPanel::paint_outcome() {
   outcome_->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
 }
 
+void ResultPanel::clear() {
+  for (QGridLayout* grid : {metrics_, points_, more_}) {
+    while (QLayoutItem* item = grid->takeAt(0)) {
+      delete item->widget();
+      delete item;
+    }
+  }
+  more_button_->setChecked(false);
+}
+
+void ResultPanel::add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc) {
+  const int row = to->count() / 2;
+  auto* label = make_muted(name, this);
+  auto* number = new QLabel(value, this);
+  label->setToolTip(doc);
+  number->setToolTip(doc);
+  number->setAccessibleName(name);
+  to->addWidget(label, row, 0);
+  to->addWidget(number, row, 1, Qt::AlignRight | Qt::AlignTop);
+}
+
+// Those with a rank first and in its order, what cost points apart, the rest on demand.
+void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCard& card) {
+  std::vector<std::pair<int, size_t>> first;
+  bool more = false, points = false;
+  const auto card_of = [&](size_t i) { return i < card.metrics.size() ? card.metrics[i] : snapshot::CardMetric{}; };
+  const auto add = [&](QGridLayout* to, size_t i) {
+    const session::Result::Metric& m = r.metrics[i];
+    const QString id = QString::fromStdString(m.id);
+    add_line(to, metric_title(id), quantity_text(m.value, shown_unit(card_of(i).show, QString::fromStdString(m.unit))),
+             QString::fromStdString(m.doc));
+  };
+  for (size_t i = 0; i < r.metrics.size(); ++i) {
+    const session::Result::Metric& m = r.metrics[i];
+    if (!std::isfinite(m.value)) continue;  // not reported: there was none
+    const snapshot::CardMetric said = card_of(i);
+    if (said.show == SWAGE_SHOW_POINTS) {
+      if (m.value < 0.05) continue;  // less than is shown
+      points = true;
+      add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%1").arg(m.value, 0, 'f', 1),
+               QString::fromStdString(m.doc));
+    } else if (said.rank > 0) {
+      first.emplace_back(said.rank, i);
+    } else {
+      more = true;
+      add(more_, i);
+    }
+  }
+  std::sort(first.begin(), first.end());
+  for (const auto& [rank, i] : first) add(metrics_, i);
+  points_heading_->setVisible(points);
+  // a lesson that ranks nothing shows everything
+  more_button_->setVisible(more && !first.empty());
+  more_box_->setVisible(more && first.empty());
+}
+
+void ResultPanel::show_notes(const session::Result& r) {
+  QStringList notes;
+  for (const base::Problem& p : r.problems) {
+    if (p.severity != base::Severity::kNote) notes += QString::fromStdString(p.where + ": " + p.message);
+  }
+  problems_->setText(notes.join(QLatin1Char('\n')));
+  problems_->setVisible(!notes.isEmpty());
+}
+
+void ResultPanel::announce() {
+  outcome_->setAccessibleName(tr("Result"));
+  outcome_->setAccessibleDescription(outcome_->text() + QStringLiteral(". ") + reason_->text());
+  QAccessibleEvent announce(outcome_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&announce);
+}
+
 void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCard& card, bool kept) {
   state_ = r.outcome;
+  attempt_ = QString::fromStdString(r.attempt_id);
   // a sign beside the word: no verdict by colour alone
   const QString sign = r.outcome == judge::Outcome::kPassed   ? QStringLiteral("✓ ")
                        : r.outcome == judge::Outcome::kFailed ? QStringLiteral("✗ ")
@@ -72,41 +170,39 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
   reason_->setText(r.outcome == judge::Outcome::kAborted ? tr("Stopped before the lesson was over.")
                                                          : reason_text(r.reason, card.script));
   paint_outcome();
-
-  while (QLayoutItem* item = metrics_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
-  int row = 0;
-  const auto add = [&](const QString& name, const QString& value, const QString& doc) {
-    auto* label = make_muted(name, this);
-    auto* number = new QLabel(value, this);
-    label->setToolTip(doc);
-    number->setToolTip(doc);
-    number->setAccessibleName(name);
-    metrics_->addWidget(label, row, 0);
-    metrics_->addWidget(number, row++, 1, Qt::AlignRight);
-  };
+  clear();
   if (r.outcome == judge::Outcome::kPassed)
-    add(tr("Score"), QStringLiteral("%1 / 100").arg(r.score, 0, 'f', 0), {});
-  add(tr("Time"), clock_text(r.simulated_s), {});
+    add_line(metrics_, tr("Score"), QStringLiteral("%1 / 100").arg(r.score, 0, 'f', 0), {});
+  add_line(metrics_, tr("Time"), clock_text(r.simulated_s), {});
+  add_metrics(r, card);
+  review_->setEnabled(kept);
+  kept_->setText(kept ? card.mode == "hand" ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
+                                            : tr("Recorded.")
+                      : tr("Not recorded."));
+  show_notes(r);
+  announce();
+}
+
+void ResultPanel::show_seen(const session::Result& r) {
+  state_ = judge::Outcome::kAborted;
+  attempt_.clear();
+  outcome_->setText(tr("Seen"));
+  reason_->setText(tr("A demonstration: nothing was judged or recorded."));
+  paint_outcome();
+  clear();
+  add_line(metrics_, tr("Time"), clock_text(r.simulated_s), {});
   for (const session::Result::Metric& m : r.metrics) {
-    if (!std::isfinite(m.value)) continue;  // not reported: there was none
-    const QString id = QString::fromStdString(m.id);
-    add(metric_title(id), quantity_text(m.value, metric_unit(id, QString::fromStdString(m.unit))),
-        QString::fromStdString(m.doc));
+    if (std::isfinite(m.value))
+      add_line(metrics_, metric_title(QString::fromStdString(m.id)), quantity_text(m.value, QString::fromStdString(m.unit)),
+               QString::fromStdString(m.doc));
   }
-  kept_->setText(kept ? tr("Recorded.") : tr("Not recorded."));
-  QStringList notes;
-  for (const base::Problem& p : r.problems) {
-    if (p.severity != base::Severity::kNote) notes += QString::fromStdString(p.where + ": " + p.message);
-  }
-  problems_->setText(notes.join(QLatin1Char('\n')));
-  problems_->setVisible(!notes.isEmpty());
-  outcome_->setAccessibleName(tr("Result"));
-  outcome_->setAccessibleDescription(outcome_->text() + QStringLiteral(". ") + reason_->text());
-  QAccessibleEvent announce(outcome_, QAccessible::Alert);
-  QAccessible::updateAccessibility(&announce);
+  points_heading_->hide();
+  more_button_->hide();
+  more_box_->hide();
+  review_->setEnabled(false);
+  kept_->setText({});
+  show_notes(r);
+  announce();
 }
 
 }  // namespace swage::console

@@ -11,26 +11,40 @@
 
 namespace swage::console {
 
-/// How the attempt ended: met or not yet, why in plain words, and the numbers.
+/// How the attempt ended: passed or not, why in plain words, what cost points, and the numbers: those that matter first, the
+/// rest on demand.
 class ResultPanel : public QWidget {
   Q_OBJECT
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme);
   void show_result(const session::Result& result, const snapshot::SceneCard& card, bool kept);
+  /// The end of a demonstration: nothing was judged.
+  void show_seen(const session::Result& result);
+  void set_can_go_on(bool next) { next_->setEnabled(next); }
   QString outcome() const { return outcome_->text(); }
   QString reason() const { return reason_->text(); }
 
  Q_SIGNALS:
   void again();
+  void next();
+  void review(const QString& attempt_id);
   void progress();
 
  private:
+  void clear();
+  void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
+  void add_metrics(const session::Result& result, const snapshot::SceneCard& card);
+  void show_notes(const session::Result& result);
+  void announce();
   void paint_outcome();
   UiTheme theme_;
   judge::Outcome state_ = judge::Outcome::kRunning;
-  QLabel *outcome_, *reason_, *kept_, *problems_;
-  QGridLayout* metrics_;
+  QString attempt_;
+  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
+  QGridLayout *metrics_, *points_, *more_;
+  QWidget* more_box_;
+  QPushButton *more_button_, *review_, *next_;
 };
 
 /// Why an attempt ended, in words: the doc of the event, or the event's id made readable.

@@ -2,12 +2,11 @@
 #include "console/pages/run_page.hpp"
 
 #include <QHBoxLayout>
-#include <QRandomGenerator>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "console/models/live_params.hpp"
+#include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -17,15 +16,7 @@ namespace {
 constexpr int kPreviewDelay_ms =
     80;  // running through the list with the arrow keys loads only where one stays
 
-// the thesis: 0.6 N holds a needle well
-constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
-
 constexpr char kMouse[] = "swage.device.mouse";
-
-constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
-
-constexpr int kSide_px = 270;     // the whole page fits a screen of 1280
-constexpr int kLessons_px = 290;  // and the titles of the lessons fit the list
 
 }  // namespace
 
@@ -40,18 +31,19 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 10, 12, 6);
   row->setSpacing(12);
-  setup_->setFixedWidth(kLessons_px);
   row->addWidget(setup_);
   row->addWidget(make_middle(), 1);
-  QWidget* right = make_right();
-  right->setFixedWidth(kSide_px);
-  row->addWidget(right);
+  row->addWidget(make_right());
 
   preview_timer_.setSingleShot(true);
   preview_timer_.setInterval(kPreviewDelay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &RunPage::preview);
   connect(setup_, &SetupPanel::lesson_changed, &preview_timer_, qOverload<>(&QTimer::start));
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
+  // a verdict of another lesson is gone at once, the new scene comes when the list rests
+  connect(setup_, &SetupPanel::lesson_changed, this, [this] {
+    if (!control_->running() && shown_lesson_ != setup_->lesson()) forget_attempt();
+  });
   connect(setup_, &SetupPanel::start, this, &RunPage::start);
   connect(setup_, &SetupPanel::make_variant, this, &RunPage::make_variant);
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
@@ -67,6 +59,8 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   add_view(view_);
   connect(result_, &ResultPanel::again, this, &RunPage::start);
   connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
+  connect(result_, &ResultPanel::review, this, &RunPage::review);
+  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
   update_state();
 }
 
@@ -90,9 +84,9 @@ void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
   ui_theme_ = ui;
   cue_theme_ = cues;
   for (SceneView* view : views_) view->set_themes(ui, cues);
-  now_->set_themes(ui, cues);
+  for (NowPanel* now : now_panels()) now->set_themes(ui, cues);
+  for (CueLegend* legend : legends()) legend->set_themes(ui, cues);
   result_->set_theme(ui);
-  legend_->set_themes(ui, cues);
 }
 
 void RunPage::set_base_options(const session::Options& options) {
@@ -101,6 +95,7 @@ void RunPage::set_base_options(const session::Options& options) {
   where.plugin_dirs = options.plugin_dirs;
   where.safe_mode = options.safe_mode;
   catalogue_ = host::Catalogue(where);
+  learn_metric_labels(catalogue_.plugins());
 }
 
 MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& metric_id) {
@@ -130,6 +125,10 @@ void RunPage::add_view(SceneView* view) {
   views_ += view;
   connect(view, &SceneView::pointer, control_, &RunControl::pointer);
   connect(view, &SceneView::circle, this, &RunPage::tell_circle);
+  connect(view, &SceneView::control_used, this, [this](const QString& what) {
+    used_ += QLatin1Char(' ') + what;
+    update_hints();
+  });
   if (view == view_) return;
   connect(view, &QObject::destroyed, this, [this, view] { views_.removeOne(view); });
   view->set_themes(ui_theme_, cue_theme_);
@@ -138,84 +137,27 @@ void RunPage::add_view(SceneView* view) {
   view->set_cues_shown(view_->cues_shown());
 }
 
-session::Options RunPage::options() const {
-  session::Options o = base_;
-  o.lesson_path = setup_->lesson().toStdString();
-  o.person = setup_->person().toStdString();
-  o.mode = setup_->mode().toStdString();
-  o.device = setup_->device().toStdString();
-  for (const QString& meaning : cue_theme_.meanings()) {
-    const CueForce f = cue_theme_.style(meaning).force;
-    if (f.pulses > 0)
-      o.cue_pulses.push_back(
-          {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
-  }
-  if (setup_->left_handed()) o.settings.push_back("mirror=true");
-  // a demonstration is nobody's attempt
-  if (o.mode == "demo") o.store_path = ":none:";
-  return o;
-}
-
-void RunPage::start() {
-  if (control_->running() || setup_->lesson().isEmpty()) return;
-  preview_timer_.stop();
-  events_->clear();
-  sounds_.reset();
-  problem_->hide();
-  session::Options o = options();
-  if (draws_seed_)
-    o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
-  if (control_->start(o)) view_->setFocus();
-}
-
-void RunPage::preview() {
-  if (control_->running() || setup_->lesson().isEmpty()) return;
-  base::Problems problems;
-  const auto card = control_->preview(options(), problems);
-  problem_->setVisible(!card);
-  if (!card) return show_problems(problems);
-  show_card(*card);
-  right_->setCurrentWidget(now_);
-}
-
-void RunPage::show_card(const snapshot::SceneCard& card) {
-  title_->setText(QString::fromStdString(card.title));
-  reader_ = Reader(card);
-  const std::optional<ForceBand> band = force_band(setup_->lesson().toStdString(), catalogue_);
-  now_->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task());
-  legend_->set_meanings(Reader::meanings(card));
-  now_->form()->set_params(live_params(setup_->lesson().toStdString(), card, catalogue_));
-  card_ = card;
-  have_card_ = true;
-  for (SceneView* view : views_) view->set_card(card, preset_);
-}
-
 void RunPage::change(const QString& instance, const QString& json, const QString& words) {
   const QString problem = control_->change(instance.toStdString(), json.toStdString());
-  now_->form()->answer(problem);
+  for (NowPanel* now : now_panels()) now->form()->answer(problem);
   if (problem.isEmpty() && control_->newest()) events_->note(control_->newest()->time_s, words);
-}
-
-void RunPage::show_problems(const base::Problems& problems) {
-  QStringList lines;
-  for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
-  problem_->setText(tr("This lesson cannot run:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
-  problem_->show();
 }
 
 void RunPage::update_state() {
   using State = RunControl::State;
   const State state = control_->state();
   const bool running = control_->running();
-  setup_->set_running(running);
-  now_->form()->set_running(running);
-  if (!running) legend_->set_active({});
+  setup_->set_running(running, state == State::kPaused);
+  for (NowPanel* now : now_panels()) now->form()->set_running(running);
+  for (CueLegend* legend : legends())
+    if (!running) legend->set_active({});
   for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
-  pause_->setText(state == State::kPaused ? tr("Go on   F6") : tr("Pause   F6"));
+  pause_->setText(state == State::kPaused ? tr("Resume   F6") : tr("Pause   F6"));
   if (running) right_->setCurrentWidget(now_);
   // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
   for (SceneView* view : views_) view->set_instrument(state == State::kRunning && by_mouse());
   update_second();
+  update_hints();
   if (state == State::kRunning) {
     rate_clock_.start();
     rate_steps_ = control_->newest() ? control_->newest()->step : 0;
@@ -254,6 +196,7 @@ void RunPage::update_cues() {
   const bool shown = !cues_hidden() && cues_button_->isChecked();
   for (SceneView* view : views_) view->set_cues_shown(shown);
   legend_->set_in_picture(shown);
+  update_hidden();
 }
 
 void RunPage::update_frame() {
@@ -263,11 +206,14 @@ void RunPage::update_frame() {
     for (SceneView* view : views_) view->show_snapshot(*shown);
   }
   const bool paused = control_->state() == RunControl::State::kPaused;
-  view_->set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
-  if (control_->state() != RunControl::State::kRunning) return;
+  if (!control_->running()) return;
+  set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
+  if (paused) return;
   const Reading reading = reader_.read(*newest);
-  now_->show_reading(reading, newest->time_s);
-  legend_->set_active(reading.meanings);
+  for (NowPanel* now : now_panels()) now->show_reading(reading, newest->time_s);
+  for (CueLegend* legend : legends())
+    if (legend != legend_ || !cues_hidden()) legend->set_active(reading.meanings);
+  for (SceneView* view : views_) view->set_task(reading.phase);
   sound(reading, newest->time_s);
   for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
   // once a second is often enough to read a number
@@ -278,15 +224,6 @@ void RunPage::update_frame() {
     rate_clock_.restart();
     strip_->show_health(*newest, control_->card(), steps_per_s_, control_->options().store_path != ":none:");
   }
-}
-
-void RunPage::show_finished() {
-  const session::Result& r = control_->result();
-  result_->show_result(r, control_->card(), !r.attempt_id.empty());
-  right_->setCurrentWidget(result_);
-  for (SceneView* view : views_) view->set_hold(0);
-  view_->set_texts(clock_text(r.simulated_s), result_->outcome());
-  Q_EMIT attempt_over();
 }
 
 }  // namespace swage::console

@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSlider>
 #include <QStackedWidget>
@@ -20,6 +21,7 @@
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
 #include "console/models/reading.hpp"
+#include "console/pages/instructor_window.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
@@ -63,12 +65,26 @@ class RunPage : public QWidget {
   void start();
   /// A lesson of the instructor's own, based on the chosen one.
   void make_variant();
+  /// Readings, cues and events in a window of their own, for a second screen.
+  void show_instructor(bool on);
+
+ public:
+  /// Controls that the person has used before: their hints are not shown again. "drag close drive"
+  void set_used_controls(const QString& used);
+  const QString& used_controls() const { return used_; }
+  bool instructor_shown() const { return instructor_ && instructor_->isVisible(); }
 
  Q_SIGNALS:
   void attempt_over();
   void show_progress();
+  void review(const QString& attempt_id);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void fold_view_bar();
+  void fill_view_menu(QMenu* menu) const;
   QString check(const QString& lesson_path,
                 const QVector<std::pair<std::string, std::string>>& set);  // "" when it can be practised
   QWidget* make_middle();
@@ -92,6 +108,12 @@ class RunPage : public QWidget {
   bool by_mouse() const;
   void tell_circle(const std::optional<NeedleCircle>& about);
   void show_finished();
+  void forget_attempt();
+  void set_texts(const QString& clock, const QString& banner);
+  void update_hidden();
+  void update_hints();
+  QList<NowPanel*> now_panels() const;
+  QList<CueLegend*> legends() const;
 
   session::Options base_;
   bool draws_seed_ = false;
@@ -106,8 +128,15 @@ class RunPage : public QWidget {
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
               *cues_button_ = nullptr, *second_button_ = nullptr;
+  QList<QPushButton*> folding_;  // over the picture
+  QPushButton* view_menu_ = nullptr;
+  QWidget *bottom_ = nullptr, *right_box_ = nullptr;
   QStackedWidget* right_ = nullptr;
   NowPanel* now_ = nullptr;
+  InstructorWindow* instructor_ = nullptr;
+  QPushButton* instructor_button_ = nullptr;
+  Criteria asked_;
+  QString shown_lesson_, used_;
   ResultPanel* result_ = nullptr;
   EventLog* events_;
   EventFilter* shown_events_;

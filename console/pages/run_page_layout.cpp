@@ -2,7 +2,8 @@
 //
 // What RunPage is put together from: the bar over the picture, the picture, what is done with an attempt, what happened.
 #include <QHBoxLayout>
-#include <QHeaderView>
+#include <QMenu>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -13,6 +14,10 @@ namespace swage::console {
 namespace {
 
 constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
+// On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
+constexpr int kNarrow_px = 1180, kLow_px = 700;
+constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
+constexpr int kLessons_px = 290, kSlimLessons_px = 220;  // and the titles of the lessons fit the list
 
 // a button that stays as it was pressed
 QPushButton* add_toggle(QHBoxLayout* row, QWidget* bar, const QString& text, const char* name,
@@ -48,29 +53,46 @@ QWidget* RunPage::make_middle() {
   return box;
 }
 
+void RunPage::resizeEvent(QResizeEvent* event) {
+  const bool narrow = width() < kNarrow_px;
+  setup_->setFixedWidth(narrow ? kSlimLessons_px : kLessons_px);
+  right_box_->setFixedWidth(narrow ? kSlimSide_px : kSide_px);
+  bottom_->setVisible(height() >= kLow_px);
+  fold_view_bar();
+  QWidget::resizeEvent(event);
+}
+
+// Where the buttons over the picture do not fit beside each other, one button has them as a menu.
+void RunPage::fold_view_bar() {
+  int wanted = 0;
+  for (const QPushButton* b : folding_) wanted += b->sizeHint().width() + 6;
+  constexpr int kTitle_px = 160, kSound_px = 170;
+  const int sides = setup_->maximumWidth() + right_box_->maximumWidth();
+  const bool fold = width() - sides < wanted + kTitle_px + kSound_px;
+  for (QPushButton* b : folding_) b->setVisible(!fold);
+  view_menu_->setVisible(fold);
+}
+
+void RunPage::fill_view_menu(QMenu* menu) const {
+  menu->clear();
+  for (QPushButton* b : folding_) {
+    QAction* action = menu->addAction(b->accessibleName(), b, &QPushButton::click);
+    action->setCheckable(b->isCheckable());
+    action->setChecked(b->isChecked());
+    action->setEnabled(b->isEnabled());
+  }
+}
+
 // what happened, and what the cues mean
 QWidget* RunPage::make_bottom() {
-  auto* box = new QWidget(this);
+  auto* box = bottom_ = new QWidget(this);
   box->setFixedHeight(kBottom_px);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
-  event_table_ = new QTableView(box);
+  event_table_ = make_event_table(shown_events_, box);
   event_table_->setObjectName(QStringLiteral("events"));
   event_table_->setAccessibleName(tr("What happened in this attempt"));
-  event_table_->setModel(shown_events_);
-  event_table_->setProperty("card", true);
-  event_table_->setShowGrid(false);
-  event_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  event_table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  event_table_->setTabKeyNavigation(false);
-  event_table_->verticalHeader()->hide();
-  event_table_->verticalHeader()->setDefaultSectionSize(24);
-  event_table_->horizontalHeader()->setSectionResizeMode(EventLog::kMeans, QHeaderView::Stretch);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kTime, 62);
-  event_table_->horizontalHeader()->resizeSection(EventLog::kWhat, 150);
-  event_table_->horizontalHeader()->setHighlightSections(false);
-  connect(shown_events_, &QAbstractItemModel::rowsInserted, event_table_, &QTableView::scrollToBottom);
   row->addWidget(event_table_, 5);
   legend_ = new CueLegend(box);
   row->addWidget(legend_, 5);
@@ -99,6 +121,7 @@ QWidget* RunPage::make_view_bar() {
     button->setToolTip(tr("%1 view").arg(p.text));
     connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { look(preset); });
     row->addWidget(button);
+    folding_ += button;
   }
   row->addSpacing(10);
   cues_button_ = add_toggle(row, bar, tr("Cues"), "cues", tr("Show cues in the picture"), true);
@@ -121,6 +144,15 @@ QWidget* RunPage::make_view_bar() {
     view_->set_stress_shown(on);
   });
   row->addSpacing(10);
+  instructor_button_ = add_toggle(row, bar, tr("Instructor"), "instructor",
+                                  tr("Readings, cues and events in a window of their own, also in a test (F10)"), false);
+  connect(instructor_button_, &QPushButton::toggled, this, &RunPage::show_instructor);
+  folding_ += {cues_button_, second_button_, forces, detail, instructor_button_};
+  view_menu_ = make_button(tr("View"), {}, QStringLiteral("view_menu"), bar);
+  auto* menu = new QMenu(view_menu_);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fill_view_menu(menu); });
+  view_menu_->setMenu(menu);
+  row->addWidget(view_menu_);
   row->addWidget(make_sound(bar));
   return bar;
 }
@@ -168,12 +200,15 @@ QWidget* RunPage::make_actions() {
 }
 
 QWidget* RunPage::make_right() {
-  right_ = new QStackedWidget(this);
+  auto* scroll = make_scroll(this);
+  right_box_ = scroll;
+  right_ = new QStackedWidget(scroll);
+  scroll->setWidget(right_);
   now_ = new NowPanel(right_);
   result_ = new ResultPanel(right_);
   right_->addWidget(now_);
   right_->addWidget(result_);
-  return right_;
+  return scroll;
 }
 
 }  // namespace swage::console

@@ -19,9 +19,17 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
-  column->addWidget(make_who());
-  column->addWidget(make_lessons(lessons), 1);
-  column->addWidget(make_mode());
+  // on a low screen the choices scroll, and START stays
+  auto* scroll = make_scroll(this);
+  auto* choices = new QWidget(scroll);
+  auto* inner = new QVBoxLayout(choices);
+  inner->setContentsMargins(0, 0, 0, 0);
+  inner->setSpacing(10);
+  inner->addWidget(make_who());
+  inner->addWidget(make_lessons(lessons), 1);
+  inner->addWidget(make_mode());
+  scroll->setWidget(choices);
+  column->addWidget(scroll, 1);
   start_ = make_button(tr("START"), QStringLiteral("F5"), QStringLiteral("start"), this);
   start_->setProperty("primary", true);
   start_->setMinimumHeight(48);
@@ -31,10 +39,10 @@ SetupPanel::SetupPanel(LessonsModel* lessons, QWidget* parent) : QWidget(parent)
 }
 
 QWidget* SetupPanel::make_who() {
-  Card card = make_card(tr("Who"), this);
+  Card card = make_card(tr("Trainee"), this);
   person_ = new QComboBox(card.frame);
   person_->setObjectName(QStringLiteral("person"));
-  person_->setAccessibleName(tr("Who practises"));
+  person_->setAccessibleName(tr("Trainee"));
   person_->setEditable(true);
   person_->setInsertPolicy(QComboBox::NoInsert);
   person_->lineEdit()->setPlaceholderText(tr("Guest"));
@@ -57,6 +65,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   lessons_->setItemDelegate(new TwoLineDelegate(LessonsModel::kSummary, lessons_));
   lessons_->setUniformItemSizes(false);
   lessons_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  lessons_->setMinimumHeight(130);
   no_lessons_ =
       make_muted(tr("No lessons found. Put lesson files into ~/.local/share/swage/lessons, or name one when "
                     "starting the program: swage-console lesson.json"),
@@ -64,7 +73,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   card.body->addWidget(lessons_, 1);
   card.body->addWidget(no_lessons_);
   variant_ =
-      make_button(tr("Make your own…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
+      make_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
   variant_->setToolTip(
       tr("A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit"));
   variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
@@ -86,8 +95,8 @@ QWidget* SetupPanel::make_mode() {
   modes_ = new QButtonGroup(this);
   const struct {
     QString text, tip;
-  } choices[] = {{tr("Practice"), tr("Cues are shown.")},
-                 {tr("Test"), tr("Cues are hidden; the attempt counts towards passing.")},
+  } choices[] = {{tr("Practice"), tr("Cues are shown. Limits of force and time are told and end nothing.")},
+                 {tr("Test"), tr("Cues and readings are hidden; limits end the attempt, and it counts.")},
                  {tr("Demo"), tr("Watch the expert's hand. Nothing is recorded.")}};
   auto* row = new QHBoxLayout;
   row->setSpacing(10);
@@ -102,12 +111,11 @@ QWidget* SetupPanel::make_mode() {
   row->addStretch(1);
   modes_->button(0)->setChecked(true);
   card.body->addLayout(row);
-  QLabel* explain = make_muted(choices[0].tip, card.frame);
-  card.body->addWidget(explain);
-  connect(modes_, &QButtonGroup::idToggled, this, [this, explain](int id, bool on) {
+  explain_ = make_muted(choices[0].tip, card.frame);
+  card.body->addWidget(explain_);
+  connect(modes_, &QButtonGroup::idToggled, this, [this](int, bool on) {
     if (!on) return;
-    explain->setText(modes_->button(id)->toolTip());
-    device_->setEnabled(id != 2);
+    update_modes();
     Q_EMIT mode_changed();
   });
 
@@ -192,20 +200,47 @@ QString SetupPanel::task() const {
       .trimmed();
 }
 
-void SetupPanel::set_running(bool running) {
+void SetupPanel::set_running(bool running, bool paused) {
   running_ = running;
+  paused_ = paused;
   for (QWidget* w : std::initializer_list<QWidget*>{person_, left_, lessons_}) w->setEnabled(!running);
-  for (QAbstractButton* b : modes_->buttons()) b->setEnabled(!running);
-  device_->setEnabled(!running && modes_->checkedId() != 2);
+  update_modes();
   update_start();
+}
+
+void SetupPanel::set_startable(bool on) {
+  startable_ = on;
+  update_start();
+}
+
+void SetupPanel::set_show(bool show) {
+  show_ = show;
+  update_modes();
+}
+
+void SetupPanel::update_modes() {
+  for (QAbstractButton* b : modes_->buttons()) b->setEnabled(!running_ && !show_);
+  explain_->setText(show_ ? tr("A demonstration: nothing is judged or recorded.")
+                          : modes_->checkedButton()->toolTip());
+  device_->setEnabled(!running_ && modes_->checkedId() != 2);
+}
+
+bool SetupPanel::has_next() const {
+  return lessons_->currentIndex().isValid() &&
+         lessons_->currentIndex().row() + 1 < lessons_->model()->rowCount();
+}
+
+void SetupPanel::select_next() {
+  if (has_next()) select_lesson(lessons_->currentIndex().row() + 1);
 }
 
 void SetupPanel::update_start() {
   if (!start_) return;
-  start_->setEnabled(!running_ && lessons_->currentIndex().isValid());
-  variant_->setEnabled(start_->isEnabled() &&
+  start_->setEnabled(!running_ && startable_ && lessons_->currentIndex().isValid());
+  start_->setToolTip(startable_ ? QString() : tr("This lesson cannot run; the picture says why."));
+  variant_->setEnabled(!running_ && startable_ && lessons_->currentIndex().isValid() &&
                        lessons_->currentIndex().data(LessonsModel::kProblem).toString().isEmpty());
-  start_->setText(running_ ? tr("Running…") : tr("START   F5"));
+  start_->setText(!running_ ? tr("START   F5") : paused_ ? tr("Paused") : tr("Running…"));
 }
 
 }  // namespace swage::console

@@ -32,7 +32,15 @@ class SetupPanel : public QWidget {
   bool mirrored() const;                                   // by that or by its file
   void set_left_handed(bool on) { left_->setChecked(on); }
   QString task() const;  // what the lesson is about, and what it is for
-  void set_running(bool running);
+  /// What START says: an attempt runs, or waits.
+  void set_running(bool running, bool paused = false);
+  /// Whether the chosen lesson can be built; START is off where it cannot.
+  void set_startable(bool on);
+  bool startable() const { return startable_; }
+  /// A demonstration has no modes.
+  void set_show(bool show);
+  bool has_next() const;
+  void select_next();
 
  Q_SIGNALS:
   void start();
@@ -54,7 +62,9 @@ class SetupPanel : public QWidget {
   QButtonGroup* modes_;
   QPushButton *start_ = nullptr, *variant_ = nullptr;
   QString wanted_device_ = QStringLiteral("mouse");
-  bool running_ = false;
+  bool running_ = false, paused_ = false, startable_ = true, show_ = false;
+  QLabel* explain_ = nullptr;
+  void update_modes();
 };
 
 }  // namespace swage::console

@@ -38,7 +38,7 @@ void StatusStrip::show_frames(const FrameTimes& frames) {
   if (!frames_shown()) return;
   const double half = frames.share(0.5), worst = frames.share(0.99);
   frames_->setText(frames.count() == 0 ? tr("No picture yet")
-                                       : tr("%1 pictures/s, p50 %2 ms, p99 %3 ms")
+                                       : tr("%1 fps, p50 %2 ms, p99 %3 ms")
                                              .arg(1 / half, 0, 'f', 0)
                                              .arg(1e3 * half, 0, 'f', 1)
                                              .arg(1e3 * worst, 0, 'f', 1));

@@ -333,6 +333,12 @@ void SceneView::set_texts(const QString& clock, const QString& banner) {
   update();
 }
 
+void SceneView::set_task(const QString& task) {
+  if (task == task_) return;
+  task_ = task;
+  if (stereo_) update();
+}
+
 void SceneView::tick() {
   const qint64 now = clock_.nsecsElapsed();
   const double dt = std::min(0.1, static_cast<double>(now - last_tick_ns_) * 1e-9);

@@ -52,6 +52,10 @@ class SceneView : public QWidget {
   void set_stress_shown(bool shown);
   /// Over the picture: the clock at the right, a banner in the middle ("" for none).
   void set_texts(const QString& clock, const QString& banner);
+  /// The task, for a trainee's view, which shows it over the lower edge beside clock and verdict.
+  void set_task(const QString& task);
+  /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
+  void set_control_hints(bool drag, bool close, bool drive);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
   void set_hold(double share);
   /// A second view at right angles, near the jaws: it shows the depth to a person who has only a mouse.
@@ -75,6 +79,8 @@ class SceneView : public QWidget {
   /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
   void circle(const std::optional<NeedleCircle>& about);
   void ready_changed();
+  /// The person has done what a hint told, or turned the view: "drag", "close", "drive", "view".
+  void control_used(const QString& what);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -120,6 +126,8 @@ class SceneView : public QWidget {
   void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
   void paint_frame(QPainter& painter, const Panel& inset) const;
   void paint_words(QPainter& painter);
+  QString hint() const;
+  void used(const char* what);
   void tick();
   void touch(int pictures = 3);
   void arrived(const QImage& image, const std::vector<Panel>& parts);
@@ -175,7 +183,9 @@ class SceneView : public QWidget {
   bool loupe_shown_ = true;
   double stress_ = 0;  // of first yield
   double hold_ = 0;
-  QString clock_text_, banner_;
+  QString clock_text_, banner_, task_;
+  bool hint_drag_ = false, hint_close_ = false, hint_drive_ = false;
+  bool turned_view_ = false;  // a drag turned the view while no attempt took it
   QImage image_;                    // of all panels
   std::vector<Panel> image_parts_;  // as they were when it was drawn
   QPixmap background_;

@@ -25,6 +25,7 @@ constexpr int kEdge_px = 2;
 void SceneView::set_instrument(bool on) {
   if (instrument_ == on) return;
   instrument_ = on;
+  turned_view_ = false;
   input_ = PointerInput();
   dragging_ = false;
   update();
@@ -51,6 +52,19 @@ void SceneView::tell_circle(const swage_pointer& input) {
   if (std::exchange(drives_, drives) || !drives || !have_snapshot_) return;
   Q_EMIT circle(
       needle_circle(card_, parts_, std::span(snapshot_->X_WB, snapshot_->n_body), middle_of_tips()));
+}
+
+void SceneView::set_control_hints(bool drag, bool close, bool drive) {
+  hint_drag_ = drag, hint_close_ = close, hint_drive_ = drive;
+  update();
+}
+
+void SceneView::used(const char* what) {
+  const QLatin1String name(what);
+  bool& hint = name == QLatin1String("drag") ? hint_drag_ : name == QLatin1String("close") ? hint_close_ : hint_drive_;
+  if (!std::exchange(hint, false)) return;
+  update();
+  Q_EMIT control_used(name);
 }
 
 bool SceneView::moves_camera(const QMouseEvent& event) const {
@@ -80,10 +94,12 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const auto dx = static_cast<float>(delta.x()), dy = static_cast<float>(delta.y());
     const auto h = static_cast<float>(height());
     pan ? camera_.pan(dx / h, -dy / h) : camera_.turn(-kTurn_deg_px * dx, kTurn_deg_px * dy);
+    turned_view_ = !instrument_;
     touch();
   } else if (instrument_ && event->buttons() != Qt::NoButton) {
     input_.buttons(*event);
     Q_EMIT pointer(moved(from, last_mouse_));
+    if (dragging_) used("drag");
     wrap_pointer(event->globalPosition().toPoint());
   }
 }
@@ -132,6 +148,8 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
   if (instrument_ && input_.key(*event, true, out)) {
     if (event->isAutoRepeat()) return;
     tell_circle(out);
+    if (event->key() == Qt::Key_Space) used("close");
+    if (event->key() == Qt::Key_T) used("drive");
     Q_EMIT pointer(out);
     return;
   }

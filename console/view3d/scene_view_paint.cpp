@@ -144,6 +144,12 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
     paint_forces(overlay, panel);
     if (panel.inset == Inset::kNone) paint_cues(overlay, panel);
   }
+  // each eye sees clock, verdict and task at the depth of the screen
+  if (stereo_) {
+    if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
+    if (!banner_.isEmpty()) overlay.banner(banner_);
+    if (!task_.isEmpty()) overlay.hint(task_);
+  }
   painter.restore();
 }
 
@@ -178,6 +184,18 @@ void SceneView::paint_frame(QPainter& painter, const Panel& inset) const {
   overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 
+// What the mouse does here now.
+QString SceneView::hint() const {
+  if (!instrument_)
+    return turned_view_ && !banner_.isEmpty() ? tr("The instrument waits: a drag turns the view") : QString();
+  if (!hasFocus()) return tr("Click here: then mouse and keys move the instrument");
+  QStringList all;
+  if (hint_drag_) all += tr("Drag: move the instrument");
+  if (hint_close_) all += tr("Space: close the jaws");
+  if (hint_drive_) all += tr("T: drive the needle");
+  return all.join(QStringLiteral("   ·   "));
+}
+
 void SceneView::paint_words(QPainter& painter) {
   Overlay overlay(painter, rect(), ui_);
   const std::vector<Panel> all = panels();
@@ -188,7 +206,7 @@ void SceneView::paint_words(QPainter& painter) {
   if (have_card_) overlay.scale_bar(all.front().view.eye.mm_per_pixel(height()), left);
   if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
   if (!banner_.isEmpty()) overlay.banner(banner_);
-  if (instrument_ && !hasFocus()) overlay.hint(tr("Click here: then mouse and keys move the instrument"));
+  if (const QString words = hint(); !words.isEmpty()) overlay.hint(words);
   if (!hasFocus()) return;
   painter.setPen(QPen(ui_["accent"], 2));
   painter.setBrush(Qt::NoBrush);

@@ -40,6 +40,17 @@ QPushButton* make_button(const QString& text, const QString& shortcut, const QSt
   return button;
 }
 
+QScrollArea* make_scroll(QWidget* parent) {
+  auto* scroll = new QScrollArea(parent);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  // on the ground of the page
+  scroll->setProperty("bare", true);
+  return scroll;
+}
+
 ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }

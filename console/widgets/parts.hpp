@@ -6,6 +6,7 @@
 #include <QFrame>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -23,6 +24,9 @@ QLabel* make_heading(const QString& text, QWidget* parent);
 QLabel* make_muted(const QString& text, QWidget* parent);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
+/// A frameless area that scrolls up and down where its content is taller than the room for it.
+QScrollArea* make_scroll(QWidget* parent);
 
 /// One line that ends in an ellipsis where it does not fit, and then says the whole as its tip.
 class ElidedLabel : public QLabel {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mouse.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "hand/hand.hpp"
@@ -12,7 +13,7 @@ using toolkit::vec;
 namespace {
 
 Speeds speeds_of(const MouseParams& p) {
-  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.latch};
+  return {p.drag, p.wheel, p.turn, p.key_move, p.key_turn, 1 / p.close_time, p.fine, p.smoothing, p.rest_force, p.latch};
 }
 
 }  // namespace
@@ -32,6 +33,17 @@ void Mouse::changed() {
   hand_.set_circle({vec(params().circle_centre), vec(params().circle_axis)});
 }
 
+void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
+  for (uint32_t i = 0; i < scene->n_signal; ++i)
+    if (view(scene->signal[i].id) == "grasp.force") grip_.emplace_back(i);
+}
+
+// the hardest of all grips: there is one instrument
+void Mouse::look(const Sight& sight) {
+  grip_N_ = 0;
+  for (const Signal force : grip_) grip_N_ = std::max(grip_N_, sight.view().signal(force));
+}
+
 void Mouse::open() {
   pointer_ = host_extension<swage_host_pointer>(SWAGE_HOST_POINTER);
   if (pointer_ == nullptr)
@@ -43,7 +55,7 @@ void Mouse::exchange(const swage_command& command, swage_sample& sample) {
   const double dt = std::clamp(command.time_s - last_s_, 0.0, 0.01);
   last_s_ = command.time_s;
   static constexpr swage_pointer kStill{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
-  hand_.step(pointer_ != nullptr ? *pointer_->read(&host()) : kStill, dt);
+  hand_.step(pointer_ != nullptr ? *pointer_->read(&host()) : kStill, dt, grip_N_);
 
   sample.sequence += 1;
   sample.time_s = command.time_s;

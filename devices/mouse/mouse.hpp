@@ -3,8 +3,10 @@
 // swage.device.mouse: pointer and keyboard as a hand with six axes and a jaw. Keys: mouse.md.
 #pragma once
 
-#include <swage/device.hpp>
+#include <swage/sight.hpp>
 #include <swage/units.hpp>
+
+#include <vector>
 
 #include "mouse_hand.hpp"
 
@@ -22,12 +24,13 @@ struct MouseParams {
   double close_time = 1.5;  // s
   double fine = Speeds{}.fine;
   double smoothing = Speeds{}.smoothing;
+  double rest_force = Speeds{}.rest_force;  // N
   bool latch = Speeds{}.latch;
   swage_vec3 circle_centre = {0, 0, 0};  // m
   swage_vec3 circle_axis = {0, 0, 0};
 };
 
-class Mouse final : public Device<MouseParams> {
+class Mouse final : public SeeingDevice<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
   static constexpr auto version = "1.1.0";
@@ -79,6 +82,10 @@ class Mouse final : public Device<MouseParams> {
                                     "Time constant that takes the steps out of the mouse's reports.")
           .group("Speed")
           .hidden(),
+      real<&MouseParams::rest_force>("rest_force", "Resting force", "N", "N", 0, 100,
+                                     "Closing rests at this grip force until the closing key is pressed "
+                                     "again; 0 N: it never rests.")
+          .live(),
       boolean<&MouseParams::latch>("latch", "Jaws stay",
                                    "The jaws stay where they are when the key is let go; otherwise "
                                    "they open again."),
@@ -95,6 +102,8 @@ class Mouse final : public Device<MouseParams> {
   };
 
   void build(const MouseParams& params, DeviceBuilder& builder) override;
+  void bind(const Scene& scene, std::span<const swage_scene_mark> marks) override;
+  void look(const Sight& sight) override;
   void open() override;
   void exchange(const swage_command& command, swage_sample& sample) override;
 
@@ -104,6 +113,8 @@ class Mouse final : public Device<MouseParams> {
  private:
   const swage_host_pointer* pointer_ = nullptr;
   MouseHand hand_;
+  std::vector<Signal> grip_;  // of every coupling that grasps
+  double grip_N_ = 0;
   double last_s_ = 0;
 };
 

@@ -41,6 +41,7 @@ struct Speeds {
   double squeeze = 0.6;                       // closure per second
   double fine = 0.2;                          // factor of all the above while shift is down
   double smoothing = 0.02;  // s, time constant: a mouse reports at 60 to 1000 Hz, a hand moves without steps
+  double rest_force = 0.6;  // N, at which closing rests until the key is pressed again; 0: it never rests
   bool latch = true;        // the jaws stay where they are when the key is let go; otherwise they open again
 };
 
@@ -51,14 +52,14 @@ class MouseHand {
   MouseHand(const Speeds& speeds, const Pose& start)
       : speeds_(speeds), target_(start), middle_(start), pose_(start) {}
 
-  /// One step of dt [s]. [rt]
-  void step(const swage_pointer& pointer, double dt) noexcept {
+  /// One step of dt [s]; `grip` [N] is what the jaws hold with now. [rt]
+  void step(const swage_pointer& pointer, double dt, double grip = 0) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
     const Quat q_WC = toolkit::quat(pointer.camera);
     if (const double angle = scale * along_circle(pointer, q_WC, dt); angle != 0) drive(angle);
     if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
     target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
-    squeeze(pointer, scale, dt);
+    squeeze(pointer, scale, dt, grip);
     smooth(dt);
   }
 
@@ -130,13 +131,18 @@ class MouseHand {
     return a;
   }
 
-  void squeeze(const swage_pointer& p, double scale, double dt) {
+  /// A first press closes until the jaws hold with the resting force; whoever presses again from there goes on.
+  void squeeze(const swage_pointer& p, double scale, double dt, double grip) {
     constexpr double kNotch = 0.02;  // closure per notch of the wheel
     const bool control = (p.modifiers & kControl) != 0;
     const bool middle = (p.buttons & kMiddleButton) != 0;
     const bool close = (p.keys & (kSpace | kPlus)) != 0 || (middle && !control);
     const bool open = (p.keys & (letter('b') | kEnter | kMinus)) != 0 || (middle && control);
-    double rate = (close ? 1.0 : 0.0) - (open ? 1.0 : 0.0);
+    constexpr double kRests = 0.9;  // share of the resting force from which a new press goes on
+    if (close && !closing_) goes_on_ = grip >= kRests * speeds_.rest_force;
+    closing_ = close;
+    const bool rests = speeds_.rest_force > 0 && grip >= speeds_.rest_force && !goes_on_;
+    double rate = (close && !rests ? 1.0 : 0.0) - (open ? 1.0 : 0.0);
     if (!speeds_.latch && !close) rate = -2;
     closure_ += rate * scale * speeds_.squeeze * dt;
     if (control) closure_ += kNotch * scale * p.wheel;
@@ -159,6 +165,7 @@ class MouseHand {
   Circle circle_;
   Pose target_, middle_, pose_;
   double closure_ = 0;
+  bool closing_ = false, goes_on_ = false;  // the key is down; this press began at the resting force
 };
 
 }  // namespace swage::mouse

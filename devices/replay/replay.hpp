@@ -28,7 +28,7 @@ class Replay final : public Device<ReplayParams> {
       "Plays recorded samples of a hand; held between samples, the same numbers come out again.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED};
 
   static constexpr const char* kSteps[] = {"hold", "linear", nullptr};
   static constexpr std::array fields = {

@@ -33,7 +33,7 @@ class Scripted final : public Device<ScriptedParams> {
       "from the seed.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED};
 
   static constexpr std::array fields = {
       file<&ScriptedParams::file>("file", "Hand file", "File of key poses, format swage-hand/1.").required(),

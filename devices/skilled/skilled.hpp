@@ -42,7 +42,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
       "Human flaws can be added.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED};
 
   static constexpr std::array fields = {
       file<&SkilledParams::file>("file", "Plan", "File of acts, format swage-plan/1.").required(),

@@ -44,6 +44,7 @@ std::unique_ptr<Rig> Assembler::run() {
   add_couplings();
   resolve_override();
   add_devices();
+  settle_mode();
   bind_follows();
   find_pairs();
   bind_couplings();
@@ -64,12 +65,26 @@ std::unique_ptr<Rig> Assembler::run() {
 }
 
 void Assembler::resolve_mode() {
-  const std::string mode = overrides_.mode.empty() ? file_.mode : overrides_.mode;
-  if (std::find(std::begin(kModes), std::end(kModes), mode) == std::end(kModes))
+  const std::string said = overrides_.mode.empty() ? file_.mode : overrides_.mode;
+  const std::string mode = said.empty() ? "test" : said;
+  const bool known = std::find(std::begin(kModes), std::end(kModes), mode) != std::end(kModes);
+  if (!known && mode != kHandMode)
     error("", "There is no mode \"" + mode + "\". There is: practice, test, demo.");
   rig_->card.mode = mode;
-  rig_->card.cues = mode == "test" ? 0 : file_.cues;
+  rig_->card.cues = said == "test" ? 0 : file_.cues;
   hand_ = mode == "demo" && overrides_.device.empty() ? "expert" : overrides_.device;
+}
+
+// An attempt in which every hand is scripted is nobody's, and judged as a test.
+void Assembler::settle_mode() {
+  std::string& mode = rig_->card.mode;
+  const bool scripted = std::all_of(rig_->devices.begin(), rig_->devices.end(), [](const host::DeviceSlot& slot) {
+    return slot.device != nullptr && (slot.device->flags & SWAGE_DEVICE_SCRIPTED) != 0;
+  });
+  if (scripted && !rig_->devices.empty() && mode != "demo") mode = kHandMode;
+  rig_->attempt = mode == "practice" ? SWAGE_ATTEMPT_PRACTICE
+                  : mode == "demo"   ? SWAGE_ATTEMPT_DEMO
+                                     : SWAGE_ATTEMPT_TEST;
 }
 
 void Assembler::error(const std::string& pointer, const std::string& message) {

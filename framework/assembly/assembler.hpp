@@ -47,6 +47,7 @@ class Assembler {
   }
 
   void resolve_mode();
+  void settle_mode();
   void add_objects();
   void add_couplings();
   void add_devices();

@@ -261,7 +261,7 @@ void Assembler::fill_metrics() {
     snapshot::CardMetric& row = rig_->card.metrics.emplace_back();
     if (plugin == nullptr) continue;
     for (const host::MetricInfo& m : plugin->metrics)
-      if (m.id == metric.id) row = {m.better, m.evidence, m.code, m.formula};
+      if (m.id == metric.id) row = {m.better, m.evidence, m.code, m.formula, m.title, m.show, m.rank};
   }
   rig_->card.cue_channels.assign(rig_->script.cues.size(), kAllChannels);
   for (std::size_t i = 0; plugin != nullptr && i < rig_->script.cues.size(); ++i)

@@ -50,6 +50,8 @@ struct LessonCoupling : PluginUse {
 
 /// Practice shows cues, a test does not and counts, a demo is the expert's hand and is not kept.
 inline constexpr const char* kModes[] = {"practice", "test", "demo"};
+/// What an attempt of a scripted hand is kept as, whatever it was asked for; judged as a test.
+inline constexpr const char* kHandMode = "hand";
 inline constexpr uint32_t kAllChannels = 15;
 
 struct LessonFile {
@@ -65,7 +67,7 @@ struct LessonFile {
   swage_vec3 gravity{0, 0, -9.80665};
   double max_time_s = 0;          // simulated; 0: no limit
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
-  std::string mode = "practice";  // one of kModes, unless the run says otherwise
+  std::string mode;  // one of kModes, "": as the run says, and else a test with cues
   uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use while they are shown
   std::vector<std::pair<std::string, std::string>> requirements;  // plugin id, version range
   std::vector<LessonDevice> devices;

@@ -122,8 +122,6 @@ bool Library::start(std::string& error) {
       result = entry_->init == nullptr ? SWAGE_OK : entry_->init(bundle_dir_.c_str());
       factory_ = static_cast<const swage_factory*>(entry_->get_factory(SWAGE_FACTORY_INSTANCES));
       param_factory_ = static_cast<const swage_param_factory*>(entry_->get_factory(SWAGE_FACTORY_PARAMS));
-      card_factory_ =
-          static_cast<const swage_lesson_card_factory*>(entry_->get_factory(SWAGE_FACTORY_LESSON_CARD));
     } catch (...) {
       result = SWAGE_FAULT;
     }

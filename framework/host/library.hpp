@@ -5,7 +5,6 @@
 // library.cpp.
 #pragma once
 
-#include <swage/abi/lesson_card.h>
 #include <swage/abi/plugin.h>
 
 #include <string>
@@ -25,8 +24,6 @@ class Library {
   const swage_factory& factory() const { return *factory_; }
   /// The table of a plugin; *count = 0 when it has no parameters.
   const swage_param* params(const char* plugin_id, uint32_t* count) const;
-  /// What a lesson measures and signals; nullptr when the library says nothing about it.
-  const swage_lesson_card_factory* lesson_card() const { return card_factory_; }
   double load_seconds() const { return load_seconds_; }  // processor time of loading and init
 
  private:
@@ -37,7 +34,6 @@ class Library {
   const swage_entry* entry_ = nullptr;
   const swage_factory* factory_ = nullptr;
   const swage_param_factory* param_factory_ = nullptr;
-  const swage_lesson_card_factory* card_factory_ = nullptr;
   double load_seconds_ = 0;
   bool mapped_ = false;
 };

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "host/elf_exports.hpp"
+#include "host/lesson_card.hpp"
 #include "host/library.hpp"
 #include "host/params_json.hpp"
 #include "host/version.hpp"
@@ -21,9 +22,6 @@ namespace {
 
 constexpr const char* kFormat = "swage-plugin/1";
 constexpr std::array kKinds = {"object", "coupling", "device", "lesson"};
-constexpr std::array kBetter = {"", "lower", "higher", "inside"};
-constexpr std::array kChannels = {"colour", "shape", "sound", "force"};
-constexpr uint32_t kMaxRows = 1000;  // of a lesson's card: more is a broken table
 
 std::string copy(const char* text) { return text != nullptr ? text : ""; }
 
@@ -58,86 +56,7 @@ PluginInfo copy_descriptor(const swage_descriptor& d) {
   return plugin;
 }
 
-void copy_card(const swage_lesson_card_factory* card, PluginInfo& plugin) {
-  uint32_t count = 0;
-  if (card == nullptr) return;
-  const swage_metric_info* m = card->metrics != nullptr ? card->metrics(plugin.id.c_str(), &count) : nullptr;
-  for (uint32_t i = 0; m != nullptr && i < std::min(count, kMaxRows); ++i)
-    plugin.metrics.push_back({copy(m[i].id), copy(m[i].unit), copy(m[i].doc), copy(m[i].formula),
-                              copy(m[i].code), m[i].better, m[i].evidence});
-  count = 0;
-  const swage_cue_info* c = card->cues != nullptr ? card->cues(plugin.id.c_str(), &count) : nullptr;
-  for (uint32_t i = 0; c != nullptr && i < std::min(count, kMaxRows); ++i)
-    plugin.cues.push_back({copy(c[i].id), copy(c[i].doc), c[i].channels});
-}
-
-/// One sentence for each row of the card that says too little.
-void card_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
-  for (const MetricInfo& m : plugin.metrics) {
-    const bool known = m.better >= SWAGE_BETTER_NONE && m.better <= SWAGE_BETTER_INSIDE &&
-                       m.evidence >= SWAGE_EVIDENCE_NONE && m.evidence <= SWAGE_EVIDENCE_D;
-    if (!known) faults.push_back("Metric \"" + m.id + "\" has an unknown direction or evidence.");
-    if (m.id.empty() || m.unit.empty() || m.doc.empty() || m.formula.empty())
-      faults.push_back("Metric \"" + m.id + "\" needs an id, a unit, a sentence and a formula.");
-  }
-  for (const CueInfo& c : plugin.cues)
-    if (c.id.empty() || c.doc.empty() || c.channels == 0 || c.channels >= 1u << kChannels.size())
-      faults.push_back("Cue \"" + c.id + "\" needs an id, a sentence and channels that are known.");
-}
-
-Json card_json(const PluginInfo& plugin) {
-  Json out = {{"metrics", Json::array()}, {"cues", Json::array()}};
-  for (const MetricInfo& m : plugin.metrics)
-    out["metrics"].push_back({{"id", m.id},
-                              {"unit", m.unit},
-                              {"doc", m.doc},
-                              {"formula", m.formula},
-                              {"code", m.code},
-                              {"better", better_text(m.better)},
-                              {"evidence", evidence_text(m.evidence)}});
-  for (const CueInfo& c : plugin.cues)
-    out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", c.channels}});
-  return out;
-}
-
-void read_card(const Json& item, PluginInfo& plugin) {
-  if (!item.contains("metrics")) return;  // no lesson, or one without a card
-  for (const Json& row : item.at("metrics")) {
-    MetricInfo m;
-    row.at("id").get_to(m.id);
-    row.at("unit").get_to(m.unit);
-    row.at("doc").get_to(m.doc);
-    row.at("formula").get_to(m.formula);
-    row.at("code").get_to(m.code);
-    const std::string better = row.at("better"), evidence = row.at("evidence");
-    for (int32_t b = 0; b <= SWAGE_BETTER_INSIDE; ++b)
-      if (better == better_text(b)) m.better = b;
-    for (int32_t e = 0; e <= SWAGE_EVIDENCE_D; ++e)
-      if (evidence == evidence_text(e)) m.evidence = e;
-    plugin.metrics.push_back(std::move(m));
-  }
-  for (const Json& row : item.at("cues"))
-    plugin.cues.push_back({row.at("id"), row.at("doc"), row.at("channels").get<uint32_t>()});
-}
-
 }  // namespace
-
-const char* better_text(int32_t better) {
-  return better >= 0 && better <= SWAGE_BETTER_INSIDE ? kBetter[static_cast<std::size_t>(better)] : "";
-}
-
-std::string evidence_text(int32_t evidence) {
-  return evidence >= SWAGE_EVIDENCE_A && evidence <= SWAGE_EVIDENCE_D
-             ? std::string(1, static_cast<char>('A' + evidence - SWAGE_EVIDENCE_A))
-             : "";
-}
-
-std::string channels_text(uint32_t channels) {
-  std::string out;
-  for (std::size_t i = 0; i < kChannels.size(); ++i)
-    if ((channels & 1u << i) != 0) out += (out.empty() ? "" : ", ") + std::string(kChannels[i]);
-  return out;
-}
 
 const char* kind_text(int32_t kind) {
   return kind >= 1 && kind <= 4 ? kKinds[static_cast<std::size_t>(kind - 1)] : "unknown";
@@ -157,7 +76,7 @@ bool describe(const Library& library, std::vector<PluginInfo>& out, std::string&
       uint32_t count = 0;
       const swage_param* table = library.params(plugin.id.c_str(), &count);
       plugin.params = copy_table(table, count);
-      copy_card(library.lesson_card(), plugin);
+      copy_card(library.entry(), plugin);
       plugin.bundle_dir = library.bundle_dir();
       plugin.library_path = library.path();
       plugin.build_info = copy(library.entry().build_info);
@@ -225,7 +144,7 @@ std::string write_sidecar(const std::string& library_path, const std::string& ha
                     {"licence", plugin.licence},
                     {"traits", plugin.traits},
                     {"params", table_to_json(plugin.params)}});
-    if (!plugin.metrics.empty() || !plugin.cues.empty()) list.back().update(card_json(plugin));
+    if (has_card(plugin)) list.back().update(card_json(plugin));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

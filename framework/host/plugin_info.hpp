@@ -20,10 +20,17 @@ class Library;
 struct MetricInfo {
   std::string id, unit, doc, formula, code;
   int32_t better = 0, evidence = 0;  // SWAGE_BETTER_*, SWAGE_EVIDENCE_*
+  std::string title;                 // "" where the card has no label for it
+  int32_t show = 0, rank = 0;        // SWAGE_SHOW_*; place among what is shown first, 0: on demand
+  std::string least, most;           // parameters that say what is asked of it, "" for none
 };
 struct CueInfo {
   std::string id, doc;
   uint32_t channels = 0;  // SWAGE_CHANNEL_*
+};
+struct CriterionInfo {
+  std::string text, when;
+  int32_t kind = 0;  // SWAGE_CRITERION_*
 };
 
 struct PluginInfo {
@@ -33,6 +40,7 @@ struct PluginInfo {
   ParamTable params;
   std::vector<MetricInfo> metrics;  // of a lesson; empty when it has no card
   std::vector<CueInfo> cues;
+  std::vector<CriterionInfo> criteria;
   std::string bundle_dir, library_path;
   std::string build_info;  // compiler and flags, for reports only
   uint32_t abi_major = 0, abi_minor = 0;

@@ -97,6 +97,7 @@ struct Rig {
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
   swage_pointer pointer{};  // what the person does, in the picture as it is shown
   swage_pointer seen{};  // what swage.host.pointer/1 reads: the same, or its mirror image; the step writes it
+  int32_t attempt = SWAGE_ATTEMPT_TEST;
   Shared shared;         // of the instances' services; points into this rig
 
   Rig();

@@ -76,9 +76,16 @@ base::Problems Services::take_reports() {
 
 const void* Services::get_extension(const swage_host*, const char* id) {
   static constexpr swage_host_pointer pointer{read_pointer};
+  static constexpr swage_host_attempt attempt{attempt_mode};
   if (id == nullptr) return nullptr;
   if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
+  if (std::strcmp(id, SWAGE_HOST_ATTEMPT) == 0) return &attempt;
   return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
+}
+
+int32_t Services::attempt_mode(const swage_host* host) {
+  const int32_t* mode = of(host).shared_.attempt;
+  return mode != nullptr ? *mode : SWAGE_ATTEMPT_TEST;
 }
 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/abi/device.h>
+#include <swage/abi/lesson.h>
 #include <swage/abi/plugin.h>
 
 #include <array>
@@ -68,6 +69,7 @@ class FaultRing {
 struct Shared {
   scene::World* world = nullptr;           // random streams live in its saved state
   const swage_pointer* pointer = nullptr;  // this step's pointer and keyboard
+  const int32_t* attempt = nullptr;        // SWAGE_ATTEMPT_*; nullptr: a test
 };
 
 class Services {
@@ -93,6 +95,7 @@ class Services {
   static int32_t thread_kind(const swage_host*);
   static uint64_t random_u64(const swage_host*);
   static const swage_pointer* read_pointer(const swage_host*);
+  static int32_t attempt_mode(const swage_host*);
 
   swage_host host_{};
   std::string name_;

@@ -37,6 +37,8 @@ struct CardDevice {
 struct CardMetric {
   int32_t better = 0, evidence = 0;  // SWAGE_BETTER_*, SWAGE_EVIDENCE_* of abi/lesson_card.h
   std::string code, formula;
+  std::string title;          // "" where the card has none
+  int32_t show = 0, rank = 0;  // SWAGE_SHOW_*; place among what is shown first, 0: on demand
 };
 
 struct SceneCard {

@@ -47,8 +47,19 @@ std::string default_text(const Param& p) {
   return host::value_text(p, value);
 }
 
-// what a lesson measures and signals
+const char* criterion_text(int32_t kind) {
+  return kind == SWAGE_CRITERION_PASS     ? "to pass"
+         : kind == SWAGE_CRITERION_LIMIT  ? "limit"
+         : kind == SWAGE_CRITERION_POINTS ? "points"
+                                          : "demonstration";
+}
+
+// what a lesson asks, measures and signals
 void print_card(const PluginInfo& info) {
+  if (!info.criteria.empty()) std::printf("  [Criteria]\n");
+  for (const host::CriterionInfo& c : info.criteria)
+    std::printf("  %-20s %s%s\n", criterion_text(c.kind), c.text.c_str(),
+                c.when.empty() ? "" : (" (when " + c.when + ")").c_str());
   if (!info.metrics.empty()) std::printf("  [Metrics]\n");
   for (const host::MetricInfo& m : info.metrics) {
     const std::string better = host::better_text(m.better), evidence = host::evidence_text(m.evidence);
@@ -119,7 +130,11 @@ nlohmann::ordered_json to_json(const PluginInfo& info) {
                               {"evidence", host::evidence_text(m.evidence)},
                               {"code", m.code},
                               {"doc", m.doc},
-                              {"formula", m.formula}});
+                              {"formula", m.formula},
+                              {"title", m.title},
+                              {"rank", m.rank}});
+  for (const host::CriterionInfo& c : info.criteria)
+    out["criteria"].push_back({{"kind", criterion_text(c.kind)}, {"text", c.text}, {"when", c.when}});
   for (const host::CueInfo& c : info.cues)
     out["cues"].push_back({{"id", c.id}, {"doc", c.doc}, {"channels", host::channels_text(c.channels)}});
   return out;

@@ -70,6 +70,7 @@ void AnglesLesson::activate(double dt_s) {
   rules.max_jnd = p.max_jnd;
   rules.par_time = p.par_time;
   rules.max_time = p.max_time;
+  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
 }
 
@@ -161,6 +162,11 @@ void AnglesLesson::report(const Memory& m, const Finding& finding, double time_s
   tell(Measure::kPath, m.path.length);
   const double answers = Judge::answers(m);
   tell(Measure::kAnswers, answers);
+  if (finding.end == End::kPassed) {
+    tell(Measure::kPointsBias, finding.lost.bias);
+    tell(Measure::kPointsJnd, finding.lost.jnd);
+    tell(Measure::kPointsTime, finding.lost.time);
+  }
   if (answers == 0) return;
   tell(Measure::kRight, m.rights / answers);
   tell(Measure::kAnswerTime, m.answer_s / answers);

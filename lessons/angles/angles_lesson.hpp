@@ -43,6 +43,8 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   static constexpr auto licence = "Apache-2.0";
   static constexpr std::span<const swage_metric_info> metrics{kMetrics};
   static constexpr std::span<const swage_cue_info> cues{kCues};
+  static constexpr std::span<const swage_metric_label> labels{kLabels};
+  static constexpr std::span<const swage_criterion> criteria{kCriteria};
 
   static constexpr std::array fields = {
       text<&AnglesParams::gripper>("gripper", "Gripper", "Name of the object that answers."),

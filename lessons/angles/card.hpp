@@ -22,6 +22,9 @@ enum class Measure : size_t {
   kAnswerTime,
   kStereo,
   kPath,
+  kPointsBias,
+  kPointsJnd,
+  kPointsTime,
   kCount
 };
 
@@ -38,8 +41,38 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"time.answer", "s", "Mean time from the question to the answer.", "sum / answers", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"view.stereo", "1", "1 when the view had stereo, as the lesson says: compare only within one of the two.", "parameter stereo", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     lessons::kPath,
+    lessons::points("points.bias", "Points lost for the bias of judging.", "35 mean over the axes of the share of max_bias"),
+    lessons::points("points.jnd", "Points lost for a coarse eye.", "35 mean over the axes of the share of max_jnd"),
+    lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
+
+/// What they are called, and which are shown first.
+inline constexpr swage_metric_label kLabels[] = {
+    lessons::label("time.task", "Active time", SWAGE_SHOW_QUANTITY, 5, nullptr, "par_time"),
+    lessons::kTaskSuccessLabel,
+    lessons::label("angle.bias_side", "Bias, sideways", SWAGE_SHOW_QUANTITY, 1, nullptr, "max_bias"),
+    lessons::label("angle.bias_depth", "Bias, in depth", SWAGE_SHOW_QUANTITY, 2, nullptr, "max_bias"),
+    lessons::label("angle.jnd_side", "Just-noticeable difference, sideways", SWAGE_SHOW_QUANTITY, 3, nullptr, "max_jnd"),
+    lessons::label("angle.jnd_depth", "Just-noticeable difference, in depth", SWAGE_SHOW_QUANTITY, 4, nullptr, "max_jnd"),
+    lessons::label("angle.right", "Correct answers", SWAGE_SHOW_SHARE),
+    lessons::label("angle.answers", "Answers given", SWAGE_SHOW_COUNT),
+    lessons::label("time.answer", "Time to answer, mean"),
+    lessons::label("view.stereo", "Seen in stereo", SWAGE_SHOW_YES_NO),
+    lessons::kPathLabel,
+    lessons::label("points.bias", "Bias", SWAGE_SHOW_POINTS),
+    lessons::label("points.jnd", "Just-noticeable difference", SWAGE_SHOW_POINTS),
+    lessons::kPointsTimeLabel,
+};
+
+/// What is asked of the trainee.
+inline constexpr swage_criterion kCriteria[] = {
+    {"Answer {questions} questions.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Be off by at most {max_bias} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Tell a lean of {max_jnd} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},
+    lessons::kMaxTime,
+    lessons::kParTime,
+};
 
 /// Order of kCues.
 enum class Sign : size_t { kRight, kWrong, kCount };

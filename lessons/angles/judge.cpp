@@ -73,25 +73,31 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
       if (Answers::jnd(axis) > rules_.max_jnd) finding.end = End::kUnsure;
       if (std::abs(axis.bias) > rules_.max_bias && finding.end == End::kPassed) finding.end = End::kBiased;
     }
-  } else if (look.time_s >= rules_.max_time) {
+  } else if (rules_.ends && look.time_s >= rules_.max_time) {
     finding.end = End::kOutOfTime;
   }
   if (finding.end == End::kRunning) return;
   finding.stage = Stage::kDone;
   finding.draw = false;
-  finding.score = score(memory, look.time_s, finding.end == End::kPassed);
+  finding.lost = points(memory, look.time_s);
+  finding.score = score(memory, finding.lost, finding.end == End::kPassed);
 }
 
-double Judge::score(const Memory& memory, double time_s, bool passed) const noexcept {
+Points Judge::points(const Memory& memory, double time_s) const noexcept {
+  Points lost;
+  lost.time = 15 * std::clamp(time_s / rules_.par_time - 1, 0.0, 1.0);
+  for (const AnswersState& axis : memory.axis) {
+    lost.bias += 35.0 / kAxes * share(std::abs(axis.bias), kGoodBias, rules_.max_bias);
+    lost.jnd += 35.0 / kAxes * share(Answers::jnd(axis), kGoodJnd, rules_.max_jnd);
+  }
+  return lost;
+}
+
+double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
   // an attempt that did not pass is worth at most 40; guessing is worth nothing
   const double right = memory.rights / std::max<double>(rules_.questions, answers(memory));
   if (!passed) return 40 * std::max(0.0, 2 * right - 1);
-  double lost = 15 * std::clamp(time_s / rules_.par_time - 1, 0.0, 1.0);
-  for (const AnswersState& axis : memory.axis) {
-    lost += 35.0 / kAxes * share(std::abs(axis.bias), kGoodBias, rules_.max_bias);
-    lost += 35.0 / kAxes * share(Answers::jnd(axis), kGoodJnd, rules_.max_jnd);
-  }
-  return std::clamp(100 - lost, 40.0, 100.0);
+  return std::clamp(100 - lost.sum(), 40.0, 100.0);
 }
 
 }  // namespace swage::lesson_angles

@@ -31,6 +31,7 @@ struct Rules {
   double max_jnd = 8 * kDegree;                      // rad
   double par_time = 150;                             // s
   double max_time = 600;                             // s
+  bool ends = true;                                  // the time limit ends the attempt
 };
 
 /// What one step shows.
@@ -60,6 +61,12 @@ struct Memory {
 };
 
 /// What is to be said after one step.
+/// Points of 100 that were lost.
+struct Points {
+  double time = 0, bias = 0, jnd = 0;
+  double sum() const { return time + bias + jnd; }
+};
+
 struct Finding {
   Stage stage = Stage::kShow;
   End end = End::kRunning;
@@ -67,6 +74,7 @@ struct Finding {
   bool answered = false;  // in this step
   double lean = 0;        // rad, with `answered`: what it was
   double score = 0;       // 0..100, once it has ended
+  Points lost;            // likewise, when it was passed
 };
 
 class Judge {
@@ -91,7 +99,8 @@ class Judge {
  private:
   void ask(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
-  double score(const Memory& memory, double time_s, bool passed) const noexcept;
+  Points points(const Memory& memory, double time_s) const noexcept;
+  double score(const Memory& memory, const Points& lost, bool passed) const noexcept;
 
   Rules rules_;
   PathWatch path_;

@@ -111,7 +111,7 @@ void FreePractice::observe(const View& view, const Verdict& verdict, std::span<d
 
   // the end: the goal, or the time
   const bool reached = params_.goal > 0 && different >= params_.goal;
-  const bool over = view.time() >= params_.max_time;
+  const bool over = view.time() >= params_.max_time && (params_.goal == 0 || !is_practice());
   verdict.phase(reached || over ? done_ : practice_);
   if (!reached && !over) return;
   const double share =

@@ -25,6 +25,20 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"practice.different", "1", "How many different things have been held.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     lessons::kPath,
 };
+inline constexpr swage_metric_label kLabels[] = {
+    lessons::label("time.task", "Active time", SWAGE_SHOW_QUANTITY, 1),
+    lessons::label("practice.touches", "Touches", SWAGE_SHOW_COUNT),
+    lessons::label("practice.grasps", "Grasps", SWAGE_SHOW_COUNT, 3),
+    lessons::label("practice.drops", "Drops", SWAGE_SHOW_COUNT, 4),
+    lessons::label("practice.different", "Objects held", SWAGE_SHOW_COUNT, 2, "goal", nullptr),
+    lessons::kPathLabel,
+};
+inline constexpr swage_criterion kCriteria[] = {
+    {"Hold {goal} of these for {hold_time} each: {things}.", "goal", SWAGE_CRITERION_PASS, 0},
+    {"Practise until the time is over.", "!goal", SWAGE_CRITERION_PASS, 0},
+    lessons::kMaxTime,
+    {"Drops cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+};
 inline constexpr swage_cue_info kCues[] = {
     {"thing.held", "Held by both jaws.", lessons::kHeard, 0},
 };
@@ -66,6 +80,8 @@ class FreePractice final : public Lesson<PracticeParams> {
 
   static constexpr const auto& metrics = kMetrics;
   static constexpr const auto& cues = kCues;
+  static constexpr const auto& labels = kLabels;
+  static constexpr const auto& criteria = kCriteria;
 
   static constexpr std::array fields = {
       text<&PracticeParams::gripper>("gripper", "Gripper", "Name of the object that grips."),

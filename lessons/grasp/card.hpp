@@ -42,6 +42,12 @@ enum class Measure : size_t {
   kInTarget,
   kHoldBreaks,
   kSettling,
+  kPointsTries,
+  kPointsDrops,
+  kPointsHold,
+  kPointsForce,
+  kPointsTilt,
+  kPointsTime,
   kCount
 };
 
@@ -77,8 +83,70 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"hold.in_target", "1", "Share of the time since the target was first reached that was spent in it.", "time within the radius / time since the first entry", "M33", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C},
     {"hold.breaks", "1", "How often the hold broke.", "count; out is a tenth of the radius further than in", "M34", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"hold.settling", "s", "Time from the first entry to the start of the last hold.", "start of the hold - first entry", "M35", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    lessons::points("points.tries", "Points lost for grasp attempts after the first.", "8 clamp(tries - 1, 0, 5)"),
+    lessons::points("points.drops", "Points lost for drops and resets of the needle.", "15 (drops + resets)"),
+    lessons::points("points.hold", "Points lost for interrupted holds at the target.", "5 min(breaks, 3)"),
+    lessons::points("points.force", "Points lost for gripping too hard.", "40 share of the held time above force.high"),
+    lessons::points("points.tilt", "Points lost for a needle that is tilted in the jaws.", "20 clamp(mean tilt / 45 deg, 0, 1)"),
+    lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
+
+/// What they are called, and which are shown first.
+inline constexpr swage_metric_label kLabels[] = {
+    lessons::kTaskTimeLabel,
+    lessons::label("time.approach", "Time to first contact"),
+    lessons::label("time.carry", "Carrying time"),
+    lessons::label("time.idle", "Idle time", SWAGE_SHOW_SHARE),
+    lessons::kTaskSuccessLabel,
+    lessons::label("grasp.tries", "Grasp attempts", SWAGE_SHOW_COUNT, 2),
+    lessons::kDropsLabel,
+    lessons::label("grasp.regrasps", "Regrasps", SWAGE_SHOW_COUNT),
+    lessons::label("grasp.resets", "Needle resets", SWAGE_SHOW_COUNT),
+    lessons::label("grasp.spot_error", "Grasp position error", SWAGE_SHOW_SHARE, 3),
+    lessons::label("grasp.in_zone", "Grasps in the region", SWAGE_SHOW_SHARE),
+    lessons::label("grasp.tip_reach", "Tip overhang", SWAGE_SHOW_QUANTITY, 0, "tip_zone", "tip_zone"),
+    lessons::label("grasp.tilt_axis", "Needle tilt to the jaw axis", SWAGE_SHOW_QUANTITY, 5),
+    lessons::label("grasp.tilt_plane", "Needle tilt to the jaw plane"),
+    lessons::label("grasp.balance", "Jaw force imbalance", SWAGE_SHOW_SHARE),
+    lessons::label("grasp.snap", "Needle rotation on grasping"),
+    lessons::kForceMeanLabel,
+    lessons::label("force.peak", "Grip force, peak", SWAGE_SHOW_QUANTITY, 4, nullptr, "force"),
+    lessons::label("force.steadiness", "Grip force variability"),
+    lessons::label("force.over_time", "Time above the force limit", SWAGE_SHOW_SHARE),
+    lessons::label("force.over_dose", "Cumulative excess force"),
+    lessons::label("force.slip_risk", "Time below the least force", SWAGE_SHOW_SHARE),
+    lessons::label("needle.bending", "Needle bending (% of yield)", SWAGE_SHOW_SHARE),
+    lessons::kPathLabel,
+    lessons::label("hold.progress", "Hold completed", SWAGE_SHOW_SHARE),
+    lessons::label("hold.tremor", "Tremor during the hold"),
+    lessons::label("hold.error", "Hold position error"),
+    lessons::label("hold.in_target", "Time in the target", SWAGE_SHOW_SHARE),
+    lessons::label("hold.breaks", "Interrupted holds", SWAGE_SHOW_COUNT),
+    lessons::label("hold.settling", "Settling time"),
+    lessons::label("points.tries", "Grasp attempts", SWAGE_SHOW_POINTS),
+    lessons::label("points.drops", "Drops and resets", SWAGE_SHOW_POINTS),
+    lessons::label("points.hold", "Interrupted holds", SWAGE_SHOW_POINTS),
+    lessons::label("points.force", "Grip force", SWAGE_SHOW_POINTS),
+    lessons::label("points.tilt", "Needle tilt", SWAGE_SHOW_POINTS),
+    lessons::kPointsTimeLabel,
+};
+
+/// What is asked of the trainee.
+inline constexpr swage_criterion kCriteria[] = {
+    {"Grasp the needle at {region} of its length, counted from the point.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Use the tips of the jaws.", "tips_needed", SWAGE_CRITERION_PASS, 0},
+    {"Lift it by {lift}.", "lift", SWAGE_CRITERION_PASS, 0},
+    {"Carry it to within {target_radius} of the target.", "carry", SWAGE_CRITERION_PASS, 0},
+    {"Hold it for {hold_time} with {force}.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Leaving the target during the hold ends the attempt.", "leave=fail", SWAGE_CRITERION_LIMIT, 0},
+    {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    {"Holding it outside the region for {max_wrong_time} ends the attempt.", "max_wrong_time", SWAGE_CRITERION_LIMIT, 0},
+    lessons::kMaxDrops,
+    lessons::kMaxTime,
+    lessons::kParTime,
+    {"Further grasp attempts, drops, gripping too hard and a tilted needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+};
 
 using lessons::kHeard;
 

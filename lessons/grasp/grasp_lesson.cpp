@@ -86,6 +86,7 @@ void GraspLesson::activate(double dt_s) {
   rules.drop_distance = p.drop_distance;
   rules.max_wrong_time = p.max_wrong_time;
   rules.lost_distance = p.lost_distance;
+  rules.ends = !is_practice();
   rules.target = {p.carry, p.target_radius, p.leave};
   judge_ = Judge(rules, dt_s);
 }
@@ -133,6 +134,7 @@ void GraspLesson::observe(const View& view, const Verdict& verdict, std::span<do
   if (!read(view, look, memory.target)) return discard();
   const Finding finding = judge_.look(memory, look);
   report(memory, look.time_s, verdict);
+  if (finding.end == End::kPassed) report_points(finding.lost, verdict);
   say(finding, memory.target, verdict);
 }
 
@@ -164,44 +166,77 @@ void GraspLesson::say(const Finding& finding, const TargetState& target, const V
   verdict.fail(reason, finding.score);
 }
 
+void GraspLesson::report_points(const Points& lost, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) {
+    verdict.metric(metric_[static_cast<size_t>(measure)], value);
+  };
+  tell(Measure::kPointsTries, lost.tries);
+  tell(Measure::kPointsDrops, lost.drops);
+  if (params_.carry) tell(Measure::kPointsHold, lost.hold);
+  tell(Measure::kPointsForce, lost.force);
+  tell(Measure::kPointsTilt, lost.tilt);
+  tell(Measure::kPointsTime, lost.time);
+}
+
 void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) {
     verdict.metric(metric_[static_cast<size_t>(measure)], value);
   };
   const auto phase = [&](Stage stage) { return m.phase_s[static_cast<size_t>(stage)]; };
-  const double grasps = std::max(1.0, m.grasps);
   tell(Measure::kTime, task_time(m, time_s));
   tell(Measure::kApproach, phase(Stage::kApproach));
-  tell(Measure::kCarry, phase(Stage::kCarry));
+  if (params_.carry) tell(Measure::kCarry, phase(Stage::kCarry));
   tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
   tell(Measure::kSuccess, m.passed);
   tell(Measure::kTries, m.tries);
   tell(Measure::kDrops, m.drops);
   tell(Measure::kRegrasps, m.regrasps);
   tell(Measure::kResets, m.resets);
-  tell(Measure::kSpotError, m.spot_error_sum / grasps);
-  tell(Measure::kInZone, m.good_grasps / grasps);
-  tell(Measure::kTipReach, mean(m, m.reach_s));
-  tell(Measure::kTiltAxis, mean(m, m.axis_s));
-  tell(Measure::kTiltPlane, mean(m, m.plane_s));
-  tell(Measure::kBalance, mean(m, m.balance_s));
-  tell(Measure::kSnap, m.snap_sum / grasps);
-  tell(Measure::kForce, GripWatch::mean(m.grip));
-  tell(Measure::kPeak, judge_.grip().peak(m.grip));
-  tell(Measure::kSteadiness, lessons::deviation(m.spread));
-  tell(Measure::kOverTime, mean(m, m.over_s));
-  tell(Measure::kOverDose, m.over_dose);
-  tell(Measure::kSlipRisk, m.carried_s > 0 ? m.timid_s / m.carried_s : 0);
-  if (bending_.valid()) tell(Measure::kBending, m.bending);
   tell(Measure::kPath, m.path.length);
   tell(Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
-  tell(Measure::kTremor, lessons::TremorWatch::rms(m.tremor));
-  tell(Measure::kHoldBreaks, m.target.breaks);
-  if (!params_.carry) return;
+  report_grasps(m, verdict);
+  report_hold(m, verdict);
+}
+
+// What has no value before the needle was grasped is not told.
+void GraspLesson::report_grasps(const Memory& m, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) {
+    verdict.metric(metric_[static_cast<size_t>(measure)], value);
+  };
+  if (bending_.valid()) tell(Measure::kBending, m.bending);
+  if (m.grasps > 0) {
+    tell(Measure::kSpotError, m.spot_error_sum / m.grasps);
+    tell(Measure::kInZone, m.good_grasps / m.grasps);
+    tell(Measure::kSnap, m.snap_sum / m.grasps);
+  }
+  if (m.grip.held_s > 0) {
+    tell(Measure::kTipReach, mean(m, m.reach_s));
+    tell(Measure::kTiltAxis, mean(m, m.axis_s));
+    tell(Measure::kTiltPlane, mean(m, m.plane_s));
+    tell(Measure::kBalance, mean(m, m.balance_s));
+    tell(Measure::kForce, GripWatch::mean(m.grip));
+    tell(Measure::kPeak, judge_.grip().peak(m.grip));
+    tell(Measure::kOverTime, mean(m, m.over_s));
+    tell(Measure::kOverDose, m.over_dose);
+  }
+  if (m.carried_s > 0) {
+    tell(Measure::kSteadiness, lessons::deviation(m.spread));
+    tell(Measure::kSlipRisk, m.timid_s / m.carried_s);
+  }
+}
+
+void GraspLesson::report_hold(const Memory& m, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) {
+    verdict.metric(metric_[static_cast<size_t>(measure)], value);
+  };
+  if (m.best_hold_s > 0) {
+    tell(Measure::kTremor, lessons::TremorWatch::rms(m.tremor));
+    tell(Measure::kHoldBreaks, m.target.breaks);
+  }
+  if (!params_.carry || m.target.first_s < 0) return;
   tell(Measure::kHoldError, hold_error(m.target));
   tell(Measure::kInTarget, in_target(m.target));
-  tell(Measure::kSettling,
-       m.target.first_s < 0 ? 0 : std::max(0.0, m.target.hold_began_s - m.target.first_s));
+  tell(Measure::kSettling, std::max(0.0, m.target.hold_began_s - m.target.first_s));
 }
 
 }  // namespace swage::lesson_grasp

@@ -49,6 +49,8 @@ class GraspLesson final : public Lesson<GraspParams> {
 
   static constexpr const auto& metrics = kMetrics;
   static constexpr const auto& cues = kCues;
+  static constexpr const auto& labels = kLabels;
+  static constexpr const auto& criteria = kCriteria;
 
   static constexpr const char* kLeaves[] = {"restart", "pause", "fail", nullptr};
   static constexpr std::array fields = {
@@ -131,6 +133,9 @@ class GraspLesson final : public Lesson<GraspParams> {
   void draw(TargetState& target);
   void say(const Finding& finding, const TargetState& target, const Verdict& verdict) const;
   void report(const Memory& memory, double time_s, const Verdict& verdict) const;
+  void report_grasps(const Memory& memory, const Verdict& verdict) const;
+  void report_hold(const Memory& memory, const Verdict& verdict) const;
+  void report_points(const Points& lost, const Verdict& verdict) const;
 
   GraspParams params_;
   Judge judge_;

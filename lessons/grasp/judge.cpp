@@ -171,33 +171,40 @@ void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noe
     finding.end = End::kPassed;
   else if (memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
-  else if (memory.over_s > rules_.max_over_time)
+  else if (rules_.ends && memory.over_s > rules_.max_over_time)
     finding.end = End::kTooHard;
-  else if (rules_.max_wrong_time > 0 && memory.wrong_s > rules_.max_wrong_time)
+  else if (rules_.ends && rules_.max_wrong_time > 0 && memory.wrong_s > rules_.max_wrong_time)
     finding.end = End::kWrongGrasp;
   else if (rules_.target.carry && rules_.target.leave == Leave::kFail && finding.hold_broke)
     finding.end = End::kLeftTarget;
   else if (!look.held && (look.needle_W - start).norm() > rules_.lost_distance)
     finding.end = End::kLost;
-  else if (look.time_s >= rules_.max_time)
+  else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;
   if (finding.end == End::kRunning) return;
   memory.passed = finding.end == End::kPassed ? 1 : 0;
   finding.stage = Stage::kDone;
-  finding.score = score(memory, look.time_s, finding.end == End::kPassed);
+  finding.lost = points(memory, look.time_s);
+  finding.score = score(memory, finding.lost, finding.end == End::kPassed);
 }
 
-double Judge::score(const Memory& memory, double time_s, bool passed) const noexcept {
+Points Judge::points(const Memory& memory, double time_s) const noexcept {
+  const double late = task_time(memory, time_s) / rules_.par_time - 1;
+  const double tilt = 0.5 * (mean(memory, memory.axis_s) + mean(memory, memory.plane_s));  // rad
+  Points lost;
+  lost.tries = 8 * std::clamp(memory.tries - 1, 0.0, 5.0);
+  lost.drops = 15 * (memory.drops + memory.resets);
+  if (rules_.target.carry) lost.hold = kBreakCosts * std::min(memory.target.breaks, kMostBreaks);
+  lost.force = 40 * mean(memory, memory.over_s);
+  lost.tilt = 20 * std::min(1.0, tilt / (0.25 * std::numbers::pi));
+  lost.time = 15 * std::clamp(late, 0.0, 1.0);
+  return lost;
+}
+
+double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
   // an attempt that did not pass is worth at most 40: the share of the hold that was reached
   if (!passed) return 40 * std::min(1.0, memory.best_hold_s / rules_.hold_time);
-
-  const double late = task_time(memory, time_s) / rules_.par_time - 1;
-  const double lean = 0.5 * (mean(memory, memory.axis_s) + mean(memory, memory.plane_s));  // rad
-  const double breaks = rules_.target.carry ? std::min(memory.target.breaks, kMostBreaks) : 0;
-  const double lost = 8 * std::clamp(memory.tries - 1, 0.0, 5.0) + 15 * (memory.drops + memory.resets) +
-                      kBreakCosts * breaks + 40 * mean(memory, memory.over_s) +
-                      20 * std::min(1.0, lean / (0.25 * std::numbers::pi)) + 15 * std::clamp(late, 0.0, 1.0);
-  return std::clamp(100 - lost, 40.0, 100.0);
+  return std::clamp(100 - lost.sum(), 40.0, 100.0);
 }
 
 }  // namespace swage::lesson_grasp

@@ -35,6 +35,7 @@ struct Rules {
   int max_drops = 2;
   double drop_distance = 2e-3;   // m
   double max_wrong_time = 20;    // s, 0: for ever
+  bool ends = true;              // limits of force and time end the attempt
   double lost_distance = 30e-3;  // m
   TargetRules target;
 };
@@ -87,6 +88,12 @@ enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
 enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone };
 enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kWrongGrasp, kLost, kLeftTarget };
 
+/// Points of 100 that were lost.
+struct Points {
+  double tries = 0, drops = 0, hold = 0, force = 0, tilt = 0, time = 0;
+  double sum() const { return tries + drops + hold + force + tilt + time; }
+};
+
 /// What is to be said after one step.
 struct Finding {
   Grade grade = Grade::kNone;
@@ -96,6 +103,7 @@ struct Finding {
   bool near_target = false;                                      // within its radius
   bool dropped = false, hold_began = false, hold_broke = false;  // in this step
   double score = 0;                                              // 0..100, once it has ended
+  Points lost;                                                   // likewise, when it was passed
 };
 
 class Judge {
@@ -122,7 +130,8 @@ class Judge {
   bool grasped_well(const Memory& memory, const Look& look, const Finding& finding) const noexcept;
   void measure(Memory& memory, const Look& look, const Finding& finding) const noexcept;
   void decide(Memory& memory, const Look& look, Finding& finding) const noexcept;
-  double score(const Memory& memory, double time_s, bool passed) const noexcept;
+  Points points(const Memory& memory, double time_s) const noexcept;
+  double score(const Memory& memory, const Points& lost, bool passed) const noexcept;
 
   Rules rules_;
   PathWatch path_;

@@ -41,6 +41,12 @@ enum class Measure : size_t {
   kUneven,
   kStitches,
   kProgress,
+  kPointsWound,
+  kPointsAngle,
+  kPointsEntry,
+  kPointsRefused,
+  kPointsDrops,
+  kPointsTime,
   kCount
 };
 
@@ -75,8 +81,67 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"stitch.unevenness", "1", "How uneven the stitches lie along the edge; from three on.", "standard deviation / mean of the distances between neighbours", "M45", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     {"stitch.count", "1", "Stitches that are through.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"insert.progress", "1", "Greatest share of the needle that was inside, of what is asked.", "max of s / drive", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
+    lessons::points("points.wound", "Points lost for the size of the wound.", "30 clamp((wound.size - 1) / 2, 0, 1)"),
+    lessons::points("points.angle", "Points lost for the angle in the tissue.", "30 clamp(insert.angle / 45 deg, 0, 1)"),
+    lessons::points("points.entry", "Points lost for the distance of the entry from the mark.", "15 clamp(insert.entry_distance / tolerance, 0, 1)"),
+    lessons::points("points.refused", "Points lost for failed punctures.", "8 clamp(insert.deflections, 0, 3)"),
+    lessons::points("points.drops", "Points lost for drops of the needle.", "15 grasp.drops"),
+    lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
+
+/// What they are called, and which are shown first.
+inline constexpr swage_metric_label kLabels[] = {
+    lessons::kTaskTimeLabel,
+    lessons::kTaskSuccessLabel,
+    lessons::kDropsLabel,
+    lessons::kForceMeanLabel,
+    lessons::label("force.peak", "Grip force, peak", SWAGE_SHOW_QUANTITY, 0, nullptr, "force"),
+    lessons::kPathLabel,
+    lessons::label("insert.entries", "Entries", SWAGE_SHOW_COUNT),
+    lessons::label("insert.entry_distance", "Entry-point error", SWAGE_SHOW_QUANTITY, 3, nullptr, "tolerance"),
+    lessons::label("insert.entry_angle", "Angle at the entry", SWAGE_SHOW_QUANTITY, 0, nullptr, "in_angle"),
+    lessons::label("insert.cosine", "Cosine of penetration, mean"),
+    lessons::label("insert.angle", "Deviation from perpendicular", SWAGE_SHOW_QUANTITY, 4, nullptr, "in_angle"),
+    lessons::label("insert.in_angle", "Path within angle tolerance", SWAGE_SHOW_SHARE),
+    lessons::label("insert.exit_distance", "Exit-point error"),
+    lessons::label("insert.exit_angle", "Angle at the exit"),
+    lessons::label("insert.depth", "Depth (% of wall)", SWAGE_SHOW_SHARE),
+    lessons::label("insert.arc_error", "Deviation from the needle's arc"),
+    lessons::label("insert.deflections", "Failed punctures", SWAGE_SHOW_COUNT, 0, nullptr, "max_deflections"),
+    lessons::label("wound.size", "Entry wound size", SWAGE_SHOW_SHARE, 2, nullptr, "max_wound"),
+    lessons::label("wound.area", "Entry wound area (% of the needle's)", SWAGE_SHOW_SHARE),
+    lessons::label("tissue.pull", "Tissue pull over time"),
+    lessons::label("tissue.swept", "Area torn in the tissue"),
+    lessons::label("tissue.stray", "Stray touches of the tissue", SWAGE_SHOW_COUNT, 5),
+    lessons::label("stitch.bite_in", "Entry bite (needle diameters)"),
+    lessons::label("stitch.bite_out", "Exit bite (needle diameters)"),
+    lessons::label("stitch.asymmetry", "Bite asymmetry", SWAGE_SHOW_SHARE),
+    lessons::label("stitch.obliquity", "Stitch obliquity"),
+    lessons::label("stitch.unevenness", "Spacing variability", SWAGE_SHOW_SHARE),
+    lessons::label("stitch.count", "Stitches completed", SWAGE_SHOW_COUNT),
+    lessons::label("insert.progress", "Required depth reached", SWAGE_SHOW_SHARE),
+    lessons::label("points.wound", "Wound size", SWAGE_SHOW_POINTS),
+    lessons::label("points.angle", "Angle in the tissue", SWAGE_SHOW_POINTS),
+    lessons::label("points.entry", "Entry point", SWAGE_SHOW_POINTS),
+    lessons::label("points.refused", "Failed punctures", SWAGE_SHOW_POINTS),
+    lessons::label("points.drops", "Drops", SWAGE_SHOW_POINTS),
+    lessons::kPointsTimeLabel,
+};
+
+/// What is asked of the trainee.
+inline constexpr swage_criterion kCriteria[] = {
+    {"Puncture the tissue within {tolerance} of the mark.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Drive {drive} of the needle into the tissue.", "task=insert", SWAGE_CRITERION_PASS, 0},
+    {"Bring the point out, let go, take it where it came out and pull the needle through.", "task=stitch", SWAGE_CRITERION_PASS, 0},
+    {"Stitches: {stitches}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
+    {"A wound beyond {max_wound} of the needle's size ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    {"More failed punctures than {max_deflections} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    lessons::kMaxDrops,
+    lessons::kMaxTime,
+    lessons::kParTime,
+    {"A large wound, an angle off the perpendicular and an entry off the mark cost points; up to {in_angle} counts as perpendicular.", nullptr, SWAGE_CRITERION_POINTS, 0},
+};
 
 using lessons::kFelt;
 using lessons::kHeard;

@@ -115,6 +115,7 @@ void InsertionLesson::activate(double dt_s) {
   rules.force_high = p.force.high;
   rules.par_time = p.par_time;
   rules.max_time = p.max_time;
+  rules.ends = !is_practice();
   rules.max_drops = p.max_drops;
   rules.max_deflections = p.max_deflections;
   rules.drop_distance = p.drop_distance;
@@ -254,6 +255,7 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
   const Finding finding = judge_.look(kept.memory, look);
   if (finding.stitched) next_mark(scene, kept);
   report(look, finding, kept.memory, verdict);
+  if (finding.end == End::kPassed) report_points(finding.lost, verdict);
   say(finding, kept, verdict);
 }
 
@@ -318,6 +320,16 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kPull, m.pull_s);
   tell(Measure::kSwept, look.swept);
   report_stitches(look, m, verdict);
+}
+
+void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  tell(Measure::kPointsWound, lost.wound);
+  tell(Measure::kPointsAngle, lost.angle);
+  tell(Measure::kPointsEntry, lost.entry);
+  tell(Measure::kPointsRefused, lost.refused);
+  tell(Measure::kPointsDrops, lost.drops);
+  tell(Measure::kPointsTime, lost.time);
 }
 
 void InsertionLesson::report_stitches(const Look& look, const Memory& m, const Verdict& verdict) const {

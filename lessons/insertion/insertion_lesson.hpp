@@ -50,6 +50,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   static constexpr auto licence = "Apache-2.0";
   static constexpr std::span<const swage_metric_info> metrics{kMetrics};
   static constexpr std::span<const swage_cue_info> cues{kCues};
+  static constexpr std::span<const swage_metric_label> labels{kLabels};
+  static constexpr std::span<const swage_criterion> criteria{kCriteria};
 
   static constexpr std::array fields = {
       text<&InsertionParams::gripper>("gripper", "Gripper", "Name of the object that grips."),
@@ -138,6 +140,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void read_stray(const View& view, const swage_gripper_state& jaws, Look& look) const;
   void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
+  void report_points(const Points& lost, const Verdict& verdict) const;
   void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;
   bool has_exit() const { return params_.exit != std::array<double, 3>{0, 0, 0}; }
   Cue sign(Sign sign) const { return cue_[static_cast<size_t>(sign)]; }

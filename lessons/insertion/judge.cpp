@@ -127,24 +127,30 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
     finding.end = End::kDropped;
   else if (memory.deflections > rules_.max_deflections)
     finding.end = End::kDeflected;
-  else if (look.time_s >= rules_.max_time)
+  else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;
   if (finding.end == End::kRunning) return;
   finding.stage = Stage::kDone;
-  finding.score = score(memory, look, finding.end == End::kPassed);
+  finding.lost = points(memory, look);
+  finding.score = score(memory, finding.lost, finding.end == End::kPassed);
 }
 
-double Judge::score(const Memory& memory, const Look& look, bool passed) const noexcept {
+Points Judge::points(const Memory& memory, const Look& look) const noexcept {
+  const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
+  Points lost;
+  lost.wound = 30 * std::clamp((look.wound - 1) / 2, 0.0, 1.0);
+  lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
+  lost.entry = 15 * std::clamp(memory.entry_distance / rules_.tolerance, 0.0, 1.0);
+  lost.refused = 8 * std::clamp(memory.deflections, 0.0, 3.0);
+  lost.drops = 15 * memory.drops;
+  lost.time = 15 * std::clamp(late, 0.0, 1.0);
+  return lost;
+}
+
+double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
   // an attempt that did not pass is worth at most 40: the share of the way that was made, from the right place
   if (!passed) return memory.missed != 0 ? 0 : 40 * std::min(1.0, memory.deepest / rules_.drive);
-
-  const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
-  const double lost = 30 * std::clamp((look.wound - 1) / 2, 0.0, 1.0) +
-                      30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0) +
-                      15 * std::clamp(memory.entry_distance / rules_.tolerance, 0.0, 1.0) +
-                      8 * std::clamp(memory.deflections, 0.0, 3.0) + 15 * memory.drops +
-                      15 * std::clamp(late, 0.0, 1.0);
-  return std::clamp(100 - lost, 40.0, 100.0);
+  return std::clamp(100 - lost.sum(), 40.0, 100.0);
 }
 
 }  // namespace swage::lesson_insertion

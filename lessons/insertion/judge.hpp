@@ -42,6 +42,7 @@ struct Rules {
   double drop_distance = 3e-3;  // m
   int stitches = 1;             // that are asked for
   bool exit_mark = false;       // there is a mark where it should come out
+  bool ends = true;             // the time limit ends the attempt
 };
 
 /// What one step shows. The pierce.* signals under short names.
@@ -92,6 +93,12 @@ struct Memory {
 enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
 enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime };
 
+/// Points of 100 that were lost.
+struct Points {
+  double wound = 0, angle = 0, entry = 0, refused = 0, drops = 0, time = 0;
+  double sum() const { return wound + angle + entry + refused + drops + time; }
+};
+
 /// What is to be said after one step.
 struct Finding {
   Stage stage = Stage::kTake;
@@ -105,6 +112,7 @@ struct Finding {
   bool dropped = false, missed = false;  // in this step
   bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
   double score = 0;                      // 0..100, once it has ended
+  Points lost;                           // likewise, when it was passed
 };
 
 class Judge {
@@ -124,7 +132,8 @@ class Judge {
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
-  double score(const Memory& memory, const Look& look, bool passed) const noexcept;
+  Points points(const Memory& memory, const Look& look) const noexcept;
+  double score(const Memory& memory, const Points& lost, bool passed) const noexcept;
 
   Rules rules_;
   PathWatch path_;

@@ -43,6 +43,8 @@ class Look final : public Lesson<LookParams> {
   static constexpr auto id = "swage.lesson.look", version = "1.1.0", name = "Look",
                         summary = "Looks on for a while and judges nothing; always passes.", author = "Swage",
                         licence = "Apache-2.0";
+  static constexpr swage_criterion criteria[] = {
+      {"Watch for {duration}. Nothing is judged.", nullptr, SWAGE_CRITERION_SHOW, 0}};
   static constexpr std::array fields = {
       real<&LookParams::duration>("duration", "Duration", "s", "s", 1e-3, 36000,
                                   "Simulated time to the end."),

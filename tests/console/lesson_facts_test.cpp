@@ -9,6 +9,14 @@
 namespace swage::console {
 namespace {
 
+host::MetricInfo metric(const char* id, const char* least, const char* most) {
+  host::MetricInfo m;
+  m.id = id;
+  m.least = least;
+  m.most = most;
+  return m;
+}
+
 host::Catalogue catalogue() {
   host::PluginInfo plugin;
   plugin.kind = SWAGE_KIND_LESSON;
@@ -22,6 +30,7 @@ host::Catalogue catalogue() {
   force.max = 100;
   force.default_number = {0.05, 1, 0, 0};
   plugin.params = {force};
+  plugin.metrics = {metric("force.peak", "", "force"), metric("force.mean", "force", "force"), metric("force.over_time", "", "")};
   host::Catalogue::Options nothing;
   nothing.use_environment = false;
   nothing.install_dir = "/nowhere";
@@ -72,6 +81,8 @@ host::Catalogue limits() {
   plugin.kind = SWAGE_KIND_LESSON;
   plugin.id = "org.example.limits";
   plugin.params = {real("max_force", "N", 1.5), real("tolerance", "m", 3e-4)};
+  plugin.metrics = {metric("force.peak", "", "max_force"), metric("force.mean", "", ""),
+                    metric("insert.entry_distance", "", "tolerance"), metric("time", "", "par_time")};
   host::Catalogue::Options nothing;
   nothing.use_environment = false;
   nothing.install_dir = "/nowhere";
@@ -96,6 +107,46 @@ TEST(LessonFacts, PeakAndMeanForceHaveTargetsOfTheirOwn) {
   EXPECT_EQ(metric_target(limit, "force.mean", limits()), MetricTarget{});
   EXPECT_EQ(metric_target(limit, "insert.entry_distance", limits()), (MetricTarget{{}, 3e-4}));
   EXPECT_EQ(metric_target(limit, "time", limits()), MetricTarget{});
+}
+
+// What is asked is told with the lesson's own values.
+TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
+  host::Param time, carry, task;
+  time.type = SWAGE_PARAM_REAL;
+  time.id = time.label = "hold_time";
+  time.unit = time.display_unit = "s";
+  time.max = 100;
+  time.default_number = {3, 0, 0, 0};
+  carry.type = SWAGE_PARAM_BOOL;
+  carry.id = carry.label = "carry";
+  task.type = SWAGE_PARAM_CHOICE;
+  task.id = task.label = "task";
+  task.choices = {"insert", "stitch"};
+  host::PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_LESSON;
+  plugin.id = "org.example.asks";
+  plugin.params = {time, carry, task};
+  plugin.criteria = {{"Hold it for {hold_time}.", "", SWAGE_CRITERION_PASS},
+                     {"Carry it.", "carry", SWAGE_CRITERION_PASS},
+                     {"Stay.", "!carry", SWAGE_CRITERION_LIMIT},
+                     {"Sew.", "task=stitch", SWAGE_CRITERION_PASS},
+                     {"Slowness costs points.", "", SWAGE_CRITERION_POINTS}};
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  nothing.install_dir = "/nowhere";
+  host::Catalogue all(nothing);
+  all.add(plugin);
+  const QTemporaryDir dir;
+  const Criteria usual = read_criteria(lesson(dir, "{}", "org.example.asks"), all);
+  EXPECT_EQ(usual.pass, QStringList({QStringLiteral("Hold it for 3.00%1s.").arg(QChar(0x202f))}));
+  EXPECT_EQ(usual.limits, QStringList({"Stay."}));
+  EXPECT_EQ(usual.points, QStringList({"Slowness costs points."}));
+  EXPECT_FALSE(usual.show);
+  const Criteria sews = read_criteria(
+      lesson(dir, R"({"hold_time": "1.5 s", "carry": true, "task": "stitch"})", "org.example.asks"), all);
+  EXPECT_EQ(sews.pass.size(), 3);
+  EXPECT_TRUE(sews.limits.isEmpty());
+  EXPECT_TRUE(read_criteria(dir.filePath("none.json").toStdString(), all).pass.isEmpty());
 }
 
 }  // namespace

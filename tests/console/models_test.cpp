@@ -42,7 +42,7 @@ TEST(Words, SayUnitsAndVerdicts) {
   EXPECT_EQ(quantity_text(std::nan(""), "N"), "–");
   EXPECT_EQ(human_id("grasp.peak_force"), "Grasp peak force");
   EXPECT_EQ(clock_text(62.9), "01:02");
-  EXPECT_EQ(verdict_text("failed"), "Not met yet");
+  EXPECT_EQ(verdict_text("failed"), "Not passed");
 }
 
 TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
@@ -131,7 +131,7 @@ TEST(Attempts, SortByWhatTheyMeanNotByText) {
   sorted.sort(AttemptsModel::kTime);
   EXPECT_EQ(sorted.index(0, AttemptsModel::kTime).data(), "00:28");
   EXPECT_EQ(sorted.index(13, AttemptsModel::kTime).data(), "01:10");
-  EXPECT_TRUE(sorted.index(0, AttemptsModel::kVerdict).data().toString().contains("Met"));
+  EXPECT_TRUE(sorted.index(0, AttemptsModel::kVerdict).data().toString().contains("Passed"));
   EXPECT_EQ(sorted.index(13, AttemptsModel::kReason).data(), "Failed out of time");
 }
 

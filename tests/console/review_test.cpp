@@ -48,7 +48,7 @@ TEST(ReviewModel, MetricsHaveUnitAndDirection) {
   EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_LOWER);
   EXPECT_EQ(review.metrics[1].better, SWAGE_BETTER_NONE);
   EXPECT_EQ(better_words(SWAGE_BETTER_NONE), QString());
-  EXPECT_EQ(review.verdict(), "✓ Met, 87 of 100");
+  EXPECT_EQ(review.verdict(), "✓ Passed, 87 of 100");
 }
 
 TEST(ReviewModel, TheLessonsCardKnowsBetterThanANameWhichWayIsBetter) {

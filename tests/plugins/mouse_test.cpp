@@ -154,6 +154,32 @@ TEST(MouseHand, NewSpeedsHoldFromTheNextStepAndMoveNothing) {
   EXPECT_NEAR(hand.pose().p.x(), 1.5e-3, 1e-15);
 }
 
+TEST(MouseHand, ClosingRestsAtTheForceOfTheLessonUntilTheKeyIsPressedAgain) {
+  Speeds speeds;
+  speeds.rest_force = 0.6;
+  MouseHand hand(speeds, Pose());
+  swage_pointer p = still();
+  // jaws that touch at a closure of 0.2 and then hold with 2 N per closure
+  const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
+  const auto run = [&](double seconds) {
+    for (int i = 0; i < static_cast<int>(1000 * seconds); ++i) hand.step(p, 1e-3, grip());
+  };
+  p.keys = kSpace;
+  run(3);
+  EXPECT_NEAR(grip(), 0.6, 2e-3);
+  p.keys = 0;
+  run(1);
+  EXPECT_NEAR(grip(), 0.6, 2e-3) << "it stays when the key is let go";
+  p.keys = kSpace;
+  run(0.5);
+  EXPECT_NEAR(grip(), 0.6 + 2 * 0.6 * 0.5, 5e-3) << "a second press goes on";
+  p.keys = 0;
+  run(0.1);
+  p.keys = kEnter;
+  run(0.5);
+  EXPECT_NEAR(grip(), 0.6, 5e-3) << "opening never rests";
+}
+
 TEST(MouseHand, SqueezeWhileHeldAndStay) {
   swage_pointer p = still();
   MouseHand hand(quick(), Pose());

@@ -145,7 +145,7 @@ TEST(LessonFile, AMissingFileIsSaid) {
 TEST(LessonFile, MirrorModeAndCues) {
   const Read usual = with(R"("seed": 1)");
   EXPECT_FALSE(usual.file.mirror);
-  EXPECT_EQ(usual.file.mode, "practice");
+  EXPECT_EQ(usual.file.mode, "");
   EXPECT_EQ(usual.file.cues, 15u);
   const Read r = with(R"("mirror": true, "mode": "test", "cues": ["shape", "sound"])");
   ASSERT_THAT(r.said, IsEmpty());

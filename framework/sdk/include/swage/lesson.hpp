@@ -164,6 +164,11 @@ class Lesson : public WithParams<P> {
   virtual void reset(std::span<double> state) SWAGE_RT { static_cast<void>(state); }
 
  protected:
+  /// Whether the attempt is practice: limits of force and time are then told and end nothing. Known from activate on. [any]
+  bool is_practice() const {
+    const auto* attempt = this->template host_extension<swage_host_attempt>(SWAGE_HOST_ATTEMPT);
+    return attempt != nullptr && attempt->mode(&this->host()) == SWAGE_ATTEMPT_PRACTICE;
+  }
   /// The private numbers by name, as declared with builder.state<T>().
   template <class T>
   static T& as(std::span<double> state) {

@@ -139,40 +139,44 @@ struct Library {
     }
     return rows;
   }
-  /// A lesson's card: the arrays `metrics` and `cues` of its class, where it has them.
-  static const swage_metric_info* metrics(const char* id, uint32_t* n) noexcept {
-    const swage_metric_info* rows = nullptr;
+  /// A static array of the plugin's class, where it has it.
+  template <class Row, class Array>
+  static const Row* rows(const char* id, uint32_t* n, Array array) noexcept {
+    const Row* found = nullptr;
     *n = 0;
     const auto fill = [&]<class T>() {
-      if constexpr (requires { T::metrics; }) {
-        rows = std::data(T::metrics);
-        *n = static_cast<uint32_t>(std::size(T::metrics));
+      if constexpr (requires { array.template operator()<T>(); }) {
+        const auto& all = array.template operator()<T>();
+        found = std::data(all);
+        *n = static_cast<uint32_t>(std::size(all));
       }
       return true;
     };
     static_cast<void>(((same(id, Plugins::id) ? fill.template operator()<Plugins>() : false) || ...));
-    return rows;
+    return found;
+  }
+  /// A lesson's card: the arrays `metrics`, `cues`, `labels` and `criteria` of its class.
+  static const swage_metric_info* metrics(const char* id, uint32_t* n) noexcept {
+    return rows<swage_metric_info>(id, n, []<class T>() -> const auto& requires requires { T::metrics; } { return T::metrics; });
   }
   static const swage_cue_info* cues(const char* id, uint32_t* n) noexcept {
-    const swage_cue_info* rows = nullptr;
-    *n = 0;
-    const auto fill = [&]<class T>() {
-      if constexpr (requires { T::cues; }) {
-        rows = std::data(T::cues);
-        *n = static_cast<uint32_t>(std::size(T::cues));
-      }
-      return true;
-    };
-    static_cast<void>(((same(id, Plugins::id) ? fill.template operator()<Plugins>() : false) || ...));
-    return rows;
+    return rows<swage_cue_info>(id, n, []<class T>() -> const auto& requires requires { T::cues; } { return T::cues; });
+  }
+  static const swage_metric_label* labels(const char* id, uint32_t* n) noexcept {
+    return rows<swage_metric_label>(id, n, []<class T>() -> const auto& requires requires { T::labels; } { return T::labels; });
+  }
+  static const swage_criterion* criteria(const char* id, uint32_t* n) noexcept {
+    return rows<swage_criterion>(id, n, []<class T>() -> const auto& requires requires { T::criteria; } { return T::criteria; });
   }
   static const void* get_factory(const char* id) noexcept {
     static constexpr swage_factory instances{count, descriptor, create_one};
     static constexpr swage_param_factory params{table};
     static constexpr swage_lesson_card_factory card{metrics, cues};
+    static constexpr swage_lesson_labels_factory labelled{labels, criteria};
     if (same(id, SWAGE_FACTORY_INSTANCES)) return &instances;
     if (same(id, SWAGE_FACTORY_PARAMS)) return &params;
     if (same(id, SWAGE_FACTORY_LESSON_CARD)) return &card;
+    if (same(id, SWAGE_FACTORY_LESSON_LABELS)) return &labelled;
     return nullptr;
   }
 };

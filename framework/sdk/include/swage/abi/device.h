@@ -14,6 +14,7 @@
 #define SWAGE_DEVICE_LOCKSTEP 1u /* exchange is called on [rt], once per step: bit-exact; must be as quick as a step */
 #define SWAGE_DEVICE_FORCE 2u    /* takes forces */
 #define SWAGE_DEVICE_WORLD 4u    /* its poses are already in the world frame W (scripted hands, replays) */
+#define SWAGE_DEVICE_SCRIPTED 8u /* it plays a plan or a recording: its attempts are nobody's progress */
 
 /* Bits of swage_sample.valid. */
 #define SWAGE_VALID_POSE 1u

@@ -87,6 +87,16 @@ typedef struct swage_lesson {
   uint64_t reserved;
 } swage_lesson;
 
+/* Host extension: what an attempt is for. A lesson that teaches tells of a limit in practice and goes on; in a test the limit
+ * ends the attempt. An attempt that nobody called practice is judged as a test. */
+#define SWAGE_HOST_ATTEMPT "swage.host.attempt/1"
+#define SWAGE_ATTEMPT_TEST 0
+#define SWAGE_ATTEMPT_PRACTICE 1
+#define SWAGE_ATTEMPT_DEMO 2
+typedef struct swage_host_attempt {
+  int32_t (*mode)(const swage_host*); /* [any] SWAGE_ATTEMPT_*, the same from activate on */
+} swage_host_attempt;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_scene_object) == 56, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_scene_card) == 48, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_view) == 96, "frozen layout");

@@ -51,8 +51,48 @@ typedef struct swage_lesson_card_factory {
   const swage_cue_info* (*cues)(const char* plugin_id, uint32_t* count);
 } swage_lesson_card_factory;
 
+/* How a metric is shown. */
+#define SWAGE_SHOW_QUANTITY 0 /* with its unit, in the multiple that reads best */
+#define SWAGE_SHOW_COUNT 1    /* a whole number; also shown while the attempt runs */
+#define SWAGE_SHOW_SHARE 2    /* a pure number as per cent */
+#define SWAGE_SHOW_YES_NO 3   /* 0 or 1 */
+#define SWAGE_SHOW_POINTS 4   /* points of 100 that something cost; shown beside the score, not among the metrics */
+
+/* How a metric is called, and what this lesson asks of it. */
+typedef struct swage_metric_label {
+  const char* id;    /* of a metric of the card */
+  const char* title; /* a few words for lists and axes: "Grip force, peak" */
+  int32_t show;      /* SWAGE_SHOW_* */
+  int32_t rank;      /* 1, 2, ...: shown first, in this order; 0: on demand */
+  const char* least; /* parameter that says the least value that is asked; NULL: none. Of two numbers the first counts */
+  const char* most;  /* likewise the greatest value; of two numbers the second counts */
+} swage_metric_label;
+
+/* What is asked of the trainee, in sentences. */
+#define SWAGE_CRITERION_PASS 1   /* needed to pass */
+#define SWAGE_CRITERION_LIMIT 2  /* ends the attempt as not passed; in practice it may be told only */
+#define SWAGE_CRITERION_POINTS 3 /* costs points */
+#define SWAGE_CRITERION_SHOW 4   /* nothing is asked: the lesson is a demonstration, without score or record */
+typedef struct swage_criterion {
+  const char* text;  /* "Hold it for {hold_time}.": {id} stands for the value of a parameter, with its unit */
+  const char* when;  /* parameter that must be true or not 0 for the sentence to hold, "!id": false or 0; "id=choice": has
+                        that choice; NULL: always */
+  int32_t kind;      /* SWAGE_CRITERION_* */
+  uint32_t reserved;
+} swage_criterion;
+
+#define SWAGE_FACTORY_LESSON_LABELS "swage.factory.lesson_labels/1"
+typedef struct swage_lesson_labels_factory {
+  /* [any] The tables of a plugin, static storage; *count = 0 and NULL for a plugin that has none. */
+  const swage_metric_label* (*labels)(const char* plugin_id, uint32_t* count);
+  const swage_criterion* (*criteria)(const char* plugin_id, uint32_t* count);
+} swage_lesson_labels_factory;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_metric_info) == 48, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_cue_info) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_lesson_card_factory) == 16, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_metric_label) == 40, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_criterion) == 24, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_lesson_labels_factory) == 16, "frozen layout");
 
 #endif

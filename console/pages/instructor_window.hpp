@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The instructor's own window: readings, cues and events of the attempt, also in a test, where the trainee's page shows none.
+#pragma once
+
+#include <QTableView>
+#include <QWidget>
+
+#include "console/pages/now_panel.hpp"
+#include "console/widgets/cue_legend.hpp"
+
+namespace swage::console {
+
+class InstructorWindow : public QWidget {
+  Q_OBJECT
+ public:
+  /// `events`: the model of the page's event list.
+  explicit InstructorWindow(QAbstractItemModel* events, QWidget* parent);
+  NowPanel* now() { return now_; }
+  CueLegend* legend() { return legend_; }
+
+ Q_SIGNALS:
+  void closed();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  NowPanel* now_;
+  CueLegend* legend_;
+};
+
+/// The list of events as the page and this window show it.
+QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent);
+
+}  // namespace swage::console

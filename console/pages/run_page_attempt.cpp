@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// An attempt on the Run page: its options, its scene before the start, its end, and what of it a trainee may see.
+#include <QRandomGenerator>
+
+#include "console/models/live_params.hpp"
+#include "console/models/words.hpp"
+#include "console/pages/run_page.hpp"
+
+namespace swage::console {
+namespace {
+
+// the thesis: 0.6 N holds a needle well
+constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
+
+constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
+
+}  // namespace
+
+session::Options RunPage::options() const {
+  session::Options o = base_;
+  o.lesson_path = setup_->lesson().toStdString();
+  o.person = setup_->person().toStdString();
+  o.mode = asked_.show ? "demo" : setup_->mode().toStdString();
+  o.device = setup_->device().toStdString();
+  for (const QString& meaning : cue_theme_.meanings()) {
+    const CueForce f = cue_theme_.style(meaning).force;
+    if (f.pulses > 0)
+      o.cue_pulses.push_back(
+          {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
+  }
+  if (setup_->left_handed()) o.settings.push_back("mirror=true");
+  // a demonstration is nobody's attempt
+  if (o.mode == "demo") o.store_path = ":none:";
+  return o;
+}
+
+void RunPage::start() {
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  // what is about to run has been looked at, and could be built
+  if (preview_timer_.isActive() || !setup_->startable()) preview();
+  if (!setup_->startable()) return;
+  events_->clear();
+  sounds_.reset();
+  problem_->hide();
+  session::Options o = options();
+  if (draws_seed_)
+    o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
+  if (control_->start(o)) view_->setFocus();
+}
+
+// What is left of the last attempt belongs to its lesson.
+void RunPage::forget_attempt() {
+  events_->clear();
+  set_texts({}, {});
+  for (SceneView* view : views_) view->set_hold(0);
+  right_->setCurrentWidget(now_);
+}
+
+void RunPage::preview() {
+  preview_timer_.stop();
+  if (control_->running() || setup_->lesson().isEmpty()) return;
+  if (!shown_lesson_.isEmpty() && shown_lesson_ != setup_->lesson()) {
+    forget_attempt();
+    preset_ = CameraPreset::kOrbit;  // a view that suits one lesson may hide the work of another
+  }
+  shown_lesson_ = setup_->lesson();
+  asked_ = read_criteria(shown_lesson_.toStdString(), catalogue_);
+  setup_->set_show(asked_.show);
+  base::Problems problems;
+  const auto card = control_->preview(options(), problems);
+  problem_->setVisible(!card);
+  setup_->set_startable(card != nullptr);
+  if (!card) return show_problems(problems);
+  show_card(*card);
+  right_->setCurrentWidget(now_);
+}
+
+QList<NowPanel*> RunPage::now_panels() const {
+  QList<NowPanel*> all{now_};
+  if (instructor_) all += instructor_->now();
+  return all;
+}
+
+QList<CueLegend*> RunPage::legends() const {
+  QList<CueLegend*> all{legend_};
+  if (instructor_) all += instructor_->legend();
+  return all;
+}
+
+void RunPage::show_card(const snapshot::SceneCard& card) {
+  title_->setText(QString::fromStdString(card.title));
+  reader_ = Reader(card);
+  const std::string lesson = setup_->lesson().toStdString();
+  const std::optional<ForceBand> band = force_band(lesson, catalogue_);
+  for (NowPanel* now : now_panels()) {
+    now->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task(), asked_);
+    now->form()->set_params(live_params(lesson, card, catalogue_));
+  }
+  for (CueLegend* legend : legends()) legend->set_meanings(Reader::meanings(card));
+  card_ = card;
+  have_card_ = true;
+  for (SceneView* view : views_) view->set_card(card, preset_);
+  update_hidden();
+}
+
+void RunPage::show_problems(const base::Problems& problems) {
+  QStringList lines;
+  for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
+  problem_->setText(tr("This lesson cannot run:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
+  problem_->show();
+}
+
+void RunPage::set_texts(const QString& clock, const QString& banner) {
+  for (SceneView* view : views_) view->set_texts(clock, banner);
+}
+
+void RunPage::show_finished() {
+  const session::Result& r = control_->result();
+  if (asked_.show)
+    result_->show_seen(r);
+  else
+    result_->show_result(r, control_->card(), !r.attempt_id.empty());
+  result_->set_can_go_on(setup_->has_next());
+  right_->setCurrentWidget(result_);
+  for (SceneView* view : views_) view->set_hold(0);
+  set_texts(clock_text(r.simulated_s), result_->outcome());
+  Q_EMIT attempt_over();
+}
+
+// A test shows no answers: neither readings nor cues nor what happened, but in the instructor's window.
+void RunPage::update_hidden() {
+  const bool hidden = control_->running() && cues_hidden();
+  now_->set_readings_hidden(hidden);
+  for (NowPanel* now : now_panels()) now->set_running(control_->running());
+  event_table_->setVisible(!hidden);
+}
+
+void RunPage::show_instructor(bool on) {
+  if (on && !instructor_) {
+    instructor_ = new InstructorWindow(shown_events_, this);
+    connect(instructor_, &InstructorWindow::closed, this, [this] { instructor_button_->setChecked(false); });
+    instructor_->now()->set_themes(ui_theme_, cue_theme_);
+    instructor_->legend()->set_themes(ui_theme_, cue_theme_);
+    connect(instructor_->now()->form(), &LiveForm::changed, this, &RunPage::change);
+    if (have_card_) show_card(snapshot::SceneCard(card_));
+  }
+  if (instructor_) instructor_->setVisible(on);
+  instructor_button_->setChecked(on);
+}
+
+void RunPage::set_used_controls(const QString& used) {
+  used_ = used;
+  update_hints();
+}
+
+// A control is told until it was used once, in this attempt or an earlier one.
+void RunPage::update_hints() {
+  const bool told = control_->running() && by_mouse();
+  const auto wanted = [&](const char* what) { return told && !used_.contains(QLatin1String(what)); };
+  const bool drives = std::any_of(card_.objects.begin(), card_.objects.end(), [](const snapshot::CardObject& o) {
+    return std::find(o.traits.begin(), o.traits.end(), SWAGE_TRAIT_PIERCEABLE) != o.traits.end();
+  });
+  for (SceneView* view : views_) view->set_control_hints(wanted("drag"), wanted("close"), drives && wanted("drive"));
+}
+
+}  // namespace swage::console
