@@ -106,16 +106,16 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   layout_->setToolTip(
       tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
   form->addRow(tr("&Picture"), layout_);
-  squeezed_ = new QCheckBox(tr("&Squeezed, as 3D televisions expect it"), this);
+  squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
   squeezed_->setChecked(look.stereo.squeezed);
   form->addRow(QString(), squeezed_);
-  swapped_ = new QCheckBox(tr("&Left and right exchanged"), this);
+  swapped_ = new QCheckBox(tr("S&wap eyes"), this);
   swapped_->setChecked(look.stereo.rig.swapped);
   form->addRow(QString(), swapped_);
   eyes_ = length(QStringLiteral("trainee_eyes"), look.stereo.rig.eye_distance_mm, 70,
                  tr("Stereo base of the microscope, at a working distance of 250 mm; 24 mm is usual, more "
                     "exaggerates the depth"));
-  form->addRow(tr("Distance of the &eyes"), eyes_);
+  form->addRow(tr("&Eye separation"), eyes_);
   convergence_ = length(QStringLiteral("trainee_convergence"), look.stereo.rig.convergence_mm, 1000,
                         tr("What is so far away lies in the plane of the screen: 250 mm is what is in focus, "
                            "less lets everything "
@@ -129,7 +129,7 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
         QStringLiteral("%1 (%2 × %3)").arg(s->name()).arg(s->size().width()).arg(s->size().height()));
   screen_->setCurrentIndex(std::clamp(look.screen, 0, screen_->count() - 1));
   form->addRow(tr("Sc&reen"), screen_);
-  full_ = new QCheckBox(tr("&Fills it (F11)"), this);
+  full_ = new QCheckBox(tr("&Full screen (F11)"), this);
   full_->setChecked(look.full_screen);
   form->addRow(QString(), full_);
   toggle_ = make_button({}, {}, QStringLiteral("trainee_toggle"), this);

@@ -150,7 +150,7 @@ void ReviewPage::save(const QString& title, const QString& ending,
   const QString file = QFileDialog::getSaveFileName(this, title, name);
   if (file.isEmpty()) return;
   const QString problem = (this->*write)(file);
-  note_->setText(problem.isEmpty() ? tr("Written: %1").arg(file) : problem);
+  note_->setText(problem.isEmpty() ? tr("Saved to: %1").arg(file) : problem);
   note_->show();
 }
 

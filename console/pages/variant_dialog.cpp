@@ -14,7 +14,7 @@ VariantDialog::VariantDialog(const LessonEntry& base, const QVector<LiveParam>& 
                              const QString& folder, QWidget* parent)
     : QDialog(parent), base_(base.path), folder_(folder), check_(std::move(check)) {
   setObjectName(QStringLiteral("variant"));
-  setWindowTitle(tr("A lesson of your own"));
+  setWindowTitle(tr("New lesson"));
   auto* column = new QVBoxLayout(this);
   column->addWidget(make_words(base));
   column->addWidget(make_values(params), 1);
@@ -28,7 +28,7 @@ VariantDialog::VariantDialog(const LessonEntry& base, const QVector<LiveParam>& 
 QWidget* VariantDialog::make_words(const LessonEntry& base) {
   Card card = make_card(tr("Based on %1").arg(base.title), this);
   auto* form = new QFormLayout;
-  title_ = new QLineEdit(tr("%1, my way").arg(base.title), card.frame);
+  title_ = new QLineEdit(tr("%1, adapted").arg(base.title), card.frame);
   title_->setObjectName(QStringLiteral("variant_title"));
   summary_ = new QLineEdit(base.summary, card.frame);
   summary_->setObjectName(QStringLiteral("variant_summary"));
@@ -38,8 +38,8 @@ QWidget* VariantDialog::make_words(const LessonEntry& base) {
   goal_->setTabChangesFocus(true);
   goal_->setFixedHeight(64);
   form->addRow(tr("&Title"), title_);
-  form->addRow(tr("What is &done"), summary_);
-  form->addRow(tr("What is &learnt"), goal_);
+  form->addRow(tr("Tas&k"), summary_);
+  form->addRow(tr("&Learning goal"), goal_);
   card.body->addLayout(form);
   connect(title_, &QLineEdit::textChanged, this, &VariantDialog::update_state);
   return card.frame;
@@ -91,7 +91,7 @@ QWidget* VariantDialog::make_buttons() {
 void VariantDialog::update_state() {
   if (!save_) return;
   const auto changes = form_->changes().size();
-  save_->setEnabled(!title_->text().trimmed().isEmpty());
+  save_->setEnabled(changes > 0 && !title_->text().trimmed().isEmpty());  // a copy that changes nothing is no lesson
   problem_->setText(title_->text().trimmed().isEmpty() ? tr("A lesson has a title.")
                     : changes == 0                     ? tr("No value is changed yet.")
                     : changes == 1                     ? tr("One value is changed.")

@@ -33,7 +33,7 @@ void AnglesLesson::build(const AnglesParams& params, LessonBuilder& builder) {
       builder.event("failed.biased", "What looks square leans by more than the limit.");
   failed_[index(End::kUnsure)] = builder.event("failed.unsure", "Only leans above the limit are told apart.");
   failed_[index(End::kOutOfTime)] =
-      builder.event("failed.out_of_time", "The time was over before the questions were.");
+      builder.event("failed.out_of_time", "Time ran out before the questions were answered.");
 }
 
 void AnglesLesson::bind(const Scene& scene, Binder& binder) {

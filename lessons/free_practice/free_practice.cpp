@@ -39,7 +39,7 @@ void FreePractice::build(const PracticeParams& params, LessonBuilder& builder) {
       builder.event("thing.dropped", "A thing has left where it was let go or lay; value: which, from 0.");
   grasped_ =
       builder.event("thing.grasped", "A thing has been held long enough for the first time; value: which.");
-  out_of_time_ = builder.event("failed.out_of_time", "The time was over before the goal was reached.");
+  out_of_time_ = builder.event("failed.out_of_time", "Time ran out before the goal was reached.");
   Metric* const order[] = {&metric_.time,  &metric_.touches,   &metric_.grasps,
                            &metric_.drops, &metric_.different, &metric_.path};
   for (size_t i = 0; i < std::size(kMetrics); ++i) *order[i] = builder.metric(kMetrics[i]);

@@ -28,7 +28,7 @@ void GraspLesson::declare(LessonBuilder& builder) {
   phase_[index(Stage::kApproach)] = builder.phase("approach", "Bring the open jaws to the needle.");
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift the needle.");
   phase_[index(Stage::kCarry)] = builder.phase("carry", "Bring the needle to the target.");
-  phase_[index(Stage::kHold)] = builder.phase("hold", "Hold it with measured force.");
+  phase_[index(Stage::kHold)] = builder.phase("hold", "Hold with steady force.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
@@ -39,7 +39,7 @@ void GraspLesson::declare(LessonBuilder& builder) {
   };
   failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
   failure(End::kTooHard, "failed.too_hard", "The needle was held too hard for too long.");
-  failure(End::kOutOfTime, "failed.out_of_time", "The time was over before the hold was.");
+  failure(End::kOutOfTime, "failed.out_of_time", "Time ran out before the hold was complete.");
   failure(End::kWrongGrasp, "failed.wrong_grasp", "The needle was held at the wrong place for too long.");
   failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
   failure(End::kLeftTarget, "failed.left_target", "The needle left the target during the hold.");

@@ -42,7 +42,7 @@ class GraspLesson final : public Lesson<GraspParams> {
   static constexpr auto version = "1.0.0";
   static constexpr auto name = "Grasp a needle";
   static constexpr auto summary =
-      "Take the needle in a given region with measured force, with the tips where asked, and hold it for a "
+      "Grasp the needle in a given region with steady force, with the tips where asked, and hold it for a "
       "while.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";

@@ -40,7 +40,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   failure(End::kTorn, "failed.torn", "The wound became too large.");
   failure(End::kDeflected, "failed.deflected", "The tissue refused the point too often.");
   failure(End::kOutOfTime, "failed.out_of_time",
-          "The time was over before the needle was where it should be.");
+          "Time ran out before the needle was where it should be.");
 }
 
 void InsertionLesson::bind(const Scene& scene, Binder& binder) {
