@@ -47,15 +47,23 @@ void StatusStrip::show_frames(const FrameTimes& frames) {
 void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::SceneCard& card,
                               double steps_per_s, bool recording) {
   const snapshot::LoopHealth& h = s.health;
-  const bool fine = h.late == 0 && h.dropped == 0 && h.quarantined == 0;
-  loop_->setText(tr("%1  %2 steps/s, worst %3 ms, %4 late")
+  const bool on_time = h.late == 0 && h.dropped == 0;
+  const bool fine = on_time && h.quarantined == 0 && h.solver.steps == 0;
+  QString loop = tr("%1  %2 steps/s, worst %3 ms, %4 late")
                      .arg(fine ? QStringLiteral("●") : QStringLiteral("▲"))
                      .arg(steps_per_s, 0, 'f', 0)
                      .arg(h.worst_step_s * 1e3, 0, 'f', 2)
-                     .arg(h.late));
-  loop_->setToolTip(h.quarantined ? tr("%1 of the lesson's parts stopped.").arg(h.quarantined)
-                    : fine        ? tr("The force loop is on time.")
-                                  : tr("%1 steps were late. Forces may feel rough.").arg(h.late));
+                     .arg(h.late);
+  if (h.solver.steps > 0) loop += tr(", solver short in %1 steps").arg(h.solver.steps);
+  loop_->setText(loop);
+  QStringList hints;
+  if (h.quarantined) hints += tr("%1 of the lesson's parts stopped.").arg(h.quarantined);
+  if (!on_time) hints += tr("%1 steps were late. Forces may feel rough.").arg(h.late);
+  if (h.solver.steps > 0)
+    hints += tr("The solver fell short in %1 steps: %2.")
+                 .arg(h.solver.steps)
+                 .arg(QString::fromStdString(base::text(h.solver)));
+  loop_->setToolTip(hints.isEmpty() ? tr("The force loop is on time.") : hints.join(QLatin1Char('\n')));
   QStringList devices;
   for (uint32_t i = 0; i < s.n_device && i < card.devices.size(); ++i) {
     const QString name = QString::fromStdString(card.devices[i].name);

@@ -53,7 +53,7 @@ struct ContactSet {
   std::vector<Contact> contact;
   std::vector<Candidate> candidate;   // one per contact: finds its gap again at trial poses (candidate.hpp)
   std::vector<scene::Range> of_pair;  // one per Pair
-  uint64_t dropped = 0;  // contacts beyond the capacity, counted and reported, never silently lost
+  uint64_t dropped = 0;  // contacts of this step beyond the capacity, counted and reported, never silently lost
 };
 
 }  // namespace swage::contact

@@ -135,6 +135,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   set.contact.clear();
   set.candidate.clear();
   set.of_pair.clear();
+  set.dropped = 0;
 
   look_around(world);
   size_t next = 0;

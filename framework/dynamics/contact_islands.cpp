@@ -19,7 +19,7 @@ uint32_t ContactSolve::first_mover(const Known& k) const noexcept {
 }
 
 /// Movers linked by active contacts; islands in the order of their first contact.
-void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stats) noexcept {
+void ContactSolve::find_islands(const contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i, island_of_[i] = kNone;
   for (uint32_t i = 0; i < n_; ++i) {
     const Known& k = known_[i];
@@ -40,36 +40,33 @@ void ContactSolve::find_islands(const contact::ContactSet& contacts, Stats& stat
   }
   found_ties();
   for (uint32_t m = 0; m < parent_.size(); ++m) island_of_[m] = island_of_[root(m)];
-  for (uint32_t i = 0; i < island_.size(); ++i) fill_island(contacts, i, stats);
+  for (uint32_t i = 0; i < island_.size(); ++i) fill_island(contacts, i);
 }
 
 /// Movers in the order in which contacts name them; a contact's row in the contacts' order.
-void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept {
+void ContactSolve::fill_island(const contact::ContactSet& contacts, uint32_t island) noexcept {
   Group& group = island_[island];
   if (island > 0) {
     const Group& before = island_[island - 1];
     group.first_mover = before.first_mover + before.movers;
     group.first_row = before.first_row + before.rows;
   }
+  make_room(contacts, island);
   for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    const uint32_t m = first_mover(k);
-    if (!k.active || m == kNone || island_of_[m] != island) continue;
-    if (place_.moves(k.a.mover)) add_mover(group, k.a.mover);
-    if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
-    k.row = group.first_row + group.rows++;
-    row_[k.row].contact = i;
-    row_[k.row].tie = nullptr;
-    look(contacts.contact[i], k, row_[k.row]);
+    const uint32_t m = first_mover(known_[i]);
+    if (known_[i].active && m != kNone && island_of_[m] == island) add_row(group, contacts, i);
   }
   fill_ties(island);
-  if (group.unknowns <= options_.max_unknowns && (!group.own || group.rows <= kOwnRows)) return;
+}
 
-  // too large to be solved together: stands as predicted, and says so
-  stats.dropped += group.rows;
-  ++stats.not_converged;
-  group.rows = group.unknowns = 0;
-  group.done = true;
+void ContactSolve::add_row(Group& group, const contact::ContactSet& contacts, uint32_t contact) noexcept {
+  Known& k = known_[contact];
+  if (place_.moves(k.a.mover)) add_mover(group, k.a.mover);
+  if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
+  k.row = group.first_row + group.rows++;
+  row_[k.row].contact = contact;
+  row_[k.row].tie = nullptr;
+  look(contacts.contact[contact], k, row_[k.row]);
 }
 
 void ContactSolve::add_mover(Group& group, uint32_t mover) noexcept {

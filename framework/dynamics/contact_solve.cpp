@@ -26,14 +26,16 @@ constexpr uint32_t kTiedPasses = 24;  // the same where ties hold
 
 ContactSolve::ContactSolve(const scene::World& world, const Options& options)
     : options_(options),
+      room_(world.capacity),
       place_(world),
-      solver_(options.max_unknowns, place_.self().capacity() > 0 ? kOwnRows : 0,
+      solver_(place_.unknowns(), place_.self().capacity() > 0 ? room_.rows : 0,
               static_cast<uint32_t>(world.hinge.size())) {
   const size_t movers = place_.movers();
-  const size_t rows = size_t{options.max_contacts} + options.max_ties;
-  known_.resize(options.max_contacts), known_tie_.resize(options.max_ties), row_.resize(rows);
-  move_.resize(options.max_unknowns);
-  J_.resize(3 * rows * std::max(12u, options.max_unknowns / 2));
+  const size_t rows = size_t{room_.contacts} + room_.ties;
+  known_.resize(room_.contacts), known_tie_.resize(room_.ties), row_.resize(rows);
+  ranked_.reserve(room_.contacts), points_.assign(movers, 0);
+  move_.resize(place_.unknowns());
+  J_.resize(3 * rows * 12);
   island_.reserve(movers + 1);
   parent_.assign(movers, 0), island_of_.assign(movers, kNone);
   member_.assign(movers, 0), member_mover_.assign(movers, nullptr);
@@ -43,13 +45,16 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
 void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<SelfSolver* const> self, Stats& stats) noexcept {
   ask_all_ = false;
-  begin(world, motion, contacts, ties, self, stats);
+  solver_.begin_step(options_.budget);
+  for (size_t i = 0; i < std::min(known_.size(), contacts.contact.size()); ++i)
+    known_[i].bore = !contacts.contact[i].f_a_W.isZero(0);
+  begin(world, motion, contacts, ties, self);
   const bool moved = settle(contacts, stats);
   if (!wait_in_vain(contacts, moved)) return finish(motion, contacts, stats);
   ++stats.asked_again;
   as_found(contacts);
   ask_all_ = true;
-  begin(world, motion, contacts, ties, self, stats);
+  begin(world, motion, contacts, ties, self);
   settle(contacts, stats);
   finish(motion, contacts, stats);
 }
@@ -58,7 +63,7 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
 bool ContactSolve::settle(contact::ContactSet& contacts, Stats& stats) noexcept {
   bool regroup = true, again = let_go(contacts);
   for (uint32_t pass = 0; pass < (tie_.empty() ? kPasses : kTiedPasses); ++pass) {
-    if (regroup) find_islands(contacts, stats);
+    if (regroup) find_islands(contacts);
     bool done = true;
     for (Group& group : island_) {
       if (!group.done && !group.stuck) solve_island(contacts, group, stats);
@@ -68,6 +73,7 @@ bool ContactSolve::settle(contact::ContactSet& contacts, Stats& stats) noexcept 
     again = true;
     regroup = refresh(contacts);
     ++stats.refreshed;
+    if (solver_.over_budget()) break;
   }
   return again;
 }
@@ -75,36 +81,40 @@ bool ContactSolve::settle(contact::ContactSet& contacts, Stats& stats) noexcept 
 void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& stats) noexcept {
   for (const Group& group : island_) {
     if (group.done && group.limits_hold) continue;
-    ++stats.not_converged;
+    ++health_.not_converged;
     if (group.done) continue;
     calm(contacts, group);
     look_again(group);
   }
   write_back(motion, contacts);
+  count(contacts, stats);
 }
 
 // --- the start of the step
 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
-                         std::span<Tie> ties, std::span<SelfSolver* const> self, Stats& stats) noexcept {
+                         std::span<Tie> ties, std::span<SelfSolver* const> self) noexcept {
   h_ = world.dt;
-  tolerance_ = options_.tolerance * world.length;
+  health_ = {};
+  lengths_ = Lengths::of(world, options_.tolerance);
+  tolerance_ = lengths_.converged;
   place_.begin(world, motion, self);
   std::fill(solved_.begin(), solved_.end(), uint8_t{0});
 
   n_ = static_cast<uint32_t>(std::min({contacts.contact.size(), contacts.candidate.size(), known_.size()}));
-  stats.dropped += contacts.contact.size() - n_;
   for (uint32_t i = 0; i < n_; ++i) {
     const contact::Contact& c = contacts.contact[i];
     Known& k = known_[i];
     k.a = place_.side(c.body_a, c.particle_a);
     k.b = place_.side(c.body_b, c.particle_b);
     k.active = overlaps(c);
+    k.dropped = false;
+    k.row = kNone;
     k.found = {c.gap, c.p_W, c.n_W};
   }
-  add_own_points(contacts, stats);
-  begin_ties(ties, stats);
-  place_.self().ask(h_);
+  add_own_points(contacts, ties);
+  begin_ties(ties);
+  health_.unanswered += place_.self().ask(h_);
   place_.take_answers();
   meet_surfaces(contacts);
   wake_own_points(contacts);
@@ -170,7 +180,7 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
       const double off = (row.at.g * row.n + row.at.s1 * row.t1 + row.at.s2 * row.t2 - said).norm();
       for (Group* group : moved)
         if (group) group->off = std::max(group->off, off);
-    } else if (overlaps(c)) {
+    } else if (overlaps(c) && !k.dropped) {
       k.active = found = true;
       for (Group* group : moved)
         if (group) group->off = HUGE_VAL;
@@ -213,7 +223,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, Group& group, Sta
       {member_mover_.data() + group.first_mover, group.movers}, rows, group.unknowns, group.own};
   const Limits limits = group.passes < kFreePasses && !group.held ? Limits::kCoulomb : Limits::kHeld;
   ++group.passes;
-  const Outcome outcome = solver_.solve(problem, tolerance_, limits);
+  const Outcome outcome = solver_.solve(problem, lengths_, limits);
   relax(group);
   group.left = std::abs(1 - group.share) * outcome.moved;
   for (uint32_t i = 0; i < group.unknowns; ++i) move_[i] = group.share * solver_.d()[i];
@@ -356,7 +366,7 @@ void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noe
 }
 
 void ContactSolve::write_contact(contact::Contact& c, const Known& k) noexcept {
-  const bool touches = k.active && first_mover(k) != kNone && row_[k.row].f.fn > 0;
+  const bool touches = k.active && k.row != kNone && first_mover(k) != kNone && row_[k.row].f.fn > 0;
   c.slip = 0;
   if (!touches) {
     c.bristle_W.setZero();

@@ -13,6 +13,7 @@
 
 #include "contact/contact_set.hpp"
 #include "dynamics/island.hpp"
+#include "dynamics/lengths.hpp"
 #include "dynamics/options.hpp"
 #include "dynamics/placement.hpp"
 #include "dynamics/self_solver.hpp"
@@ -38,6 +39,9 @@ class ContactSolve {
     Side a, b;
     bool active = false;  // takes part: overlaps, or did in an earlier pass
     bool waits = false;   // an own solver has not been asked about it
+    bool lonely = false;  // it has been after all, because its mover has no other point
+    bool bore = false;    // bore force in the last step
+    bool dropped = false;  // has no room in its island
     uint32_t row = scene::kNone;
     contact::Touch found;  // of the shapes, when the step began
   };
@@ -73,7 +77,7 @@ class ContactSolve {
   };
 
   void begin(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
-             std::span<SelfSolver* const> self, Stats& stats) noexcept;
+             std::span<SelfSolver* const> self) noexcept;
   bool settle(contact::ContactSet& contacts, Stats& stats) noexcept;
   void finish(Motion& motion, contact::ContactSet& contacts, Stats& stats) noexcept;
   bool let_go(contact::ContactSet& contacts) noexcept;
@@ -83,9 +87,17 @@ class ContactSolve {
   Group* moving_group(const Side& side) noexcept;
   uint32_t root(uint32_t mover) noexcept;
   uint32_t first_mover(const Known& k) const noexcept;
-  void find_islands(const contact::ContactSet& contacts, Stats& stats) noexcept;
-  void fill_island(const contact::ContactSet& contacts, uint32_t island, Stats& stats) noexcept;
+  void find_islands(const contact::ContactSet& contacts) noexcept;
+  void fill_island(const contact::ContactSet& contacts, uint32_t island) noexcept;
   void add_mover(Group& group, uint32_t mover) noexcept;
+  void add_row(Group& group, const contact::ContactSet& contacts, uint32_t contact) noexcept;
+
+  // room for points and rows: contact_room.cpp
+  void rank(const contact::ContactSet& contacts) noexcept;
+  void make_room(const contact::ContactSet& contacts, uint32_t island) noexcept;
+  void find_who_shares(const contact::ContactSet& contacts, std::span<const Tie> ties) noexcept;
+  void share_points(const contact::ContactSet& contacts) noexcept;
+  void count(const contact::ContactSet& contacts, Stats& stats) noexcept;
   void solve_island(contact::ContactSet& contacts, Group& group, Stats& stats) noexcept;
   void move_own(uint32_t mover, std::span<const Row> rows, double share) noexcept;
   void relax(Group& group) noexcept;
@@ -94,8 +106,8 @@ class ContactSolve {
   Vec3 carried_bristle(const contact::Contact& c, const Known& k) const noexcept;
 
   // points of objects with a solver of their own: contact_solve_own.cpp
-  void add_own_points(const contact::ContactSet& contacts, Stats& stats) noexcept;
-  void add_own_points(const contact::Contact& c, Known& k, Stats& stats) noexcept;
+  void add_own_points(const contact::ContactSet& contacts, std::span<const Tie> ties) noexcept;
+  void add_own_points(const contact::Contact& c, Known& k) noexcept;
   bool may_wait(const contact::Contact& c, const Known& k) const noexcept;
   void wake_own_points(contact::ContactSet& contacts) noexcept;
   void meet_surfaces(contact::ContactSet& contacts) noexcept;
@@ -106,7 +118,7 @@ class ContactSolve {
   void as_found(contact::ContactSet& contacts) noexcept;
 
   // ties: contact_solve_ties.cpp
-  void begin_ties(std::span<Tie> ties, Stats& stats) noexcept;
+  void begin_ties(std::span<Tie> ties) noexcept;
   void expect_ties() noexcept;
   void start_ties() noexcept;
   void touch_ties() noexcept;
@@ -127,11 +139,11 @@ class ContactSolve {
   void write_contact(contact::Contact& c, const Known& k) noexcept;
   void mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept;
 
-  /// Rows of an island with own solvers; normal: 10 to 30.
-  static constexpr uint32_t kOwnRows = 128;
-
-  Options options_;
+  const Options options_;
+  const scene::Capacities room_;
+  base::SolverHealth health_;  // of this step
   double h_ = 1e-3;           // s
+  Lengths lengths_;
   double tolerance_ = 1e-10;  // m
   uint32_t n_ = 0;            // contacts that take part in this step
   uint32_t waiting_ = 0;      // of them, those that own solvers have not been asked about
@@ -153,6 +165,8 @@ class ContactSolve {
   std::vector<Mover*> member_mover_;
   std::vector<uint32_t> local_;            // per mover, its place in its island
   std::vector<uint8_t> solved_, touched_;  // per mover
+  std::vector<uint32_t> points_;           // per mover, that contacts ask for
+  std::vector<uint32_t> ranked_;           // contacts, those that must have room first
 };
 
 }  // namespace swage::dynamics

@@ -13,60 +13,59 @@ namespace swage::dynamics {
 
 using scene::kNone;
 
-namespace {
-
-// Tolerances that shapes are apart where nobody asks at first: 0.2 um for a 1 mm scene, what a held needle strays from its way in
-// a trembling hand. Smaller: asked twice more often. Larger: more points.
-constexpr double kApart = 2000;
-
-}  // namespace
-
 /// Points of all contacts that matter, in their order; of a mover that then has none, those of all that it has.
-void ContactSolve::add_own_points(const contact::ContactSet& contacts, Stats& stats) noexcept {
+void ContactSolve::add_own_points(const contact::ContactSet& contacts, std::span<const Tie> ties) noexcept {
   waiting_ = 0;
+  std::fill(points_.begin(), points_.end(), 0u);
+  const auto own = [&](const Side& s) { return place_.is_self(s.mover); };
+  const auto asks = [&](const Known& k) {
+    for (const Side* s : {&k.a, &k.b})
+      if (own(*s)) ++points_[s->mover];
+  };
   for (uint32_t i = 0; i < n_; ++i) {
     Known& k = known_[i];
+    // what passes through never pushes: nobody needs to know how much gives there
+    if (!(contacts.contact[i].law.stiffness > 0))
+      for (Side* s : {&k.a, &k.b})
+        if (own(*s)) s->mover = kNone;
     k.waits = may_wait(contacts.contact[i], k);
-    if (!k.waits) add_own_points(contacts.contact[i], k, stats);
+    k.lonely = false;
+    if (!k.waits) asks(k);
     waiting_ += k.waits;
   }
-  if (waiting_ == 0) return;
-  // it would be taken for free
-  std::fill(touched_.begin(), touched_.end(), uint8_t{0});
-  for (uint32_t i = 0; i < n_; ++i)
-    for (const Side* s : {&known_[i].a, &known_[i].b})
-      if (known_[i].waits && place_.is_self(s->mover))
-        touched_[s->mover] = place_.self().points(place_.mover(s->mover).index) == 0;
-  for (uint32_t i = 0; i < n_; ++i) {
-    Known& k = known_[i];
-    const auto lonely = [&](const Side& s) { return place_.is_self(s.mover) && touched_[s.mover]; };
-    if (!k.waits || !(lonely(k.a) || lonely(k.b))) continue;
-    k.waits = false;
-    --waiting_;
-    add_own_points(contacts.contact[i], k, stats);
+  if (waiting_ > 0) {
+    // it would be taken for free
+    std::fill(touched_.begin(), touched_.end(), uint8_t{0});
+    for (uint32_t m = 0; m < points_.size(); ++m) touched_[m] = place_.is_self(m) && points_[m] == 0;
+    for (uint32_t i = 0; i < n_; ++i) {
+      Known& k = known_[i];
+      const auto lonely = [&](const Side& s) { return own(s) && touched_[s.mover]; };
+      if (!k.waits || !(lonely(k.a) || lonely(k.b))) continue;
+      k.waits = false;
+      k.lonely = true;
+      --waiting_;
+      asks(k);
+    }
   }
+  find_who_shares(contacts, ties);
+  for (const bool lonely : {false, true})
+    for (uint32_t i = 0; i < n_; ++i)
+      if (!known_[i].waits && known_[i].lonely == lonely) add_own_points(contacts.contact[i], known_[i]);
+  share_points(contacts);
 }
 
-void ContactSolve::add_own_points(const contact::Contact& c, Known& k, Stats& stats) noexcept {
+void ContactSolve::add_own_points(const contact::Contact& c, Known& k) noexcept {
   for (const bool is_a : {true, false}) {
     Side& s = is_a ? k.a : k.b;
-    if (!place_.is_self(s.mover)) continue;
-    // what passes through never pushes: nobody needs to know how much gives there
-    if (!(c.law.stiffness > 0)) {
-      s.mover = kNone;
-      continue;
-    }
+    if (!place_.is_self(s.mover) || s.shares) continue;
     s.point = place_.self().add_point(place_.mover(s.mover).index, s.body, is_a ? c.shape_a : c.shape_b,
                                       c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
-    if (s.point != kNone) continue;
-    ++stats.dropped;
-    s.mover = kNone;
   }
 }
 
 /// Shapes that are apart, where they tell how the surfaces come.
 bool ContactSolve::may_wait(const contact::Contact& c, const Known& k) const noexcept {
-  if (ask_all_ || c.gap <= kApart * tolerance_ || !(c.law.stiffness > 0)) return false;
+  if (ask_all_ || c.gap <= lengths_.near || !(c.law.stiffness > 0)) return false;
   bool own = false;
   for (const Side* s : {&k.a, &k.b}) {
     if (!place_.is_self(s->mover)) continue;
@@ -80,7 +79,7 @@ bool ContactSolve::may_wait(const contact::Contact& c, const Known& k) const noe
 void ContactSolve::wake_own_points(contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < n_; ++i)
     for (const Side* s : {&known_[i].a, &known_[i].b})
-      if (s->point != kNone) place_.expect(*s, contacts.contact[i].p_W);
+      if (s->point != kNone && !s->shares) place_.expect(*s, contacts.contact[i].p_W);
   expect_ties();
   place_.self().start();
   for (uint32_t i = 0; i < n_; ++i)
@@ -148,7 +147,7 @@ ContactSolve::Strayed ContactSolve::strayed(const contact::ContactSet& contacts,
   const auto each = [&](auto&& look) {
     for (uint32_t i = 0; i < n_; ++i)
       for (const Side* s : {&known_[i].a, &known_[i].b})
-        if (s->mover == mover && s->point != kNone) look(contacts.contact[i].p_W, *s);
+        if (s->mover == mover && s->point != kNone && !s->shares) look(contacts.contact[i].p_W, *s);
   };
   each([&](const Vec3& p, const Side& s) {
     const Vec3 off = solved_[mover] ? place_.beyond(s, p) : place_.beyond_free(s, p);

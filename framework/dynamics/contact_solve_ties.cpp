@@ -17,9 +17,9 @@ constexpr double kContactStiffness = 1e6;
 }  // namespace
 
 /// Sides and, where an object answers for itself, its points.
-void ContactSolve::begin_ties(std::span<Tie> ties, Stats& stats) noexcept {
+void ContactSolve::begin_ties(std::span<Tie> ties) noexcept {
   tie_ = ties.first(std::min(ties.size(), known_tie_.size()));
-  stats.dropped += ties.size() - tie_.size();
+  health_.dropped_ties += ties.size() - tie_.size();
   for (Tie& tie : ties) tie.f_a_W = tie.slid_W = Vec3::Zero();
   for (uint32_t i = 0; i < tie_.size(); ++i) {
     const Tie& tie = tie_[i];
@@ -36,8 +36,9 @@ void ContactSolve::begin_ties(std::span<Tie> ties, Stats& stats) noexcept {
           is_a ? tie.p_W : tie.p_W - across;  // b gives where it is held, wherever a has been pulled to
       side.point = place_.self().add_point(place_.mover(side.mover).index, body, kNone, at, tie.axis_W);
       if (side.point != kNone) continue;
-      ++stats.dropped;
-      side.mover = kNone;
+      ++health_.shared_points;
+      side.shares = true;
+      side.point = place_.self().nearest(place_.mover(side.mover).index, at);
     }
   }
 }
@@ -46,7 +47,7 @@ void ContactSolve::begin_ties(std::span<Tie> ties, Stats& stats) noexcept {
 void ContactSolve::expect_ties() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i)
     for (const Side* s : {&known_tie_[i].a, &known_tie_[i].b})
-      if (s->point != kNone) place_.expect(*s, tie_[i].p_W);
+      if (s->point != kNone && !s->shares) place_.expect(*s, tie_[i].p_W);
 }
 
 /// The material points that each tie holds, once it is known who can be moved.

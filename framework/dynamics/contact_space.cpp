@@ -61,6 +61,7 @@ void ContactSpace::residual(const double* z) noexcept {
 
 double ContactSpace::merit() noexcept {
   std::fill_n(line_.begin(), n_, 0.0);
+  work += n_ * n_;
   spread(F_.data(), line_.data());
   double sum = 0;
   for (size_t i = 0; i < n_; ++i) sum += F_[i] * line_[i];
@@ -164,6 +165,7 @@ bool ContactSpace::factor() noexcept {
     rank_ += f.rank;
   }
   for (size_t i = 0; i < rows_ + hinge_.size(); ++i) fill(i);
+  work += 3 * rank_ * n_ + rank_ * rank_ * rank_ / (symmetric_ ? 6 : 3);
   return symmetric_ ? ldl_factor(rank_, M_.data()) : lu_factor(rank_, M_.data(), pivot_.data());
 }
 
@@ -195,6 +197,7 @@ void ContactSpace::fill(size_t row) noexcept {
 
 /// v and y where the step ends.
 void ContactSpace::solve() noexcept {
+  work += 2 * n_ * n_ + rank_ * rank_;
   std::copy_n(free_.begin(), n_, v_.begin());
   spread(c_.data(), v_.data());
   for (size_t i = 0; i < rows_ + hinge_.size(); ++i) {

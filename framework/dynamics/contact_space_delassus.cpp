@@ -30,6 +30,7 @@ size_t ContactSpace::begin(const Island& island) noexcept {
   for (uint32_t m = 0; m < island.movers.size(); ++m) {
     const Mover& mover = *island.movers[m];
     collect(m);
+    work += 9 * arm_.size() * arm_.size() * std::max(1u, mover.size);
     if (mover.kind == Mover::Kind::kSelf)
       add_own(mover);
     else

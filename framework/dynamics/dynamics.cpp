@@ -17,7 +17,7 @@ constexpr double kTouch = 0.01;  // gap at which something that rebounds touches
 
 struct Dynamics::Core {
   Core(const scene::World& world, const Options& chosen)
-      : options(chosen), motion(world), rebound(world, chosen.max_contacts), contact_solve(world, chosen) {}
+      : options(chosen), motion(world), rebound(world, world.capacity.contacts), contact_solve(world, chosen) {}
 
   Options options;
   Motion motion;

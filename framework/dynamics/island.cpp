@@ -19,7 +19,6 @@ constexpr double kFlat = 0.1;          // slope that ends a line search, of the 
 constexpr uint32_t kSearch = 30;       // evaluations of one line search
 constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
-constexpr double kFar = 1e6;           // tolerances that a step of the path may go: 0.1 mm
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
 
@@ -41,6 +40,13 @@ IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_rows, uint32_t ma
 }
 
 IslandSolver::~IslandSolver() = default;
+
+void IslandSolver::begin_step(uint64_t budget) noexcept {
+  budget_ = budget;
+  movers_->work = contacts_->work = 0;
+}
+
+uint64_t IslandSolver::work() const noexcept { return movers_->work + contacts_->work; }
 
 /// To the pose of the linearisation.
 void IslandSolver::start() noexcept { stands_ = space_->start(z_.data()); }
@@ -132,7 +138,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   double now = -1;  // not known yet
   const double nothing = unseen(island, tolerance);
   for (uint32_t i = 0; i < steps; ++i) {
-    if (!direction(island, Friction::kCoulomb)) return false;
+    if ((i > 0 && over_budget()) || !direction(island, Friction::kCoulomb)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
     // every row is on the piece for which the last step was made: it ended here
@@ -198,7 +204,7 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
   evaluate(island, z_.data(), Friction::kTresca);
   uint32_t still = 0;
   for (uint32_t i = 0; i < kConvexSteps; ++i) {
-    if (!direction(island, Friction::kTresca)) return false;
+    if ((i > 0 && over_budget()) || !direction(island, Friction::kTresca)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
     if (far <= tolerance) {
@@ -218,7 +224,8 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
   return false;
 }
 
-Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limits) noexcept {
+Outcome IslandSolver::solve(const Island& island, const Lengths& lengths, Limits limits) noexcept {
+  const double tolerance = lengths.converged;
   space_ = island.contact_space ? contacts_.get() : movers_.get();
   size_ = island.size;
   numbers_ = space_->begin(island);
@@ -233,7 +240,7 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
     outcome.limits_hold = limits_hold(island);
   } else {
     outcome.converged = newton(island, tolerance);
-    if (!outcome.converged) fall_back(island, tolerance, outcome);
+    if (!outcome.converged) fall_back(island, lengths, outcome);
   }
   outcome.newton = newton_;
   outcome.moved = space_->moved(z_.data());
@@ -244,14 +251,21 @@ Outcome IslandSolver::solve(const Island& island, double tolerance, Limits limit
 /// Along the path, from here, then from where nothing slips: a contact that must slip then slips the right way. Where neither
 /// ends, or where it ends far away, with limits held. Far: friction that falls as a light body slides, because it slides out of
 /// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
-void IslandSolver::fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept {
+void IslandSolver::fall_back(const Island& island, const Lengths& lengths, Outcome& outcome) noexcept {
+  const double tolerance = lengths.converged;
   outcome.fell_back = true;
+  if (over_budget()) {
+    evaluate(island, z_.data(), Friction::kCoulomb);
+    outcome.held = true;
+    hold_limits(island, tolerance, 1, outcome);
+    return;
+  }
   const bool ties = has_ties(island);
   bool stood = false;
   start();
   // the path knows the pieces of Coulomb's law only, not those of a tie
   outcome.converged = !ties && follow_path(island, tolerance);
-  const bool far = outcome.converged && space_->moved(z_.data()) > kFar * tolerance;
+  const bool far = outcome.converged && space_->moved(z_.data()) > lengths.lost;
   if (!outcome.converged || far) {
     start();
     stick_all(island, tolerance);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "dynamics/contact_law.hpp"
+#include "dynamics/lengths.hpp"
 #include "dynamics/mover.hpp"
 #include "dynamics/tie.hpp"
 
@@ -86,10 +87,14 @@ class IslandSolver {
   ~IslandSolver();
 
   /// Solves for d, to be added to the movers' unknowns (d() below), and fills u, f, limit of every row.
-  /// tolerance: m.
-  Outcome solve(const Island& island, double tolerance, Limits limits) noexcept;
+  Outcome solve(const Island& island, const Lengths& lengths, Limits limits) noexcept;
 
   std::span<const double> d() const { return {d_.data(), size_}; }
+
+  /// A step begins, of so many multiply-adds. Past them each island is left at its best point so far, with friction limits held.
+  void begin_step(uint64_t budget) noexcept;
+  uint64_t work() const noexcept;
+  bool over_budget() const noexcept { return work() > budget_; }
 
  private:
   enum class Friction { kCoulomb, kTresca };
@@ -103,7 +108,7 @@ class IslandSolver {
   double unseen(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
-  void fall_back(const Island& island, double tolerance, Outcome& outcome) noexcept;
+  void fall_back(const Island& island, const Lengths& lengths, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;
   bool hold_limits(const Island& island, double tolerance, uint32_t rounds, Outcome& outcome) noexcept;
 
@@ -118,6 +123,7 @@ class IslandSolver {
   double slope(const Island& island, double fraction) noexcept;
   double search(const Island& island) noexcept;
 
+  uint64_t budget_ = UINT64_MAX;
   size_t size_ = 0, numbers_ = 0;  // of d, of a point
   uint32_t newton_ = 0;
   bool stands_ = false;  // the point is one of the space's, not only the start

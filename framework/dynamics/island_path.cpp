@@ -69,7 +69,7 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
   for (uint32_t i = 0; i < kPathSteps; ++i) {
-    if (!direction_on_pieces(island)) return false;
+    if (over_budget() || !direction_on_pieces(island)) return false;
     const bool down = space_->sign() > 0;
     if (!down)
       for (size_t k = 0; k < numbers_; ++k) step_[k] = -step_[k];

@@ -57,9 +57,11 @@ bool MoverSpace::direction(const double* d, bool same, double* step) noexcept {
     for (const Mover* mover : island_->movers) mover->add_stiffness(d + mover->offset, size_, H_.data());
     for (const Row& row : island_->rows)
       if (stiffens(row.D)) add_stiffness(row, row.D, size_, H_.data());
+    work += size_ * size_ * size_ / 3 + 432 * island_->rows.size();
     factored_ = lu_factor(size_, H_.data(), pivot_.data());
     if (!factored_) return false;
   }
+  work += size_ * size_;
   for (size_t i = 0; i < size_; ++i) negative_F_[i] = -F_[i];
   lu_solve(size_, H_.data(), pivot_.data(), negative_F_.data(), step);
   return true;

@@ -35,6 +35,12 @@ Placement::Placement(const scene::World& world) : self_(world) {
   mover_step_.assign(mover_.size(), 0);
 }
 
+uint32_t Placement::unknowns() const noexcept {
+  uint32_t sum = 0;
+  for (const Mover& m : mover_) sum += m.size;
+  return sum;
+}
+
 void Placement::begin(scene::World& world, Motion& motion, std::span<SelfSolver* const> self) noexcept {
   world_ = &world, motion_ = &motion;
   h_ = world.dt;

@@ -22,6 +22,7 @@ struct Side {
   uint32_t body = scene::kNone, particle = scene::kNone;
   uint32_t mover = scene::kNone;  // index into Placement, or kNone: cannot be moved
   uint32_t point = scene::kNone;  // SELF bodies: among the points of their mover
+  bool shares = false;            // it is the nearest point of another contact: there is no room for its own
 };
 
 class Placement {
@@ -41,6 +42,8 @@ class Placement {
   Mover& mover(uint32_t i) noexcept { return mover_[i]; }
   const Mover& mover(uint32_t i) const noexcept { return mover_[i]; }
   uint32_t movers() const noexcept { return static_cast<uint32_t>(mover_.size()); }
+  /// Numbers of all movers together.
+  uint32_t unknowns() const noexcept;
   bool is_self(uint32_t mover) const noexcept { return mover != scene::kNone && mover >= first_self_; }
   /// False for a self mover that gives nowhere.
   bool moves(uint32_t mover) const noexcept {

@@ -2,6 +2,7 @@
 #include "dynamics/self_movers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swage::dynamics {
 
@@ -14,7 +15,7 @@ bool finite(const double* x, size_t n) noexcept {
 
 }  // namespace
 
-SelfMovers::SelfMovers(const scene::World& world) {
+SelfMovers::SelfMovers(const scene::World& world) : room_(world.capacity.points) {
   // one slot per object that has SELF bodies
   std::vector<uint32_t> objects;
   for (const scene::BodyInfo& body : world.body)
@@ -22,9 +23,9 @@ SelfMovers::SelfMovers(const scene::World& world) {
   std::sort(objects.begin(), objects.end());
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   object_.resize(objects.size());
-  constexpr size_t n = 3 * kMaxPoints;
+  const size_t n = size_t{3} * room_;
   for (Object& o : object_) {
-    o.point.resize(kMaxPoints);
+    o.point.resize(room_);
     for (std::vector<double>* v : {&o.v_free, &o.u, &o.expected, &o.extra, &o.force, &o.to, &o.impulse})
       v->resize(n);
     o.W.resize(n * n);
@@ -45,12 +46,24 @@ uint32_t SelfMovers::slot(uint32_t object) const noexcept {
 uint32_t SelfMovers::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
                                const Vec3& into) noexcept {
   Object& o = object_[slot];
-  if (o.points == kMaxPoints) return scene::kNone;
+  if (o.points == room_) return scene::kNone;
   o.point[o.points] = {body, shape, toolkit::raw(p_W), toolkit::raw(into)};
   return o.points++;
 }
 
-void SelfMovers::ask(double h) noexcept {
+uint32_t SelfMovers::nearest(uint32_t slot, const Vec3& p_W) const noexcept {
+  const Object& o = object_[slot];
+  uint32_t nearest = scene::kNone;
+  double least = HUGE_VAL;
+  for (uint32_t i = 0; i < o.points; ++i) {
+    const double far = (toolkit::vec(o.point[i].p_W) - p_W).squaredNorm();
+    if (far < least) least = far, nearest = i;
+  }
+  return nearest;
+}
+
+uint32_t SelfMovers::ask(double h) noexcept {
+  uint32_t unanswered = 0;
   for (uint32_t i = 0; i < self_.size(); ++i) {
     Object& o = object_[i];
     const size_t n = 3 * o.points;
@@ -67,12 +80,14 @@ void SelfMovers::ask(double h) noexcept {
     // a failed object, or one that answers nonsense, stands still
     o.sound = answered && finite(o.v_free.data(), n) && finite(o.u.data(), n) && finite(o.W.data(), n * n);
     if (!o.sound) {
+      unanswered += o.points;
       std::fill_n(o.v_free.begin(), n, 0.0);
       std::fill_n(o.u.begin(), n, 0.0);
       continue;
     }
     o.displaced = self_[i]->displaces();
   }
+  return unanswered;
 }
 
 void SelfMovers::expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept {

@@ -20,9 +20,6 @@ namespace swage::dynamics {
 
 class SelfMovers {
  public:
-  /// Contact points of one object and step that are solved together; more are refused and counted.
-  static constexpr uint32_t kMaxPoints = 96;
-
   explicit SelfMovers(const scene::World& world);
 
   /// Forgets the last step. `self`: who answers, one per object.
@@ -32,13 +29,17 @@ class SelfMovers {
   /// Adds a touch; returns its point, or kNone beyond the capacity. `into`: unit normal into the object.
   uint32_t add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
                      const Vec3& into) noexcept;
-  /// Asks every object with points for its compliance. h: s.
-  void ask(double h) noexcept;
+  /// The point nearest to p_W; kNone where there is none.
+  uint32_t nearest(uint32_t slot, const Vec3& p_W) const noexcept;
+  /// Asks every object with points for its compliance. h: s. Returns the number of points without a usable answer.
+  uint32_t ask(double h) noexcept;
   /// Where its solver expects a point at the end of the step: displacement over the step [m].
   void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;
   /// Puts all points where they are expected, whatever forces that would take.
   void start() noexcept;
 
+  /// Points that one object may have.
+  uint32_t room() const noexcept { return room_; }
   /// Objects of the scene with SELF bodies; those that answer in this step come first.
   uint32_t capacity() const noexcept { return static_cast<uint32_t>(object_.size()); }
   uint32_t count() const noexcept { return static_cast<uint32_t>(self_.size()); }
@@ -85,6 +86,7 @@ class SelfMovers {
     return {v[3 * point], v[3 * point + 1], v[3 * point + 2]};
   }
 
+  const uint32_t room_;
   std::span<SelfSolver* const> self_;
   std::vector<Object> object_;
 };

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace swage::dynamics {
 
@@ -45,6 +46,9 @@ class Space {
   virtual double moved(const double* z) noexcept = 0;
   /// Ends the solve at z: displacements of the movers, and of every row the force y.
   virtual void finish(const double* z, double* d) noexcept = 0;
+
+  /// Multiply-adds of matrices since it was last set to 0: what a budget counts.
+  uint64_t work = 0;
 };
 
 }  // namespace swage::dynamics

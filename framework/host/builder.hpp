@@ -42,6 +42,7 @@ class Builder {
  private:
   friend struct BuilderCalls;
   friend struct HeightFieldCalls;
+  friend struct CapacityCalls;
   uint32_t refuse(const std::string& message, const std::string& param_id = "");
   bool may(bool allowed, const char* what);  // does this kind of plugin declare such things?
   bool fits(std::size_t n, uint32_t capacity, const char* what);
@@ -59,5 +60,8 @@ class Builder {
 
 /// The table behind SWAGE_HOST_HEIGHT_FIELD.
 const swage_host_height_field& height_field_table();
+/// Behind SWAGE_HOST_CAPACITIES: asks for room in the world; `of`: the capacities of a scene as plugins see them.
+uint32_t reserve_points(swage_builder* builder, uint32_t points);
+swage_capacities capacities_of(const scene::World& world);
 
 }  // namespace swage::host

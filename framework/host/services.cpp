@@ -78,8 +78,10 @@ const void* Services::get_extension(const swage_host*, const char* id) {
   static constexpr swage_host_pointer pointer{read_pointer};
   static constexpr swage_host_attempt attempt{attempt_mode};
   if (id == nullptr) return nullptr;
+  static constexpr swage_host_capacities capacities{reserve_points, read_capacities};
   if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
   if (std::strcmp(id, SWAGE_HOST_ATTEMPT) == 0) return &attempt;
+  if (std::strcmp(id, SWAGE_HOST_CAPACITIES) == 0) return &capacities;
   return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
 }
 
@@ -116,6 +118,16 @@ uint64_t Services::random_u64(const swage_host* host) {
   const bool in_world =
       self.shared_.world != nullptr && self.random_index_ < self.shared_.world->random.size();
   return base::splitmix64(in_world ? self.shared_.world->random[self.random_index_] : self.own_random_);
+}
+
+void Services::read_capacities(const swage_host* host, swage_capacities* out) {
+  if (out == nullptr) return;
+  const Services& self = of(host);
+  const swage_capacities all =
+      self.shared_.world != nullptr ? capacities_of(*self.shared_.world) : capacities_of(scene::World());
+  const uint32_t size = std::min<uint32_t>(out->struct_size, sizeof all);
+  std::memcpy(out, &all, size);
+  out->struct_size = size;
 }
 
 const swage_pointer* Services::read_pointer(const swage_host* host) {

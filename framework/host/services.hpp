@@ -4,6 +4,7 @@
 // numbers, extensions.
 #pragma once
 
+#include <swage/abi/builder.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/plugin.h>
@@ -94,6 +95,7 @@ class Services {
   static void fault(const swage_host*, int32_t code, double a, double b);
   static int32_t thread_kind(const swage_host*);
   static uint64_t random_u64(const swage_host*);
+  static void read_capacities(const swage_host*, swage_capacities* out);
   static const swage_pointer* read_pointer(const swage_host*);
   static int32_t attempt_mode(const swage_host*);
 

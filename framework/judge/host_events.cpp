@@ -14,6 +14,8 @@ uint32_t declare_host_events(Script& script) {
   script.events.push_back({kHostOwner, "host.mark", "1", "somebody marked this moment"});
   script.events.push_back({kHostOwner, "host.gap", "1", "steps were lost because the machine was held up"});
   script.events.push_back({kHostOwner, "host.force_stopped", "1", "the force guard disarmed a device"});
+  script.events.push_back(
+      {kHostOwner, "host.solver", "1", "the solver fell short for the first time; the counts say of what"});
   return first;
 }
 

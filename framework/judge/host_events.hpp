@@ -19,6 +19,7 @@ enum HostEvent : uint32_t {
   kMomentMarked,         // "host.mark"; value: ordinal of the mark
   kTimeLost,             // "host.gap"; value: steps that were never executed
   kForceStopped,         // "host.force_stopped"; value: why, session::ForceFault
+  kSolverFellShort,      // "host.solver"; value: step; the counts are in the health of the loop
   kHostEventCount
 };
 

@@ -95,6 +95,8 @@ std::string health_json(const snapshot::LoopHealth& h) {
               {"mean_step_cpu_s", h.mean_step_cpu_s},
               {"realtime", h.realtime},
               {"quarantined", h.quarantined}};
+  for (const auto& field : base::kSolverHealthFields) out["solver"][field.id] = h.solver.*field.count;
+  out["solver"]["steps"] = h.solver.steps;
   out["phase_s"] = json::array();
   for (const double s : h.phase_s) out["phase_s"].push_back(s);
   return out.dump();

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/capacities.hpp"
 #include "toolkit/convex.hpp"
 
 namespace swage::scene {
@@ -90,6 +91,7 @@ struct World {
   swage_vec3 gravity{0, 0, -9.80665};  // m/s2
   double length = 1e-3;                // m, characteristic length: every tolerance is relative to it
   double dt = 1e-3;                    // s
+  Capacities capacity;                 // of a step
 
   // --- the state: saved, restored, hashed
   uint64_t step = 0;

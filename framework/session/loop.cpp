@@ -162,6 +162,7 @@ void Loop::show(const LoopStats& stats) noexcept {
   std::copy_n(engine_.phase_s(), snapshot::kPhases, h.phase_s);
   h.realtime = realtime_granted_;
   h.quarantined = engine_.quarantined();
+  h.solver = engine_.stats().health;
   channel_.publish(s);
 }
 

@@ -8,11 +8,13 @@
 
 #include <cstdint>
 
+#include "base/solver_health.hpp"
+
 namespace swage::snapshot {
 
 // Capacities of a snapshot. A scene that declares more is refused when it is assembled, with these numbers in
 // the message.
-inline constexpr uint32_t kMaxBodies = 64;
+inline constexpr uint32_t kMaxBodies = 256;
 inline constexpr uint32_t kMaxParticles = 1024;
 inline constexpr uint32_t kMaxObjects = 32;
 inline constexpr uint32_t kMaxSignals = 128;
@@ -41,6 +43,7 @@ struct LoopHealth {
   double phase_s[kPhases] = {};                // wall, smoothed, in the order of step::Phase
   uint32_t realtime = 0;                       // 1: SCHED_FIFO and locked memory
   uint32_t quarantined = 0;                    // number of instances
+  base::SolverHealth solver;                   // all 0 in a sound scene
 };
 
 struct DeviceState {

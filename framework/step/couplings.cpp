@@ -29,9 +29,9 @@ bool sensible(const swage_contact& c) {
 
 }  // namespace
 
-Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts,
-                     uint32_t max_ties)
+Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events)
     : rig_(rig), objects_(objects), events_(events) {
+  const uint32_t max_contacts = rig.world.capacity.contacts, max_ties = rig.world.capacity.ties;
   const auto count = static_cast<uint32_t>(rig.couplings.size());
   step_.resize(count);
   context_.resize(count);

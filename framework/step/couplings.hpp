@@ -17,7 +17,7 @@ namespace swage::step {
 class Couplings {
  public:
   /// [main]
-  Couplings(host::Rig& rig, const Objects& objects, Events& events, uint32_t max_contacts, uint32_t max_ties);
+  Couplings(host::Rig& rig, const Objects& objects, Events& events);
 
   void reset() noexcept;                                 // [rt] all
   void reset_those_of(uint32_t object) noexcept;         // [rt]

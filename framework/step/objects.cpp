@@ -44,7 +44,7 @@ bool moves_itself(const scene::World& world, const scene::Range& body) {
 
 }  // namespace
 
-Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts) : rig_(rig), hands_(hands) {
+Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points) : rig_(rig), hands_(hands) {
   scene::World& world = rig.world;
   particle_start_ = world.particle_p_W;
   random_start_ = world.random;
@@ -57,7 +57,7 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_contacts) : ri
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
     if (slot.solver && moves_itself(world, slot.body))
-      self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_contacts));
+      self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_points));
   }
   self_now_.reserve(self_.size());
 }

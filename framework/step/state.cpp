@@ -31,7 +31,7 @@ std::size_t Engine::image_size() const {
   scene::Writer dynamics;
   dynamics_.save(dynamics);
   return scene::image_size(rig_.world) + dynamics.size() + detector_.image_size() + hands_.image_size() +
-         judging_.image_size();
+         judging_.image_size() + sizeof told_short_;
 }
 
 bool Engine::save(std::span<std::byte> out) const noexcept {
@@ -39,12 +39,14 @@ bool Engine::save(std::span<std::byte> out) const noexcept {
   write_state(writer);
   hands_.save(writer);
   judging_.save(writer);
+  writer.put(told_short_);
   return writer.ok();
 }
 
 bool Engine::restore(std::span<const std::byte> in) noexcept {
   scene::Reader reader(in);
   if (!read_state(reader) || !hands_.restore(reader) || !judging_.restore(reader)) return false;
+  reader.get(told_short_);
   rehash();
   objects_.begin();
   events_.clear();

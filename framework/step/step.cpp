@@ -13,6 +13,12 @@ namespace swage::step {
 namespace {
 // commands of one step; normal is 0 or 1. More wait in their ring for the next step
 constexpr std::size_t kMaxCommands = 64;
+
+/// What is found has room for what the scene may find.
+Options with_room(Options options, const scene::World& world) {
+  options.contact.capacity = world.capacity.contacts;
+  return options;
+}
 }  // namespace
 
 void Engine::step() noexcept {
@@ -42,14 +48,13 @@ const char* text(Phase phase) {
 
 Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> ports)
     : rig_(rig),
-      options_(options),
-      detector_(rig.world, rig.pairs, options.contact),
+      options_(with_room(options, rig.world)),
+      detector_(rig.world, rig.pairs, options_.contact),
       dynamics_(rig.world, options.dynamics),
       events_(rig.script),
       hands_(rig, std::move(ports)),
-      objects_(rig, hands_, options.dynamics.max_contacts),
-      couplings_(rig, objects_, events_, std::max(options.contact.capacity, options.dynamics.max_contacts),
-                 options.dynamics.max_ties),
+      objects_(rig, hands_, rig.world.capacity.points),
+      couplings_(rig, objects_, events_),
       judging_(rig, objects_, events_) {
   detector_.reserve(contacts_);
   command_.reserve(kMaxCommands);
@@ -73,6 +78,7 @@ void Engine::reset() noexcept {
   objects_.reset();
   couplings_.reset();
   judging_.reset();
+  told_short_ = 0;
   scene::Reader start(dynamics_start_);
   dynamics_.restore(start);
   rehash();
@@ -132,7 +138,18 @@ void Engine::solve() noexcept {
   dynamics_.solve(rig_.world, contacts_, objects_.self(), couplings_.ties());
   dynamics_.finish(rig_.world);
   objects_.freeze();
+  tell_shortfall();
   done(Phase::kSolve);
+}
+
+// what the solver fell short of is counted in every step, and an event in the first
+void Engine::tell_shortfall() noexcept {
+  const uint64_t steps = dynamics_.stats().health.steps;
+  if (steps > steps_short_ && told_short_ == 0) {
+    told_short_ = 1;
+    events_.emit_host(judge::kSolverFellShort, static_cast<double>(rig_.world.step));
+  }
+  steps_short_ = steps;
 }
 
 void Engine::finish() noexcept {

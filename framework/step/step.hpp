@@ -100,6 +100,7 @@ class Engine {
   void detect() noexcept;
   void couple() noexcept;
   void solve() noexcept;
+  void tell_shortfall() noexcept;
   void finish() noexcept;
   void observe() noexcept;
   void guard() noexcept;
@@ -132,6 +133,8 @@ class Engine {
   std::vector<const swage_live*> live_;    // of each instance, or nullptr
   std::vector<std::byte> dynamics_start_;  // what it remembers before the first step
   uint64_t hash_ = 0;
+  uint64_t steps_short_ = 0;  // in which the solver fell short, so far
+  uint64_t told_short_ = 0;   // not 0: the event of this attempt has been
   int64_t stamp_ = 0;  // ns, wall
   double phase_s_[snapshot::kPhases] = {};
 };

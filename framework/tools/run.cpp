@@ -144,10 +144,19 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
     std::printf("  %-20s %-14s %s\n", m.id.c_str(), metric_text(m.value, m.unit).c_str(), m.doc.c_str());
   }
   std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
+  if (r.health.solver.steps > 0)
+    std::printf("solver: fell short in %llu steps: %s\n",
+                static_cast<unsigned long long>(r.health.solver.steps), base::text(r.health.solver).c_str());
   if (r.attempt_id.empty())
     std::printf("not kept\n");
   else
     std::printf("kept as attempt %s in %s\n", r.attempt_id.c_str(), store.c_str());
+}
+
+Json solver_json(const base::SolverHealth& health) {
+  Json out = {{"steps", health.steps}};
+  for (const auto& field : base::kSolverHealthFields) out[field.id] = health.*field.count;
+  return out;
 }
 
 Json loop_json(const snapshot::LoopHealth& h) {
@@ -159,7 +168,8 @@ Json loop_json(const snapshot::LoopHealth& h) {
           {"worst_step_s", number(h.worst_step_s)},
           {"mean_step_cpu_s", number(h.mean_step_cpu_s)},
           {"realtime", h.realtime != 0},
-          {"quarantined", h.quarantined}};
+          {"quarantined", h.quarantined},
+          {"solver", solver_json(h.solver)}};
 }
 
 void print_json(const snapshot::SceneCard& card, const session::Result& r, const std::string& store) {

@@ -107,7 +107,7 @@ TEST(BendingNeedle, IsHeldAsTheRigidOneIs) {
     const Vec3 before = place();
     until(run, 9);
     EXPECT_LT((place() - before).norm(), 1e-9) << "it creeps";
-    EXPECT_EQ(run.engine().stats().not_converged, 0u);
+    EXPECT_EQ(run.engine().stats().health.not_converged, 0u);
     return before;
   };
   const Vec3 rigid = held(kSeries + "020_grasp_basic.json");

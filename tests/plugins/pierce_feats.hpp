@@ -68,7 +68,7 @@ class FeatScene {
     }
   }
   Feat end() {
-    feat.sound = feat.sound && std::isfinite(ledger_->lost) && rig.engine->stats().not_converged == 0;
+    feat.sound = feat.sound && std::isfinite(ledger_->lost) && rig.engine->stats().health.not_converged == 0;
     feat.made = -ledger_->worst, feat.made_in_all = -ledger_->deepest;
     feat.most_stored = ledger_->most_stored, feat.put_in = ledger_->put_in;
     feat.rest = rig.needle_energy();

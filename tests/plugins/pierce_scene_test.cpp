@@ -161,7 +161,7 @@ TEST(PierceScene, ReleasedInTheMiddleItStays) {
   });
   EXPECT_LT(worst, 0.01 * d) << "a minute";
   EXPECT_EQ(s.signal("pierce.state"), 2);
-  EXPECT_EQ(s.engine->stats().not_converged, 0u);
+  EXPECT_EQ(s.engine->stats().health.not_converged, 0u);
 }
 
 TEST(PierceScene, PushedAboutItTearsAndTheWoundTellsByHowMuch) {
@@ -330,7 +330,7 @@ TEST(PierceScene, StiffnessOverFourDecades) {
     EXPECT_LT(excess(s, 1.4, 0), 2 * kGivenBack) << young;
     s.run_until(1.6);
     EXPECT_LT(s.needle_energy(), 1e-13) << young << ": it comes to rest";
-    EXPECT_EQ(s.engine->stats().not_converged, 0u) << young;
+    EXPECT_EQ(s.engine->stats().health.not_converged, 0u) << young;
   }
 }
 
@@ -354,7 +354,7 @@ TEST(PierceScene, InTissueMuchTooSoftItComesToRestAsWell) {
   });
   EXPECT_LT(twitch, 0.5e-6) << "only what the tissue creeps in a step";
   EXPECT_LT(s.needle_energy(), 1e-13);
-  EXPECT_EQ(s.engine->stats().not_converged, 0u);
+  EXPECT_EQ(s.engine->stats().health.not_converged, 0u);
 }
 
 }  // namespace

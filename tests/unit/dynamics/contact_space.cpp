@@ -76,7 +76,7 @@ struct Bite {
 
   Outcome solve(bool contact_space) {
     IslandSolver solver(12, kRows, 1);
-    const Outcome outcome = solver.solve({movers, row, 7, contact_space}, 1e-13, Limits::kCoulomb);
+    const Outcome outcome = solver.solve({movers, row, 7, contact_space}, {1e-13, 2e-10, 1e-7}, Limits::kCoulomb);
     std::copy(solver.d().begin(), solver.d().end(), d);
     return outcome;
   }
@@ -210,7 +210,7 @@ TEST(ContactSpace, WhoAnswersAsABodyMovesAsOne) {
         EXPECT_LT((own.tie[i].f_a_W - body.tie[i].f_a_W).norm(), 1e-6 * most) << v.transpose();
       EXPECT_LT((own.ball.v - toolkit::vec(body.world.V_WB[0].v)).norm(), 1e-6 * (v.norm() + 1e-3))
           << v.transpose();
-      EXPECT_EQ(own.dynamics->stats().not_converged, 0u);
+      EXPECT_EQ(own.dynamics->stats().health.not_converged, 0u);
     }
 }
 
@@ -223,7 +223,7 @@ TEST(ContactSpace, WhoGivesNowhereStandsStill) {
     own.ball.gives = 0, own.ball.answers = answers;
     own.step();
     EXPECT_EQ(own.tie[0].f_a_W, still.tie[0].f_a_W);
-    EXPECT_EQ(own.dynamics->stats().not_converged, 0u);
+    EXPECT_EQ(own.dynamics->stats().health.not_converged, 0u);
   }
 }
 

@@ -117,7 +117,7 @@ TEST(SelfMovers, RefusesPointsBeyondItsCapacity) {
   PointMass mass;
   SelfSolver* const all[] = {&mass};
   movers.begin(all);
-  for (uint32_t i = 0; i < SelfMovers::kMaxPoints; ++i)
+  for (uint32_t i = 0; i < movers.room(); ++i)
     EXPECT_EQ(movers.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), i);
   EXPECT_EQ(movers.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), scene::kNone);
 }

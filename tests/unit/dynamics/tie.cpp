@@ -120,7 +120,7 @@ TEST(Ties, PendulumSwingsWithThePeriodOfTheClosedForm) {
       before = x;
     }
     EXPECT_NEAR(4 * quarter, expected, 4e-4 * expected) << amplitude;
-    EXPECT_EQ(s.dynamics->stats().not_converged, 0u);
+    EXPECT_EQ(s.dynamics->stats().health.not_converged, 0u);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(Ties, TheAxisTurnsWithA) {
   const Vec3 stretch = s.pose(a) * arm - arm + tie.offset_W;
   const double along = now.dot(stretch);
   EXPECT_LT((tie.f_a_W + 10 * along * now + 50 * (stretch - along * now)).norm(), 1e-6 * tie.f_a_W.norm());
-  EXPECT_EQ(s.dynamics->stats().not_converged, 0u);
+  EXPECT_EQ(s.dynamics->stats().health.not_converged, 0u);
 }
 
 TEST(Ties, BetweenWhatCannotMoveStillTellTheirForce) {
@@ -221,11 +221,12 @@ TEST(Ties, BetweenWhatCannotMoveStillTellTheirForce) {
 TEST(Ties, BeyondTheCapacityAreCountedAndHoldNothing) {
   Scene s;
   const uint32_t body = s.add(4e-7, {1e-13, 1e-13, 1e-13}, Vec3::Zero());
-  std::vector<Tie> ties(Options().max_ties + 3);
+  std::vector<Tie> ties(scene::Capacities().ties + 3);
   for (Tie& tie : ties)
     tie.body_a = body, tie.law.k_across = tie.law.k_along = 10, tie.offset_W = Vec3(0, 0, 1e-6);
   s.step(ties);
-  EXPECT_EQ(s.dynamics->stats().dropped, 3u);
+  EXPECT_EQ(s.dynamics->stats().health.dropped_ties, 3u);
+  EXPECT_EQ(s.dynamics->stats().health.steps, 1u);
   EXPECT_NE(ties[0].f_a_W.z(), 0);
   EXPECT_EQ(ties.back().f_a_W.z(), 0);
 }

@@ -132,8 +132,26 @@ TEST(Builder, CapacitiesAreThoseOfTheSnapshot) {
   std::vector<double> p(3 * 1025, 0), m(1025, 1e-9);
   EXPECT_EQ(b.raw->particles(b.raw, 1025, p.data(), m.data(), 0), kNone);
   EXPECT_EQ(b.raw->particles(b.raw, 1024, p.data(), m.data(), 0), 0u);
-  EXPECT_THAT(b.said(), ElementsAre("The scene would have 65 bodies; there is room for 64.",
+  EXPECT_THAT(b.said(), ElementsAre("The scene would have 257 bodies; there is room for 256.",
                                     "The scene would have 1025 particles; there is room for 1024."));
+}
+
+TEST(Builder, RoomForContactPointsIsAskedFor) {
+  Bench b;
+  swage_capacities room = capacities_of(b.world);
+  EXPECT_EQ(room.points, 96u);
+  EXPECT_EQ(room.bodies, swage::snapshot::kMaxBodies);
+  EXPECT_EQ(reserve_points(b.raw, 20), 96u);
+  EXPECT_EQ(capacities_of(b.world).rows, 128u) << "there was room";
+  EXPECT_EQ(reserve_points(b.raw, 200), 200u);
+  room = capacities_of(b.world);
+  EXPECT_EQ(room.rows, 400u);
+  EXPECT_EQ(room.contacts, 656u);
+  EXPECT_EQ(reserve_points(b.raw, 256), 256u);
+  EXPECT_EQ(capacities_of(b.world).rows, 512u);
+  EXPECT_THAT(b.said(), IsEmpty());
+  EXPECT_EQ(reserve_points(b.raw, 257), 0u);
+  EXPECT_THAT(b.said(), ElementsAre("An object may be asked about at most 256 contact points at once, not 257."));
 }
 
 TEST(Builder, ShapesGetTheirFrames) {

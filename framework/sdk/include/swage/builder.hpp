@@ -142,6 +142,16 @@ class ObjectBuilder : public Builder {
     return Shape(checked(table->declare(raw(), body, &field, flags)));
   }
 
+  /// Room for so many contact points of this object at once, of one with mechanics of its own. Returns how many it may be asked
+  /// about. `table`: host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES).
+  uint32_t reserve_points(const swage_host_capacities* table, uint32_t points) {
+    if (table == nullptr) {
+      error("", "this host has no capacities to ask for");
+      return 0;
+    }
+    return table->reserve_points(raw(), points);
+  }
+
   Hinge hinge(const swage_hinge& hinge) { return Hinge(checked(raw()->hinge(raw(), &hinge))); }
 
  private:

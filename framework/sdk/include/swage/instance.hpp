@@ -3,6 +3,7 @@
 // What every plugin instance inherits: its name, its host, and the ways to say that something is wrong.
 #pragma once
 
+#include <swage/abi/builder.h>
 #include <swage/abi/plugin.h>
 #include <swage/common.hpp>
 
@@ -45,6 +46,14 @@ class Instance {
   template <class Table>
   const Table* host_extension(const char* id) const {
     return static_cast<const Table*>(host_->get_extension(host_, id));
+  }
+
+  /// How much a step of this scene has room for; final from activate() on. Zeros from a host that does not say. [any]
+  swage_capacities capacities() const SWAGE_RT {
+    swage_capacities out{sizeof(swage_capacities), 0, 0, 0, 0, 0};
+    if (const auto* table = host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES))
+      table->read(host_, &out);
+    return out;
   }
 
   /// Words for people. [main | io]

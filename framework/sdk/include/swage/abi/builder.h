@@ -114,6 +114,29 @@ typedef struct swage_host_height_field {
   uint32_t (*declare)(swage_builder*, uint32_t body, const swage_height_field*, uint32_t flags); /* [main] in configure */
 } swage_host_height_field;
 
+/* How much a step of this scene has room for. What does not fit is counted in the health of the loop: contacts beyond `points`
+ * of one flexible body share the nearest point; contacts beyond `rows` of one island bear no force, the shallowest first. */
+typedef struct swage_capacities {
+  uint32_t struct_size;
+  uint32_t contacts; /* found in a step */
+  uint32_t ties;     /* links of couplings in a step */
+  uint32_t points;   /* about which one object with swage.object.solver is asked at most */
+  uint32_t rows;     /* contacts and ties that are solved together with such objects */
+  uint32_t bodies;   /* of the scene */
+} swage_capacities;
+
+/* The capacities of the scene, and a way to ask for more. A table that the host offers, see swage_host.get_extension. */
+#define SWAGE_HOST_CAPACITIES "swage.host.capacities/1"
+typedef struct swage_host_capacities {
+  /* This object may be asked about so many points at once: room for them, up to 256. Returns what a body will have, 0 on
+   * failure. [main] in configure */
+  uint32_t (*reserve_points)(swage_builder*, uint32_t points);
+  /* Of the whole scene; final from activate on. Writes at most struct_size bytes. [any] */
+  void (*read)(const swage_host*, swage_capacities* out);
+} swage_host_capacities;
+
+SWAGE_STATIC_ASSERT(sizeof(swage_capacities) == 24, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_host_capacities) == 16, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_mass) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_arc) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_convex) == 32, "frozen layout");

@@ -5,6 +5,7 @@
 
 #include <swage/plugin.hpp>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,6 +77,7 @@ struct Declared {
   std::vector<Name> names;
   std::vector<std::string> errors;  // "parameter: what"
   uint32_t n_state = 0;
+  uint32_t points = 0;  // that the object asked room for
   bool refuse_bodies = false;
 
   Declared() {
@@ -163,11 +165,20 @@ struct Declared {
   static void add_error(swage_builder* b, const char* param, const char* message) {
     of(b).errors.push_back(std::string(param) + ": " + message);
   }
+  static uint32_t reserve_points(swage_builder* b, uint32_t points) {
+    of(b).points = std::max(of(b).points, points);
+    return points;
+  }
   friend const void* host_table(const char* id);
 };
 
 inline const void* host_table(const char* id) {
   static constexpr swage_host_height_field height_field{Declared::add_height_field};
+  static constexpr swage_host_capacities capacities{
+      Declared::reserve_points, [](const swage_host*, swage_capacities* out) {
+        *out = {sizeof(swage_capacities), 1024, 64, 256, 512, 256};  // the most that a host has
+      }};
+  if (std::string_view(id) == SWAGE_HOST_CAPACITIES) return &capacities;
   return std::string_view(id) == SWAGE_HOST_HEIGHT_FIELD ? &height_field : nullptr;
 }
 
