@@ -51,7 +51,7 @@ inline double retardation(double restitution) { return (1 - restitution) * kReta
 inline Surface surface(double stiffness, double friction, double restitution, double h) {
   return {stiffness * (1 + retardation(restitution) / h), kTangentRatio * stiffness, friction};
 }
-inline double yielded(double restitution, double h, double gap_before) {
+inline double relaxed_gap(double restitution, double h, double gap_before) {
   const double T = retardation(restitution);
   return T / (h + T) * std::fmin(gap_before, 0.0);
 }

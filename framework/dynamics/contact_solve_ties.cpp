@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ties beside contacts: rows of the same islands, always active, with constant limits.
+// Ties beside contacts: constraints of the same islands, always active, with constant limits.
 #include <algorithm>
 #include <cmath>
 
@@ -18,43 +18,43 @@ constexpr double kContactStiffness = 1e6;
 
 /// Sides and, where an object answers for itself, its points.
 void ContactSolve::begin_ties(std::span<Tie> ties) noexcept {
-  tie_ = ties.first(std::min(ties.size(), known_tie_.size()));
+  tie_ = ties.first(std::min(ties.size(), tie_workspace_.size()));
   health_.dropped_ties += ties.size() - tie_.size();
-  for (Tie& tie : ties) tie.f_a_W = tie.slid_W = Vec3::Zero();
+  for (Tie& tie : ties) tie.f_a_W = tie.plastic_slip_W = Vec3::Zero();
   for (uint32_t i = 0; i < tie_.size(); ++i) {
     const Tie& tie = tie_[i];
-    KnownTie& k = known_tie_[i];
+    TieWorkspace& k = tie_workspace_[i];
     k = {};
     for (const bool is_a : {true, false}) {
       const uint32_t body = is_a ? tie.body_a : tie.body_b;
       Side& side = is_a ? k.a : k.b;
       if (body == kNone) continue;
       side = place_.side(body, kNone);
-      if (!place_.is_self(side.mover)) continue;
+      if (!place_.is_flexible(side.block)) continue;
       const Vec3 across = tie.offset_W - tie.axis_W.dot(tie.offset_W) * tie.axis_W;
       const Vec3 at =
           is_a ? tie.p_W : tie.p_W - across;  // b gives where it is held, wherever a has been pulled to
-      side.point = place_.self().add_point(place_.mover(side.mover).index, body, kNone, at, tie.axis_W);
+      side.point = place_.flexible().add_point(place_.block(side.block).index, body, kNone, at, tie.axis_W);
       if (side.point != kNone) continue;
       ++health_.shared_points;
       side.shares = true;
-      side.point = place_.self().nearest(place_.mover(side.mover).index, at);
+      side.point = place_.flexible().nearest(place_.block(side.block).index, at);
     }
   }
 }
 
-/// What an own solver gave way for in the last step it is expected to give way for again.
-void ContactSolve::expect_ties() noexcept {
+/// What a flexible body gave way for in the last step it is expected to give way for again.
+void ContactSolve::predict_ties() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i)
-    for (const Side* s : {&known_tie_[i].a, &known_tie_[i].b})
+    for (const Side* s : {&tie_workspace_[i].a, &tie_workspace_[i].b})
       if (s->point != kNone && !s->shares) place_.expect(*s, tie_[i].p_W);
 }
 
 /// The material points that each tie holds, once it is known who can be moved.
 void ContactSolve::start_ties() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    KnownTie& k = known_tie_[i];
-    k.active = place_.moves(k.a.mover) || place_.moves(k.b.mover);
+    TieWorkspace& k = tie_workspace_[i];
+    k.active = place_.moves(k.a.block) || place_.moves(k.b.block);
     k.p_W = tie_[i].p_W;
     k.axis_A = tie_[i].axis_W;
     if (k.a.body != kNone) k.p_A = place_.frame(k.a).inverse_times(tie_[i].p_W);
@@ -64,68 +64,69 @@ void ContactSolve::start_ties() noexcept {
 }
 
 /// What is tied is held where it is predicted to be.
-void ContactSolve::touch_ties() noexcept {
+void ContactSolve::mark_tied() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i)
-    for (const Side* s : {&known_tie_[i].a, &known_tie_[i].b})
-      if (s->mover != kNone) touched_[s->mover] = 1;
+    for (const Side* s : {&tie_workspace_[i].a, &tie_workspace_[i].b})
+      if (s->block != kNone) touched_[s->block] = 1;
 }
 
-uint32_t ContactSolve::first_mover(const KnownTie& k) const noexcept {
-  return place_.moves(k.a.mover) ? k.a.mover : place_.moves(k.b.mover) ? k.b.mover : kNone;
+uint32_t ContactSolve::first_block(const TieWorkspace& k) const noexcept {
+  return place_.moves(k.a.block) ? k.a.block : place_.moves(k.b.block) ? k.b.block : kNone;
 }
 
-void ContactSolve::join_ties() noexcept {
+void ContactSolve::join_tied_blocks() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    const KnownTie& k = known_tie_[i];
-    if (!place_.moves(k.a.mover) || !place_.moves(k.b.mover)) continue;
-    const uint32_t a = root(k.a.mover), b = root(k.b.mover);
+    const TieWorkspace& k = tie_workspace_[i];
+    if (!place_.moves(k.a.block) || !place_.moves(k.b.block)) continue;
+    const uint32_t a = root(k.a.block), b = root(k.b.block);
     parent_[std::max(a, b)] = std::min(a, b);
   }
 }
 
 /// Islands of what no contact names, after the others.
-void ContactSolve::found_ties() noexcept {
+void ContactSolve::add_tie_islands() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    if (!known_tie_[i].active) continue;
-    const uint32_t r = root(first_mover(known_tie_[i]));
+    if (!tie_workspace_[i].active) continue;
+    const uint32_t r = root(first_block(tie_workspace_[i]));
     if (island_of_[r] != kNone) continue;
     island_of_[r] = static_cast<uint32_t>(island_.size());
     island_.push_back({});
   }
 }
 
-void ContactSolve::fill_ties(uint32_t island) noexcept {
-  Group& group = island_[island];
+void ContactSolve::fill_ties(uint32_t index) noexcept {
+  IslandWorkspace& island = island_[index];
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    KnownTie& k = known_tie_[i];
-    if (!k.active || island_of_[first_mover(k)] != island) continue;
-    if (place_.moves(k.a.mover)) add_mover(group, k.a.mover);
-    if (place_.moves(k.b.mover)) add_mover(group, k.b.mover);
-    k.row = group.first_row + group.rows++;
-    Row& row = row_[k.row];
-    row.contact = i;
-    row.tie = &tie_[i].law;
-    row.limit = 0;
-    group.tied = true;
-    look(tie_[i], k, row);
+    TieWorkspace& k = tie_workspace_[i];
+    if (!k.active || island_of_[first_block(k)] != index) continue;
+    if (place_.moves(k.a.block)) add_block(island, k.a.block);
+    if (place_.moves(k.b.block)) add_block(island, k.b.block);
+    k.constraint = island.first_constraint + island.constraints++;
+    Constraint& constraint = constraint_[k.constraint];
+    constraint.contact = i;
+    constraint.tie = &tie_[i].law;
+    constraint.limit = 0;
+    island.tied = true;
+    linearise(tie_[i], k, constraint);
   }
 }
 
 void ContactSolve::refresh_ties() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    KnownTie& k = known_tie_[i];
-    Group* const moved[2] = {moving_group(k.a), moving_group(k.b)};
+    TieWorkspace& k = tie_workspace_[i];
+    IslandWorkspace* const moved[2] = {moving_island(k.a), moving_island(k.b)};
     if (!moved[0] && !moved[1]) continue;
-    Row& row = row_[k.row];
-    const double share = island_[island_of_[first_mover(k)]].share;
-    const Vec3 said(row.at.g + share * row.asked.g, row.at.s1 + share * row.asked.s1,
-                    row.at.s2 + share * row.asked.s2);
-    look(tie_[i], k, row);
+    Constraint& constraint = constraint_[k.constraint];
+    const double relaxation = island_[island_of_[first_block(k)]].relaxation;
+    const Vec3 said(constraint.at.g + relaxation * constraint.last_step.g,
+                    constraint.at.s1 + relaxation * constraint.last_step.s1,
+                    constraint.at.s2 + relaxation * constraint.last_step.s2);
+    linearise(tie_[i], k, constraint);
     const TieLaw& law = tie_[i].law;
-    const double off = (Vec3(row.at.g, row.at.s1, row.at.s2) - said).norm() *
+    const double off = (Vec3(constraint.at.g, constraint.at.s1, constraint.at.s2) - said).norm() *
                        std::min(1.0, std::max(law.k_across, law.k_along) / kContactStiffness);
-    for (Group* group : moved)
-      if (group) group->off = std::max(group->off, off);
+    for (IslandWorkspace* island : moved)
+      if (island) island->geometry_error = std::max(island->geometry_error, off);
   }
 }
 
@@ -137,50 +138,51 @@ Vec3 ContactSolve::moved(const Side& side, const Vec3& p_own, const Vec3& p_W) c
 }
 
 /// The tie at the present poses. Its axis turns with a; what it is stretched across the axis stands in the world.
-void ContactSolve::look(const Tie& tie, KnownTie& k, Row& row) noexcept {
-  row.n = k.a.body != kNone ? Vec3(place_.frame(k.a).R * k.axis_A) : k.axis_A;
-  axes_across(row.n, row.t1, row.t2);
+void ContactSolve::linearise(const Tie& tie, TieWorkspace& k, Constraint& constraint) noexcept {
+  constraint.n = k.a.body != kNone ? Vec3(place_.frame(k.a).R * k.axis_A) : k.axis_A;
+  axes_across(constraint.n, constraint.t1, constraint.t2);
   const Vec3 a = moved(k.a, k.p_A, tie.p_W), b = moved(k.b, k.p_B, tie.p_W);
   const double along = tie.axis_W.dot(tie.offset_W);
   const Vec3 s = tie.offset_W - along * tie.axis_W + a - b;
-  k.p_W = tie.p_W + (place_.moves(k.a.mover) ? a - s : b);
-  row.at = {along + row.n.dot(s), row.t1.dot(s), row.t2.dot(s)};
+  k.p_W = tie.p_W + (place_.moves(k.a.block) ? a - s : b);
+  constraint.at = {along + constraint.n.dot(s), constraint.t1.dot(s), constraint.t2.dot(s)};
 }
 
-/// What was put elsewhere than its rows said.
-void ContactSolve::look_again(const Group& group) noexcept {
-  for (uint32_t r = group.first_row; r < group.first_row + group.rows; ++r)
-    if (row_[r].tie != nullptr) look(tie_[row_[r].contact], known_tie_[row_[r].contact], row_[r]);
+/// What was put elsewhere than its constraints said.
+void ContactSolve::linearise_ties(const IslandWorkspace& island) noexcept {
+  for (uint32_t r = island.first_constraint; r < island.first_constraint + island.constraints; ++r)
+    if (constraint_[r].tie != nullptr)
+      linearise(tie_[constraint_[r].contact], tie_workspace_[constraint_[r].contact], constraint_[r]);
 }
 
 void ContactSolve::write_ties() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
-    KnownTie& k = known_tie_[i];
+    TieWorkspace& k = tie_workspace_[i];
     Tie& tie = tie_[i];
-    Row fixed;
+    Constraint fixed;
     if (!k.active) {  // nothing of it can be moved: its force follows from where it is
-      look(tie, k, fixed);
+      linearise(tie, k, fixed);
       fixed.f = tie_force(tie.law, fixed.at);
       tie.f_a_W = fixed.f.fn * fixed.n + fixed.f.f1 * fixed.t1 + fixed.f.f2 * fixed.t2;
     }
-    const Row& row = k.active ? row_[k.row] : fixed;
-    const Displacement slid = tie_slid(tie.law, row.at, tie_force(tie.law, row.at));
-    tie.axis_W = row.n;
-    tie.slid_W = slid.g * row.n + slid.s1 * row.t1 + slid.s2 * row.t2;
+    const Constraint& constraint = k.active ? constraint_[k.constraint] : fixed;
+    const Displacement slid = tie_plastic_slip(tie.law, constraint.at, tie_force(tie.law, constraint.at));
+    tie.axis_W = constraint.n;
+    tie.plastic_slip_W = slid.g * constraint.n + slid.s1 * constraint.t1 + slid.s2 * constraint.t2;
   }
 }
 
 void ContactSolve::mark_held_by_ties(Motion& motion) noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i)
-    if (!tie_[i].f_a_W.isZero(0)) hold(motion, known_tie_[i].a), hold(motion, known_tie_[i].b);
+    if (!tie_[i].f_a_W.isZero(0)) hold(motion, tie_workspace_[i].a), hold(motion, tie_workspace_[i].b);
 }
 
 void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
-  if (side.mover == kNone) return;
-  const Mover& m = place_.mover(side.mover);
-  if (m.kind == Mover::Kind::kBody) motion.held_body[m.index] = 1;
-  if (m.kind == Mover::Kind::kHinge) motion.held_hinge[m.index] = 1;
-  if (m.kind == Mover::Kind::kParticle) motion.held_particle[m.index] = 1;
+  if (side.block == kNone) return;
+  const DofBlock& m = place_.block(side.block);
+  if (m.kind == DofBlock::Kind::kRigid) motion.held_body[m.index] = 1;
+  if (m.kind == DofBlock::Kind::kHinge) motion.held_hinge[m.index] = 1;
+  if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
 }  // namespace swage::dynamics

@@ -17,7 +17,10 @@ constexpr double kTouch = 0.01;  // gap at which something that rebounds touches
 
 struct Dynamics::Core {
   Core(const scene::World& world, const Options& chosen)
-      : options(chosen), motion(world), rebound(world, world.capacity.contacts), contact_solve(world, chosen) {}
+      : options(chosen),
+        motion(world),
+        rebound(world, world.capacity.contacts),
+        contact_solve(world, chosen) {}
 
   Options options;
   Motion motion;
@@ -58,7 +61,7 @@ void Dynamics::free_motion(scene::World& world) noexcept {
   ++core_->stats.steps;
 }
 
-void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self,
+void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
                      std::span<Tie> ties) noexcept {
   std::fill(world.hinge_torque.begin(), world.hinge_torque.end(), 0.0);
   if (contacts.contact.empty() && ties.empty()) return core_->motion.go_free(world);

@@ -17,8 +17,8 @@
 #include <span>
 
 #include "contact/contact_set.hpp"
+#include "dynamics/flexible_body.hpp"
 #include "dynamics/options.hpp"
-#include "dynamics/self_solver.hpp"
 #include "dynamics/tie.hpp"
 #include "scene/state_image.hpp"
 #include "scene/world.hpp"
@@ -42,7 +42,7 @@ class Dynamics {
 
   /// [rt] Solves the contacts and writes final poses, twists and the results in `contacts` (bristle, force,
   /// slip) and in `ties`. `self`: objects with own mechanics, in the order of their objects; may be empty.
-  void solve(scene::World& world, contact::ContactSet& contacts, std::span<SelfSolver* const> self,
+  void solve(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
              std::span<Tie> ties = {}) noexcept;
 
   /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.

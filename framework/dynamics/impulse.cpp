@@ -47,8 +47,8 @@ struct Party {
       case SWAGE_MOTION_DYNAMIC:
         return 1 / motion.mass[body].mass + turned_by(arm().cross(n)).cross(arm()).dot(n);
       case SWAGE_MOTION_HINGED: {
-        const double lever = hinge_arm(axis).dot(n);
-        return lever * lever / world.hinge[world.body[body].hinge].inertia;
+        const double Jt = hinge_arm(axis).dot(n);
+        return Jt * Jt / world.hinge[world.body[body].hinge].inertia;
       }
       default:
         return 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "dynamics/contact_space.hpp"
-#include "dynamics/mover_space.hpp"
+#include "dynamics/displacement_space.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -22,20 +22,23 @@ constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits 
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
 
-/// Whether a row stiffens anything where it was last evaluated.
-bool takes_part(const Row& row) { return row.tie || row.f.fn > 0 || row.limit > 0; }
+/// Whether a constraint stiffens anything where it was last evaluated.
+bool takes_part(const Constraint& constraint) {
+  return constraint.tie || constraint.f.fn > 0 || constraint.limit > 0;
+}
 
 bool has_ties(const Island& island) {
-  return std::any_of(island.rows.begin(), island.rows.end(), [](const Row& row) { return row.tie; });
+  return std::any_of(island.constraints.begin(), island.constraints.end(),
+                     [](const Constraint& constraint) { return constraint.tie; });
 }
 
 }  // namespace
 
-IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_rows, uint32_t max_hinges)
-    : movers_(std::make_unique<MoverSpace>(max_unknowns)),
-      contacts_(std::make_unique<ContactSpace>(max_rows, max_hinges)),
+IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_constraints, uint32_t max_hinges)
+    : displacement_space_(std::make_unique<DisplacementSpace>(max_unknowns)),
+      contact_space_(std::make_unique<ContactSpace>(max_constraints, max_hinges)),
       d_(max_unknowns) {
-  const size_t numbers = std::max<size_t>(max_unknowns, 2 * (3 * size_t{max_rows} + max_hinges));
+  const size_t numbers = std::max<size_t>(max_unknowns, 2 * (3 * size_t{max_constraints} + max_hinges));
   for (std::vector<double>* z : {&z_, &trial_, &step_, &before_}) z->resize(numbers);
 }
 
@@ -43,88 +46,90 @@ IslandSolver::~IslandSolver() = default;
 
 void IslandSolver::begin_step(uint64_t budget) noexcept {
   budget_ = budget;
-  movers_->work = contacts_->work = 0;
+  displacement_space_->work = contact_space_->work = 0;
 }
 
-uint64_t IslandSolver::work() const noexcept { return movers_->work + contacts_->work; }
+uint64_t IslandSolver::work() const noexcept { return displacement_space_->work + contact_space_->work; }
 
 /// To the pose of the linearisation.
-void IslandSolver::start() noexcept { stands_ = space_->start(z_.data()); }
+void IslandSolver::start() noexcept { consistent_ = space_->start(z_.data()); }
 
-/// Forces of all rows and the residual at z.
+/// Forces of all constraints and the residual at z.
 void IslandSolver::evaluate(const Island& island, const double* z, Friction friction) noexcept {
   space_->displace(z);
-  for (Row& row : island.rows) {
-    if (row.tie) {
-      row.f = tie_force(*row.tie, row.u);
+  for (Constraint& constraint : island.constraints) {
+    if (constraint.tie) {
+      constraint.f = tie_force(*constraint.tie, constraint.u);
       continue;
     }
-    const double fn = normal_force(row.surface, row.u.g);
-    if (friction == Friction::kCoulomb) row.limit = row.surface.mu * fn;
-    row.f = force_with_limit(row.surface, row.u, fn, row.limit);
+    const double fn = normal_force(constraint.surface, constraint.u.g);
+    if (friction == Friction::kCoulomb) constraint.limit = constraint.surface.mu * fn;
+    constraint.f = force_with_limit(constraint.surface, constraint.u, fn, constraint.limit);
   }
   space_->residual(z);
 }
 
 /// Newton step from the point last evaluated.
-bool IslandSolver::direction(const Island& island, Friction friction) noexcept {
+bool IslandSolver::search_direction(const Island& island, Friction friction) noexcept {
   const bool same = same_stiffness(island, friction) && law_;
-  law_ = space_->direction(z_.data(), same, step_.data());
+  law_ = space_->search_direction(z_.data(), same, step_.data());
   newton_ += law_;
   return law_;
 }
 
-/// Tangents of all rows. True when they are what they were.
+/// Tangents of all constraints. True when they are what they were.
 bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexcept {
   bool same = true;
   const auto keep = [&same](double& kept, double now) {
     same = same && kept == now;
     kept = now;
   };
-  for (Row& row : island.rows) {
+  for (Constraint& constraint : island.constraints) {
     Tangent D;
-    if (row.tie)
-      D = tie_tangent(*row.tie, row.u);
-    else if (takes_part(row))
-      D = tangent(row.surface, row.u, row.f, row.limit, friction == Friction::kCoulomb);
+    if (constraint.tie)
+      D = tie_tangent(*constraint.tie, constraint.u);
+    else if (takes_part(constraint))
+      D = tangent(constraint.surface, constraint.u, constraint.f, constraint.limit,
+                  friction == Friction::kCoulomb);
     const double now[] = {D.nn, D.n1, D.n2, D.t11, D.t12, D.t22};
-    double* const kept[] = {&row.D.nn, &row.D.n1, &row.D.n2, &row.D.t11, &row.D.t12, &row.D.t22};
+    double* const kept[] = {&constraint.D.nn,  &constraint.D.n1,  &constraint.D.n2,
+                            &constraint.D.t11, &constraint.D.t12, &constraint.D.t22};
     for (int i = 0; i < 6; ++i) keep(*kept[i], now[i]);
   }
   return same;
 }
 
 /// A whole step from the start, where points of the space are reached by that alone.
-bool IslandSolver::take_stand(const Island& island, Friction friction) noexcept {
-  if (stands_) return true;
+bool IslandSolver::make_consistent(const Island& island, Friction friction) noexcept {
+  if (consistent_) return true;
   evaluate(island, z_.data(), friction);
-  if (!direction(island, friction)) return false;
+  if (!search_direction(island, friction)) return false;
   advance(1);
   z_.swap(trial_);
-  return stands_ = true;
+  return consistent_ = true;
 }
 
 void IslandSolver::advance(double fraction) noexcept {
-  for (size_t i = 0; i < numbers_; ++i) trial_[i] = z_[i] + fraction * step_[i];
+  for (size_t i = 0; i < point_size_; ++i) trial_[i] = z_[i] + fraction * step_[i];
 }
 
 /// The merit below which a correction H^-1 F cannot be seen: where nothing slips H is above A, so a correction dx of the lightest
-/// mover's centre has m dx^2 / h^2 <= F' A^-1 F. A hundredth of the tolerance, because places far from the centre move more. On
+/// block's centre has m dx^2 / h^2 <= F' A^-1 F. A hundredth of the tolerance, because places far from the centre move more. On
 /// one piece of every contact the first step ends there, and need not be confirmed by a second. What slips, holds by a tie or has
 /// unknowns of its own goes on until its correction is small.
-double IslandSolver::unseen(const Island& island, double tolerance) const noexcept {
+double IslandSolver::negligible_merit(const Island& island, double tolerance) const noexcept {
   double lightest = HUGE_VAL;
-  for (const Mover* mover : island.movers) {
-    if (mover->kind == Mover::Kind::kSelf) return 0;
-    if (mover->kind != Mover::Kind::kHinge) lightest = std::min(lightest, mover->m_hh);
+  for (const DofBlock* block : island.blocks) {
+    if (block->kind == DofBlock::Kind::kFlexible) return 0;
+    if (block->kind != DofBlock::Kind::kHinge) lightest = std::min(lightest, block->m_hh);
   }
   const double dx = 0.01 * tolerance;
   return lightest < HUGE_VAL ? lightest * dx * dx : 0;
 }
 
 bool IslandSolver::sticks(const Island& island) const noexcept {
-  for (const Row& row : island.rows)
-    if (row.tie || row.f.slips) return false;
+  for (const Constraint& constraint : island.constraints)
+    if (constraint.tie || constraint.f.slips) return false;
   return true;
 }
 
@@ -133,15 +138,15 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const bool tied = has_ties(island);
   const uint32_t steps = tied ? kTiedSteps : kNewtonSteps, halvings = tied ? kTiedHalvings : kHalvings;
-  if (!take_stand(island, Friction::kCoulomb)) return false;
+  if (!make_consistent(island, Friction::kCoulomb)) return false;
   evaluate(island, z_.data(), Friction::kCoulomb);
   double now = -1;  // not known yet
-  const double nothing = unseen(island, tolerance);
+  const double nothing = negligible_merit(island, tolerance);
   for (uint32_t i = 0; i < steps; ++i) {
-    if ((i > 0 && over_budget()) || !direction(island, Friction::kCoulomb)) return false;
+    if ((i > 0 && over_budget()) || !search_direction(island, Friction::kCoulomb)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
-    // every row is on the piece for which the last step was made: it ended here
+    // every constraint is on the piece for which the last step was made: it ended here
     if (island.contact_space && far <= kHere * tolerance) return true;
     if (far > tolerance && now < 0) now = space_->merit();
 
@@ -166,11 +171,14 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
 double IslandSolver::slope(const Island& island, double fraction) noexcept {
   advance(fraction);
   double sum = space_->slope(trial_.data(), step_.data());
-  for (const Row& row : island.rows) {
-    const Displacement& w = row.way;
-    const Displacement u{row.u.g + fraction * w.g, row.u.s1 + fraction * w.s1, row.u.s2 + fraction * w.s2};
-    const Force f = row.tie ? tie_force(*row.tie, u)
-                            : force_with_limit(row.surface, u, normal_force(row.surface, u.g), row.limit);
+  for (const Constraint& constraint : island.constraints) {
+    const Displacement& w = constraint.along;
+    const Displacement u{constraint.u.g + fraction * w.g, constraint.u.s1 + fraction * w.s1,
+                         constraint.u.s2 + fraction * w.s2};
+    const Force f = constraint.tie
+                        ? tie_force(*constraint.tie, u)
+                        : force_with_limit(constraint.surface, u, normal_force(constraint.surface, u.g),
+                                           constraint.limit);
     sum -= f.fn * w.g + f.f1 * w.s1 + f.f2 * w.s2;
   }
   return sum;
@@ -179,7 +187,7 @@ double IslandSolver::slope(const Island& island, double fraction) noexcept {
 /// The fraction of the step at which the energy is least, well enough: the slope there is a tenth of what it was. Regula
 /// falsi on the slope, which is piecewise smooth with steep kinks where a contact begins to slip.
 double IslandSolver::search(const Island& island) noexcept {
-  space_->aim(step_.data());
+  space_->set_search_direction(step_.data());
   const double start = slope(island, 0), good = kFlat * std::abs(start);
   double low = 0, high = 1, at_low = start, at_high = slope(island, 1);
   if (at_high <= good) return 1;  // the whole step still descends, or all but
@@ -200,11 +208,11 @@ double IslandSolver::search(const Island& island) noexcept {
 
 /// Least energy with the friction limits held: convex, so Newton with a line search finds it from anywhere.
 bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
-  if (!take_stand(island, Friction::kTresca)) return false;
+  if (!make_consistent(island, Friction::kTresca)) return false;
   evaluate(island, z_.data(), Friction::kTresca);
   uint32_t still = 0;
   for (uint32_t i = 0; i < kConvexSteps; ++i) {
-    if ((i > 0 && over_budget()) || !direction(island, Friction::kTresca)) return false;
+    if ((i > 0 && over_budget()) || !search_direction(island, Friction::kTresca)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
     if (far <= tolerance) {
@@ -226,9 +234,9 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
 
 Outcome IslandSolver::solve(const Island& island, const Lengths& lengths, Limits limits) noexcept {
   const double tolerance = lengths.converged;
-  space_ = island.contact_space ? contacts_.get() : movers_.get();
+  space_ = island.contact_space ? contact_space_.get() : displacement_space_.get();
   size_ = island.size;
-  numbers_ = space_->begin(island);
+  point_size_ = space_->begin(island);
   newton_ = 0;
   law_ = false;
   start();
@@ -269,16 +277,16 @@ void IslandSolver::fall_back(const Island& island, const Lengths& lengths, Outco
   if (!outcome.converged || far) {
     start();
     stick_all(island, tolerance);
-    std::copy_n(z_.begin(), numbers_, before_.begin());
-    stood = stands_;
+    std::copy_n(z_.begin(), point_size_, before_.begin());
+    stood = consistent_;
     outcome.converged = !far && (ties ? newton(island, tolerance) : follow_path(island, tolerance));
   }
   if (outcome.converged) {
     evaluate(island, z_.data(), Friction::kCoulomb);
     return;
   }
-  std::copy_n(before_.begin(), numbers_, z_.begin());
-  stands_ = stood;
+  std::copy_n(before_.begin(), point_size_, z_.begin());
+  consistent_ = stood;
   evaluate(island, z_.data(), Friction::kCoulomb);
   outcome.held = true;
   outcome.converged = hold_limits(island, tolerance, far ? 1 : kTrescaRounds, outcome);
@@ -288,7 +296,7 @@ void IslandSolver::fall_back(const Island& island, const Lengths& lengths, Outco
 /// Least energy where nothing slips.
 void IslandSolver::stick_all(const Island& island, double tolerance) noexcept {
   evaluate(island, z_.data(), Friction::kCoulomb);
-  for (Row& row : island.rows) row.limit = row.limit > 0 ? kNeverSlips : 0;
+  for (Constraint& constraint : island.constraints) constraint.limit = constraint.limit > 0 ? kNeverSlips : 0;
   minimise(island, tolerance);
 }
 
@@ -299,18 +307,18 @@ bool IslandSolver::hold_limits(const Island& island, double tolerance, uint32_t 
     ++outcome.rounds;
     const bool least = minimise(island, tolerance);
     if (outcome.rounds == rounds || !least || limits_hold(island)) return least;
-    for (Row& row : island.rows)
-      if (!row.tie) row.limit = row.surface.mu * row.f.fn;
+    for (Constraint& constraint : island.constraints)
+      if (!constraint.tie) constraint.limit = constraint.surface.mu * constraint.f.fn;
   }
 }
 
 /// Every friction limit is mu f_n to one in a thousand of the largest.
 bool IslandSolver::limits_hold(const Island& island) const noexcept {
   double largest = 0, off = 0;
-  for (const Row& row : island.rows) {
-    if (row.tie) continue;  // its limits are constants
-    largest = std::max(largest, row.limit);
-    off = std::max(off, std::abs(row.limit - row.surface.mu * row.f.fn));
+  for (const Constraint& constraint : island.constraints) {
+    if (constraint.tie) continue;  // its limits are constants
+    largest = std::max(largest, constraint.limit);
+    off = std::max(off, std::abs(constraint.limit - constraint.surface.mu * constraint.f.fn));
   }
   return off <= 1e-3 * largest;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contact problem of movers that touch one another, with the geometry linearised at the present poses: find d with
+// The contact problem of blocks that touch one another, with the geometry linearised at the present poses: find d with
 //
 //     F(d) = A (x + d - x_hat) - sum over contacts of J' f(u + J d) = 0.
 //
 // f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F with a line search; where that stalls, its
 // path is followed from piece to piece of the law; where that does not end, a convex problem with the friction limits held
-// (Tresca). README.md. The unknowns are d, or the forces of the rows: space.hpp.
+// (Tresca). README.md. The unknowns are d, or the forces of the constraints: space.hpp.
 //
 // Threads: the solver is built on [main]; solve() is [rt] and neither allocates nor throws.
 #pragma once
@@ -17,45 +17,45 @@
 #include <vector>
 
 #include "dynamics/contact_law.hpp"
+#include "dynamics/dof_block.hpp"
 #include "dynamics/lengths.hpp"
-#include "dynamics/mover.hpp"
 #include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
 
 /// One contact or tie in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
-struct Row {
+struct Constraint {
   uint32_t contact = 0;         // in the contact set, or among the ties
   const TieLaw* tie = nullptr;  // of a tie: then n is its axis, and g the displacement along it
-  uint32_t mover_a = UINT32_MAX, mover_b = UINT32_MAX;  // among those of the island; none: cannot be moved
-  uint32_t point_a = 0, point_b = 0;                    // of own solvers
+  uint32_t block_a = UINT32_MAX, block_b = UINT32_MAX;  // among those of the island; none: cannot be moved
+  uint32_t point_a = 0, point_b = 0;                    // of flexible bodies
   uint32_t size_a = 0, size_b = 0;                      // columns of J of either side
   uint32_t offset_a = 0, offset_b = 0;                  // of the unknowns in the island
   Surface surface;
-  Vec3 n, t1, t2;      // axes in W
-  Displacement at;     // at the linearisation; its gap counts from `yielded`
-  double yielded = 0;  // m, gap at which the surfaces push no more, because they come back late
+  Vec3 n, t1, t2;          // axes in W
+  Displacement at;         // at the linearisation; its gap counts from `yielded`
+  double relaxed_gap = 0;  // m, gap at which the surfaces push no more, because they come back late
   const double* J =
-      nullptr;  // 3 x (size_a + size_b), row-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
+      nullptr;  // 3 x (size_a + size_b), constraint-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
   // --- what solve() found
   Displacement u;
   Force f;
   double limit = 0;  // N, of friction
   Piece piece = Piece::kOpen;
-  Displacement way;    // along the Newton step
-  Tangent D;           // of which the last system was made
-  Displacement asked;  // from `at` to `u`, in the last pass
-  // N on a, in W; in contact space only. What own solvers are given: f but for the tolerance of the solve, which is 1e-10 m, at
+  Displacement along;      // along the Newton step
+  Tangent D;               // of which the last system was made
+  Displacement last_step;  // from `at` to `u`, in the last pass
+  // N on a, in W; in contact space only. What flexible bodies are given: f but for the tolerance of the solve, which is 1e-10 m, at
   // 1e6 N/m 0.1 mN, and that would throw a needle of 0.4 mg by a quarter of a millimetre
   Vec3 y = Vec3::Zero();
 };
 
 struct Island {
-  std::span<Mover* const> movers;
-  std::span<Row> rows;
+  std::span<DofBlock* const> blocks;
+  std::span<Constraint> constraints;
   uint32_t size = 0;           // numbers of d
-  bool contact_space = false;  // solved for the forces: own solvers are among the movers
+  bool contact_space = false;  // solved for the forces: flexible bodies are among the blocks
 };
 
 /// How a solve ended.
@@ -82,11 +82,11 @@ class Space;
 
 class IslandSolver {
  public:
-  /// `max_rows`, `max_hinges`: of an island solved in contact space.
-  explicit IslandSolver(uint32_t max_unknowns, uint32_t max_rows = 0, uint32_t max_hinges = 0);
+  /// `max_constraints`, `max_hinges`: of an island solved in contact space.
+  explicit IslandSolver(uint32_t max_unknowns, uint32_t max_constraints = 0, uint32_t max_hinges = 0);
   ~IslandSolver();
 
-  /// Solves for d, to be added to the movers' unknowns (d() below), and fills u, f, limit of every row.
+  /// Solves for d, to be added to the blocks' unknowns (d() below), and fills u, f, limit of every constraint.
   Outcome solve(const Island& island, const Lengths& lengths, Limits limits) noexcept;
 
   std::span<const double> d() const { return {d_.data(), size_}; }
@@ -101,11 +101,11 @@ class IslandSolver {
 
   void start() noexcept;
   void evaluate(const Island& island, const double* z, Friction friction) noexcept;
-  bool direction(const Island& island, Friction friction) noexcept;
+  bool search_direction(const Island& island, Friction friction) noexcept;
   bool same_stiffness(const Island& island, Friction friction) noexcept;
-  bool take_stand(const Island& island, Friction friction) noexcept;
+  bool make_consistent(const Island& island, Friction friction) noexcept;
   void advance(double fraction) noexcept;
-  double unseen(const Island& island, double tolerance) const noexcept;
+  double negligible_merit(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
   void fall_back(const Island& island, const Lengths& lengths, Outcome& outcome) noexcept;
@@ -115,7 +115,7 @@ class IslandSolver {
   // island_path.cpp
   bool follow_path(const Island& island, double tolerance) noexcept;
   void evaluate_pieces(const Island& island, const double* z) noexcept;
-  bool direction_on_pieces(const Island& island) noexcept;
+  bool search_direction_on_pieces(const Island& island) noexcept;
   uint32_t first_kink(const Island& island, uint32_t passed, double& fraction, Piece& next) const noexcept;
   bool whole_step(const Island& island, double far, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
@@ -124,11 +124,11 @@ class IslandSolver {
   double search(const Island& island) noexcept;
 
   uint64_t budget_ = UINT64_MAX;
-  size_t size_ = 0, numbers_ = 0;  // of d, of a point
+  size_t size_ = 0, point_size_ = 0;  // of d, of a point
   uint32_t newton_ = 0;
-  bool stands_ = false;  // the point is one of the space's, not only the start
-  bool law_ = false;     // D of the rows is of the law, not of its pieces
-  std::unique_ptr<Space> movers_, contacts_;
+  bool consistent_ = false;  // the point is one of the space's, not only the start
+  bool law_ = false;         // D of the constraints is of the law, not of its pieces
+  std::unique_ptr<Space> displacement_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;
   std::vector<double> before_;  // z_ of the last convex problem

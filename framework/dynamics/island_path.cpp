@@ -23,26 +23,28 @@ constexpr double kPassed = 1e-9;     // of a step: a contact does not come back 
 /// Forces of the pieces and the residual at z.
 void IslandSolver::evaluate_pieces(const Island& island, const double* z) noexcept {
   space_->displace(z);
-  for (Row& row : island.rows) row.f = force_on(row.piece, row.surface, row.u);
+  for (Constraint& constraint : island.constraints)
+    constraint.f = force_on(constraint.piece, constraint.surface, constraint.u);
   space_->residual(z);
 }
 
 /// The direction of the path: Newton's, and against it where F is inside out.
-bool IslandSolver::direction_on_pieces(const Island& island) noexcept {
-  for (Row& row : island.rows) row.D = tangent_on(row.piece, row.surface, row.u);
+bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
+  for (Constraint& constraint : island.constraints)
+    constraint.D = tangent_on(constraint.piece, constraint.surface, constraint.u);
   law_ = false;
-  const bool there = space_->direction(z_.data(), false, step_.data());
+  const bool there = space_->search_direction(z_.data(), false, step_.data());
   newton_ += there;
   return there;
 }
 
-/// The row that first comes to the end of its piece, before `fraction` of the step; `passed`: the row that just did.
+/// The constraint that first comes to the end of its piece, before `fraction` of the step; `passed`: the constraint that just did.
 uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, double& fraction,
                                   Piece& next) const noexcept {
   uint32_t hit = UINT32_MAX;
-  for (uint32_t i = 0; i < island.rows.size(); ++i) {
-    const Row& row = island.rows[i];
-    const Kink k = kink(row.piece, row.surface, row.u, row.way);
+  for (uint32_t i = 0; i < island.constraints.size(); ++i) {
+    const Constraint& constraint = island.constraints[i];
+    const Kink k = kink(constraint.piece, constraint.surface, constraint.u, constraint.along);
     if (!(k.t < fraction) || (i == passed && k.t < kPassed)) continue;
     hit = i, fraction = k.t, next = k.next;
   }
@@ -63,27 +65,28 @@ bool IslandSolver::whole_step(const Island& island, double far, double tolerance
 }
 
 bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept {
-  if (!take_stand(island, Friction::kCoulomb)) return false;
+  if (!make_consistent(island, Friction::kCoulomb)) return false;
   space_->displace(z_.data());
-  for (Row& row : island.rows) row.piece = piece(row.surface, row.u);
+  for (Constraint& constraint : island.constraints)
+    constraint.piece = piece(constraint.surface, constraint.u);
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
   for (uint32_t i = 0; i < kPathSteps; ++i) {
-    if (over_budget() || !direction_on_pieces(island)) return false;
+    if (over_budget() || !search_direction_on_pieces(island)) return false;
     const bool down = space_->sign() > 0;
     if (!down)
-      for (size_t k = 0; k < numbers_; ++k) step_[k] = -step_[k];
+      for (size_t k = 0; k < point_size_; ++k) step_[k] = -step_[k];
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
 
     double fraction = down ? 1 : HUGE_VAL;
     Piece next = Piece::kOpen;
-    space_->aim(step_.data());
+    space_->set_search_direction(step_.data());
     passed = first_kink(island, passed, fraction, next);
     if (passed != UINT32_MAX) {
       advance(fraction);
       z_.swap(trial_);
-      island.rows[passed].piece = next;
+      island.constraints[passed].piece = next;
       evaluate_pieces(island, z_.data());
     } else if (!down) {
       return false;  // leads nowhere

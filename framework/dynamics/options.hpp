@@ -34,19 +34,19 @@ struct Options {
   FreeMotion free_motion = FreeMotion::kElliptic;
   Response response = Response::kCompliant;
   uint64_t budget = kBudget;  // work of the contact solve per step, in multiply-adds
-  double tolerance = 1e-7;  // converged when the last correction is below tolerance * World::length: 0.1 nm
+  double tolerance = 1e-7;    // converged when the last correction is below tolerance * World::length: 0.1 nm
 };
 
 /// What the solver did since it was made. A step that did not converge shows here.
 struct Stats {
   uint64_t steps = 0;
-  uint64_t islands = 0;        // solved
-  uint64_t newton = 0;         // Newton steps, all islands
-  uint64_t refreshed = 0;      // times the geometry was evaluated anew at trial poses
-  uint64_t fallbacks = 0;      // islands where Newton stalled and the convex path took over
-  uint64_t rounds = 0;         // convex problems solved there
-  uint64_t asked_again = 0;    // steps in which own solvers were asked about all their contacts after all
-  uint64_t work = 0;           // multiply-adds of all steps, and of the step that took most
+  uint64_t islands = 0;      // solved
+  uint64_t newton = 0;       // Newton steps, all islands
+  uint64_t refreshed = 0;    // times the geometry was evaluated anew at trial poses
+  uint64_t fallbacks = 0;    // islands where Newton stalled and the convex path took over
+  uint64_t rounds = 0;       // convex problems solved there
+  uint64_t asked_again = 0;  // steps in which flexible bodies were asked about all their contacts after all
+  uint64_t work = 0;         // multiply-adds of all steps, and of the step that took most
   uint64_t most_work = 0;
   base::SolverHealth health;  // what it could not do
 };

@@ -13,65 +13,67 @@ using toolkit::Frame;
 using toolkit::raw;
 using toolkit::vec;
 
-Placement::Placement(const scene::World& world) : self_(world) {
+Placement::Placement(const scene::World& world) : flexible_(world) {
   const size_t bodies = world.body.size(), hinges = world.hinge.size(),
                particles = world.particle_mass.size();
   trial_.resize(bodies);
   p_.assign(particles, Vec3::Zero());
-  mover_of_body_.assign(bodies, kNone), mover_of_particle_.assign(particles, kNone);
+  block_of_body_.assign(bodies, kNone), block_of_particle_.assign(particles, kNone);
 
-  auto add = [this](Mover::Kind kind, size_t index, uint32_t size) {
-    Mover m;
+  auto add = [this](DofBlock::Kind kind, size_t index, uint32_t size) {
+    DofBlock m;
     m.kind = kind, m.index = static_cast<uint32_t>(index), m.size = size;
-    mover_.push_back(m);
-    return static_cast<uint32_t>(mover_.size() - 1);
+    block_.push_back(m);
+    return static_cast<uint32_t>(block_.size() - 1);
   };
   for (size_t i = 0; i < bodies; ++i)
-    if (world.body[i].motion == SWAGE_MOTION_DYNAMIC) mover_of_body_[i] = add(Mover::Kind::kBody, i, 6);
-  for (size_t i = 0; i < hinges; ++i) mover_of_body_[world.hinge[i].child] = add(Mover::Kind::kHinge, i, 1);
-  for (size_t i = 0; i < particles; ++i) mover_of_particle_[i] = add(Mover::Kind::kParticle, i, 3);
-  first_self_ = movers();
-  for (size_t i = 0; i < self_.capacity(); ++i) add(Mover::Kind::kSelf, i, 0);
-  mover_step_.assign(mover_.size(), 0);
+    if (world.body[i].motion == SWAGE_MOTION_DYNAMIC) block_of_body_[i] = add(DofBlock::Kind::kRigid, i, 6);
+  for (size_t i = 0; i < hinges; ++i)
+    block_of_body_[world.hinge[i].child] = add(DofBlock::Kind::kHinge, i, 1);
+  for (size_t i = 0; i < particles; ++i) block_of_particle_[i] = add(DofBlock::Kind::kParticle, i, 3);
+  first_flexible_ = blocks();
+  for (size_t i = 0; i < flexible_.capacity(); ++i) add(DofBlock::Kind::kFlexible, i, 0);
+  block_step_.assign(block_.size(), 0);
 }
 
 uint32_t Placement::unknowns() const noexcept {
   uint32_t sum = 0;
-  for (const Mover& m : mover_) sum += m.size;
+  for (const DofBlock& m : block_) sum += m.size;
   return sum;
 }
 
-void Placement::begin(scene::World& world, Motion& motion, std::span<SelfSolver* const> self) noexcept {
+void Placement::begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept {
   world_ = &world, motion_ = &motion;
   h_ = world.dt;
   ++step_;
-  self_.begin(self);
+  flexible_.begin(self);
 }
 
 Side Placement::side(uint32_t body, uint32_t particle) noexcept {
   Side s;
   if (particle != kNone) {
     s.particle = particle;
-    s.mover = mover_of_particle_[particle];
-    if (mover_step_[s.mover] != step_) {
+    s.block = block_of_particle_[particle];
+    if (block_step_[s.block] != step_) {
       const double* p = &world_->particle_p_W[3 * particle];
       p_[particle] = Vec3(p[0], p[1], p[2]);
     }
   } else {
     s.body = body;
     if (trial_[body].step != step_) prepare(body);
-    s.mover = mover_of_body_[body];
+    s.block = block_of_body_[body];
     if (world_->body[body].motion == SWAGE_MOTION_SELF) {
-      const uint32_t slot = self_.slot(world_->body[body].object);
-      s.mover = slot == kNone ? kNone : first_self_ + slot;
+      const uint32_t slot = flexible_.slot(world_->body[body].object);
+      s.block = slot == kNone ? kNone : first_flexible_ + slot;
     }
   }
-  if (s.mover != kNone && mover_step_[s.mover] != step_) prepare_mover(s.mover);
+  if (s.block != kNone && block_step_[s.block] != step_) prepare_block(s.block);
   return s;
 }
 
 void Placement::take_answers() noexcept {
-  for (uint32_t slot = 0; slot < self_.count(); ++slot) mover_[first_self_ + slot].own = self_.answer(slot);
+  for (uint32_t slot = 0; slot < flexible_.count(); ++slot)
+    block_[first_flexible_ + slot].own = flexible_.answer(slot);
 }
 
 /// Trial of any body at the pose that the world has for it.
@@ -98,12 +100,12 @@ void Placement::prepare(uint32_t body) noexcept {
   t.back = undo.toRotationMatrix();
 }
 
-void Placement::prepare_mover(uint32_t mover) noexcept {
-  Mover& m = mover_[mover];
-  mover_step_[mover] = step_;
+void Placement::prepare_block(uint32_t block) noexcept {
+  DofBlock& m = block_[block];
+  block_step_[block] = step_;
   const double per_hh = 1 / (h_ * h_);
   switch (m.kind) {
-    case Mover::Kind::kBody: {
+    case DofBlock::Kind::kRigid: {
       const RigidMass& mass = motion_->mass[m.index];
       const Trial& t = trial_[m.index];
       m.m_hh = mass.mass * per_hh;
@@ -114,7 +116,7 @@ void Placement::prepare_mover(uint32_t mover) noexcept {
       turn_inertia(m);
       break;
     }
-    case Mover::Kind::kHinge: {
+    case DofBlock::Kind::kHinge: {
       const scene::HingeInfo& info = world_->hinge[m.index];
       const Pose X_WP(world_->X_WB[info.parent]);
       m.axis = X_WP.q * vec(info.axis), m.anchor = X_WP * vec(info.anchor);
@@ -123,17 +125,17 @@ void Placement::prepare_mover(uint32_t mover) noexcept {
       m.angle = world_->hinge_angle[m.index] - motion_->q0[m.index];
       break;
     }
-    case Mover::Kind::kParticle:
+    case DofBlock::Kind::kParticle:
       m.m_hh = world_->particle_mass[m.index] * per_hh;
       m.x = p_[m.index] - motion_->p0[m.index] - h_ * motion_->v_free_p[m.index];
       break;
-    case Mover::Kind::kSelf:
+    case DofBlock::Kind::kFlexible:
       break;
   }
 }
 
 /// Inertia in W at the present attitude.
-void Placement::turn_inertia(Mover& m) noexcept {
+void Placement::turn_inertia(DofBlock& m) noexcept {
   const RigidMass& mass = motion_->mass[m.index];
   const Trial& t = trial_[m.index];
   const double hh = h_ * h_;
@@ -156,8 +158,8 @@ Frame Placement::frame(const Side& side) const noexcept {
 
 Vec3 Placement::displacement(const Side& side, const Vec3& p_W) const noexcept {
   if (side.particle != kNone) return p_[side.particle] - motion_->p0[side.particle];
-  if (is_self(side.mover) && side.point != kNone)
-    return self_.displacement(side.mover - first_self_, side.point);
+  if (is_flexible(side.block) && side.point != kNone)
+    return flexible_.displacement(side.block - first_flexible_, side.point);
   return carried(trial_[side.body], p_W);
 }
 
@@ -169,47 +171,47 @@ Vec3 Placement::carried(const Trial& t, const Vec3& p_W) noexcept {
 }
 
 void Placement::expect(const Side& side, const Vec3& p_W) noexcept {
-  self_.expect(side.mover - first_self_, side.point, carried(trial_[side.body], p_W));
+  flexible_.expect(side.block - first_flexible_, side.point, carried(trial_[side.body], p_W));
 }
 
-Vec3 Placement::beyond(const Side& side, const Vec3& p_W) const noexcept {
-  return self_.displacement(side.mover - first_self_, side.point) - carried(trial_[side.body], p_W);
+Vec3 Placement::prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
+  return flexible_.displacement(side.block - first_flexible_, side.point) - carried(trial_[side.body], p_W);
 }
 
-Vec3 Placement::beyond_free(const Side& side, const Vec3& p_W) const noexcept {
-  return self_.u_free(side.mover - first_self_, side.point) - carried(trial_[side.body], p_W);
+Vec3 Placement::free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
+  return flexible_.u_free(side.block - first_flexible_, side.point) - carried(trial_[side.body], p_W);
 }
 
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {
-  known = side.body != kNone && !is_self(side.mover);
+  known = side.body != kNone && !is_flexible(side.block);
   return known ? trial_[side.body].a : Vec3::Zero();
 }
 
 void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double sign,
                         double* J) const noexcept {
-  const Mover& m = mover_[side.mover];
+  const DofBlock& m = block_[side.block];
   switch (m.kind) {
-    case Mover::Kind::kBody: {
+    case DofBlock::Kind::kRigid: {
       // u = d + w x r: e . u = e . d + (r x e) . w
       const Vec3 moment = (p_W - trial_[side.body].X.p).cross(e);
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i], J[3 + i] = sign * moment[i];
       break;
     }
-    case Mover::Kind::kHinge:
+    case DofBlock::Kind::kHinge:
       J[0] = sign * m.axis.cross(p_W - m.anchor).dot(e);
       break;
-    case Mover::Kind::kParticle:
+    case DofBlock::Kind::kParticle:
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i];
       break;
-    case Mover::Kind::kSelf:  // contact_space.hpp
+    case DofBlock::Kind::kFlexible:  // contact_space.hpp
       break;
   }
 }
 
-void Placement::move(uint32_t mover, const double* d) noexcept {
-  Mover& m = mover_[mover];
+void Placement::move(uint32_t block, const double* d) noexcept {
+  DofBlock& m = block_[block];
   switch (m.kind) {
-    case Mover::Kind::kBody: {
+    case DofBlock::Kind::kRigid: {
       Trial& t = trial_[m.index];
       const Vec3 dp(d[0], d[1], d[2]);
       Quat q = turn(Vec3(d[3], d[4], d[5])) * t.X.q;
@@ -219,32 +221,32 @@ void Placement::move(uint32_t mover, const double* d) noexcept {
       turn_inertia(m);
       break;
     }
-    case Mover::Kind::kHinge: {
+    case DofBlock::Kind::kHinge: {
       m.angle += d[0];
       const scene::HingeInfo& info = world_->hinge[m.index];
       const Pose X_WP(world_->X_WB[info.parent]);
       set_pose(trial_[info.child], scene::hinged(info, X_WP, motion_->q0[m.index] + m.angle));
       break;
     }
-    case Mover::Kind::kParticle: {
+    case DofBlock::Kind::kParticle: {
       const Vec3 dp(d[0], d[1], d[2]);
       p_[m.index] += dp;
       m.x += dp;
       break;
     }
-    case Mover::Kind::kSelf:
+    case DofBlock::Kind::kFlexible:
       break;
   }
 }
 
-bool Placement::let_go(uint32_t mover) noexcept {
-  Mover& m = mover_[mover];
+bool Placement::release(uint32_t block) noexcept {
+  DofBlock& m = block_[block];
   switch (m.kind) {
-    case Mover::Kind::kBody:
+    case DofBlock::Kind::kRigid:
       if (!motion_->held_body[m.index]) return false;
       set_pose(trial_[m.index], motion_->X_free[m.index]);
       break;
-    case Mover::Kind::kHinge: {
+    case DofBlock::Kind::kHinge: {
       if (!motion_->held_hinge[m.index]) return false;
       const scene::HingeInfo& info = world_->hinge[m.index];
       m.angle = motion_->q_free[m.index] - motion_->q0[m.index];
@@ -252,37 +254,37 @@ bool Placement::let_go(uint32_t mover) noexcept {
                scene::hinged(info, Pose(world_->X_WB[info.parent]), motion_->q_free[m.index]));
       return true;
     }
-    case Mover::Kind::kParticle:
+    case DofBlock::Kind::kParticle:
       if (!motion_->held_particle[m.index]) return false;
       p_[m.index] = motion_->p_free[m.index];
       break;
-    case Mover::Kind::kSelf:
+    case DofBlock::Kind::kFlexible:
       return false;
   }
-  prepare_mover(mover);
+  prepare_block(block);
   return true;
 }
 
-double Placement::gain(uint32_t mover) const noexcept {
-  const Mover& m = mover_[mover];
+double Placement::gain(uint32_t block) const noexcept {
+  const DofBlock& m = block_[block];
   const uint32_t i = m.index;
-  if (m.kind == Mover::Kind::kBody)
+  if (m.kind == DofBlock::Kind::kRigid)
     return h_ * (vec(world_->F_B_W[i].f) / motion_->mass[i].mass + vec(world_->gravity)).norm();
-  return m.kind == Mover::Kind::kParticle
+  return m.kind == DofBlock::Kind::kParticle
              ? 2 * (motion_->v_free_p[i] - (motion_->p_free[i] - motion_->p0[i]) / h_).norm()
              : 0.0;
 }
 
-void Placement::slow_down(uint32_t mover, double speed) noexcept {
-  Mover& m = mover_[mover];
-  if (m.kind == Mover::Kind::kBody) {
+void Placement::slow_down(uint32_t block, double speed) noexcept {
+  DofBlock& m = block_[block];
+  if (m.kind == DofBlock::Kind::kRigid) {
     Trial& t = trial_[m.index];
     const Vec3 way = t.X.p - t.X0.p;
     const double far = way.norm();
     if (far <= h_ * speed) return;
     const double keep = h_ * speed / far;
     set_pose(t, Pose(t.X0.p + keep * way, turn(keep * t.a) * t.X0.q));
-  } else if (m.kind == Mover::Kind::kParticle) {
+  } else if (m.kind == DofBlock::Kind::kParticle) {
     const Vec3 way = p_[m.index] - motion_->p0[m.index];
     const double far = way.norm();
     if (far > h_ * speed) p_[m.index] = motion_->p0[m.index] + h_ * speed / far * way;
@@ -290,25 +292,25 @@ void Placement::slow_down(uint32_t mover, double speed) noexcept {
 }
 
 void Placement::write_back(std::span<const uint8_t> solved) noexcept {
-  for (uint32_t i = 0; i < first_self_; ++i) {
-    const Mover& m = mover_[i];
+  for (uint32_t i = 0; i < first_flexible_; ++i) {
+    const DofBlock& m = block_[i];
     switch (m.kind) {
-      case Mover::Kind::kBody:
+      case DofBlock::Kind::kRigid:
         write_body(m, solved[i]);
         break;
-      case Mover::Kind::kHinge:
+      case DofBlock::Kind::kHinge:
         write_hinge(m, solved[i]);
         break;
-      case Mover::Kind::kParticle:
+      case DofBlock::Kind::kParticle:
         write_particle(m, solved[i]);
         break;
-      case Mover::Kind::kSelf:
+      case DofBlock::Kind::kFlexible:
         break;
     }
   }
 }
 
-void Placement::write_body(const Mover& m, bool solved) noexcept {
+void Placement::write_body(const DofBlock& m, bool solved) noexcept {
   const uint32_t i = m.index;
   if (solved) {
     const Trial& t = trial_[i];
@@ -320,12 +322,12 @@ void Placement::write_body(const Mover& m, bool solved) noexcept {
   }
 }
 
-void Placement::write_hinge(const Mover& m, bool solved) noexcept {
+void Placement::write_hinge(const DofBlock& m, bool solved) noexcept {
   const double q = solved ? motion_->q0[m.index] + m.angle : motion_->q_free[m.index];
   place_hinge(*world_, *motion_, m.index, q);
 }
 
-void Placement::write_particle(const Mover& m, bool solved) noexcept {
+void Placement::write_particle(const DofBlock& m, bool solved) noexcept {
   const uint32_t i = m.index;
   const Vec3 p = solved ? p_[i] : motion_->p_free[i];
   const Vec3 v = solved ? Vec3((p_[i] - motion_->p0[i]) / h_) : motion_->v_free_p[i];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) know a point z, how the rows
+// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) know a point z, how the constraints
 // stand there and a direction from it; what z is they leave to one of two:
 //
-//     MoverSpace     displacements of the movers: few where many contacts hold one body
-//     ContactSpace   forces of the rows: what objects with own solvers answer for
+//     DisplacementSpace     displacements of the blocks: few where many contacts hold one body
+//     ContactSpace   forces of the constraints: what objects with flexible bodies answer for
 //
 // Both take the same steps but for rounding. [rt]; built on [main].
 #pragma once
@@ -25,26 +25,26 @@ class Space {
   /// The pose of the linearisation. False: what a point must keep to holds only after a whole step from here.
   virtual bool start(double* z) noexcept = 0;
 
-  /// Fills u of every row.
+  /// Fills u of every constraint.
   virtual void displace(const double* z) noexcept = 0;
-  /// From f of every row: what is out of balance, and that as an energy, F' A^-1 F [J].
+  /// From f of every constraint: what is out of balance, and that as an energy, F' A^-1 F [J].
   virtual void residual(const double* z) noexcept = 0;
   virtual double merit() noexcept = 0;
-  /// Newton's step from z, by u, f and D of every row; after residual(). `same`: every D is that of the last call.
-  virtual bool direction(const double* z, bool same, double* step) noexcept = 0;
+  /// Newton's step from z, by u, f and D of every constraint; after residual(). `same`: every D is that of the last call.
+  virtual bool search_direction(const double* z, bool same, double* step) noexcept = 0;
   /// Sign of det H of the last direction.
   virtual int sign() const noexcept = 0;
 
-  /// Fills `way` of every row: how it moves along a step.
-  virtual void aim(const double* step) noexcept = 0;
-  /// Work of what is not in rows along a step, at z [J].
+  /// Fills `way` of every constraint: how it moves along a step.
+  virtual void set_search_direction(const double* step) noexcept = 0;
+  /// Work of what is not in constraints along a step, at z [J].
   virtual double slope(const double* z, const double* step) noexcept = 0;
-  /// The farthest that a centre or a row moves along a step [m].
+  /// The farthest that a centre or a constraint moves along a step [m].
   virtual double length(const double* step) noexcept = 0;
 
   /// The same from the pose of the linearisation to z.
   virtual double moved(const double* z) noexcept = 0;
-  /// Ends the solve at z: displacements of the movers, and of every row the force y.
+  /// Ends the solve at z: displacements of the blocks, and of every constraint the force y.
   virtual void finish(const double* z, double* d) noexcept = 0;
 
   /// Multiply-adds of matrices since it was last set to 0: what a budget counts.

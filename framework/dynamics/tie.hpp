@@ -3,7 +3,7 @@
 // A compliant link between two bodies and its law: along its axis a bristle that slides beyond a limit, across it a spring that
 // gives way beyond its strength. Both limits are constants of the step, so the force is minus the gradient of a convex energy.
 //
-//     f_along  = clamp(-k_along s, -forth, back)
+//     f_along  = clamp(-k_along s, -forward, backward)
 //     f_across = -k_across s,  returned radially to `strength`
 //
 // Header-only, [rt].
@@ -24,8 +24,8 @@ using toolkit::Vec3;
 struct TieLaw {
   double k_across = 0, k_along = 0;  // N/m
   double strength = HUGE_VAL;        // N
-  double forth = HUGE_VAL;           // N, holds a back that moves along +axis
-  double back = HUGE_VAL;            // N, along -axis
+  double forward_limit = HUGE_VAL;   // N, holds a back that moves along +axis
+  double backward_limit = HUGE_VAL;  // N, along -axis
 };
 
 /// One tie of a step. Frame W, global bodies; kNone: the world.
@@ -36,14 +36,14 @@ struct Tie {
   Vec3 offset_W = Vec3::Zero();  // m, of a against b from rest, at the predicted poses
   TieLaw law;
   // --- results of the solve
-  Vec3 f_a_W = Vec3::Zero();   // N on a
-  Vec3 slid_W = Vec3::Zero();  // m, what it gave up
+  Vec3 f_a_W = Vec3::Zero();           // N on a
+  Vec3 plastic_slip_W = Vec3::Zero();  // m, what it gave up
 };
 
 /// Force on a. In the axes of the tie, g is along and s1, s2 are across.
 inline Force tie_force(const TieLaw& law, const Displacement& d) {
   Force f;
-  f.fn = std::clamp(-law.k_along * d.g, -law.forth, law.back);
+  f.fn = std::clamp(-law.k_along * d.g, -law.forward_limit, law.backward_limit);
   f.f1 = -law.k_across * d.s1, f.f2 = -law.k_across * d.s2;
   const double across = std::sqrt(f.f1 * f.f1 + f.f2 * f.f2);
   f.slips = across > law.strength;
@@ -55,7 +55,7 @@ inline Force tie_force(const TieLaw& law, const Displacement& d) {
 inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
   Tangent t;
   const double along = -law.k_along * d.g;
-  if (along >= -law.forth && along <= law.back) t.nn = law.k_along;
+  if (along >= -law.forward_limit && along <= law.backward_limit) t.nn = law.k_along;
   const double length = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2);
   if (law.k_across * length <= law.strength) {
     t.t11 = t.t22 = law.k_across;
@@ -67,7 +67,7 @@ inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
 }
 
 /// What of the displacement the force does not answer for: it has slid or given way [m].
-inline Displacement tie_slid(const TieLaw& law, const Displacement& d, const Force& f) {
+inline Displacement tie_plastic_slip(const TieLaw& law, const Displacement& d, const Force& f) {
   Displacement slid;
   if (law.k_along > 0) slid.g = d.g + f.fn / law.k_along;
   if (law.k_across > 0) slid.s1 = d.s1 + f.f1 / law.k_across, slid.s2 = d.s2 + f.f2 / law.k_across;
@@ -76,7 +76,7 @@ inline Displacement tie_slid(const TieLaw& law, const Displacement& d, const For
 
 /// Energy whose gradient is minus the force [J].
 inline double tie_energy(const TieLaw& law, const Displacement& d) {
-  const double most = d.g > 0 ? law.forth : law.back, s = std::abs(d.g);
+  const double most = d.g > 0 ? law.forward_limit : law.backward_limit, s = std::abs(d.g);
   const double along =
       law.k_along * s <= most ? 0.5 * law.k_along * s * s : most * (s - 0.5 * most / law.k_along);
   const double r = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2);

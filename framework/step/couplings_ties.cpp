@@ -87,7 +87,7 @@ void Couplings::tied() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
     shown_tie_[i].axis_W = toolkit::raw(tie_[i].axis_W);
     shown_tie_[i].f_a_W = toolkit::raw(tie_[i].f_a_W);
-    shown_tie_[i].slid_W = toolkit::raw(tie_[i].slid_W);
+    shown_tie_[i].slid_W = toolkit::raw(tie_[i].plastic_slip_W);
   }
   for (uint32_t i = 0; i < step_.size(); ++i) {
     const host::CouplingSlot& slot = rig_.couplings[i];

@@ -11,7 +11,7 @@
 #include "host/rig.hpp"
 #include "scene/state_image.hpp"
 #include "step/device_port.hpp"
-#include "step/stops.hpp"
+#include "step/tool_proxy.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::step {
@@ -52,7 +52,7 @@ class Hands {
   ToolForce to_hand(uint32_t device, const Felt& tool) const noexcept;
 
   host::Rig& rig_;
-  Stops stops_;
+  ToolProxy stops_;
   std::vector<std::unique_ptr<DevicePort>> own_;
   std::vector<DevicePort*> port_;
   std::vector<swage_sample> sample_;  // of each device, as used in this step

@@ -57,7 +57,7 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points) : rig_
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
     if (slot.solver && moves_itself(world, slot.body))
-      self_.push_back(std::make_unique<SelfPort>(slot, i, view_[i], max_points));
+      self_.push_back(std::make_unique<FlexibleBodyAdapter>(slot, i, view_[i], max_points));
   }
   self_now_.reserve(self_.size());
 }
@@ -169,7 +169,7 @@ uint32_t Objects::dents(uint32_t object, std::span<swage_dent> out) const noexce
              : 0;
 }
 
-std::span<dynamics::SelfSolver* const> Objects::self() noexcept {
+std::span<dynamics::FlexibleBody* const> Objects::self() noexcept {
   self_now_.clear();
   for (const auto& port : self_)
     if (!frozen(port->object())) self_now_.push_back(port.get());

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "host/rig.hpp"
+#include "step/flexible_body_adapter.hpp"
 #include "step/hands.hpp"
-#include "step/self_port.hpp"
 
 namespace swage::step {
 
@@ -32,7 +32,7 @@ class Objects {
 
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
-  std::span<dynamics::SelfSolver* const> self() noexcept;  // own mechanics that are not in quarantine
+  std::span<dynamics::FlexibleBody* const> self() noexcept;  // own mechanics that are not in quarantine
   bool frozen(uint32_t object) const noexcept {
     return rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;
   }
@@ -45,8 +45,8 @@ class Objects {
   host::Rig& rig_;
   const Hands& hands_;
   std::vector<swage_object_step> view_;
-  std::vector<std::unique_ptr<SelfPort>> self_;
-  std::vector<dynamics::SelfSolver*> self_now_;
+  std::vector<std::unique_ptr<FlexibleBodyAdapter>> self_;
+  std::vector<dynamics::FlexibleBody*> self_now_;
 
   // where everything was before this step
   std::vector<swage_pose> X_WB_before_;

@@ -135,7 +135,7 @@ class Engine {
   uint64_t hash_ = 0;
   uint64_t steps_short_ = 0;  // in which the solver fell short, so far
   uint64_t told_short_ = 0;   // not 0: the event of this attempt has been
-  int64_t stamp_ = 0;  // ns, wall
+  int64_t stamp_ = 0;         // ns, wall
   double phase_s_[snapshot::kPhases] = {};
 };
 

@@ -93,13 +93,13 @@ std::span<const swage_contact_point> BendingBody::local(std::span<const swage_co
   return {point_.data(), point.size()};
 }
 
-bool BendingBody::compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept {
+bool BendingBody::mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept {
   const swage_object_step raw = view();
   bending_.compliance(Step(&raw), local(point), v_free, W);
   return true;
 }
 
-void BendingBody::yield(std::span<const swage_contact_point> point, const double* impulse) noexcept {
+void BendingBody::apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept {
   const swage_object_step raw = view();
   bending_.yield(Step(&raw), local(point), impulse);
 }

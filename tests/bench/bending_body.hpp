@@ -3,13 +3,13 @@
 // The needle that bends (plugins/needle) in a scene of our own rooms, without a host around it. SI units.
 #pragma once
 
-#include "dynamics/self_solver.hpp"
+#include "dynamics/flexible_body.hpp"
 #include "plugins/needle/bending.hpp"
 #include "swage_world.hpp"
 
 namespace swage::bench {
 
-class BendingBody final : public dynamics::SelfSolver {
+class BendingBody final : public dynamics::FlexibleBody {
  public:
   /// The first of its bodies in the world; it has the frame N of the rigid needle.
   static constexpr uint32_t kFirst = kBodies;
@@ -25,8 +25,8 @@ class BendingBody final : public dynamics::SelfSolver {
 
   uint32_t object() const noexcept override { return kNeedleObject; }
   bool shows_itself() const noexcept override { return true; }
-  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
-  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
+  bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
+  void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
   /// Stress over yield, bend and the like, after the step.
   needle::Bending::Reading read();
   /// Turn of its first body against the middle of the wire per couple on it, about the axes of N [rad / N m], in closed form: l/EI and

@@ -32,7 +32,7 @@ void free_motion(benchmark::State& state, FreeMotion method) {
 void island(benchmark::State& state) {
   constexpr double kHh = 1e6;  // 1/s2, 1 / h^2
   const auto n = static_cast<size_t>(state.range(0));
-  Mover needle;
+  DofBlock needle;
   needle.m_hh = 4e-7 * kHh;
   needle.I_hh = Vec3(1.3e-12, 5e-16, 1.3e-12).asDiagonal();
   needle.I_hh *= kHh;
@@ -55,7 +55,7 @@ void island(benchmark::State& state) {
     row[i].at = {-1e-7, 1e-9, 0};
     row[i].J = &J[18 * i];
   }
-  Mover* const movers[] = {&needle};
+  DofBlock* const movers[] = {&needle};
   IslandSolver solver(12);
   for (auto _ : state) benchmark::DoNotOptimize(solver.solve({movers, row, 6}, 1e-10, Limits::kCoulomb));
 }

@@ -78,7 +78,7 @@ class Swage final : public Engine {
     if (bending_) bending_->advance();
     dynamics_.free_motion(world_);
     detect();
-    dynamics::SelfSolver* const self[] = {bending_.get()};
+    dynamics::FlexibleBody* const self[] = {bending_.get()};
     dynamics_.solve(world_, contacts_, {self, bending_ ? 1u : 0u});
     dynamics_.finish(world_);
     ++world_.step;

@@ -47,11 +47,11 @@ TEST(NoAllocation, InIslandsOfManyContacts) {
   constexpr size_t kRows = 40;
   base::Xoshiro256 rng(12);
   const auto draw = [&] { return rng.uniform(-1, 1); };
-  Mover needle;
+  DofBlock needle;
   needle.m_hh = 0.4;
   needle.I_hh = Vec3(1.3e-6, 5e-10, 1.3e-6).asDiagonal();
   needle.inv_I_hh = needle.I_hh.inverse();
-  Mover* const movers[] = {&needle};
+  DofBlock* const movers[] = {&needle};
   std::vector<double> J(18 * kRows);
   std::vector<Row> row(kRows);
   IslandSolver solver(12);

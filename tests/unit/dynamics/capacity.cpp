@@ -19,11 +19,11 @@ constexpr double kStiffness = 1e6;               // N/m
 constexpr double kMass = 4e-7;                   // kg
 
 /// A ball that answers for its contact points as a free body does that cannot turn.
-class Ball : public SelfSolver {
+class Ball : public FlexibleBody {
  public:
   explicit Ball(uint32_t object) : object_(object) {}
   uint32_t object() const noexcept override { return object_; }
-  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
+  bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
     asked = point.size();
     const size_t n = 3 * point.size();
     for (size_t i = 0; i < n; ++i) {
@@ -32,7 +32,7 @@ class Ball : public SelfSolver {
     }
     return answers;
   }
-  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override {
+  void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override {
     got.setZero();
     for (size_t i = 0; i < point.size(); ++i)
       got += Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]);
@@ -89,7 +89,7 @@ struct Crowd {
     if (!dynamics) begin();
     dynamics->free_motion(world);
     detector->detect(world, contacts);
-    SelfSolver* const self[] = {&ball[0], &ball[1]};
+    FlexibleBody* const self[] = {&ball[0], &ball[1]};
     dynamics->solve(world, contacts, self);
   }
   bool is_apart(const contact::Contact& c) const { return c.body_a >= apart || c.body_b >= apart; }
@@ -103,7 +103,7 @@ struct Crowd {
 };
 
 TEST(Capacity, AnIslandBeyondItKeepsItsDeepestContacts) {
-  Crowd crowd(35);  // 70 + 70 + 1 rows in one island of flexible bodies
+  Crowd crowd(35);  // 70 + 70 + 1 constraints in one island of flexible bodies
   crowd.step();
   ASSERT_EQ(crowd.contacts.contact.size(), 142u);
   uint32_t bearing = 0;
@@ -141,7 +141,8 @@ TEST(Capacity, WhatBearsForceStays) {
   }
   crowd.step();
   ASSERT_EQ(crowd.contacts.contact.size(), bore.size());
-  for (size_t i = 0; i < bore.size(); ++i) EXPECT_EQ(!crowd.contacts.contact[i].f_a_W.isZero(0), bore[i]) << i;
+  for (size_t i = 0; i < bore.size(); ++i)
+    EXPECT_EQ(!crowd.contacts.contact[i].f_a_W.isZero(0), bore[i]) << i;
 }
 
 TEST(Capacity, WithRoomForAllNothingIsCounted) {

@@ -90,7 +90,8 @@ TEST(ContactLaw, KinksAreWhereThePieceEnds) {
     const Piece from = piece(kSteel, u);
     const Kink k = kink(from, kSteel, u, way);
     const double end = std::isfinite(k.t) ? k.t : 1e3;
-    for (const double share : {0.1, 0.5, 0.999999}) ASSERT_EQ(piece(kSteel, at(share * end)), from) << i;
+    for (const double relaxation : {0.1, 0.5, 0.999999})
+      ASSERT_EQ(piece(kSteel, at(relaxation * end)), from) << i;
     if (!std::isfinite(k.t)) continue;
     EXPECT_EQ(piece(kSteel, at(k.t * 1.000001)), k.next) << i;
     ++seen[static_cast<int>(from)][static_cast<int>(k.next)];
@@ -108,7 +109,7 @@ TEST(ContactLaw, WhatDoesNotReboundComesBackLate) {
     double x = 0, v = -0.02;
     for (int i = 0; i < 100000 && (x < 0 || v < 0); ++i) {
       const Surface s = surface(k, 0, restitution, h);
-      const double ref = yielded(restitution, h, x);
+      const double ref = relaxed_gap(restitution, h, x);
       // m (v1 - v) / h = -s.k (x + h v1 - ref), while that pushes
       double v1 = (mass * v - h * s.k * (x - ref)) / (mass + h * h * s.k);
       if (x + h * v1 - ref > 0) v1 = v;

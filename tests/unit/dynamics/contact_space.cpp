@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island solved for its forces ends where it ends solved for its displacements; and an own solver that answers as a rigid
+// An island solved for its forces ends where it ends solved for its displacements; and a flexible body that answers as a rigid
 // body does moves as one.
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct Bite {
     needle.x = 1e-6 * any();
     needle.a = 1e-3 * any();
     needle.b = needle.I_hh * (needle.a + 1e-3 * any());
-    jaw.kind = Mover::Kind::kHinge;
+    jaw.kind = DofBlock::Kind::kHinge;
     jaw.size = 1;
     jaw.offset = 6;
     jaw.drive.kappa = 30, jaw.drive.t0 = 0.01 * draw(), jaw.drive.max = 0.02;
@@ -44,14 +44,14 @@ struct Bite {
 
   /// Contacts press from above, where the jaw is, or from below; ties hold along the wire and across it.
   void lay(uint32_t i) {
-    Row& r = row[i];
+    Constraint& r = constraint[i];
     const bool tie = i >= kContacts, above = draw() > 0;
     r.contact = i;
     r.n = tie ? Vec3(0.1 * any() + Vec3::UnitY()) : Vec3(0.05 * any() + (above ? -1 : 1) * Vec3::UnitZ());
     r.n.normalize();
     axes_across(r.n, r.t1, r.t2);
-    r.mover_a = 0, r.size_a = 6;
-    if (above && !tie) r.mover_b = 1, r.size_b = 1, r.offset_b = 6;
+    r.block_a = 0, r.size_a = 6;
+    if (above && !tie) r.block_b = 1, r.size_b = 1, r.offset_b = 6;
     if (tie) {
       law[i - kContacts] = {50, 300, 4e-5 * rng.uniform(0, 3), 1e-4 * rng.uniform(0, 3), 1e-4};
       r.tie = &law[i - kContacts];
@@ -76,16 +76,17 @@ struct Bite {
 
   Outcome solve(bool contact_space) {
     IslandSolver solver(12, kRows, 1);
-    const Outcome outcome = solver.solve({movers, row, 7, contact_space}, {1e-13, 2e-10, 1e-7}, Limits::kCoulomb);
+    const Outcome outcome =
+        solver.solve({blocks, constraint, 7, contact_space}, {1e-13, 2e-10, 1e-7}, Limits::kCoulomb);
     std::copy(solver.d().begin(), solver.d().end(), d);
     return outcome;
   }
 
   base::Xoshiro256 rng;
-  Mover needle, jaw;
-  Mover* movers[2] = {&needle, &jaw};
+  DofBlock needle, jaw;
+  DofBlock* blocks[2] = {&needle, &jaw};
   TieLaw law[kTies];
-  Row row[kRows];
+  Constraint constraint[kRows];
   double J[kRows][21], d[7];
 };
 
@@ -98,7 +99,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
     if (!a.converged || !b.converged || a.fell_back || b.fell_back) continue;
     ++alike;
     double most = 0, way = 0;
-    for (const Row& r : by_movers.row) {
+    for (const Constraint& r : by_movers.constraint) {
       most = std::max(most, std::hypot(r.f.fn, r.f.f1, r.f.f2));
       way = std::max(way, std::hypot(r.u.g, r.u.s1, r.u.s2));
     }
@@ -106,7 +107,7 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
     for (int i = 0; i < 7; ++i)
       EXPECT_NEAR(by_forces.d[i], by_movers.d[i], kSame * way / (i < 3 ? 1 : 5e-5)) << seed << " " << i;
     for (uint32_t i = 0; i < Bite::kRows; ++i) {
-      const Row &r = by_movers.row[i], &s = by_forces.row[i];
+      const Constraint &r = by_movers.constraint[i], &s = by_forces.constraint[i];
       EXPECT_NEAR(s.f.fn, r.f.fn, kSame * most) << seed << " " << i;
       EXPECT_NEAR(s.f.f1, r.f.f1, kSame * most) << seed << " " << i;
       EXPECT_NEAR(s.f.f2, r.f.f2, kSame * most) << seed << " " << i;
@@ -114,11 +115,11 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
       EXPECT_NEAR(s.u.s1, r.u.s1, kSame * way) << seed << " " << i;
       EXPECT_NEAR(s.u.s2, r.u.s2, kSame * way) << seed << " " << i;
       EXPECT_EQ(s.f.slips, r.f.slips);
-      // what an own solver would be given is what the law says
+      // what a flexible body would be given is what the law says
       const Vec3 f = s.f.fn * s.n + s.f.f1 * s.t1 + s.f.f2 * s.t2;
       EXPECT_LT((s.y - f).norm(), 1e-6 * most);
       if (r.tie) {
-        slides += r.f.fn == -r.tie->forth || r.f.fn == r.tie->back, tears += r.f.slips;
+        slides += r.f.fn == -r.tie->forward_limit || r.f.fn == r.tie->backward_limit, tears += r.f.slips;
       } else {
         opens += r.f.fn == 0, slips += r.f.fn > 0 && r.f.slips, sticks += r.f.fn > 0 && !r.f.slips;
       }
@@ -129,10 +130,10 @@ TEST(ContactSpace, EndsWhereDisplacementsDo) {
 }
 
 /// A ball that answers as a free body does that cannot turn, or as the test likes.
-class Ball : public SelfSolver {
+class Ball : public FlexibleBody {
  public:
   uint32_t object() const noexcept override { return 0; }
-  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
+  bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
     const size_t n = 3 * point.size();
     for (size_t i = 0; i < n; ++i) {
       v_free[i] = v[static_cast<Eigen::Index>(i % 3)];
@@ -140,7 +141,7 @@ class Ball : public SelfSolver {
     }
     return answers;
   }
-  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override {
+  void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override {
     for (size_t i = 0; i < point.size(); ++i)
       for (size_t k = 0; k < 3; ++k) v[static_cast<Eigen::Index>(k)] += impulse[3 * i + k] / kMass;
   }
@@ -169,7 +170,7 @@ struct Stack {
   void step() {
     dynamics->free_motion(world);
     detector->detect(world, contacts);
-    SelfSolver* const self[] = {&ball};
+    FlexibleBody* const self[] = {&ball};
     dynamics->solve(world, contacts, self, tie);
   }
   static scene::World make(int32_t motion, const Vec3& v) {
@@ -181,7 +182,7 @@ struct Stack {
     scene::reset(w);
     if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_SELF) return w;
     w.V_WB[0].v = toolkit::raw(v);
-    // as its own solver would have advanced it
+    // as its flexible body would have advanced it
     if (motion == SWAGE_MOTION_SELF) w.X_WB[0].p = toolkit::raw(Vec3(1e-3 * v));
     return w;
   }

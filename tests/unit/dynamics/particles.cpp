@@ -74,21 +74,21 @@ TEST(Particles, LieAtTheDepthOfTheirLoad) {
 
 TEST(Particles, StickBelowTheCoulombLimitAndSlideAboveIt) {
   const double load = 1e-3;
-  for (const double share : {0.98, 1.02}) {
+  for (const double relaxation : {0.98, 1.02}) {
     Bead s(SWAGE_MOTION_FIXED);
     s.world.gravity = {0, 0, 0};
     for (int i = 0; i < 100; ++i) s.step({0, 0, -load});
     const double start = s.place().x();
     constexpr int kSteps = 50;
-    for (int i = 0; i < kSteps; ++i) s.step({share * kFriction * load, 0, -load});
+    for (int i = 0; i < kSteps; ++i) s.step({relaxation * kFriction * load, 0, -load});
     const double way = s.place().x() - start;
-    if (share < 1) {
+    if (relaxation < 1) {
       // elastic: mu N / k_t
-      EXPECT_NEAR(way, share * kFriction * load / (kTangentRatio * kStiffness), 1e-12);
+      EXPECT_NEAR(way, relaxation * kFriction * load / (kTangentRatio * kStiffness), 1e-12);
       EXPECT_LT(s.velocity().norm(), 1e-9);
     } else {
       // what friction leaves accelerates it, from when the bristle bears no more
-      const double a = (share - 1) * kFriction * load / kMass, t = kSteps * s.world.dt;
+      const double a = (relaxation - 1) * kFriction * load / kMass, t = kSteps * s.world.dt;
       EXPECT_NEAR(s.velocity().x(), a * t, 0.05 * a * t);
       EXPECT_GT(way, 0.4 * a * t * t);
     }

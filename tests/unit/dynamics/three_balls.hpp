@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A ball between two others, one below and one above it: what tests of own solvers solve.
+// A ball between two others, one below and one above it: what tests of flexible bodies solve.
 #pragma once
 
 #include "scene/kinematics.hpp"

@@ -19,7 +19,7 @@ using toolkit::vec;
 
 TEST(TieLaw, SlidesAtItsLimitsAndRemembersTheRest) {
   const TieLaw law{100, 1000, 2e-3, 5e-3, 1e-3};
-  // 3 um along: stuck. 8 um: 5 mN and 3 um slid. Backwards less is held
+  // 3 um along: stalled. 8 um: 5 mN and 3 um slid. Backwards less is held
   EXPECT_NEAR(tie_force(law, {3e-6, 0, 0}).fn, -3e-3, 1e-15);
   EXPECT_NEAR(tie_force(law, {8e-6, 0, 0}).fn, -5e-3, 1e-15);
   EXPECT_NEAR(tie_force(law, {-8e-6, 0, 0}).fn, 1e-3, 1e-15);
@@ -27,7 +27,7 @@ TEST(TieLaw, SlidesAtItsLimitsAndRemembersTheRest) {
   const Force f = tie_force(law, far);
   EXPECT_NEAR(f.f1, -2e-3 * 0.6, 1e-15);
   EXPECT_NEAR(f.f2, -2e-3 * 0.8, 1e-15);
-  const Displacement slid = tie_slid(law, far, f);
+  const Displacement slid = tie_plastic_slip(law, far, f);
   EXPECT_NEAR(slid.g, 3e-6, 1e-18);
   EXPECT_NEAR(slid.s1, 0.6 * 30e-6, 1e-18);  // of 50 um the spring keeps 20
   EXPECT_NEAR(slid.s2, 0.8 * 30e-6, 1e-18);
@@ -126,7 +126,7 @@ TEST(Ties, PendulumSwingsWithThePeriodOfTheClosedForm) {
 
 TEST(Ties, HoldUpToTheirDragAndNoFarther) {
   const double m = 4e-7, drag = 2e-3;
-  for (const double share : {0.999, 1.001}) {
+  for (const double relaxation : {0.999, 1.001}) {
     Scene s;
     s.world.gravity = {0, 0, 0};
     const uint32_t body = s.add(m, {1e-13, 1e-13, 1e-13}, Vec3::Zero());
@@ -136,17 +136,17 @@ TEST(Ties, HoldUpToTheirDragAndNoFarther) {
     Vec3 rest = Vec3::Zero();
     s.before.push_back([&] { tie.p_W = s.pose(body).p, tie.offset_W = tie.p_W - rest; });
     for (int i = 0; i < 1000; ++i) {
-      s.world.F_B_W[body].f.x = share * drag;
+      s.world.F_B_W[body].f.x = relaxation * drag;
       s.step({&tie, 1});
-      rest += tie.slid_W;
+      rest += tie.plastic_slip_W;
     }
     const double x = s.pose(body).p.x(), stretch = drag / 1000;
-    if (share < 1) {
-      EXPECT_NEAR(x, share * stretch, 1e-12);
+    if (relaxation < 1) {
+      EXPECT_NEAR(x, relaxation * stretch, 1e-12);
       EXPECT_EQ(rest.x(), 0);
     } else {
       // what exceeds the drag accelerates it; the start costs a few steps
-      EXPECT_NEAR(x, stretch + 0.5 * (share - 1) * drag / m, 0.02 * x);
+      EXPECT_NEAR(x, stretch + 0.5 * (relaxation - 1) * drag / m, 0.02 * x);
       EXPECT_NEAR(tie.f_a_W.x(), -drag, 1e-15);
     }
   }
@@ -215,7 +215,7 @@ TEST(Ties, BetweenWhatCannotMoveStillTellTheirForce) {
   s.step({&tie, 1});
   EXPECT_NEAR(tie.f_a_W.x(), -5e-4, 1e-12);
   EXPECT_NEAR(tie.f_a_W.z(), -2e-4, 1e-12);
-  EXPECT_NEAR(tie.slid_W.x(), 0.5e-6, 1e-15);
+  EXPECT_NEAR(tie.plastic_slip_W.x(), 0.5e-6, 1e-15);
 }
 
 TEST(Ties, BeyondTheCapacityAreCountedAndHoldNothing) {

@@ -14,19 +14,19 @@
 
 namespace swage::dynamics {
 
-/// What an own solver answered about its points: they go by what it said first, and h^2 W f.
-struct OwnAnswer {
-  const double* W = nullptr;      // m/s per N s, stride x stride, row-major
+/// What a flexible body answered about its points: they go by what it said first, and h^2 W f.
+struct PointMobility {
+  const double* W = nullptr;      // m/s per N s, stride x stride, constraint-major
   const double* extra = nullptr;  // m, by which they are beyond where they go without forces; stride
   size_t stride = 0;
   double hh = 0;  // s2
 };
 
-struct Mover {
-  enum class Kind : uint8_t { kBody, kHinge, kParticle, kSelf };
-  Kind kind = Kind::kBody;
+struct DofBlock {
+  enum class Kind : uint8_t { kRigid, kHinge, kParticle, kFlexible };
+  Kind kind = Kind::kRigid;
   uint32_t index = 0;            // body, hinge, particle of the world, or place among the self solvers
-  uint32_t size = 6;             // unknowns; kSelf: none, it answers for its points (contact_space.hpp)
+  uint32_t size = 6;             // unknowns; kFlexible: none, it answers for its points (contact_space.hpp)
   uint32_t offset = 0;           // of its unknowns in the island
   double m_hh = 0;               // N/m, mass / h^2
   Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
@@ -41,12 +41,12 @@ struct Mover {
   Vec3 b = Vec3::Zero();
   double angle = 0;                                 // kHinge: x itself [rad], not relative to x_hat
   Vec3 axis = Vec3::Zero(), anchor = Vec3::Zero();  // kHinge: in W
-  OwnAnswer own;                                    // kSelf
+  PointMobility own;                                // kFlexible
 
   /// F = A (x + d - x_hat) - t(x + d): forces that contacts must balance. Writes `size` numbers at F.
   void residual(const double* d, double* F) const noexcept {
     switch (kind) {
-      case Kind::kBody: {
+      case Kind::kRigid: {
         const Vec3 f = m_hh * (x + Vec3(d[0], d[1], d[2])), t = I_hh * (a + Vec3(d[3], d[4], d[5])) - b;
         for (int i = 0; i < 3; ++i) F[i] = f[i], F[3 + i] = t[i];
         break;
@@ -57,41 +57,41 @@ struct Mover {
       case Kind::kParticle:
         for (int i = 0; i < 3; ++i) F[i] = m_hh * (x[i] + d[i]);
         break;
-      case Kind::kSelf:
+      case Kind::kFlexible:
         break;
     }
   }
 
   /// Where it would go from here without contacts, a hinge without its drive.
-  void way(double* d) const noexcept {
+  void to_free(double* d) const noexcept {
     if (kind == Kind::kHinge) {
       d[0] = drive.x_hat - angle;
       return;
     }
     for (int i = 0; i < 3; ++i) d[i] = -x[i];
-    if (kind != Kind::kBody) return;
+    if (kind != Kind::kRigid) return;
     const Vec3 turn = inv_I_hh * b - a;
     for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
   /// A^-1 F.
-  void respond(const double* F, double* d) const noexcept {
+  void apply_inverse_mass(const double* F, double* d) const noexcept {
     if (kind == Kind::kHinge) {
       d[0] = F[0] / drive.inertia_hh;
       return;
     }
     for (int i = 0; i < 3; ++i) d[i] = F[i] / m_hh;
-    if (kind != Kind::kBody) return;
+    if (kind != Kind::kRigid) return;
     const Vec3 turn = inv_I_hh * Vec3(F[3], F[4], F[5]);
     for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
-  /// Adds dF/dd to the island's matrix H (n x n, row-major).
+  /// Adds dF/dd to the island's matrix H (n x n, constraint-major).
   void add_stiffness(const double* d, size_t n, double* H) const noexcept {
     double* at = H + offset * n + offset;
     for (uint32_t i = 0; i < size; ++i) at[i * n + i] += m_hh;
     if (kind == Kind::kHinge) at[0] += drive.stiffness(angle + d[0]);
-    if (kind != Kind::kBody) return;
+    if (kind != Kind::kRigid) return;
     for (uint32_t i = 0; i < 3; ++i) {
       at[(3 + i) * n + 3 + i] -= m_hh;
       for (uint32_t j = 0; j < 3; ++j) at[(3 + i) * n + 3 + j] += I_hh(i, j);
@@ -100,7 +100,7 @@ struct Mover {
 
   /// F' A^-1 F: h^2 times twice the kinetic energy that the unbalanced impulse h F would give [J].
   double merit(const double* F) const noexcept {
-    if (kind == Kind::kBody) {
+    if (kind == Kind::kRigid) {
       const Vec3 f(F[0], F[1], F[2]), t(F[3], F[4], F[5]);
       return f.squaredNorm() / m_hh + t.dot(inv_I_hh * t);
     }
@@ -111,7 +111,7 @@ struct Mover {
 
   /// Size of a change [m]: of the centre; turns show at the contacts.
   double length(const double* d) const noexcept {
-    if (kind == Kind::kHinge || kind == Kind::kSelf) return 0;
+    if (kind == Kind::kHinge || kind == Kind::kFlexible) return 0;
     return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   }
 };

@@ -14,9 +14,9 @@
 
 namespace swage::step {
 
-class Stops {
+class ToolProxy {
  public:
-  explicit Stops(const host::Rig& rig);
+  explicit ToolProxy(const host::Rig& rig);
 
   /// Where the frame of the tool comes to rest on its way from X_from, where its bodies stand now, to X_to: pushed out of
   /// whatever it would overlap, and back at X_from when that cannot be done. X_to itself when nothing is there.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island in the displacements d of its movers: H step = -F, dense. [rt]; built on [main].
+// An island in the displacements d of its blocks: H step = -F, dense. [rt]; built on [main].
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace swage::dynamics {
 
-class MoverSpace final : public Space {
+class DisplacementSpace final : public Space {
  public:
-  explicit MoverSpace(uint32_t max_unknowns);
+  explicit DisplacementSpace(uint32_t max_unknowns);
 
   size_t begin(const Island& island) noexcept override;
   bool start(double* d) noexcept override;
   void displace(const double* d) noexcept override;
   void residual(const double* d) noexcept override;
   double merit() noexcept override;
-  bool direction(const double* d, bool same, double* step) noexcept override;
+  bool search_direction(const double* d, bool same, double* step) noexcept override;
   int sign() const noexcept override;
-  void aim(const double* step) noexcept override;
+  void set_search_direction(const double* step) noexcept override;
   double slope(const double* d, const double* step) noexcept override;
   double length(const double* step) noexcept override;
   double moved(const double* d) noexcept override { return length(d); }

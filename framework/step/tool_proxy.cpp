@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "step/stops.hpp"
+#include "step/tool_proxy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ bool collides(const scene::Shape& s) { return (s.flags & SWAGE_SHAPE_COLLIDES) !
 
 }  // namespace
 
-Stops::Stops(const host::Rig& rig) : world_(rig.world), solid_(rig.world.shape.size()) {
+ToolProxy::ToolProxy(const host::Rig& rig) : world_(rig.world), solid_(rig.world.shape.size()) {
   const auto led = [&](uint32_t object) {
     return object < rig.objects.size() && rig.objects[object].follow.pose_device != host::kNone;
   };
@@ -47,7 +47,7 @@ Stops::Stops(const host::Rig& rig) : world_(rig.world), solid_(rig.world.shape.s
   }
 }
 
-Pose Stops::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noexcept {
+Pose ToolProxy::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noexcept {
   const double arm = reach(object, X_from);
   if (arm <= 0) return X_to;
   const Vec3 way = X_to.p - X_from.p, turn = toolkit::log_rotation(X_to.q * X_from.q.conjugate());
@@ -69,7 +69,7 @@ Pose Stops::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noexcept
 }
 
 /// Moves X_WT along the normals of what its shapes overlap until they overlap nothing. False: it cannot be done.
-bool Stops::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexcept {
+bool ToolProxy::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexcept {
   contact::Query query;
   query.length = world_.length;
   const Pose undo = X_from.inverse();
@@ -95,7 +95,7 @@ bool Stops::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexcept {
 }
 
 /// How far the shapes that can be stopped reach from the tool's frame.
-double Stops::reach(uint32_t object, const Pose& X_from) const noexcept {
+double ToolProxy::reach(uint32_t object, const Pose& X_from) const noexcept {
   double most = 0;
   for (const Stop& s : stop_) {
     if (s.object != object) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// About which contacts an own solver is asked: those that overlap or nearly so; all of them where the answer goes too far.
+// About which contacts a flexible body is asked: those that overlap or nearly so; all of them where the answer goes too far.
 #include <gtest/gtest.h>
 
 #include "contact/detector.hpp"
@@ -13,12 +13,12 @@ namespace {
 constexpr double kRadius = 50e-6;  // m
 
 /// A free ball that claims to have its own mechanics and counts its points.
-class Ball : public SelfSolver {
+class Ball : public FlexibleBody {
  public:
   explicit Ball(bool shows) : shows_(shows) {}
   uint32_t object() const noexcept override { return 0; }
-  bool shows_itself() const noexcept override { return shows_; }
-  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
+  bool surface_is_shape() const noexcept override { return shows_; }
+  bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
     asked.push_back(point.size());
     const size_t n = 3 * point.size();
     for (size_t i = 0; i < n; ++i) {
@@ -27,7 +27,7 @@ class Ball : public SelfSolver {
     }
     return true;
   }
-  void yield(std::span<const swage_contact_point>, const double*) noexcept override {}
+  void apply_impulses(std::span<const swage_contact_point>, const double*) noexcept override {}
   static constexpr double kMass = 4e-7;  // kg
   std::vector<size_t> asked;
 
@@ -45,7 +45,7 @@ struct Stack {
     detector.reserve(contacts);
     dynamics.free_motion(world);
     detector.detect(world, contacts);
-    SelfSolver* const self[] = {&ball};
+    FlexibleBody* const self[] = {&ball};
     dynamics.solve(world, contacts, self);
   }
   double force(uint32_t other) const {
@@ -68,7 +68,7 @@ struct Stack {
 };
 
 // a tenth of a micrometre is near
-TEST(OwnPoints, WhatIsFarIsNotAskedAbout) {
+TEST(FlexiblePoints, WhatIsFarIsNotAskedAbout) {
   const Stack s(0.1e-6, 5e-6);
   ASSERT_EQ(s.contacts.contact.size(), 2u);
   EXPECT_EQ(s.ball.asked, std::vector<size_t>{1});
@@ -76,7 +76,7 @@ TEST(OwnPoints, WhatIsFarIsNotAskedAbout) {
 }
 
 // pressed in by a micrometre, of which half comes back in a step, and that is more than there is above: it ends between the two
-TEST(OwnPoints, WhatIsMetAllTheSameIsAskedAboutInTheSameStep) {
+TEST(FlexiblePoints, WhatIsMetAllTheSameIsAskedAboutInTheSameStep) {
   const Stack s(-1e-6, 0.3e-6);
   EXPECT_EQ(s.ball.asked, (std::vector<size_t>{1, 2}));
   EXPECT_EQ(s.dynamics.stats().asked_again, 1u);
@@ -85,7 +85,7 @@ TEST(OwnPoints, WhatIsMetAllTheSameIsAskedAboutInTheSameStep) {
 }
 
 // one whose surface may be elsewhere than its shapes is asked about all at once, and answers the same
-TEST(OwnPoints, WhoDoesNotShowItselfIsAskedAboutAll) {
+TEST(FlexiblePoints, WhoDoesNotShowItselfIsAskedAboutAll) {
   const Stack s(-1e-6, 0.3e-6, false), shows(-1e-6, 0.3e-6);
   EXPECT_EQ(s.ball.asked, std::vector<size_t>{2});
   EXPECT_NEAR(s.force(2), shows.force(2), 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dynamics/self_movers.hpp"
+#include "dynamics/flexible_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ bool finite(const double* x, size_t n) noexcept {
 
 }  // namespace
 
-SelfMovers::SelfMovers(const scene::World& world) : room_(world.capacity.points) {
-  // one slot per object that has SELF bodies
+FlexibleBodies::FlexibleBodies(const scene::World& world) : room_(world.capacity.points) {
+  // one slot per object that has flexible bodies
   std::vector<uint32_t> objects;
   for (const scene::BodyInfo& body : world.body)
     if (body.motion == SWAGE_MOTION_SELF) objects.push_back(body.object);
@@ -32,26 +32,26 @@ SelfMovers::SelfMovers(const scene::World& world) : room_(world.capacity.points)
   }
 }
 
-void SelfMovers::begin(std::span<SelfSolver* const> self) noexcept {
-  self_ = self.first(std::min(self.size(), object_.size()));
+void FlexibleBodies::begin(std::span<FlexibleBody* const> self) noexcept {
+  flexible_ = self.first(std::min(self.size(), object_.size()));
   for (Object& o : object_) o.points = 0, o.displaced = o.sound = false;
 }
 
-uint32_t SelfMovers::slot(uint32_t object) const noexcept {
-  for (uint32_t i = 0; i < self_.size(); ++i)
-    if (self_[i]->object() == object) return i;
+uint32_t FlexibleBodies::slot(uint32_t object) const noexcept {
+  for (uint32_t i = 0; i < flexible_.size(); ++i)
+    if (flexible_[i]->object() == object) return i;
   return scene::kNone;
 }
 
-uint32_t SelfMovers::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
-                               const Vec3& into) noexcept {
+uint32_t FlexibleBodies::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
+                                   const Vec3& into) noexcept {
   Object& o = object_[slot];
   if (o.points == room_) return scene::kNone;
   o.point[o.points] = {body, shape, toolkit::raw(p_W), toolkit::raw(into)};
   return o.points++;
 }
 
-uint32_t SelfMovers::nearest(uint32_t slot, const Vec3& p_W) const noexcept {
+uint32_t FlexibleBodies::nearest(uint32_t slot, const Vec3& p_W) const noexcept {
   const Object& o = object_[slot];
   uint32_t nearest = scene::kNone;
   double least = HUGE_VAL;
@@ -62,9 +62,9 @@ uint32_t SelfMovers::nearest(uint32_t slot, const Vec3& p_W) const noexcept {
   return nearest;
 }
 
-uint32_t SelfMovers::ask(double h) noexcept {
+uint32_t FlexibleBodies::ask(double h) noexcept {
   uint32_t unanswered = 0;
-  for (uint32_t i = 0; i < self_.size(); ++i) {
+  for (uint32_t i = 0; i < flexible_.size(); ++i) {
     Object& o = object_[i];
     const size_t n = 3 * o.points;
     o.h = h;
@@ -74,8 +74,8 @@ uint32_t SelfMovers::ask(double h) noexcept {
     std::fill_n(o.W.begin(), n * n, 0.0);
     for (std::vector<double>* v : {&o.expected, &o.extra, &o.force}) std::fill_n(v->begin(), n, 0.0);
     const std::span<const swage_contact_point> points(o.point.data(), o.points);
-    const bool answered = self_[i]->compliance(points, o.v_free.data(), o.W.data()) &&
-                          self_[i]->displacement(points, o.u.data());
+    const bool answered = flexible_[i]->mobility(points, o.v_free.data(), o.W.data()) &&
+                          flexible_[i]->displacement(points, o.u.data());
 
     // a failed object, or one that answers nonsense, stands still
     o.sound = answered && finite(o.v_free.data(), n) && finite(o.u.data(), n) && finite(o.W.data(), n * n);
@@ -90,50 +90,50 @@ uint32_t SelfMovers::ask(double h) noexcept {
   return unanswered;
 }
 
-void SelfMovers::expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept {
-  const Vec3 beyond = displacement - u_free(slot, point);
-  for (uint32_t i = 0; i < 3; ++i) object_[slot].expected[3 * point + i] = beyond[i];
+void FlexibleBodies::expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept {
+  const Vec3 prediction_error_at = displacement - u_free(slot, point);
+  for (uint32_t i = 0; i < 3; ++i) object_[slot].expected[3 * point + i] = prediction_error_at[i];
 }
 
-void SelfMovers::start() noexcept {
-  for (uint32_t slot = 0; slot < self_.size(); ++slot) {
+void FlexibleBodies::start() noexcept {
+  for (uint32_t slot = 0; slot < flexible_.size(); ++slot) {
     Object& o = object_[slot];
     if (o.sound) std::copy_n(o.expected.begin(), 3 * o.points, o.extra.begin());
   }
 }
 
-OwnAnswer SelfMovers::answer(uint32_t slot) const noexcept {
+PointMobility FlexibleBodies::answer(uint32_t slot) const noexcept {
   const Object& o = object_[slot];
   return {o.W.data(), o.extra.data(), size_t{3} * o.points, o.h * o.h};
 }
 
-void SelfMovers::begin_forces(uint32_t slot) noexcept {
+void FlexibleBodies::begin_forces(uint32_t slot) noexcept {
   std::fill_n(object_[slot].to.begin(), 3 * object_[slot].points, 0.0);
 }
 
-void SelfMovers::add_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept {
+void FlexibleBodies::add_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept {
   for (uint32_t i = 0; i < 3; ++i) object_[slot].to[3 * point + i] += force[i];
 }
 
-void SelfMovers::go(uint32_t slot, double share) noexcept {
+void FlexibleBodies::go(uint32_t slot, double relaxation) noexcept {
   Object& o = object_[slot];
   const size_t n = size_t{3} * o.points;
   const auto size = static_cast<Eigen::Index>(n);
   Eigen::Map<Eigen::VectorXd> extra(o.extra.data(), size);
-  extra *= 1 - share;
+  extra *= 1 - relaxation;
   for (size_t i = 0; i < n; ++i) {
-    o.force[i] += share * (o.to[i] - o.force[i]);
-    const double push = share * o.h * o.h * o.to[i];
+    o.force[i] += relaxation * (o.to[i] - o.force[i]);
+    const double push = relaxation * o.h * o.h * o.to[i];
     if (push != 0) extra += push * Eigen::Map<const Eigen::VectorXd>(o.W.data() + i * n, size);
   }
 }
 
-void SelfMovers::yield() noexcept {
-  for (uint32_t i = 0; i < self_.size(); ++i) {
+void FlexibleBodies::apply_impulses() noexcept {
+  for (uint32_t i = 0; i < flexible_.size(); ++i) {
     Object& o = object_[i];
     if (o.points == 0) continue;
     for (size_t k = 0; k < 3 * o.points; ++k) o.impulse[k] = o.h * o.force[k];
-    self_[i]->yield({o.point.data(), o.points}, o.impulse.data());
+    flexible_[i]->apply_impulses({o.point.data(), o.points}, o.impulse.data());
   }
 }
 

@@ -11,20 +11,20 @@
 #include <vector>
 
 #include "contact/contact_set.hpp"
-#include "dynamics/mover.hpp"
-#include "dynamics/self_solver.hpp"
+#include "dynamics/dof_block.hpp"
+#include "dynamics/flexible_body.hpp"
 #include "scene/world.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::dynamics {
 
-class SelfMovers {
+class FlexibleBodies {
  public:
-  explicit SelfMovers(const scene::World& world);
+  explicit FlexibleBodies(const scene::World& world);
 
   /// Forgets the last step. `self`: who answers, one per object.
-  void begin(std::span<SelfSolver* const> self) noexcept;
-  /// Place of the object among the movers of this step, or kNone when nobody answers for it.
+  void begin(std::span<FlexibleBody* const> self) noexcept;
+  /// Place of the object among the blocks of this step, or kNone when nobody answers for it.
   uint32_t slot(uint32_t object) const noexcept;
   /// Adds a touch; returns its point, or kNone beyond the capacity. `into`: unit normal into the object.
   uint32_t add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
@@ -40,14 +40,14 @@ class SelfMovers {
 
   /// Points that one object may have.
   uint32_t room() const noexcept { return room_; }
-  /// Objects of the scene with SELF bodies; those that answer in this step come first.
+  /// Objects of the scene with flexible bodies; those that answer in this step come first.
   uint32_t capacity() const noexcept { return static_cast<uint32_t>(object_.size()); }
-  uint32_t count() const noexcept { return static_cast<uint32_t>(self_.size()); }
+  uint32_t count() const noexcept { return static_cast<uint32_t>(flexible_.size()); }
   uint32_t points(uint32_t slot) const noexcept { return object_[slot].points; }
-  bool shows_itself(uint32_t slot) const noexcept { return self_[slot]->shows_itself(); }
+  bool surface_is_shape(uint32_t slot) const noexcept { return flexible_[slot]->surface_is_shape(); }
   /// False: it has no points or has failed, and stands still.
   bool gives(uint32_t slot) const noexcept { return object_[slot].sound; }
-  OwnAnswer answer(uint32_t slot) const noexcept;
+  PointMobility answer(uint32_t slot) const noexcept;
   /// Displacement over the step [m] of a point as it stands, its free part alone, and the rest.
   Vec3 displacement(uint32_t slot, uint32_t point) const noexcept {
     return u_free(slot, point) + extra(slot, point);
@@ -67,9 +67,9 @@ class SelfMovers {
   /// New forces, from none: then those at the points [N], then the share of the way to where they bring the points that is gone.
   void begin_forces(uint32_t slot) noexcept;
   void add_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept;
-  void go(uint32_t slot, double share) noexcept;
+  void go(uint32_t slot, double relaxation) noexcept;
   /// Hands the impulses over.
-  void yield() noexcept;
+  void apply_impulses() noexcept;
 
  private:
   struct Object {
@@ -87,7 +87,7 @@ class SelfMovers {
   }
 
   const uint32_t room_;
-  std::span<SelfSolver* const> self_;
+  std::span<FlexibleBody* const> flexible_;
   std::vector<Object> object_;
 };
 

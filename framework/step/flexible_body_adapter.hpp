@@ -5,22 +5,23 @@
 
 #include <vector>
 
-#include "dynamics/self_solver.hpp"
+#include "dynamics/flexible_body.hpp"
 #include "host/rig.hpp"
 
 namespace swage::step {
 
-class SelfPort final : public dynamics::SelfSolver {
+class FlexibleBodyAdapter final : public dynamics::FlexibleBody {
  public:
   /// `view`: the object's, kept up to date by the step. `capacity`: contact points of one step. [main]
-  SelfPort(host::ObjectSlot& slot, uint32_t object, const swage_object_step& view, uint32_t capacity);
+  FlexibleBodyAdapter(host::ObjectSlot& slot, uint32_t object, const swage_object_step& view,
+                      uint32_t capacity);
 
   uint32_t object() const noexcept override { return object_; }
-  bool shows_itself() const noexcept override { return slot_.surface == nullptr; }
+  bool surface_is_shape() const noexcept override { return slot_.surface == nullptr; }
   bool displaces() const noexcept override { return slot_.surface != nullptr; }
-  bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
+  bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
   bool displacement(std::span<const swage_contact_point> point, double* u_W) noexcept override;
-  void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
+  void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
 
  private:
   uint32_t local(std::span<const swage_contact_point> point) noexcept;

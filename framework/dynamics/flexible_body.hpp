@@ -11,23 +11,23 @@
 
 namespace swage::dynamics {
 
-/// Answers for the SELF bodies of one object. All calls [rt], noexcept, at most once per step and in this
+/// Answers for the flexible bodies of one object. All calls [rt], noexcept, at most once per step and in this
 /// order; but compliance may be asked a second time, for more points, when the first answer surprises. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
 /// contact set.
-class SelfSolver {
+class FlexibleBody {
  public:
-  virtual ~SelfSolver() = default;
+  virtual ~FlexibleBody() = default;
 
   /// Index of the object, as in BodyInfo::object.
   virtual uint32_t object() const noexcept = 0;
 
   /// Its surface is where its shapes are: contacts that those do not reach need not be asked about.
-  virtual bool shows_itself() const noexcept { return false; }
+  virtual bool surface_is_shape() const noexcept { return false; }
 
-  /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, row-major, symmetric, positive
+  /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, constraint-major, symmetric, positive
   /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be
   /// moved.
-  virtual bool compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
+  virtual bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
 
   /// It answers displacement(): its surface is not where its shapes are, in no step, however little it is displaced by.
   virtual bool displaces() const noexcept { return false; }
@@ -40,7 +40,7 @@ class SelfSolver {
 
   /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
   /// twists.
-  virtual void yield(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
+  virtual void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
 };
 
 }  // namespace swage::dynamics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "step/self_port.hpp"
+#include "step/flexible_body_adapter.hpp"
 
 #include <algorithm>
 
@@ -9,10 +9,11 @@
 
 namespace swage::step {
 
-SelfPort::SelfPort(host::ObjectSlot& slot, uint32_t object, const swage_object_step& view, uint32_t capacity)
+FlexibleBodyAdapter::FlexibleBodyAdapter(host::ObjectSlot& slot, uint32_t object,
+                                         const swage_object_step& view, uint32_t capacity)
     : slot_(slot), object_(object), view_(view), local_(capacity) {}
 
-uint32_t SelfPort::local(std::span<const swage_contact_point> point) noexcept {
+uint32_t FlexibleBodyAdapter::local(std::span<const swage_contact_point> point) noexcept {
   const auto n = static_cast<uint32_t>(std::min(point.size(), local_.size()));
   for (uint32_t i = 0; i < n; ++i) {
     local_[i] = point[i];
@@ -22,7 +23,8 @@ uint32_t SelfPort::local(std::span<const swage_contact_point> point) noexcept {
   return n;
 }
 
-bool SelfPort::compliance(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept {
+bool FlexibleBodyAdapter::mobility(std::span<const swage_contact_point> point, double* v_free,
+                                   double* W) noexcept {
   const uint32_t n = local(point);
   if (n != point.size()) return false;
   host::Instance& instance = *slot_.instance;
@@ -34,7 +36,7 @@ bool SelfPort::compliance(std::span<const swage_contact_point> point, double* v_
          host::accept(instance, host::Call::kCompliance, step, W, std::size_t{9} * n * n, kMaxMobility);
 }
 
-bool SelfPort::displacement(std::span<const swage_contact_point> point, double* u_W) noexcept {
+bool FlexibleBodyAdapter::displacement(std::span<const swage_contact_point> point, double* u_W) noexcept {
   if (slot_.surface == nullptr) return true;
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;
@@ -44,7 +46,8 @@ bool SelfPort::displacement(std::span<const swage_contact_point> point, double* 
   return given && host::accept(instance, host::Call::kDisplacement, view_.step, u_W, 3 * n, kMaxPosition);
 }
 
-void SelfPort::yield(std::span<const swage_contact_point> point, const double* impulse) noexcept {
+void FlexibleBodyAdapter::apply_impulses(std::span<const swage_contact_point> point,
+                                         const double* impulse) noexcept {
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;
   host::guarded(instance, host::Call::kYield, view_.step,

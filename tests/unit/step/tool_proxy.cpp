@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "step/stops.hpp"
+#include "step/tool_proxy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ struct Plate : FakeScene {
   Vec3 hand = Vec3(0, 0, 1e-3);
 };
 
-TEST(Stops, AToolStopsAtAFixedSolidWhileItsHandRunsAhead) {
+TEST(ToolProxy, AToolStopsAtAFixedSolidWhileItsHandRunsAhead) {
   Plate s;
   for (int i = 0; i < 200; ++i) {
     s.hand.z() -= 20e-6;
@@ -57,7 +57,7 @@ TEST(Stops, AToolStopsAtAFixedSolidWhileItsHandRunsAhead) {
   EXPECT_NEAR(s.rig.world.V_WB[0].v.z, 0, 1e-5);
 }
 
-TEST(Stops, ItSlidesAlongTheSurfaceAndComesOffWithoutSticking) {
+TEST(ToolProxy, ItSlidesAlongTheSurfaceAndComesOffWithoutSticking) {
   Plate s;
   s.hand = {0, 0, -1e-3};
   s.run(20);
@@ -73,7 +73,7 @@ TEST(Stops, ItSlidesAlongTheSurfaceAndComesOffWithoutSticking) {
   EXPECT_EQ(s.tool().p.z, 0.8e-3);
 }
 
-TEST(Stops, AJumpThroughAThinPlateStopsOnItsNearSide) {
+TEST(ToolProxy, AJumpThroughAThinPlateStopsOnItsNearSide) {
   for (int phase = 0; phase < 16; ++phase) {
     Plate s(0.3e-3);
     s.stand(1e-3 + 15e-6 * phase);
@@ -85,7 +85,7 @@ TEST(Stops, AJumpThroughAThinPlateStopsOnItsNearSide) {
   }
 }
 
-TEST(Stops, WithoutAStopTheToolGoesWhereItsHandIs) {
+TEST(ToolProxy, WithoutAStopTheToolGoesWhereItsHandIs) {
   // a plate that moves is a matter of contact forces
   Plate s(1e-3, SWAGE_MOTION_FOLLOWS);
   s.hand = {0, 0, -1e-3};

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// v* and W of an island: where its constraints would stand without forces, and how they give.
+#include <algorithm>
+
+#include "dynamics/contact_space.hpp"
+#include "dynamics/jacobian.hpp"
+
+namespace swage::dynamics {
+namespace {
+
+Eigen::Index index(size_t n) { return static_cast<Eigen::Index>(n); }
+
+}  // namespace
+
+size_t ContactSpace::begin(const Island& island) noexcept {
+  island_ = &island;
+  n_constraints_ = island.constraints.size();
+  hinge_.clear();
+  for (const DofBlock* block : island.blocks)
+    if (block->kind == DofBlock::Kind::kHinge) hinge_.push_back(block);
+  n_ = 3 * n_constraints_ + hinge_.size();
+  factored_ = solved_ = false;
+  std::fill_n(W_.begin(), n_ * n_, 0.0);
+  for (size_t i = 0; i < n_constraints_; ++i) {
+    const Constraint& constraint = island.constraints[i];
+    put(in_world(constraint, constraint.at.g, constraint.at.s1, constraint.at.s2), &free_[3 * i]);
+  }
+  uint32_t hinge = 0;
+  for (uint32_t m = 0; m < island.blocks.size(); ++m) {
+    const DofBlock& block = *island.blocks[m];
+    collect(m);
+    work += 9 * arm_.size() * arm_.size() * std::max(1u, block.size);
+    if (block.kind == DofBlock::Kind::kFlexible)
+      add_flexible(block);
+    else
+      add_rigid(block, block.kind == DofBlock::Kind::kHinge ? hinge++ : 0);
+  }
+  return 2 * n_;
+}
+
+/// The sides of constraints that a block is on.
+void ContactSpace::collect(uint32_t block) noexcept {
+  arm_.clear();
+  for (uint32_t i = 0; i < n_constraints_; ++i) {
+    const Constraint& constraint = island_->constraints[i];
+    const uint32_t stride = constraint.size_a + constraint.size_b;
+    if (constraint.block_a == block) arm_.push_back({i, constraint.point_a, 1, constraint.J, stride});
+    if (constraint.block_b == block)
+      arm_.push_back({i, constraint.point_b, -1, constraint.J + constraint.size_a, stride});
+  }
+}
+
+/// Blocks as the flexible body answered them; it has come `extra` of its way already.
+void ContactSpace::add_flexible(const DofBlock& block) noexcept {
+  const PointMobility& own = block.own;
+  for (size_t p = 0; p < arm_.size(); ++p) {
+    const JacobianBlock& a = arm_[p];
+    for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] -= a.sign * own.extra[3 * a.point + i];
+    for (size_t q = 0; q <= p; ++q) {
+      const JacobianBlock& b = arm_[q];
+      const double s = a.sign * b.sign * own.hh;
+      const double* from = own.W + 3 * a.point * own.stride + 3 * b.point;
+      double *to = line(3 * a.constraint) + 3 * b.constraint,
+             *back = line(3 * b.constraint) + 3 * a.constraint;
+      for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k) {
+          const double w = s * from[i * own.stride + k];
+          to[i * n_ + k] += w;
+          if (p != q) back[k * n_ + i] += w;
+        }
+    }
+  }
+}
+
+/// J A^-1 J'. The signs of the sides are in J.
+void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
+  const uint32_t size = block.size;
+  double to_free[6], F[6], d[6];
+  block.to_free(to_free);
+  for (size_t p = 0; p < arm_.size(); ++p) {
+    const JacobianBlock& a = arm_[p];
+    Vec3 *Jt = &Jt_[size * p], *turn = &Minv_Jt_[size * p], moves = Vec3::Zero();
+    for (uint32_t u = 0; u < size; ++u) {
+      Jt[u] = in_world(island_->constraints[a.constraint], a.J[u], a.J[a.stride + u], a.J[2 * a.stride + u]);
+      moves += to_free[u] * Jt[u];
+    }
+    for (int i = 0; i < 3; ++i) {
+      for (uint32_t u = 0; u < size; ++u) F[u] = Jt[u][i];
+      block.apply_inverse_mass(F, d);
+      for (uint32_t u = 0; u < size; ++u) turn[u][i] = d[u];
+    }
+    for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
+    for (size_t q = 0; q <= p; ++q) {
+      const JacobianBlock& b = arm_[q];
+      Mat3 W_ab = Mat3::Zero();
+      for (uint32_t u = 0; u < size; ++u) W_ab += Jt[u] * Minv_Jt_[size * q + u].transpose();
+      for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k) {
+          const double w = W_ab(index(i), index(k));
+          line(3 * a.constraint + i)[3 * b.constraint + k] += w;
+          if (p != q) line(3 * b.constraint + k)[3 * a.constraint + i] += w;
+        }
+    }
+  }
+  if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);
+}
+
+/// The force of a drive acts on the angle: a constraint of its own, beside those that the hinge is on.
+void ContactSpace::add_drive(const DofBlock& hinge, size_t at) noexcept {
+  hinge.to_free(&free_[at]);
+  line(at)[at] = 1 / hinge.drive.inertia_hh;
+  for (size_t p = 0; p < arm_.size(); ++p)
+    for (size_t i = 0; i < 3; ++i) {
+      const double w = Minv_Jt_[p][index(i)];
+      line(at)[3 * arm_[p].constraint + i] += w, line(3 * arm_[p].constraint + i)[at] += w;
+    }
+}
+
+}  // namespace swage::dynamics
