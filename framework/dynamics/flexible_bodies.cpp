@@ -85,7 +85,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
       std::fill_n(o.u.begin(), n, 0.0);
       continue;
     }
-    o.displaced = self_[i]->displaces();
+    o.displaced = flexible_[i]->displaces();
   }
   return unanswered;
 }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The contact problem of one step: what is known of each contact and tie, and how each of them looks at the present poses. The parts
+// of the solve work on it: contact_islands.hpp (who is solved together), flexible_points.hpp (what flexible bodies are asked about),
+// tie_constraints.hpp, contact_solve.hpp (passes).
+//
+// Threads: built on [main]; the rest [rt], nothing allocates or throws.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/solver_health.hpp"
+#include "contact/contact_set.hpp"
+#include "dynamics/island.hpp"
+#include "dynamics/lengths.hpp"
+#include "dynamics/placement.hpp"
+#include "dynamics/tie.hpp"
+
+namespace swage::dynamics {
+
+/// A coupling that says stiffness 0 lets the two pass through each other there.
+inline bool overlaps(const contact::Contact& c) { return c.gap < 0 && c.law.stiffness > 0; }
+
+/// What this step knows of a contact beyond the contact set.
+struct ContactWorkspace {
+  Side a, b;
+  bool active = false;   // takes part: overlaps, or did in an earlier pass
+  bool skipped = false;  // a flexible body has not been asked about it
+  bool needed = false;   // it has been after all, because its block has no other point
+  bool bore = false;     // bore force in the last step
+  bool dropped = false;  // has no room in its island
+  uint32_t constraint = scene::kNone;
+  contact::Touch found;  // of the shapes, when the step began
+};
+
+/// What this step knows of a tie: its two sides and the material points that it holds, in their bodies.
+struct TieWorkspace {
+  Side a, b;
+  Vec3 p_A = Vec3::Zero(), p_B = Vec3::Zero();
+  Vec3 p_W = Vec3::Zero();      // now
+  Vec3 axis_A = Vec3::UnitX();  // its axis, in body a
+  uint32_t constraint = scene::kNone;
+  bool active = false;  // something that it holds can be moved
+};
+
+/// One island: a stretch of the blocks and of the constraints.
+struct IslandWorkspace {
+  uint32_t first_block = 0, blocks = 0;
+  uint32_t first_constraint = 0, constraints = 0;
+  uint32_t unknowns = 0;
+  double geometry_error = 0;  // m, by which its contacts are elsewhere than the linear problem said
+  uint32_t passes = 0;
+  double relaxation = 1;  // of the way that the last linear problem asked for
+  bool converged = false, limits_hold = true, held = false, done = false;
+  double remaining = 0;                          // m of that way that were not gone
+  bool tied = false;                             // ties are among its constraints
+  bool own = false;                              // flexible bodies are among its blocks
+  bool stalled = false;                          // passes bring it no nearer
+  double last_errors[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
+};
+
+struct ContactProblem {
+  explicit ContactProblem(const scene::World& world);
+
+  /// A step begins: contacts and their sides. [rt]
+  void begin(scene::World& world, Motion& motion, const contact::ContactSet& contacts,
+             std::span<FlexibleBody* const> self) noexcept;
+
+  /// Gap, place and normal of a contact at the present poses.
+  void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
+  /// Axes, law, gap and tangential displacement of its constraint there.
+  void linearise(const contact::Contact& c, const ContactWorkspace& k, Constraint& constraint) noexcept;
+  void linearise(const Tie& tie, TieWorkspace& k, Constraint& constraint) noexcept;
+
+  /// What is between the shape on which a contact was found and the surface, of a side and of both along the normal [m].
+  Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
+  double off_shapes(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
+
+  /// The first block of a contact or tie that can be moved, or kNone.
+  template <class Workspace>
+  uint32_t first_block(const Workspace& k) const noexcept {
+    return place.moves(k.a.block) ? k.a.block : place.moves(k.b.block) ? k.b.block : scene::kNone;
+  }
+  /// Fills `ranked`: contacts in the order in which they are given room.
+  void rank(const contact::ContactSet& contacts) noexcept;
+
+  const scene::Capacities room;
+  base::SolverHealth health;  // of this step
+  double h = 1e-3;            // s
+  Lengths lengths;
+  uint32_t n = 0;  // contacts that take part in this step
+  Placement place;
+  std::vector<ContactWorkspace> contact;  // per contact
+  std::span<Tie> tie;                     // of this step, those that fit
+  std::vector<TieWorkspace> tie_workspace;
+  std::vector<Constraint> constraint;  // island by island
+  std::vector<uint8_t> solved;         // per block: an island has moved it
+  std::vector<uint32_t> ranked;        // contacts, those that must have room first
+
+ private:
+  Vec3 carried_bristle(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
+  Vec3 moved(const Side& side, const Vec3& p_own, const Vec3& p_W) const noexcept;
+};
+
+}  // namespace swage::dynamics

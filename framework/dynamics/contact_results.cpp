@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The end of a contact solve: what did not converge is slowed, results are written, what fell short is counted.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/contact_solve.hpp"
+
+namespace swage::dynamics {
+
+using scene::kNone;
+
+/// An island that did not converge must not gain energy: nothing in it leaves faster than the loads on it can
+/// make it in a step, or than twice what pushes it.
+void ContactSolve::clamp_velocity(const contact::ContactSet& contacts,
+                                  const IslandWorkspace& island) noexcept {
+  double fastest = 0;
+  for (uint32_t r = island.first_constraint; r < island.first_constraint + island.constraints; ++r) {
+    const uint32_t i = p_.constraint[r].contact;
+    const bool tie = p_.constraint[r].tie != nullptr;
+    const Vec3& p = tie ? p_.tie_workspace[i].p_W : contacts.contact[i].p_W;
+    const Side* const sides[2] = {tie ? &p_.tie_workspace[i].a : &p_.contact[i].a,
+                                  tie ? &p_.tie_workspace[i].b : &p_.contact[i].b};
+    for (const Side* s : sides) {
+      if (s->body == kNone && s->particle == kNone) continue;  // the world
+      if (!p_.place.moves(s->block) || p_.place.block(s->block).kind == DofBlock::Kind::kHinge)
+        fastest = std::max(fastest, p_.place.speed(*s, p));
+    }
+  }
+  for (const uint32_t m : islands_.members(island)) {
+    p_.place.slow_down(m, std::max(2 * fastest, p_.place.gain(m)));
+  }
+}
+
+void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < p_.n; ++i) write_contact(contacts.contact[i], p_.contact[i]);
+  for (size_t i = p_.n; i < contacts.contact.size(); ++i) {
+    contacts.contact[i].bristle_W.setZero();
+    contacts.contact[i].f_a_W.setZero();
+    contacts.contact[i].slip = 0;
+  }
+  ties_.write();
+  mark_held(motion, contacts);
+  p_.place.write_back(p_.solved);
+  p_.place.flexible().apply_impulses();
+}
+
+void ContactSolve::write_contact(contact::Contact& c, const ContactWorkspace& k) noexcept {
+  const bool touches =
+      k.active && k.constraint != kNone && p_.first_block(k) != kNone && p_.constraint[k.constraint].f.fn > 0;
+  c.slip = 0;
+  if (!touches) {
+    c.bristle_W.setZero();
+    c.f_a_W.setZero();
+    return;
+  }
+  const Constraint& constraint = p_.constraint[k.constraint];
+  c.gap = constraint.at.g + constraint.relaxed_gap;
+
+  // the bristle bears what friction bears; the rest has slipped
+  const double stretch = std::sqrt(constraint.at.s1 * constraint.at.s1 + constraint.at.s2 * constraint.at.s2);
+  const double most = constraint.limit / constraint.surface.kt;
+  const double keep = stretch > most ? most / stretch : 1;
+  c.bristle_W = keep * (constraint.at.s1 * constraint.t1 + constraint.at.s2 * constraint.t2);
+  c.slip = (1 - keep) * stretch / p_.h;
+}
+
+void ContactSolve::mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept {
+  std::fill(motion.held_body.begin(), motion.held_body.end(), 0);
+  std::fill(motion.held_hinge.begin(), motion.held_hinge.end(), 0);
+  std::fill(motion.held_particle.begin(), motion.held_particle.end(), 0);
+  for (uint32_t i = 0; i < p_.n; ++i) {
+    if (contacts.contact[i].f_a_W.isZero(0)) continue;
+    hold(motion, p_.contact[i].a), hold(motion, p_.contact[i].b);
+  }
+  for (uint32_t i = 0; i < p_.tie.size(); ++i)
+    if (!p_.tie[i].f_a_W.isZero(0)) hold(motion, p_.tie_workspace[i].a), hold(motion, p_.tie_workspace[i].b);
+}
+
+void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
+  if (side.block == kNone) return;
+  const DofBlock& m = p_.place.block(side.block);
+  if (m.kind == DofBlock::Kind::kRigid) motion.held_body[m.index] = 1;
+  if (m.kind == DofBlock::Kind::kHinge) motion.held_hinge[m.index] = 1;
+  if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
+}
+
+/// What this step fell short of.
+void ContactSolve::count(const contact::ContactSet& contacts, Stats& stats) noexcept {
+  p_.health.dropped_contacts += contacts.dropped + (contacts.contact.size() - p_.n);
+  for (uint32_t i = 0; i < p_.n; ++i) p_.health.dropped_contacts += p_.contact[i].dropped;
+  p_.health.over_budget += solver_.over_budget();
+  p_.health.steps = p_.health.total() > 0;
+  for (const auto& field : base::kSolverHealthFields) stats.health.*field.count += p_.health.*field.count;
+  stats.health.steps += p_.health.steps;
+  stats.work += solver_.work();
+  stats.most_work = std::max(stats.most_work, solver_.work());
+}
+
+}  // namespace swage::dynamics

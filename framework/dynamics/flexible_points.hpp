@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Contacts of flexible bodies. What such a body costs grows with the square of the points that it is asked about, and most contacts
+// that are found touch nothing: a needle has some within 20 um all along the jaws. So it is asked about those that overlap, or
+// nearly so; and about all of them, from the start, where the answer goes farther than expected. Where there is no room for a point
+// its contact shares the nearest one, and is counted: first contacts that bore force in the last step have room, then the deepest.
+//
+// Threads: built on [main]; the rest [rt], nothing allocates or throws.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "dynamics/contact_problem.hpp"
+
+namespace swage::dynamics {
+
+class TieConstraints;
+
+class FlexiblePoints {
+ public:
+  explicit FlexiblePoints(ContactProblem& problem);
+
+  /// Adds the points of contacts, of all of them where `all`.
+  void add(const contact::ContactSet& contacts, std::span<const Tie> ties, bool all) noexcept;
+  /// Contacts were found on shapes; where a surface stands elsewhere they overlap by something else.
+  void meet_surfaces(contact::ContactSet& contacts) noexcept;
+  /// The solve starts where flexible bodies expect their points.
+  void start_at_predictions(contact::ContactSet& contacts, TieConstraints& ties) noexcept;
+  /// Whether a contact may touch of which nobody was told. `moved`: that the solve moved anything at all.
+  bool missed_contact(contact::ContactSet& contacts, bool moved) noexcept;
+  /// Contacts as they were before the solve looked at them.
+  void restore(contact::ContactSet& contacts) noexcept;
+
+ private:
+  /// How far points of a flexible body are from where they were expected [m]: most (1 + grows |p - middle|).
+  struct PredictionError {
+    double most = 0, grows = 0;  // m, 1/m
+    Vec3 middle = Vec3::Zero();  // m, of the points that were asked about
+  };
+
+  void add(const contact::Contact& c, ContactWorkspace& k) noexcept;
+  bool may_skip(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
+  PredictionError prediction_error(const contact::ContactSet& contacts, uint32_t block) const noexcept;
+  void find_who_shares(const contact::ContactSet& contacts, std::span<const Tie> ties) noexcept;
+  void share_points(const contact::ContactSet& contacts) noexcept;
+
+  ContactProblem& p_;
+  bool ask_all_ = false;
+  uint32_t n_skipped_ = 0;        // contacts that flexible bodies have not been asked about
+  std::vector<uint8_t> touched_;  // per block
+  std::vector<uint32_t> points_;  // per block, that contacts ask for
+};
+
+}  // namespace swage::dynamics
