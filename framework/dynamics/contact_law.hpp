@@ -41,18 +41,15 @@ struct Surface {
   double mu = 0;
 };
 
-/// Retardation time T of surfaces that do not rebound [s]: at the overlap d they push k (d + T d'), so that a mass m on them is
-/// critically damped where T = 2 sqrt(m / k), 0.1 kg on 1e6 N/m at 0.6 ms. Shorter: a heavy jaw throws the needle that it
-/// closes on. Longer: a jaw that opens lets go late.
-inline constexpr double kRetardation = 1e-3;
-inline double retardation(double restitution) { return (1 - restitution) * kRetardation; }
+/// Surfaces that do not rebound push k (d + T d') at the overlap d. T, the retardation time, is a share of that of the scene
+/// (scales.hpp), the smaller the more they rebound. [s]
+inline double retardation(double restitution, double of_scene) { return (1 - restitution) * of_scene; }
 
 /// d' over the step h [s] is (d - d0) / h, implicit: a contact stiffer by 1 + T / h that counts its overlap from T / (h + T) d0.
-inline Surface surface(double stiffness, double friction, double restitution, double h) {
-  return {stiffness * (1 + retardation(restitution) / h), kTangentRatio * stiffness, friction};
+inline Surface surface(double stiffness, double friction, double T, double h) {
+  return {stiffness * (1 + T / h), kTangentRatio * stiffness, friction};
 }
-inline double relaxed_gap(double restitution, double h, double gap_before) {
-  const double T = retardation(restitution);
+inline double relaxed_gap(double T, double h, double gap_before) {
   return T / (h + T) * std::fmin(gap_before, 0.0);
 }
 

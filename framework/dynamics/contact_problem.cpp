@@ -43,8 +43,9 @@ void ContactProblem::linearise(const contact::Contact& c, const ContactWorkspace
   to.n = c.n_W;
   axes_across(to.n, to.t1, to.t2);
   const Vec3 u = place.displacement(k.a, c.p_W) - place.displacement(k.b, c.p_W);
-  to.surface = surface(c.law.stiffness * c.weight, c.law.friction, c.law.restitution, h);
-  to.relaxed_gap = relaxed_gap(c.law.restitution, h, c.gap - to.n.dot(u));
+  const double T = retardation(c.law.restitution, scales.retardation);
+  to.surface = surface(c.law.stiffness * c.weight, c.law.friction, T, h);
+  to.relaxed_gap = relaxed_gap(T, h, c.gap - to.n.dot(u));
   const Vec3 s = carried_bristle(c, k) + u;
   to.at = {c.gap - to.relaxed_gap, to.t1.dot(s), to.t2.dot(s)};
 }

@@ -15,8 +15,8 @@
 #include "base/solver_health.hpp"
 #include "contact/contact_set.hpp"
 #include "dynamics/island.hpp"
-#include "dynamics/lengths.hpp"
 #include "dynamics/placement.hpp"
+#include "dynamics/scales.hpp"
 #include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
@@ -90,7 +90,7 @@ struct ContactProblem {
   const scene::Capacities room;
   base::SolverHealth health;  // of this step
   double h = 1e-3;            // s
-  Lengths lengths;
+  Scales scales;
   uint32_t n = 0;  // contacts that take part in this step
   Placement place;
   std::vector<ContactWorkspace> contact;  // per contact

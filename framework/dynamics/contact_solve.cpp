@@ -84,7 +84,7 @@ void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& 
 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<FlexibleBody* const> self, bool ask_all) noexcept {
-  p_.lengths = Lengths::of(world, options_.tolerance);
+  p_.scales = Scales::of(world, options_.tolerance);
   p_.begin(world, motion, contacts, self);
   points_.add(contacts, ties, ask_all);
   ties_.begin(ties);
@@ -156,14 +156,13 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   for (IslandWorkspace& island : islands_.all()) {
     if (island.done) continue;
     const bool all_the_way =
-        island.relaxation == 1 || (island.tied && island.remaining <= p_.lengths.converged);
-    island.done =
-        island.converged && all_the_way && island.geometry_error <= kGeometry * p_.lengths.converged;
+        island.relaxation == 1 || (island.tied && island.remaining <= p_.scales.converged);
+    island.done = island.converged && all_the_way && island.geometry_error <= kGeometry * p_.scales.converged;
     // two surfaces that meet at the edge of a feature can send each other to and fro: no later pass is better
     if (island.passes > (island.tied ? kPasses : kFreePasses) &&
         !(island.geometry_error < 0.5 * island.last_errors[1])) {
       island.stalled = true;
-      island.done = island.done || (island.converged && island.geometry_error <= p_.lengths.converged);
+      island.done = island.done || (island.converged && island.geometry_error <= p_.scales.converged);
     }
     island.last_errors[1] = island.last_errors[0], island.last_errors[0] = island.geometry_error;
   }
@@ -187,7 +186,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   const Island problem{islands_.blocks(island), constraints, island.unknowns, island.own};
   const Limits limits = island.passes < kFreePasses && !island.held ? Limits::kCoulomb : Limits::kHeld;
   ++island.passes;
-  const Outcome outcome = solver_.solve(problem, p_.lengths, limits);
+  const Outcome outcome = solver_.solve(problem, p_.scales, limits);
   relax(island);
   island.remaining = std::abs(1 - island.relaxation) * outcome.moved;
   for (uint32_t i = 0; i < island.unknowns; ++i) move_[i] = island.relaxation * solver_.d()[i];
@@ -208,7 +207,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   island.converged = outcome.converged;
   island.limits_hold = outcome.limits_hold;
   island.held = island.held || outcome.held;
-  island.done = outcome.converged && outcome.moved <= kGeometry * p_.lengths.converged;
+  island.done = outcome.converged && outcome.moved <= kGeometry * p_.scales.converged;
   if (island.done)
     for (Constraint& constraint : constraints) constraint.at = constraint.u;
   ++stats.islands;

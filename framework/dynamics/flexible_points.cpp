@@ -67,7 +67,7 @@ void FlexiblePoints::add(const contact::Contact& c, ContactWorkspace& k) noexcep
 
 /// Shapes that are apart, where they tell how the surfaces come.
 bool FlexiblePoints::may_skip(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
-  if (ask_all_ || c.gap <= p_.lengths.near || !(c.law.stiffness > 0)) return false;
+  if (ask_all_ || c.gap <= p_.scales.near || !(c.law.stiffness > 0)) return false;
   bool own = false;
   for (const Side* s : {&k.a, &k.b}) {
     if (!p_.place.is_flexible(s->block)) continue;

@@ -232,8 +232,8 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
   return false;
 }
 
-Outcome IslandSolver::solve(const Island& island, const Lengths& lengths, Limits limits) noexcept {
-  const double tolerance = lengths.converged;
+Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits limits) noexcept {
+  const double tolerance = scales.converged;
   space_ = island.contact_space ? contact_space_.get() : displacement_space_.get();
   size_ = island.size;
   point_size_ = space_->begin(island);
@@ -248,7 +248,7 @@ Outcome IslandSolver::solve(const Island& island, const Lengths& lengths, Limits
     outcome.limits_hold = limits_hold(island);
   } else {
     outcome.converged = newton(island, tolerance);
-    if (!outcome.converged) fall_back(island, lengths, outcome);
+    if (!outcome.converged) fall_back(island, scales, outcome);
   }
   outcome.newton = newton_;
   outcome.moved = space_->moved(z_.data());
@@ -259,8 +259,8 @@ Outcome IslandSolver::solve(const Island& island, const Lengths& lengths, Limits
 /// Along the path, from here, then from where nothing slips: a contact that must slip then slips the right way. Where neither
 /// ends, or where it ends far away, with limits held. Far: friction that falls as a light body slides, because it slides out of
 /// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
-void IslandSolver::fall_back(const Island& island, const Lengths& lengths, Outcome& outcome) noexcept {
-  const double tolerance = lengths.converged;
+void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept {
+  const double tolerance = scales.converged;
   outcome.fell_back = true;
   if (over_budget()) {
     evaluate(island, z_.data(), Friction::kCoulomb);
@@ -273,7 +273,7 @@ void IslandSolver::fall_back(const Island& island, const Lengths& lengths, Outco
   start();
   // the path knows the pieces of Coulomb's law only, not those of a tie
   outcome.converged = !ties && follow_path(island, tolerance);
-  const bool far = outcome.converged && space_->moved(z_.data()) > lengths.lost;
+  const bool far = outcome.converged && space_->moved(z_.data()) > scales.lost;
   if (!outcome.converged || far) {
     start();
     stick_all(island, tolerance);

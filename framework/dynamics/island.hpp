@@ -18,7 +18,7 @@
 
 #include "dynamics/contact_law.hpp"
 #include "dynamics/dof_block.hpp"
-#include "dynamics/lengths.hpp"
+#include "dynamics/scales.hpp"
 #include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
@@ -87,7 +87,7 @@ class IslandSolver {
   ~IslandSolver();
 
   /// Solves for d, to be added to the blocks' unknowns (d() below), and fills u, f, limit of every constraint.
-  Outcome solve(const Island& island, const Lengths& lengths, Limits limits) noexcept;
+  Outcome solve(const Island& island, const Scales& scales, Limits limits) noexcept;
 
   std::span<const double> d() const { return {d_.data(), size_}; }
 
@@ -108,7 +108,7 @@ class IslandSolver {
   double negligible_merit(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
   bool newton(const Island& island, double tolerance) noexcept;
-  void fall_back(const Island& island, const Lengths& lengths, Outcome& outcome) noexcept;
+  void fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;
   bool hold_limits(const Island& island, double tolerance, uint32_t rounds, Outcome& outcome) noexcept;
 

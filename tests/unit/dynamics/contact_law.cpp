@@ -106,10 +106,11 @@ TEST(ContactLaw, KinksAreWhereThePieceEnds) {
 TEST(ContactLaw, WhatDoesNotReboundComesBackLate) {
   const double k = 1e6, h = 1e-5;
   const auto rebound = [&](double mass, double restitution) {
+    const double T = retardation(restitution, 1e-3);
     double x = 0, v = -0.02;
     for (int i = 0; i < 100000 && (x < 0 || v < 0); ++i) {
-      const Surface s = surface(k, 0, restitution, h);
-      const double ref = relaxed_gap(restitution, h, x);
+      const Surface s = surface(k, 0, T, h);
+      const double ref = relaxed_gap(T, h, x);
       // m (v1 - v) / h = -s.k (x + h v1 - ref), while that pushes
       double v1 = (mass * v - h * s.k * (x - ref)) / (mass + h * h * s.k);
       if (x + h * v1 - ref > 0) v1 = v;
