@@ -53,6 +53,12 @@ inline double relaxed_gap(double T, double h, double gap_before) {
   return T / (h + T) * std::fmin(gap_before, 0.0);
 }
 
+/// How the friction limit of a contact depends on its normal force; that of a tie is a constant of its law.
+enum class Friction {
+  kCoulomb,  // mu f_n
+  kTresca,   // held
+};
+
 /// Friction limited by `limit` [N], whatever it depends on.
 inline Force force_with_limit(const Surface& s, const Displacement& d, double fn, double limit) {
   if (!(limit > 0)) return {fn, 0, 0, true};

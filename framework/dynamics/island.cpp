@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/constraint_law.hpp"
 #include "dynamics/contact_space.hpp"
 #include "dynamics/displacement_space.hpp"
 
@@ -21,11 +22,6 @@ constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
-
-/// Whether a constraint stiffens anything where it was last evaluated.
-bool takes_part(const Constraint& constraint) {
-  return constraint.tie || constraint.f.fn > 0 || constraint.limit > 0;
-}
 
 bool has_ties(const Island& island) {
   return std::any_of(island.constraints.begin(), island.constraints.end(),
@@ -57,15 +53,7 @@ void IslandSolver::start() noexcept { consistent_ = space_->start(z_.data()); }
 /// Forces of all constraints and the residual at z.
 void IslandSolver::evaluate(const Island& island, const double* z, Friction friction) noexcept {
   space_->displace(z);
-  for (Constraint& constraint : island.constraints) {
-    if (constraint.tie) {
-      constraint.f = tie_force(*constraint.tie, constraint.u);
-      continue;
-    }
-    const double fn = normal_force(constraint.surface, constraint.u.g);
-    if (friction == Friction::kCoulomb) constraint.limit = constraint.surface.mu * fn;
-    constraint.f = force_with_limit(constraint.surface, constraint.u, fn, constraint.limit);
-  }
+  for (Constraint& c : island.constraints) c.f = constraint_force(c, c.u, friction, c.limit);
   space_->residual(z);
 }
 
@@ -85,12 +73,7 @@ bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexc
     kept = now;
   };
   for (Constraint& constraint : island.constraints) {
-    Tangent D;
-    if (constraint.tie)
-      D = tie_tangent(*constraint.tie, constraint.u);
-    else if (takes_part(constraint))
-      D = tangent(constraint.surface, constraint.u, constraint.f, constraint.limit,
-                  friction == Friction::kCoulomb);
+    const Tangent D = constraint_tangent(constraint, constraint.u, constraint.f, friction, constraint.limit);
     const double now[] = {D.nn, D.n1, D.n2, D.t11, D.t12, D.t22};
     double* const kept[] = {&constraint.D.nn,  &constraint.D.n1,  &constraint.D.n2,
                             &constraint.D.t11, &constraint.D.t12, &constraint.D.t22};
@@ -175,10 +158,8 @@ double IslandSolver::slope(const Island& island, double fraction) noexcept {
     const Displacement& w = constraint.along;
     const Displacement u{constraint.u.g + fraction * w.g, constraint.u.s1 + fraction * w.s1,
                          constraint.u.s2 + fraction * w.s2};
-    const Force f = constraint.tie
-                        ? tie_force(*constraint.tie, u)
-                        : force_with_limit(constraint.surface, u, normal_force(constraint.surface, u.g),
-                                           constraint.limit);
+    double limit = constraint.limit;
+    const Force f = constraint_force(constraint, u, Friction::kTresca, limit);
     sum -= f.fn * w.g + f.f1 * w.s1 + f.f2 * w.s2;
   }
   return sum;

@@ -97,8 +97,6 @@ class IslandSolver {
   bool over_budget() const noexcept { return work() > budget_; }
 
  private:
-  enum class Friction { kCoulomb, kTresca };
-
   void start() noexcept;
   void evaluate(const Island& island, const double* z, Friction friction) noexcept;
   bool search_direction(const Island& island, Friction friction) noexcept;

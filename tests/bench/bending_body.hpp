@@ -24,7 +24,7 @@ class BendingBody final : public dynamics::FlexibleBody {
   void advance();
 
   uint32_t object() const noexcept override { return kNeedleObject; }
-  bool shows_itself() const noexcept override { return true; }
+  bool surface_is_shape() const noexcept override { return true; }
   bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
   void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
   /// Stress over yield, bend and the like, after the step.

@@ -38,7 +38,7 @@ void island(benchmark::State& state) {
   needle.I_hh *= kHh;
   needle.inv_I_hh = needle.I_hh.inverse();
   std::vector<double> J(18 * n);
-  std::vector<Row> row(n);
+  std::vector<Constraint> row(n);
   for (size_t i = 0; i < n; ++i) {
     const double side = i % 2 ? -1 : 1;
     const Vec3 arm(0, 5e-5 * static_cast<double>(i / 2), -5e-5 * side);
@@ -57,7 +57,7 @@ void island(benchmark::State& state) {
   }
   DofBlock* const movers[] = {&needle};
   IslandSolver solver(12);
-  for (auto _ : state) benchmark::DoNotOptimize(solver.solve({movers, row, 6}, 1e-10, Limits::kCoulomb));
+  for (auto _ : state) benchmark::DoNotOptimize(solver.solve({movers, row, 6}, Scales{}, Limits::kCoulomb));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(NoAllocation, InIslandsOfManyContacts) {
   needle.inv_I_hh = needle.I_hh.inverse();
   DofBlock* const movers[] = {&needle};
   std::vector<double> J(18 * kRows);
-  std::vector<Row> row(kRows);
+  std::vector<Constraint> row(kRows);
   IslandSolver solver(12);
   uint32_t fell_back = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -76,7 +76,7 @@ TEST(NoAllocation, InIslandsOfManyContacts) {
       row[i].J = &J[18 * i];
     }
     const uint64_t before = allocations;
-    const Outcome outcome = solver.solve({movers, row, 6}, 1e-10, Limits::kCoulomb);
+    const Outcome outcome = solver.solve({movers, row, 6}, Scales{}, Limits::kCoulomb);
     ASSERT_EQ(allocations, before);
     EXPECT_TRUE(outcome.converged) << trial;
     fell_back += outcome.fell_back;

@@ -72,7 +72,7 @@ bool hold(const TissueParams& params, const std::string& what) {
                overlap = PierceScene::kWire - (PierceScene::kWire - kDepth) * tilt;
   EXPECT_LT(deepest, 1.05 * overlap) << what;
   EXPECT_LE(s.signal("tissue.force"), settled + 1e-3 * most) << what << ": it relaxes, and never grows";
-  EXPECT_EQ(s.engine->stats().not_converged, 0u) << what;
+  EXPECT_EQ(s.engine->stats().health.not_converged, 0u) << what;
   if (flat && ledger.most_stored > 0) {
     EXPECT_GT(ledger.deepest, -1e-6 * ledger.most_stored) << what << ": more came out than had gone in";
     EXPECT_GT(ledger.worst, -0.012 * ledger.most_stored) << what << ": made in a step";

@@ -32,16 +32,5 @@ TEST(HingeDrive, FreeMotionEndsAtTheStops) {
   EXPECT_DOUBLE_EQ(-0.09 + back.free(), -0.1);
 }
 
-TEST(HingeDrive, TorqueIsTheSlopeOfTheEnergy) {
-  const HingeDrive drive(jaw(), {0.1, 1.0, 1e-4, 0.05}, 0.01, 0, 0, kStep);
-  const double d = 1e-7;
-  for (const double x : {-0.15, -0.05, 0.0, 0.05, 0.1, 0.2}) {
-    const double slope = (drive.energy(x + d) - drive.energy(x - d)) / (2 * d);
-    EXPECT_NEAR(-slope, drive.torque(x), 1e-4 * (1 + std::abs(drive.torque(x)))) << x;
-    const double stiffness = -(drive.torque(x + d) - drive.torque(x - d)) / (2 * d);
-    EXPECT_NEAR(stiffness, drive.stiffness(x), 1e-5 * (1 + drive.stiffness(x))) << x;
-  }
-}
-
 }  // namespace
 }  // namespace swage::dynamics

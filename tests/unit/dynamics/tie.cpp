@@ -33,37 +33,6 @@ TEST(TieLaw, SlidesAtItsLimitsAndRemembersTheRest) {
   EXPECT_NEAR(slid.s2, 0.8 * 30e-6, 1e-18);
 }
 
-TEST(TieLaw, ForceAndTangentAreDerivativesOfTheEnergy) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> any(-1, 1);
-  for (int i = 0; i < 2000; ++i) {
-    const TieLaw law{100 * std::exp(any(random)), 100 * std::exp(any(random)), 1e-3, 2e-3, 0.5e-3};
-    const double d[3] = {5e-5 * any(random), 3e-5 * any(random), 3e-5 * any(random)}, h = 1e-9;
-    const auto at = [&](int k, double e) {
-      double x[3] = {d[0], d[1], d[2]};
-      x[k] += e;
-      return Displacement{x[0], x[1], x[2]};
-    };
-    const Force f = tie_force(law, at(0, 0));
-    const double force[3] = {f.fn, f.f1, f.f2};
-    const Tangent t = tie_tangent(law, at(0, 0));
-    const double diagonal[3] = {t.nn, t.t11, t.t22};
-    for (int k = 0; k < 3; ++k) {
-      const double slope = (tie_energy(law, at(k, h)) - tie_energy(law, at(k, -h))) / (2 * h);
-      EXPECT_NEAR(-slope, force[k], 1e-7);
-      const Force p = tie_force(law, at(k, h)), m = tie_force(law, at(k, -h));
-      const double from[3] = {m.fn, m.f1, m.f2}, to[3] = {p.fn, p.f1, p.f2};
-      const double stiff = -(to[k] - from[k]) / (2 * h);
-      // but for the kinks, where the law switches within the difference
-      if (std::abs(stiff - diagonal[k]) <= 1e-3 * 300) continue;
-      const bool kink = std::abs(std::abs(law.k_along * d[0]) - 2e-3) < 1e-6 ||
-                        std::abs(std::abs(law.k_along * d[0]) - 0.5e-3) < 1e-6 ||
-                        std::abs(law.k_across * std::hypot(d[1], d[2]) - 1e-3) < 1e-6;
-      EXPECT_TRUE(kink) << stiff << " is not " << diagonal[k];
-    }
-  }
-}
-
 /// A body in a world; ties are laid before each step by the test, which plays the coupling.
 struct Scene {
   scene::World world;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The law of a constraint, a contact or a tie: force, tangent and energy at a displacement. Each is the derivative of the next,
+// which one test checks for all (tests/unit/dynamics/constraint_law.cpp); a hinge drive (hinge_drive.hpp) answers the same three.
+// With its friction limit held the force is minus the gradient of a convex energy. Header-only, pure functions, [rt].
+#pragma once
+
+#include "dynamics/island.hpp"
+
+namespace swage::dynamics {
+
+/// `limit`: N, of a contact whose limit is held; what Coulomb's law gives is written there.
+inline Force constraint_force(const Constraint& c, const Displacement& u, Friction friction, double& limit) {
+  if (c.tie) return tie_force(*c.tie, u);
+  const double fn = normal_force(c.surface, u.g);
+  if (friction == Friction::kCoulomb) limit = c.surface.mu * fn;
+  return force_with_limit(c.surface, u, fn, limit);
+}
+
+/// Of what `f`, the force at u, stands on.
+inline Tangent constraint_tangent(const Constraint& c, const Displacement& u, const Force& f,
+                                  Friction friction, double limit) {
+  if (c.tie) return tie_tangent(*c.tie, u);
+  if (!(f.fn > 0 || limit > 0)) return {};
+  return tangent(c.surface, u, f, limit, friction == Friction::kCoulomb);
+}
+
+/// With the limit held [J].
+inline double constraint_energy(const Constraint& c, const Displacement& u, double limit) {
+  return c.tie ? tie_energy(*c.tie, u) : tresca_energy(c.surface, u, limit);
+}
+
+}  // namespace swage::dynamics
