@@ -283,7 +283,10 @@ void Placement::slow_down(uint32_t block, double speed) noexcept {
     const double far = way.norm();
     if (far <= h_ * speed) return;
     const double keep = h_ * speed / far;
-    set_pose(t, Pose(t.X0.p + keep * way, turn(keep * t.a) * t.X0.q));
+    // a couple may turn it as far as it does where nothing touches it: who is wrung out of a grip is not held back
+    const double given = (m.inv_I_hh * vec(world_->F_B_W[m.index].t)).norm(), angle = t.a.norm();
+    const double keep_turn = given >= angle ? 1 : std::max(keep, given / angle);
+    set_pose(t, Pose(t.X0.p + keep * way, turn(keep_turn * t.a) * t.X0.q));
   } else if (m.kind == DofBlock::Kind::kParticle) {
     const Vec3 way = p_[m.index] - motion_->p0[m.index];
     const double far = way.norm();
