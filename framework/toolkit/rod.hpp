@@ -110,6 +110,8 @@ class Rod {
   RodClamp& clamp(int end) { return clamp_[end]; }
   /// A node that stays, or goes where the caller puts it.
   void hold(int node, bool on = true) { held_[at(node)] = on; }
+  /// An edge that has parted: it bears nothing, and the ends on its two sides are free.
+  void cut(int edge, bool on = true) { cut_[at(edge)] = on; }
   /// An edge that does not turn about itself.
   void hold_turn(int edge, bool on = true) { turn_held_[at(edge)] = on; }
 
@@ -120,8 +122,17 @@ class Rod {
   /// One step in time, or (h = 0) the shape at rest. `tolerance` [m], of the last change.
   RodEffort step(RodState& s, const RodLoad& load, int iterations, double tolerance);
 
-  /// Free motion and Hessian at the state, factored, for contacts: A = M/h^2 + K. False where it is not positive definite.
-  bool linearise(const RodState& s, const RodLoad& load);
+  /// All nodes go on by h v, unless that would stretch an edge by more than `most_strain` or turn it by much.
+  void go_on(RodState& s, const RodLoad& load, double most_strain);
+  /// For contacts: the step that begins at `start`, linear about the state `s`. Afterwards matrix() is its Hessian, factored, and
+  /// change() is how far the rod goes from there without contacts. False where there is no such step.
+  bool linearise(const RodState& start, const RodState& s, const RodLoad& load);
+  const double* change() const { return change_.data(); }
+  /// Begins a step at a state; then iterate() goes on from any other, with the forces of contacts as a load, and finish() ends it.
+  void prepare(const RodState& start, const RodLoad& load);
+  RodEffort iterate(RodState& s, const RodLoad& load, int iterations, double tolerance);
+  /// Velocities of what has come to where it is.
+  void finish(RodState& s, const RodLoad& load) const;
   /// At rest it would stay: the Hessian without mass is positive definite.
   bool stable(const RodState& s, const RodLoad& load);
   const Matrix& matrix() const { return A_; }
@@ -136,6 +147,8 @@ class Rod {
   /// Goes by `share` of a change of all unknowns: nodes go, directors go along and turn.
   void move(const RodState& from, const double* change, double share, RodState& to) const;
   double tension(const RodState& s, int j) const;  // N, of an edge
+  /// That of the linear model after the last iteration: without what an edge was stretched by turning.
+  double linear_tension(int j) const { return cut_[at(j)] ? 0.0 : tension_[at(j)]; }
   /// Angle over length at an inner node [1/m].
   double curvature(const RodState& s, int i) const;
   /// Twist from the first to the last node, in turns.
@@ -153,7 +166,11 @@ class Rod {
   Edge edge(const RodState& s, int j) const;
   RodJoint joint(const RodState& s, int i) const;
   RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
-  bool has_joint(int i) const { return i > 0 && i < n_ - 1 ? true : clamp_[i == 0 ? 0 : 1].on; }
+  bool has_joint(int i) const {
+    if (i == 0) return clamp_[0].on && !cut_[0];
+    if (i == n_ - 1) return clamp_[1].on && !cut_[at(i - 1)];
+    return !cut_[at(i - 1)] && !cut_[at(i)];
+  }
   double joint_length(int i) const;
   Vec3 remembered(const Vec3& director, double length) const;
   static double angle(const RodJoint& j, const Vec3& de, const Vec3& df, double before);
@@ -163,25 +180,22 @@ class Rod {
   static void add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
   static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
-  void prepare(const RodState& s, const RodLoad& load);
   void system(const RodState& s, const RodLoad& load, bool hessian);
   bool factor(const RodState& s, const RodLoad& load);
   void slow_turns();
   bool solve(const RodState& s, const RodLoad& load);
   double potential(const RodState& s, const RodLoad& load) const;
   void follow_tension(const RodState& s, double share);
-  void go_on(RodState& s, const RodLoad& load);
   double bounded(const RodState& s) const;
   double search(const RodState& s, const RodLoad& load, double share);
   double twisted(const RodState& s, int i, double before) const;
-  void finish(RodState& s, const RodLoad& load) const;
 
   int n_ = 0;
   RodSection section_;
   double length_ = 0;                          // m
   double memory_ = 0;                          // 1/m
   std::vector<double> rest_, mass_, tension_;  // m, kg, N
-  std::vector<char> held_, turn_held_;
+  std::vector<char> held_, turn_held_, cut_;
   RodClamp clamp_[2];
 
   // of the present step

@@ -21,6 +21,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   tension_.assign(at(edges()), 0.0);
   held_.assign(at(n_), 0);
   turn_held_.assign(at(edges()), 0);
+  cut_.assign(at(edges()), 0);
   A_ = Matrix(unknowns());
   x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
@@ -84,6 +85,7 @@ inline RodJoint Rod::joint(const RodState& s, int i, const Edge& e, const Edge& 
 inline double Rod::energy(const RodState& s) const {
   double E = 0;
   for (int j = 0; j < edges(); ++j) {
+    if (cut_[at(j)]) continue;
     const double strain = s.edge(j).norm() / rest_[at(j)] - 1;
     E += 0.5 * section_.stretching * rest_[at(j)] * strain * strain;
   }
@@ -182,7 +184,7 @@ inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hess
       joint(s, i, before, after).differentiate(memory_ != 0, hessian != nullptr, d);
       add(i, d, gradient, hessian);
     }
-    if (i < n_ - 1) add_stretch(i, after, gradient, hessian);
+    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, after, gradient, hessian);
     before = after;
   }
 }
@@ -219,7 +221,7 @@ inline double Rod::twisted(const RodState& s, int i, double before) const {
 }
 
 inline double Rod::tension(const RodState& s, int j) const {
-  return section_.stretching * (s.edge(j).norm() / rest_[at(j)] - 1);
+  return cut_[at(j)] ? 0.0 : section_.stretching * (s.edge(j).norm() / rest_[at(j)] - 1);
 }
 
 inline double Rod::curvature(const RodState& s, int i) const {

@@ -194,14 +194,14 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
 
 /// Newton's method starts where the nodes would be if they went on; or where they are, if that would stretch an edge or turn it by
 /// much (held nodes go on nevertheless).
-inline void Rod::go_on(RodState& s, const RodLoad& load) {
+inline void Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
   if (load.h == 0) return;
   for (int k = 0; k < unknowns(); ++k) change_[at(k)] = k % 4 == 3 ? 0.0 : load.h * s.v[k / 4 * 3 + k % 4];
   bool far = bounded(s) < 1;
   for (int j = 0; j < edges(); ++j) {
     const double* d = change_.data() + 4 * j;
     const double length = (s.edge(j) + Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2])).norm();
-    far = far || std::abs(length / rest_[at(j)] - 1) > 0.1;  // a tenth: nylon breaks at two
+    far = far || std::abs(length - s.edge(j).norm()) > most_strain * rest_[at(j)];
   }
   for (int k = 0; far && k < unknowns(); ++k)
     if (k % 4 != 3 && held_[at(k / 4)] == 0) change_[at(k)] = 0;
@@ -209,11 +209,18 @@ inline void Rod::go_on(RodState& s, const RodLoad& load) {
 }
 
 inline RodEffort Rod::step(RodState& s, const RodLoad& load, int iterations, double tolerance) {
-  RodEffort effort;
   prepare(s, load);
   RodState old(n_, stored_.data());
   std::copy_n(s.x, RodState::size(n_), old.x);
-  go_on(s, load);
+  go_on(s, load, 0.1);
+  const RodEffort effort = iterate(s, load, iterations, tolerance);
+  finish(s, load);
+  if (load.second_order) std::copy_n(old.x, 6 * n_, s.before), *s.steps = 1;
+  return effort;
+}
+
+inline RodEffort Rod::iterate(RodState& s, const RodLoad& load, int iterations, double tolerance) {
+  RodEffort effort;
   double last = HUGE_VAL;
   bool guarded = false;
   for (int it = 0; it < iterations; ++it) {
@@ -233,8 +240,6 @@ inline RodEffort Rod::step(RodState& s, const RodLoad& load, int iterations, dou
     guarded = guarded || (it > 3 && size > 0.7 * last);
     last = size;
   }
-  finish(s, load);
-  if (load.second_order) std::copy_n(old.x, 6 * n_, s.before), *s.steps = 1;
   return effort;
 }
 
@@ -249,9 +254,14 @@ inline double Rod::search(const RodState& s, const RodLoad& load, double share) 
   return share;
 }
 
-inline bool Rod::linearise(const RodState& s, const RodLoad& load) {
-  prepare(s, load);
-  return factor(s, load);
+inline bool Rod::linearise(const RodState& start, const RodState& s, const RodLoad& load) {
+  prepare(start, load);
+  take_tension(s);
+  slow_ = false;
+  if (!factor(s, load)) return false;
+  for (int k = 0; k < unknowns(); ++k) change_[at(k)] = -gradient_[at(k)];
+  A_.solve(change_.data());
+  return true;
 }
 
 inline bool Rod::stable(const RodState& s, const RodLoad& load) {

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The thread as the contact solve sees it. A step begins at x0; it is linear about x1, where the thread goes by itself, or, where it
+// was held in the last step, where it would go on to (a held thread does, so that what contacts change is little). There
+//
+//   v_free = (x1 - x0 + d) / h,  d = -A^-1 F(x1),     W = J A^-1 J' / h^2
+//
+// with the band A = M/h^2 + K. The impulses j are forces j / h of that linear step, and the thread goes exactly where it leads: a
+// held place stays where the contacts have it. What an edge is stretched by turning, of second order, the next step takes back.
+#include <algorithm>
+
+#include "thread.hpp"
+
+namespace swage::thread {
+
+using toolkit::Pose;
+using toolkit::raw;
+using toolkit::RodState;
+using toolkit::vec;
+using toolkit::Vec3;
+
+namespace {
+// Newton iterations of a step without contacts; with them it is one.
+constexpr int kFreeIterations = 6;
+// What going on may stretch a held thread: 1e-3 is 1 mN of 10-0 nylon. More: what is snatched away swings up from step to step.
+constexpr double kMostStrain = 1e-3;
+// Of the last change of an iteration, over the length: 20 pm of 20 mm.
+constexpr double kSettled = 1e-9;
+}  // namespace
+
+toolkit::RodLoad Thread::load(const Step& step) const {
+  toolkit::RodLoad out;
+  out.h = step.dt();
+  out.gravity = vec(step.gravity());
+  out.fluid =
+      params_.around == Around::kWater ? toolkit::RodFluid{998, 1.0e-3} : toolkit::RodFluid{1.2, 1.8e-5};
+  return out;
+}
+
+/// The rod has no memory of its own: what has parted is the host's to keep and to take back.
+void Thread::take_parted(const Step& step) {
+  for (int j = 0; j < params_.segments; ++j) rod_.cut(j, parted(step)[j] != 0);
+}
+
+void Thread::write(const Step& step, const RodState& before, const RodState& now) const {
+  for (int j = 0; j < params_.segments; ++j) {
+    const Pose X0 = segment(before, j), X = segment(now, j);
+    const Body body(first_ + static_cast<uint32_t>(j));
+    step.pose(body) = X.abi();
+    const Vec3 w = toolkit::log_rotation(X.q * X0.q.conjugate()) / step.dt();
+    step.twist(body) = {raw(Vec3((X.p - X0.p) / step.dt())), raw(w)};
+  }
+}
+
+void Thread::advance(const Step& step) {
+  RodState s = state(step);
+  const bool goes_on = held(step) != 0;
+  held(step) = 0;
+  take_parted(step);
+  std::copy_n(s.x, begun_.size(), begun_.data());
+  const RodState begun(nodes(), begun_.data());
+  const toolkit::RodLoad load = this->load(step);
+  if (goes_on) {
+    rod_.go_on(s, load, kMostStrain);
+  } else {
+    rod_.step(s, load, kFreeIterations, kSettled * params_.length);
+    part(step);
+  }
+  std::copy_n(s.x, base_.size(), base_.data());
+  write(step, begun, s);
+}
+
+Thread::Point Thread::point(const swage_contact_point& c) const {
+  const RodState base(nodes(), const_cast<double*>(base_.data()));
+  Point p;
+  p.edge = static_cast<int>(c.body);
+  const Vec3 a = base.node(p.edge), e = base.edge(p.edge);
+  p.s = std::clamp((vec(c.p_W) - a).dot(e) / e.squaredNorm(), 0.0, 1.0);
+  p.t = e.normalized();
+  p.arm = vec(c.p_W) - a - p.s * e;
+  p.arm -= p.arm.dot(p.t) * p.t;
+  return p;
+}
+
+Vec3 Thread::at_point(const Point& p, const double* unknowns, int line) const {
+  const double* u = unknowns + 4 * p.edge * line;
+  Vec3 out;
+  for (int r = 0; r < 3; ++r) out[r] = (1 - p.s) * u[r * line] + p.s * u[(4 + r) * line];
+  return out + u[3 * line] * p.t.cross(p.arm);
+}
+
+void Thread::push(const Point& p, const Vec3& f, double* unknowns, int line) const {
+  double* u = unknowns + 4 * p.edge * line;
+  for (int r = 0; r < 3; ++r) u[r * line] += (1 - p.s) * f[r], u[(4 + r) * line] += p.s * f[r];
+  u[3 * line] += p.t.dot(p.arm.cross(f));
+}
+
+void Thread::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+                        double* W) {
+  const int n = static_cast<int>(std::min<size_t>(points.size(), kMaxPoints));
+  const double h = step.dt();
+  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  if (!rod_.linearise(begun, base, load(step))) return;
+  for (int i = 0; i < n; ++i) {
+    Point& p = point_[at(i)] = point(points[at(i)]);
+    const Vec3 x0 = begun.node(p.edge) + p.s * begun.edge(p.edge),
+               x1 = base.node(p.edge) + p.s * base.edge(p.edge);
+    const Vec3 v = (x1 - x0 + at_point(p, rod_.change(), 1)) / h;
+    for (int r = 0; r < 3; ++r) v_free[3 * i + r] = v[r];
+  }
+  const int rows = 3 * n, stride = 3 * static_cast<int>(points.size());
+  for (int first = 0; first < rows; first += kSides) {
+    std::fill(sides_.begin(), sides_.end(), 0.0);
+    const int last = std::min(first + kSides, rows);
+    for (int c = first; c < last; ++c)
+      push(point_[at(c / 3)], Vec3::Unit(c % 3), sides_.data() + (c - first), kSides);
+    hold_sides();
+    rod_.matrix().solve<kSides>(sides_.data());
+    // rows from here on; the others by symmetry
+    for (int c = first; c < last; ++c)
+      for (int i = c / 3; i < n; ++i) {
+        const Vec3 w = at_point(point_[at(i)], sides_.data() + (c - first), kSides) / (h * h);
+        for (int r = 0; r < 3; ++r) W[(3 * i + r) * stride + c] = W[c * stride + 3 * i + r] = w[r];
+      }
+  }
+}
+
+/// Nodes that stay take no forces.
+void Thread::hold_sides() {
+  for (int i = 0; i < nodes(); i += params_.segments) {
+    if ((i == 0 ? params_.first : params_.last) == End::kFree) continue;
+    std::fill_n(sides_.begin() + 4 * i * kSides, 3 * kSides, 0.0);
+  }
+}
+
+void Thread::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+  RodState s = state(step);
+  const RodState begun(nodes(), begun_.data());
+  std::copy_n(base_.data(), base_.size(), s.x);
+  std::fill(force_.begin(), force_.end(), 0.0);
+  std::fill(torque_.begin(), torque_.end(), 0.0);
+  const double h = step.dt();
+  const int n = static_cast<int>(std::min<size_t>(points.size(), kMaxPoints));
+  bool pushed = false;
+  for (int i = 0; i < n; ++i) {
+    const Point p = point(points[at(i)]);
+    const Vec3 f = Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / h;
+    pushed = pushed || !f.isZero(0);
+    for (int r = 0; r < 3; ++r) {
+      force_[at(3 * p.edge + r)] += (1 - p.s) * f[r];
+      force_[at(3 * p.edge + 3 + r)] += p.s * f[r];
+    }
+    torque_[at(p.edge)] += p.t.dot(p.arm.cross(f));
+  }
+  held(step) = pushed;
+  toolkit::RodLoad load = this->load(step);
+  load.force = force_, load.torque = torque_;
+  rod_.prepare(begun, load);
+  rod_.take_tension(s);
+  rod_.iterate(s, load, 1, kSettled * params_.length);
+  rod_.finish(s, load);
+  part(step);
+  write(step, begun, s);
+}
+
+/// Breaks where the tension is beyond its strength.
+void Thread::part(const Step& step) const {
+  for (int j = 0; j < params_.segments; ++j)
+    if (rod_.linear_tension(j) > params_.strength) parted(step)[j] = 1;
+}
+
+}  // namespace swage::thread

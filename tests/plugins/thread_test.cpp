@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.object.thread as a host meets it: how it hangs and sinks, what it answers to contacts, that it is held without creep, breaks,
+// and remembers nothing that the host does not keep.
+#include <gtest/gtest.h>
+#include <swage/testbed.hpp>
+
+#include <Eigen/Dense>
+
+#include "plugins/thread/thread.hpp"
+
+namespace swage::thread {
+namespace {
+
+using toolkit::Vec3;
+
+struct Bench {
+  testbed::ObjectBench<Thread> bench;
+  std::vector<swage_contact_point> point;
+  std::vector<double> v_free, W;
+  double h = 1e-3;
+
+  void start() {
+    ASSERT_TRUE(bench.start(h));
+    bench.step.gravity = {0, 0, -9.81};
+    solver = bench.get<swage_solver>(SWAGE_EXT_SOLVER);
+  }
+  void advance() { ASSERT_EQ(solver->advance(bench.raw, bench.fill()), SWAGE_OK); }
+  /// A point on the middle of a segment.
+  void touch(uint32_t segment) { point.push_back({segment, segment, bench.pose[segment].p, {0, 0, 1}}); }
+  void ask() {
+    v_free.assign(3 * point.size(), 0.0), W.assign(9 * point.size() * point.size(), 0.0);
+    ASSERT_EQ(solver->compliance(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
+                                 v_free.data(), W.data()),
+              SWAGE_OK);
+  }
+  void yield(const Eigen::VectorXd& impulse) {
+    ASSERT_EQ(solver->yield(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
+                            impulse.data()),
+              SWAGE_OK);
+  }
+  Vec3 middle(uint32_t segment) const { return toolkit::vec(bench.pose[segment].p); }
+  double signal(const char* id) {
+    EXPECT_EQ(bench.finish(), SWAGE_OK);
+    const char* const names[] = {"thread.tension_first", "thread.tension_last", "thread.tension",
+                                 "thread.bend_radius", "thread.parted"};
+    for (size_t i = 0; i < 5; ++i)
+      if (std::string(id) == names[i]) return bench.signal[i];
+    ADD_FAILURE() << id;
+    return 0;
+  }
+  const swage_solver* solver = nullptr;
+};
+
+/// Springs of 1e6 N/m hold the points at `anchor` in all directions: one step, implicit as the host's contacts are. Their forces [N].
+Eigen::VectorXd hold(Bench& b, const std::vector<uint32_t>& segment, const std::vector<Vec3>& anchor,
+                     const Vec3& load, uint32_t loaded) {
+  constexpr double k = 1e6;
+  std::vector<Vec3> x0;
+  for (const uint32_t s : segment) x0.push_back(b.middle(s));
+  b.advance();
+  b.point.clear();
+  for (const uint32_t s : segment) b.touch(s);
+  b.touch(loaded);
+  b.ask();
+  const auto n = static_cast<Eigen::Index>(3 * segment.size()), all = n + 3;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::MatrixXd W = Eigen::Map<const Rows>(b.W.data(), all, all);
+  Eigen::VectorXd gone(n), j(all);
+  for (size_t i = 0; i < segment.size(); ++i)
+    gone.segment<3>(static_cast<Eigen::Index>(3 * i)) = x0[i] - anchor[i];
+  j.tail<3>() = b.h * load;
+  // f = -k (gone + h (v_free + W j))
+  const Eigen::VectorXd right = gone + b.h * (Eigen::Map<const Eigen::VectorXd>(b.v_free.data(), n) +
+                                              W.topRightCorner(n, 3) * j.tail<3>());
+  const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(n, n) / k + b.h * b.h * W.topLeftCorner(n, n);
+  const Eigen::VectorXd f = -M.ldlt().solve(right);
+  j.head(n) = b.h * f;
+  b.yield(j);
+  return f;
+}
+
+TEST(Thread, HangsAsAnElastica) {
+  Bench b;
+  b.bench.set("first", 1.0);
+  b.bench.set("segments", 25);
+  b.bench.set("length", 18.910e-3);
+  b.start();
+  for (int k = 0; k < 4000; ++k) b.advance();
+  const Vec3 last = b.middle(24), before = b.middle(23), tip = last + 0.5 * (last - before);
+  EXPECT_LT((tip / 18.910e-3 - Vec3(0.991246, 0, -0.123471)).norm(), 1e-3);
+  EXPECT_NEAR(b.signal("thread.bend_radius"), 18.910e-3 / 0.5,
+              0.1 * 18.910e-3 / 0.5);  // G/2 at the clamp, and its first node
+}
+
+TEST(Thread, SinksInWater) {
+  Bench b;
+  b.bench.set("around", 1.0);
+  b.start();
+  for (int k = 0; k < 100; ++k) b.advance();
+  // 0.29 mm/s in water of 1000 kg/m3; the lighter 998 bears it less
+  EXPECT_NEAR(-b.bench.twist[10].v.z, 0.294e-3, 0.02 * 0.294e-3);
+}
+
+TEST(Thread, GoesAsItAnswered) {
+  Bench b;
+  b.bench.set("start", 2.0);
+  b.bench.set("memory", 100);
+  b.start();
+  for (int k = 0; k < 20; ++k) b.advance();
+  const std::vector<swage_pose> before = b.bench.pose;
+  b.advance();
+  for (const uint32_t s : {3u, 9u, 10u, 20u, 31u}) b.touch(s);
+  for (swage_contact_point& p : b.point) p.p_W.z += 11e-6;  // on its surface
+  b.ask();
+  const auto n = static_cast<Eigen::Index>(3 * b.point.size());
+  const Eigen::MatrixXd W = Eigen::Map<const Eigen::MatrixXd>(b.W.data(), n, n);
+  EXPECT_LT((W - W.transpose()).norm(), 1e-14 * W.norm());
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(W).eigenvalues().minCoeff(), -1e-12 * W.norm());
+  // small forces: where the points went is linear in them; the arm turns with its segment
+  Eigen::VectorXd j(n);
+  for (Eigen::Index i = 0; i < n; ++i) j[i] = 1e-14 * std::sin(static_cast<double>(i));
+  b.yield(j);
+  const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(b.v_free.data(), n) + W * j;
+  double worst = 0, largest = 0;
+  for (size_t i = 0; i < b.point.size(); ++i) {
+    const uint32_t s = b.point[i].body;
+    const toolkit::Pose X0(before[s]), X1(b.bench.pose[s]);
+    // the material point that stood at the asked place when all had gone by themselves
+    const Vec3 moved = (X1.p - X0.p) / b.h;
+    const Vec3 answered = v.segment<3>(static_cast<Eigen::Index>(3 * i));
+    largest = std::max(largest, answered.norm());
+    const Vec3 w = toolkit::vec(b.bench.twist[s].w), arm(0, 0, 11e-6);
+    worst = std::max(worst, (moved + w.cross(arm) - answered).norm());
+  }
+  EXPECT_LT(worst, 0.02 * largest) << largest;
+}
+
+/// Held at two places and pulled at its free end: the held places stand to 0.1 um for 5 s, and bear what pulls.
+TEST(Thread, IsHeldWithoutCreep) {
+  for (const double pull : {1e-3, 0.1}) {
+    Bench b;
+    b.start();
+    const std::vector<uint32_t> segment = {15, 16};
+    std::vector<Vec3> anchor;
+    for (const uint32_t s : segment) anchor.push_back(b.middle(s));
+    const Vec3 load(pull, 0, 0);
+    Eigen::VectorXd f;
+    for (int k = 0; k < 200; ++k) f = hold(b, segment, anchor, k * load / 200, 31);
+    for (int k = 0; k < 300; ++k) f = hold(b, segment, anchor, load, 31);
+    const Vec3 settled = b.middle(16);
+    for (int k = 0; k < 5000; ++k) f = hold(b, segment, anchor, load, 31);
+    EXPECT_LT((b.middle(16) - settled).norm(), 0.1e-6) << pull;
+    EXPECT_NEAR(f[0] + f[3], -pull, 1e-3 * pull);
+    EXPECT_NEAR(f[2] + f[5], 4.33e-7 * 20e-3 * 9.81, 1e-8) << "its weight";
+    EXPECT_NEAR(b.signal("thread.tension"), pull, 1e-3 * pull);
+    EXPECT_EQ(b.signal("thread.parted"), 0);
+  }
+}
+
+/// Held places that move at 30 mm/s take it along.
+TEST(Thread, FollowsWhatHoldsIt) {
+  Bench b;
+  b.start();
+  const std::vector<uint32_t> segment = {2, 3};
+  std::vector<Vec3> anchor;
+  for (const uint32_t s : segment) anchor.push_back(b.middle(s));
+  Eigen::VectorXd f;
+  double worst = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double speed = k < 50 ? 0 : 30e-3;
+    for (Vec3& a : anchor) a += Vec3(0, 0.6, 0.8) * speed * b.h;
+    f = hold(b, segment, anchor, Vec3::Zero(), 31);
+    if (k > 100) worst = std::max(worst, (b.middle(2) - anchor[0]).norm());
+  }
+  EXPECT_LT(worst, 1e-6);
+  EXPECT_LT(f.cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(Thread, BreaksWhereItsStrengthIsPassed) {
+  Bench b;
+  b.bench.set("strength", 0.19);
+  b.bench.set("first", 1.0);
+  b.start();
+  const auto pull = [&](double f) {
+    b.advance();
+    b.point.clear();
+    b.touch(31);
+    b.ask();
+    b.yield(Eigen::Vector3d(b.h * f, 0, 0));
+  };
+  for (int k = 0; k < 180; ++k) pull(1e-3 * k);
+  EXPECT_EQ(b.signal("thread.parted"), 0);
+  EXPECT_NEAR(b.signal("thread.tension_first"), 0.179, 2e-3);
+  for (int k = 180; k < 220; ++k) pull(1e-3 * k);
+  EXPECT_GE(b.signal("thread.parted"), 1);
+  EXPECT_LT(b.signal("thread.tension_first"), 0.19);
+  for (const swage_pose& X : b.bench.pose) EXPECT_TRUE(std::isfinite(X.p.x + X.p.y + X.p.z + X.q.w));
+}
+
+/// The host takes back a step: what follows is the same to the bit.
+TEST(Thread, RemembersNothingOfItsOwn) {
+  Bench b;
+  b.bench.set("memory", 60);
+  b.bench.set("first", 1.0);
+  b.start();
+  const auto go = [&](int steps) {
+    for (int k = 0; k < steps; ++k) {
+      b.advance();
+      b.point.clear();
+      b.touch(12), b.touch(20);
+      b.ask();
+      Eigen::VectorXd j(6);
+      j << 1e-10, 0, 2e-10, 0, -1e-10, 0;
+      b.yield(j);
+    }
+  };
+  go(20);
+  const std::vector<double> state = b.bench.state;
+  const std::vector<swage_pose> pose = b.bench.pose;
+  go(15);
+  const std::vector<double> after = b.bench.state;
+  b.bench.state = state, b.bench.pose = pose;
+  go(15);
+  EXPECT_EQ(after, b.bench.state);
+}
+
+TEST(Thread, RefusesACoilNarrowerThanItsSegments) {
+  Bench b;
+  b.bench.set("start", 2.0);
+  b.bench.set("coil_radius", 0.3e-3);
+  b.bench.set("segments", 10);
+  EXPECT_FALSE(b.bench.start());
+}
+
+}  // namespace
+}  // namespace swage::thread
