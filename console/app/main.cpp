@@ -7,10 +7,13 @@
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
+#include "session/bounded_call.hpp"
 
 using namespace swage;
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   if (console::asks_for_text(argc, argv)) {
     QCoreApplication text_only(argc, argv);
     console::read_command_line(QCoreApplication::arguments());
@@ -50,3 +53,7 @@ int main(int argc, char** argv) {
   }
   return app.exec();
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return session::end_program(run(argc, argv)); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "host/plugin_info.hpp"
 #include "host/units.hpp"
@@ -19,7 +20,21 @@ using toolkit::Vec3;
 
 namespace {
 
-bool finite(const swage_vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
+// m from a body's origin, and of a radius: beyond that stands only a mistake, and squares overflow
+constexpr double kFar = 1e3;
+// shapes of a scene; a bowl from a mesh has some hundred. Each is looked at in every step
+constexpr uint32_t kMaxShapes = 8192;
+// private doubles of a scene, 64 MB: all are saved at each rewind and hashed in each step. A tissue has some ten thousand
+constexpr uint32_t kMaxState = 8u << 20;
+// vertices and faces of one polyhedron
+constexpr uint32_t kMaxConvex = 4096;
+// characters of an id and of a sentence about it
+constexpr std::size_t kMaxId = 100, kMaxDoc = 1000;
+// sentences about one instance: the first ones tell what is wrong
+constexpr uint32_t kMostRefusals = 20;
+
+// a place that can be meant
+bool finite(const swage_vec3& a) { return std::abs(a.x) <= kFar && std::abs(a.y) <= kFar && std::abs(a.z) <= kFar; }
 
 // what rounding leaves of a unit length; more is a mistake of the author
 bool unit(double norm) { return std::abs(norm - 1) < 1e-6; }
@@ -27,6 +42,11 @@ bool unit(double norm) { return std::abs(norm - 1) < 1e-6; }
 bool unit(const swage_quat& q) { return unit(std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)); }
 
 bool positive(double a) { return std::isfinite(a) && a > 0; }
+
+// what a plugin says, no longer than anybody reads
+std::string shortened(const char* text, std::size_t most) {
+  return text != nullptr ? std::string(text, strnlen(text, most)) : std::string();
+}
 
 Pose normalised(const swage_pose& pose) {
   Pose out(pose);
@@ -59,7 +79,8 @@ struct BuilderCalls {
   static uint32_t body(swage_builder* raw, int32_t motion, const swage_pose* X_OB, const swage_mass* mass,
                        const char* name) {
     Builder& b = of(raw);
-    const std::string called = name != nullptr && *name != 0 ? name : "body " + std::to_string(b.body.count);
+    const std::string called =
+        name != nullptr && *name != 0 ? shortened(name, kMaxId) : "body " + std::to_string(b.body.count);
     if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "bodies")) return kNone;
     if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return kNone;
     if (X_OB == nullptr || !finite(X_OB->p) || !unit(X_OB->q))
@@ -129,7 +150,7 @@ struct BuilderCalls {
                          uint32_t flags) {
     Builder& b = of(raw);
     if (!b.owns_body(body, "A sphere")) return kNone;
-    if (!finite(centre) || !positive(radius)) return b.refuse("A sphere needs a centre and a radius > 0 m.");
+    if (!finite(centre) || !positive(radius) || radius > kFar) return b.refuse("A sphere needs a centre and a radius > 0 m.");
     scene::Shape shape;
     shape.kind = SWAGE_SHAPE_SPHERE;
     shape.X_BS = {centre, {1, 0, 0, 0}};
@@ -186,6 +207,8 @@ struct BuilderCalls {
     if (convex == nullptr || convex->vertex == nullptr || convex->face_start == nullptr ||
         convex->face_vertex == nullptr || convex->n_vertex == 0 || convex->n_face == 0)
       return b.refuse("A convex polyhedron needs vertices and faces.");
+    if (convex->n_vertex > kMaxConvex || convex->n_face > kMaxConvex)
+      return b.refuse("A convex polyhedron has at most " + std::to_string(kMaxConvex) + " vertices and as many faces.");
     std::vector<Vec3> vertex;
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (uint32_t i = 0; i < convex->n_vertex; ++i) {
@@ -259,6 +282,7 @@ struct BuilderCalls {
     if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return kNone;
     // 1 Mi doubles are 8 MB to save at each rewind; a number that large is a mistake
     if (n > (1u << 20)) return b.refuse("state() of " + std::to_string(n) + " numbers is too large.");
+    if (!b.fits(b.world_.plugin_state.size() + n, kMaxState, "private numbers")) return kNone;
     const uint32_t first = b.state.count;
     b.state.count += n;
     b.world_.plugin_state.resize(b.world_.plugin_state.size() + n, 0.0);
@@ -269,8 +293,7 @@ struct BuilderCalls {
                           const char* doc) {
     Builder& b = of(raw);
     const int32_t kind = b.owner_.kind;
-    judge::Name name{b.owner_.name, id != nullptr ? id : "", unit_text != nullptr ? unit_text : "",
-                     doc != nullptr ? doc : ""};
+    judge::Name name{b.owner_.name, shortened(id, kMaxId), shortened(unit_text, kMaxId), shortened(doc, kMaxDoc)};
     switch (what) {
       case SWAGE_DECLARE_SIGNAL: {
         if (!b.may(kind == SWAGE_KIND_OBJECT || kind == SWAGE_KIND_COUPLING, "signals")) return kNone;
@@ -298,7 +321,7 @@ struct BuilderCalls {
   }
 
   static void error(swage_builder* raw, const char* param_id, const char* message) {
-    of(raw).refuse(message != nullptr ? message : "", param_id != nullptr ? param_id : "");
+    of(raw).refuse(shortened(message, kMaxDoc), shortened(param_id, kMaxId));
   }
 };
 
@@ -336,7 +359,7 @@ Builder::Builder(Owner owner, scene::World& world, judge::Script& script, base::
 
 uint32_t Builder::refuse(const std::string& message, const std::string& param_id) {
   const std::string where = owner_.where ? owner_.where(param_id) : owner_.name;
-  problems_.push_back({base::Severity::kError, where, message});
+  if (++refusals_ <= kMostRefusals) problems_.push_back({base::Severity::kError, where, message});
   failed_ = true;
   return kNone;
 }
@@ -361,6 +384,7 @@ bool Builder::owns_body(uint32_t index, const char* shape_name) {
 }
 
 uint32_t Builder::add_shape(uint32_t body_index, scene::Shape s, uint32_t flags) {
+  if (!fits(world_.shape.size() + 1, kMaxShapes, "shapes")) return kNone;
   if ((flags & ~SWAGE_SHAPE_USUAL) != 0)
     return refuse("A shape has unknown flags (" + std::to_string(flags) + ").");
   s.body = body.first + body_index;

@@ -55,6 +55,7 @@ class Builder {
   judge::Script& script_;
   base::Problems& problems_;
   bool failed_ = false;
+  uint32_t refusals_ = 0;
   swage_builder abi_{};
 };
 

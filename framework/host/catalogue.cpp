@@ -74,7 +74,7 @@ std::string why(const ChildResult& child, const std::string& program, double lim
   if (child.signal != 0) return "It crashed while it was loaded: " + signal_text(child.signal) + ".";
   std::string text = child.err;
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.empty() ? "It could not be described." : text;
+  return text.empty() ? "It ended the program in which it was loaded, without a word." : text;
 }
 
 }  // namespace
@@ -130,7 +130,7 @@ void Catalogue::add_library(const std::string& path, bool stock, const Options& 
     const ChildResult child = run_program({options.describe_program, path}, options.describe_limit_s);
     if (!child.ok() || !read_sidecar(child.out, written_hash, found, error)) {
       const std::string reason =
-          child.ok() ? error : why(child, options.describe_program, options.describe_limit_s);
+          child.ok() && !child.out.empty() ? error : why(child, options.describe_program, options.describe_limit_s);
       refused_.push_back({path, bundle.filename().string(), reason});
       return;
     }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/guard.hpp"
 
+#include <langinfo.h>
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <bit>
+#include <clocale>
 #include <cmath>
+#include <cstring>
 
 #include "base/clock.hpp"
+#include "host/call_watch.hpp"
 
 namespace swage::host {
 
@@ -15,6 +21,18 @@ namespace {
 
 constexpr uint64_t kWindow = 100;            // steps over which lateness is counted
 constexpr int kBadge = 5, kQuarantine = 20;  // late steps of the window
+// ns over its budget while it is under suspicion: who sleeps a third of a second a step is not given twenty of them
+constexpr int64_t kMostExcess = 250'000'000;
+
+// how often the calling thread has given the processor away by itself: a system call, about 0.3 us
+int64_t waits() noexcept {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nvcsw;
+}
+
+// the language that calls on [main] begin in; plain text, because a step must be able to restore it
+char locale_now[512] = "C";
 
 // how many of the last kWindow steps were late; the window is 64 + 36 bits
 int late_count(const Watch& watch) {
@@ -38,8 +56,9 @@ void begin_step(Watch& watch, uint64_t step) {
   shift(watch, step > watch.step ? step - watch.step : 1);
   watch.badge.store(late_count(watch) >= kBadge ? 1 : 0, std::memory_order_relaxed);
   watch.step = step;
-  watch.wall_ns = watch.cpu_ns = 0;
+  watch.wall_ns = watch.cpu_ns = watch.waited_ns = 0;
   watch.investigated = step < watch.investigate_until;
+  if (!watch.investigated) watch.excess_ns = 0;
 }
 
 }  // namespace
@@ -77,28 +96,38 @@ bool accept(Instance& instance, Call call, uint64_t step, const double* data, st
 
 namespace detail {
 
-void start_watch(Watch& watch, uint64_t step, int64_t& wall, int64_t& cpu) noexcept {
+void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept {
   if (watch.step != step) begin_step(watch, step);
-  // the processor clock is a system call: it is read only while an instance is under suspicion
-  if (watch.investigated) cpu = base::cpu_ns();
-  wall = base::wall_ns();
+  // these clocks are system calls: they are read only while an instance is under suspicion
+  if (watch.investigated) {
+    begin.waits = waits();
+    begin.cpu = base::cpu_ns();
+  }
+  begin.wall = base::wall_ns();
 }
 
-bool stop_watch(Watch& watch, int64_t wall, int64_t cpu) noexcept {
-  const int64_t spent = base::wall_ns() - wall;
+Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept {
+  const int64_t spent = base::wall_ns() - begin.wall;
   watch.wall_ns += spent;
   if (spent > watch.worst_wall_ns.load(std::memory_order_relaxed))
     watch.worst_wall_ns.store(spent, std::memory_order_relaxed);
   const bool over_before = watch.wall_ns - spent > watch.budget_ns;
-  const int64_t cpu_before = watch.cpu_ns;
-  if (watch.investigated) watch.cpu_ns += base::cpu_ns() - cpu;
-  if (watch.wall_ns <= watch.budget_ns) return false;
+  const int64_t own_before = watch.cpu_ns + watch.waited_ns;
+  if (watch.investigated) {
+    const int64_t cpu = base::cpu_ns() - begin.cpu;
+    watch.cpu_ns += cpu;
+    // who waits by itself answers for the time; who is held up by the machine does not
+    if (!watch.may_wait && waits() > begin.waits) watch.waited_ns += std::max<int64_t>(0, spent - cpu);
+  }
+  if (watch.wall_ns <= watch.budget_ns) return Misdeed::kNone;
 
-  // over the budget by the wall clock: suspicion; by the processor clock: guilt
+  // over the budget by the wall clock: suspicion; by its own time: guilt
   watch.investigate_until = watch.step + kWindow;
-  if (!watch.investigated) return false;
-  const bool guilty = watch.cpu_ns > watch.budget_ns;
-  if (guilty && cpu_before <= watch.budget_ns) {
+  if (!watch.investigated) return Misdeed::kNone;
+  const int64_t own = watch.cpu_ns + watch.waited_ns;
+  const bool guilty = own > watch.budget_ns;
+  if (guilty) watch.excess_ns += own - std::max(own_before, watch.budget_ns);
+  if (guilty && own_before <= watch.budget_ns) {
     watch.late[0] |= 1;
     watch.late_steps.fetch_add(1, std::memory_order_relaxed);
   } else if (!guilty && !over_before) {
@@ -106,7 +135,31 @@ bool stop_watch(Watch& watch, int64_t wall, int64_t cpu) noexcept {
   }
   const int count = late_count(watch);
   if (count >= kBadge) watch.badge.store(1, std::memory_order_relaxed);
-  return guilty && count >= kQuarantine;
+  if (!guilty) return Misdeed::kNone;
+  if (watch.excess_ns > kMostExcess) return Misdeed::kStalled;
+  if (count < kQuarantine) return Misdeed::kNone;
+  return watch.waited_ns > watch.cpu_ns ? Misdeed::kWaited : Misdeed::kLate;
+}
+
+const char* radix() noexcept { return nl_langinfo(RADIXCHAR); }
+
+void restore_locale() noexcept { std::setlocale(LC_ALL, locale_now); }
+
+MainCall::MainCall(bool on_main) noexcept : on_main_(on_main) {
+  if (!on_main_) return;
+  watched_ = CallWatch::enter(last_call);
+  const char* now = std::setlocale(LC_ALL, nullptr);
+  if (now != nullptr && std::strlen(now) < sizeof locale_now) std::strcpy(locale_now, now);
+}
+
+MainCall::~MainCall() {
+  if (watched_) CallWatch::leave();
+}
+
+bool MainCall::locale_kept() const noexcept {
+  if (!on_main_) return true;
+  const char* now = std::setlocale(LC_ALL, nullptr);
+  return now == nullptr || std::strcmp(now, locale_now) == 0;
 }
 
 }  // namespace detail

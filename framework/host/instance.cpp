@@ -17,9 +17,10 @@ constexpr std::array kCalls = {
     "none",       "create",       "configure", "activate", "deactivate", "destroy", "get_extension",
     "bind",       "open",         "close",     "forces",   "finish",     "reset",   "advance",
     "compliance", "yield",        "resolve",   "observe",  "exchange",   "change",  "ties",
-    "tied",       "displacement", "dents",     "tears",    "wounds"};
+    "tied",       "displacement", "dents",     "tears",    "wounds",     "load",    "init",
+    "descriptor"};
 
-static_assert(kCalls.size() == static_cast<std::size_t>(Call::kWounds) + 1, "each call has its word");
+static_assert(kCalls.size() == static_cast<std::size_t>(Call::kDescribe) + 1, "each call has its word");
 
 constexpr std::array kMisdeeds = {"nothing",
                                   "returned an error",
@@ -27,7 +28,12 @@ constexpr std::array kMisdeeds = {"nothing",
                                   "wrote a number that is not finite",
                                   "wrote a number beyond the limit of the scene",
                                   "changed how the processor calculates",
-                                  "was late in 20 of 100 steps by its own processor time"};
+                                  "was late in 20 of 100 steps by its own processor time",
+                                  "slept or waited in 20 of 100 steps",
+                                  "held the steps up for a quarter of a second",
+                                  "changed the language of the program (setlocale)",
+                                  "wrote into another object's part of the scene"};
+static_assert(kMisdeeds.size() == static_cast<std::size_t>(Misdeed::kMeddled) + 1, "each misdeed has its words");
 
 }  // namespace
 

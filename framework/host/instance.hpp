@@ -21,7 +21,19 @@ class Library;
 struct PluginInfo;
 
 /// Why an instance is in quarantine.
-enum class Misdeed : uint32_t { kNone, kError, kFault, kNotFinite, kTooLarge, kFpuMode, kLate };
+enum class Misdeed : uint32_t {
+  kNone,
+  kError,
+  kFault,
+  kNotFinite,
+  kTooLarge,
+  kFpuMode,
+  kLate,
+  kWaited,
+  kStalled,
+  kLocale,
+  kMeddled
+};
 
 /// Which function of a plugin is running.
 enum class Call : uint32_t {
@@ -50,8 +62,16 @@ enum class Call : uint32_t {
   kDisplacement,
   kDents,
   kTears,
-  kWounds  // [rt]
+  kWounds,  // [rt]
+  kLoad,
+  kInit,
+  kDescribe  // [main]
 };
+
+/// Calls outside of the step that must come back within CallWatch::kLimit; open and close of a device have limits of their own.
+constexpr bool on_main(Call call) {
+  return (call >= Call::kCreate && call <= Call::kBind) || call >= Call::kLoad;
+}
 
 const char* text(Misdeed misdeed);  // "returned an error", ...
 const char* text(Call call);        // "forces", ...
@@ -64,6 +84,9 @@ struct Watch {
   int64_t wall_ns = 0, cpu_ns = 0;  // of this step so far
   uint64_t investigate_until = 0;   // up to this step the processor clock is read around each call
   bool investigated = false;        // this step, from its first call on
+  bool may_wait = false;            // it is called on [io]: a driver may wait
+  int64_t waited_ns = 0;            // of this step so far: wall time of calls that gave the processor away
+  int64_t excess_ns = 0;            // over the budget, since it was last without suspicion
   uint64_t late[2] = {0, 0};        // bit i: late i steps ago; [0] the latest 64
   std::atomic<uint32_t> badge{0};   // 1: late in 5 of the last 100 steps
   std::atomic<uint64_t> late_steps{0};

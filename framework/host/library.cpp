@@ -82,22 +82,32 @@ const Library* Library::load(const std::string& path, std::string& error) {
   return (loaded()[real] = std::move(library)).get();
 }
 
+// a library has no instance yet: what is told about its loading names the file
+void Library::call(Call what, Misdeed& changed, swage_result& result, const std::function<void()>& work) const {
+  Instance loading;
+  loading.name = std::filesystem::path(path_).filename().string();
+  loading.plugin_id = loading.name.substr(0, loading.name.rfind('.'));
+  result = detail::contained(loading, what, 0, work, &changed);
+}
+
 bool Library::open(std::string& error) {
   // a library linked with -ffast-math changes the arithmetic of this thread while it loads
-  const FpuMode mode = fpu_mode();
   const int64_t begin = base::cpu_ns();
-  void* handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL);
-  const FpuMode mode_after = fpu_mode();
-  set_fpu_mode(mode);
+  void* handle = nullptr;
+  Misdeed changed = Misdeed::kNone;
+  swage_result loaded_well = SWAGE_OK;
+  call(Call::kLoad, changed, loaded_well, [&] { handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL); });
   if (handle == nullptr) {
-    error = "The dynamic loader refused it: " + loader_error(path_) + ".";
+    error = loaded_well < 0 ? "It threw an exception while it was loaded."
+                            : "The dynamic loader refused it: " + loader_error(path_) + ".";
     return false;
   }
   mapped_ = true;
-  if (mode_after != mode) {
-    error =
-        "It changes how the processor calculates when it is loaded (linked with -ffast-math?). "
-        "Link it without.";
+  if (changed != Misdeed::kNone) {
+    error = changed == Misdeed::kLocale
+                ? "It changes the language of the program (setlocale) when it is loaded."
+                : "It changes how the processor calculates when it is loaded (linked with -ffast-math?). "
+                  "Link it without.";
     return false;
   }
 
@@ -115,19 +125,20 @@ bool Library::open(std::string& error) {
 }
 
 bool Library::start(std::string& error) {
-  const FpuMode mode = fpu_mode();
   swage_result result = SWAGE_ERROR;
+  Misdeed changed = Misdeed::kNone;
   if (entry_->struct_size >= sizeof(swage_entry) && entry_->get_factory != nullptr) {
-    try {
+    swage_result contained = SWAGE_OK;
+    call(Call::kInit, changed, contained, [&] {
       result = entry_->init == nullptr ? SWAGE_OK : entry_->init(bundle_dir_.c_str());
       factory_ = static_cast<const swage_factory*>(entry_->get_factory(SWAGE_FACTORY_INSTANCES));
       param_factory_ = static_cast<const swage_param_factory*>(entry_->get_factory(SWAGE_FACTORY_PARAMS));
-    } catch (...) {
-      result = SWAGE_FAULT;
-    }
+    });
+    if (contained < 0) result = contained;
   }
-  if (fpu_mode() != mode) {
-    set_fpu_mode(mode);
+  if (changed == Misdeed::kLocale) {
+    error = "Its init changes the language of the program (setlocale).";
+  } else if (changed != Misdeed::kNone) {
     error = "Its init changes how the processor calculates.";
   } else if (entry_->struct_size < sizeof(swage_entry) || entry_->get_factory == nullptr) {
     error = "Its " SWAGE_ENTRY_SYMBOL " is incomplete.";

@@ -7,7 +7,10 @@
 
 #include <swage/abi/plugin.h>
 
+#include <functional>
 #include <string>
+
+#include "host/instance.hpp"
 
 namespace swage::host {
 
@@ -28,6 +31,7 @@ class Library {
 
  private:
   Library() = default;
+  void call(Call what, Misdeed& changed, swage_result& result, const std::function<void()>& work) const;
   bool open(std::string& error);   // into memory, and whether it speaks our language
   bool start(std::string& error);  // init and factories
   std::string path_, bundle_dir_;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "host/elf_exports.hpp"
+#include "host/guard.hpp"
 #include "host/lesson_card.hpp"
 #include "host/library.hpp"
 #include "host/params_json.hpp"
@@ -62,34 +63,49 @@ const char* kind_text(int32_t kind) {
   return kind >= 1 && kind <= 4 ? kKinds[static_cast<std::size_t>(kind - 1)] : "unknown";
 }
 
-bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error) {
-  out.clear();
-  try {
-    const uint32_t n = library.factory().count();
-    for (uint32_t i = 0; i < n && i < 1000; ++i) {
-      const swage_descriptor* d = library.factory().descriptor(i);
-      if (d == nullptr) {
-        error = "Its descriptor " + std::to_string(i) + " of " + std::to_string(n) + " is NULL.";
-        return false;
-      }
-      PluginInfo plugin = copy_descriptor(*d);
-      uint32_t count = 0;
-      const swage_param* table = library.params(plugin.id.c_str(), &count);
-      plugin.params = copy_table(table, count);
-      copy_card(library.entry(), plugin);
-      plugin.bundle_dir = library.bundle_dir();
-      plugin.library_path = library.path();
-      plugin.build_info = copy(library.entry().build_info);
-      plugin.abi_major = library.entry().abi_major;
-      plugin.abi_minor = library.entry().abi_minor;
-      out.push_back(std::move(plugin));
+namespace {
+
+// plugins of one library; more is a counter that runs wild
+constexpr uint32_t kMostPlugins = 1000;
+
+// calls the library; what it throws is stopped by whoever calls this
+bool read_descriptors(const Library& library, std::vector<PluginInfo>& out, std::string& error) {
+  const uint32_t n = library.factory().count();
+  for (uint32_t i = 0; i < n && i < kMostPlugins; ++i) {
+    const swage_descriptor* d = library.factory().descriptor(i);
+    if (d == nullptr) {
+      error = "Its descriptor " + std::to_string(i) + " of " + std::to_string(n) + " is NULL.";
+      return false;
     }
-  } catch (...) {
-    error = "It threw an exception while it was described.";
-    return false;
+    PluginInfo plugin = copy_descriptor(*d);
+    uint32_t count = 0;
+    const swage_param* table = library.params(plugin.id.c_str(), &count);
+    plugin.params = copy_table(table, count);
+    copy_card(library.entry(), plugin);
+    plugin.bundle_dir = library.bundle_dir();
+    plugin.library_path = library.path();
+    plugin.build_info = copy(library.entry().build_info);
+    plugin.abi_major = library.entry().abi_major;
+    plugin.abi_minor = library.entry().abi_minor;
+    out.push_back(std::move(plugin));
   }
   if (out.empty()) error = "It holds no plugin.";
   return !out.empty();
+}
+
+}  // namespace
+
+bool describe(const Library& library, std::vector<PluginInfo>& out, std::string& error) {
+  out.clear();
+  Instance described;
+  described.name = described.plugin_id = library.path();
+  bool good = false;
+  Misdeed changed = Misdeed::kNone;
+  const swage_result result = detail::contained(
+      described, Call::kDescribe, 0, [&] { good = read_descriptors(library, out, error); }, &changed);
+  if (result < 0) error = "It threw an exception while it was described.";
+  if (result >= 0 && changed != Misdeed::kNone) error = "It " + std::string(text(changed)) + " while it was described.";
+  return good && result >= 0 && changed == Misdeed::kNone;
 }
 
 std::vector<std::string> plugin_faults(const PluginInfo& plugin) {

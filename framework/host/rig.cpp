@@ -37,6 +37,8 @@ bool activate(Rig& rig, base::Problems& problems) {
 
 void set_budgets(Rig& rig, double seconds) {
   for (Instance* instance : instances(rig)) instance->watch.budget_ns = static_cast<int64_t>(seconds * 1e9);
+  for (DeviceSlot& slot : rig.devices)
+    slot.instance->watch.may_wait = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) == 0;
 }
 
 }  // namespace swage::host

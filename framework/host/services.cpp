@@ -13,6 +13,9 @@ namespace swage::host {
 
 namespace {
 thread_local constinit int32_t role = SWAGE_THREAD_MAIN;
+// reports of one instance until they are read, and characters of each
+constexpr std::size_t kMostReports = 1000;
+constexpr uint64_t kLongestReport = 2000;
 }
 
 int32_t thread_role() noexcept { return role; }
@@ -100,10 +103,10 @@ void Services::report(const swage_host* host, int32_t severity, swage_str where,
   const auto level = static_cast<base::Severity>(std::clamp(severity, SWAGE_NOTE, SWAGE_SEVERE));
   const std::lock_guard lock(self.reports_mutex_);
   // a plugin that talks for ever must not eat the memory
-  if (self.reports_.size() >= 1000) return;
+  if (self.reports_.size() >= kMostReports) return;
   const bool named = where.data != nullptr && where.size > 0;
-  self.reports_.push_back({level, named ? std::string(where.data, where.size) : self.name_,
-                           message.data != nullptr ? std::string(message.data, message.size) : ""});
+  self.reports_.push_back({level, named ? std::string(where.data, std::min(where.size, kLongestReport)) : self.name_,
+                           message.data != nullptr ? std::string(message.data, std::min(message.size, kLongestReport)) : ""});
 }
 
 void Services::fault(const swage_host* host, int32_t code, double a, double b) {

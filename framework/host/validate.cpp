@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/clock.hpp"
+#include "host/call_watch.hpp"
 #include "host/child.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
@@ -22,6 +24,7 @@ namespace {
 
 constexpr std::array kMarks = {"success", "warning", "skipped", "failed", "crashed"};
 constexpr int kTimeUp = 99;  // exit code of a child that was told that its time is up
+constexpr int kEnded = 98;   // exit code of a child in which a plugin called exit()
 
 void write_text(const char* text) {
   // a signal handler cannot do anything about a failed write
@@ -56,7 +59,15 @@ void on_alarm(int) {
   _exit(kTimeUp);
 }
 
+void on_exit_call() {
+  if (last_call.instance.load() == nullptr) return;
+  name_last_call();
+  _exit(kEnded);
+}
+
 void arm_child() {
+  CallWatch::off();
+  std::atexit(on_exit_call);
   for (const int s : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(s, on_crash);
   ::signal(SIGALRM, on_alarm);
 }
@@ -83,6 +94,8 @@ Finding decode(const ChildResult& child, double limit_s) {
   if (child.signal != 0)
     return {Mark::kCrashed,
             "It crashed" + last_call_text(child.err) + ": " + signal_text(child.signal) + "."};
+  if (child.exit_code == kEnded)
+    return {Mark::kCrashed, "It ended its process" + last_call_text(child.err) + "."};
   if (child.exit_code != 0 || child.out.empty())
     return {Mark::kCrashed, "It ended its process with code " + std::to_string(child.exit_code) + "."};
   const int mark = child.out[0] - '0';

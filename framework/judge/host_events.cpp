@@ -16,6 +16,9 @@ uint32_t declare_host_events(Script& script) {
   script.events.push_back({kHostOwner, "host.force_stopped", "1", "the force guard disarmed a device"});
   script.events.push_back(
       {kHostOwner, "host.solver", "1", "the solver fell short for the first time; the counts say of what"});
+  script.events.push_back(
+      {kHostOwner, "host.hand_lost", "1", "a hand was lost: its tool holds, and the lesson waits for it"});
+  script.events.push_back({kHostOwner, "host.hand_back", "s", "a lost hand is back, and goes on from where its tool stands"});
   return first;
 }
 

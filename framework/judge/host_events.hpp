@@ -20,6 +20,8 @@ enum HostEvent : uint32_t {
   kTimeLost,             // "host.gap"; value: steps that were never executed
   kForceStopped,         // "host.force_stopped"; value: why, session::ForceFault
   kSolverFellShort,      // "host.solver"; value: step; the counts are in the health of the loop
+  kHandLost,             // "host.hand_lost"; value: index of the device
+  kHandBack,             // "host.hand_back"; value: s that the lesson waited
   kHostEventCount
 };
 

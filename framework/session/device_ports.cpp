@@ -5,10 +5,12 @@
 #include <sys/prctl.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/clock.hpp"
 #include "host/guard.hpp"
 #include "host/services.hpp"
+#include "session/bounded_call.hpp"
 #include "session/sentinel.hpp"
 
 namespace swage::session {
@@ -19,6 +21,8 @@ namespace {
 constexpr int kReaderPriority = 60;
 // s without a new sample after which a device counts as silent; normal gaps are one to ten milliseconds
 constexpr double kSilence = 0.1;
+// what a hand is lost without, once it has given it
+constexpr uint32_t kWhole = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
 
 double seconds(int64_t ns) { return 1e-9 * static_cast<double>(ns); }
 
@@ -70,12 +74,24 @@ IoPort::IoPort(host::DeviceSlot& slot, const std::atomic<bool>* stalled)
       period_(1 / (slot.device->rate_hz > 0 ? std::clamp(slot.device->rate_hz, 20.0, 4000.0) : 1000.0)) {}
 
 void IoPort::start() {
-  thread_ = std::thread([this] { run(); });
+  started_ns_ = base::wall_ns();
+  thread_ = std::thread([this] {
+    run();
+    ended_.set_value();
+  });
 }
 
-void IoPort::stop() {
+bool IoPort::stop() {
   stop_.store(true, std::memory_order_relaxed);
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return !left_;
+  if (ended_.get_future().wait_for(std::chrono::duration<double>(driver_limits().exchange)) == std::future_status::ready) {
+    thread_.join();
+    return true;
+  }
+  thread_.detach();
+  left_ = true;
+  leave_behind();
+  return false;
 }
 
 // one exchange per period; what the driver takes longer is its own affair
@@ -102,7 +118,11 @@ void IoPort::run() {
     const bool good = host::guarded(instance, host::Call::kExchange, n,
                                     [&] { return slot_.device->exchange(instance.raw, &out, &sample); });
     if (leaving) return;
-    if (good && sample.sequence != given.sample.sequence) given.wall_ns = base::wall_ns();
+    if (good && sample.sequence != given.sample.sequence) {
+      given.wall_ns = base::wall_ns();
+      given.known |= sample.valid & kWhole;
+      if ((sample.valid & given.known) == given.known) given.whole_ns = given.wall_ns;
+    }
     if (good) given.sample = sample;
     given.force = out.force;
     given_.publish(given);
@@ -128,7 +148,16 @@ swage_command IoPort::command(const Given& last, double dt, int64_t now) noexcep
 
 void IoPort::read(uint64_t, double, swage_sample& sample) noexcept {
   Given given;
-  if (given_.latest(given) != 0) sample = given.sample;
+  if (given_.latest(given) == 0) return;
+  sample = given.sample;
+  // what is old is not valid any more: the step holds, and so does a replay, which sees the same samples
+  if (seconds(base::wall_ns() - given.wall_ns) > kSilence) sample.valid = 0;
+}
+
+double IoPort::lost_s() const noexcept {
+  Given given;
+  const bool spoke = given_.latest(given) != 0 && given.whole_ns != 0;
+  return seconds(base::wall_ns() - (spoke ? given.whole_ns : started_ns_));
 }
 
 void IoPort::send(const step::ToolForce& force) noexcept {

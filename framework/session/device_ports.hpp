@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <future>
 #include <thread>
 
 #include "base/snapshot_ring.hpp"
@@ -19,14 +20,19 @@ class Port : public step::DevicePort {
  public:
   Port(host::DeviceSlot& slot, const ForceLimits& limits) : slot_(slot), guard_(limits) {}
   virtual void start() {}                                                // [main] the device is open
-  virtual void stop() {}                                                 // [main] joins
+  /// Ends its thread. False: the device has not come back from exchange(); the port, the rig and the watchdog's flag have to
+  /// stay for the rest of the process. [main]
+  virtual bool stop() { return true; }
   void arm() noexcept { arm_.fetch_add(1, std::memory_order_relaxed); }  // forces may flow, after a fade-in
   void disarm() noexcept { disarm_.fetch_add(1, std::memory_order_relaxed); }
   /// What a cue adds to the next force that is sent, N along the device's y. [rt]
   void knock(double force) noexcept { knock_ = force; }
   ForceFault fault() const noexcept { return guard_.fault(); }
+  host::DeviceSlot& slot() const noexcept { return slot_; }
   virtual swage_vec3 force() const noexcept = 0;         // N, last given
   virtual bool stale() const noexcept { return false; }  // no new sample for a while
+  /// s since it last gave everything that it ever gave of pose and closure; 0 where its clock is the scene's.
+  virtual double lost_s() const noexcept { return 0; }
 
  protected:
   /// Limits for this device: never above what it says it bears.
@@ -51,13 +57,14 @@ class IoPort final : public Port {
  public:
   /// `stalled`: the step has not come back; forces must go. [main]
   IoPort(host::DeviceSlot& slot, const std::atomic<bool>* stalled);
-  ~IoPort() override { stop(); }
+  ~IoPort() override { stop(); }  // only of a port whose device has come back
   void start() override;
-  void stop() override;
+  bool stop() override;
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
   void send(const step::ToolForce& force) noexcept override;
   swage_vec3 force() const noexcept override;
   bool stale() const noexcept override;
+  double lost_s() const noexcept override;
 
  private:
   struct Wanted {
@@ -68,15 +75,20 @@ class IoPort final : public Port {
     swage_sample sample;
     swage_vec3 force;
     int64_t wall_ns = 0;  // when a new sample last came
+    int64_t whole_ns = 0; // when one last came that was whole
+    uint64_t known = 0;   // SWAGE_VALID_POSE, _CLOSURE that it has ever given
   };
   void run();
   swage_command command(const Given& last, double dt, int64_t now) noexcept;
 
   const std::atomic<bool>* stalled_;
-  const double period_;  // s
+  const double period_;     // s
+  int64_t started_ns_ = 0;  // before the thread
   base::SnapshotRing<Wanted> wanted_;
   base::SnapshotRing<Given> given_;
   std::atomic<bool> stop_{false};
+  std::promise<void> ended_;
+  bool left_ = false;
   std::thread thread_;
 };
 

@@ -28,6 +28,9 @@ constexpr uint64_t kShowRealtime = 4, kShowFastest = 64;
 constexpr int kCommandsPerStep = 16;
 // a paused run without a clock sleeps so long between two looks
 constexpr int64_t kPausedSleep = 1'000'000;  // ns
+// s without a whole sample after which the lesson waits for a hand, and under which it is back. A tracker that is covered for a
+// moment does not stop a lesson
+constexpr double kHandLost = 0.5, kHandBack = 0.1;
 
 }  // namespace
 
@@ -44,6 +47,7 @@ Loop::Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, recor
       out_(std::make_unique<snapshot::Snapshot>()),
       fault_seen_(ports_.size(), ForceFault::kNone),
       cue_force_(rig.script, felt(rig.card), settings.cue_pulses, rig.objects.size()),
+      lost_(ports_.size()),
       paused_(settings.start_paused) {
   engine_.fill(*out_);
   channel_.publish(*out_);
@@ -52,15 +56,18 @@ Loop::Loop(host::Rig& rig, step::Engine& engine, std::vector<Port*> ports, recor
 bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   if (stop_.load(std::memory_order_relaxed)) return end(Ending::kStopped, stats);
 
-  // a paused scene pushes nobody
-  const bool paused = paused_.load(std::memory_order_relaxed);
+  // a paused scene pushes nobody; the step that tells of a lost hand is still made
+  const bool waits = hand_lost_;
+  const bool asked = paused_.load(std::memory_order_relaxed);
+  if (settings_.realtime && !asked) watch_hands();
+  const bool paused = asked || (waits && hand_lost_);
   if (forces_on_ == paused) {
     for (Port* port : ports_) paused ? port->disarm() : port->arm();
     forces_on_ = !paused;
   }
   if (paused) {
     if (!settings_.realtime) base::sleep_until_ns(base::wall_ns() + kPausedSleep);
-    if (out_->paused == 0) show(stats);
+    if (out_->paused == 0 || (hand_lost_ && ++waited_ % kShowFastest == 0)) show(stats);
     return true;
   }
 
@@ -77,13 +84,6 @@ bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
 void Loop::listen(const RtThread::Tick& tick) noexcept {
   step::Command command;
   for (int i = 0; i < kCommandsPerStep && command_in_.try_pop(command); ++i) take_command(command);
-  const auto tell = [&](judge::HostEvent event, double value) {
-    command = {};
-    command.kind = step::CommandKind::kHostEvent;
-    command.object = event;
-    command.number[0] = value;
-    take_command(command);
-  };
   if (tick.lost > 0) tell(judge::kTimeLost, static_cast<double>(tick.lost));
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     const ForceFault fault = ports_[i]->fault();
@@ -92,6 +92,35 @@ void Loop::listen(const RtThread::Tick& tick) noexcept {
     if (fault != ForceFault::kNone && fault != ForceFault::kStopped)
       tell(judge::kForceStopped, static_cast<double>(static_cast<uint32_t>(fault)));
   }
+}
+
+void Loop::tell(judge::HostEvent event, double value) noexcept {
+  step::Command command;
+  command.kind = step::CommandKind::kHostEvent;
+  command.object = event;
+  command.number[0] = value;
+  take_command(command);
+}
+
+// A hand that gives nothing valid any more holds in the step; after half a second the lesson waits for it.
+void Loop::watch_hands() noexcept {
+  bool any = false;
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    Lost& lost = lost_[i];
+    const double now = ports_[i]->lost_s();
+    if (lost.longest_now == 0 && now > kHandLost) {
+      ++lost.times;
+      tell(judge::kHandLost, static_cast<double>(i));
+    } else if (lost.longest_now > 0 && now < kHandBack) {
+      tell(judge::kHandBack, lost.longest_now);
+      lost.seconds += lost.longest_now;
+      lost.longest_now = 0;
+    }
+    const bool gone = lost.longest_now > 0 || now > kHandLost;
+    if (gone && now > lost.longest_now) lost.longest_now = now;
+    any |= gone && now >= kHandBack;
+  }
+  hand_lost_ = any;
 }
 
 void Loop::take_command(const step::Command& command) noexcept {
@@ -149,7 +178,7 @@ void Loop::keep(const LoopStats& stats) noexcept {
 void Loop::show(const LoopStats& stats) noexcept {
   snapshot::Snapshot& s = *out_;
   engine_.fill(s);
-  s.paused = paused_.load(std::memory_order_relaxed);
+  s.paused = paused_.load(std::memory_order_relaxed) || hand_lost_;
   for (uint32_t i = 0; i < s.n_device; ++i) {
     s.device[i].force = ports_[i]->force();
     s.device[i].stale = ports_[i]->stale();

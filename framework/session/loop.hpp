@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/spsc_ring.hpp"
+#include "judge/host_events.hpp"
 #include "judge/verdict.hpp"
 #include "record/recorder.hpp"
 #include "session/cue_force.hpp"
@@ -56,12 +57,17 @@ class Loop {
   // --- valid once finished
   Ending ending() const { return ending_; }
   const snapshot::LoopHealth& health() const { return out_->health; }
+  /// How often a port's hand was lost, and for how long the lesson waited, s.
+  uint32_t times_lost(std::size_t port) const { return lost_[port].times; }
+  double seconds_lost(std::size_t port) const { return lost_[port].seconds + lost_[port].longest_now; }
 
  private:
   void listen(const RtThread::Tick& tick) noexcept;
   void take_command(const step::Command& command) noexcept;
   void take_pointer() noexcept;
   void knock() noexcept;
+  void watch_hands() noexcept;
+  void tell(judge::HostEvent event, double value) noexcept;
   void keep(const LoopStats& stats) noexcept;
   void show(const LoopStats& stats) noexcept;
   Ending judge() const noexcept;
@@ -81,6 +87,15 @@ class Loop {
   record::StepRecord record_;
   std::vector<ForceFault> fault_seen_;
   CueForce cue_force_;
+
+  struct Lost {
+    uint32_t times = 0;
+    double seconds = 0;      // in all
+    double longest_now = 0;  // of the present loss; 0: it is here
+  };
+  std::vector<Lost> lost_;  // of each port
+  bool hand_lost_ = false;
+  uint64_t waited_ = 0;  // ticks
 
   std::atomic<bool> paused_, stop_{false}, finished_{false};
   std::atomic<uint64_t> steps_{0};

@@ -9,9 +9,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host/call_watch.hpp"
+#include "host/nearest.hpp"
 #include "host/services.hpp"
+#include "host/units.hpp"
 #include "record/store.hpp"
+#include "session/bounded_call.hpp"
 #include "session/live.hpp"
+#include "step/overlaps.hpp"
 #include "toolkit/read_file.hpp"
 
 namespace swage::session {
@@ -50,6 +55,12 @@ const char* text(Ending ending) {
   }
 }
 
+std::string lost_text(const host::Instance& device, const char* call, double limit_s) {
+  return "The device (" + device.plugin_id + " " + device.plugin_version + ") has not come back from " + call + "() for " +
+         host::format_number(limit_s) +
+         " s and is left behind. Restart the program before you use it again.";
+}
+
 // what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
 void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& problems) {
   for (const host::DeviceSlot& slot : rig.devices) {
@@ -73,19 +84,27 @@ void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& prob
 
 }  // namespace
 
-Run::Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig)
-    : options_(options), catalogue_(std::move(catalogue)), rig_(std::move(rig)) {}
+// the attempt under way, for whoever has to end the program in the middle of it
+std::atomic<Run*> Run::current_{nullptr};
+
+Run::Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig,
+         std::unique_ptr<Sentinel> sentinel)
+    : options_(options), catalogue_(std::move(catalogue)), sentinel_(std::move(sentinel)), rig_(std::move(rig)) {}
 
 Run::~Run() {
   if (started_) stop();
   if (!started_ && recorder_) recorder_->discard();
-  for (host::DeviceSlot* slot : opened_) {
-    host::Instance& instance = *slot->instance;
-    host::guarded(instance, host::Call::kClose, 0, [&] { slot->device->close(instance.raw); });
-  }
+  Problems late;
+  close_devices(late);
+  for (const Problem& p : late) std::fprintf(stderr, "swage: %s: %s\n", p.where.c_str(), p.message.c_str());
+  if (!left_) return;
+  for (auto& port : ports_) static_cast<void>(port.release());
+  static_cast<void>(rig_.release());
+  static_cast<void>(watchdog_.release());
 }
 
 bool Run::prepare(Problems& problems) {
+  host::CallWatch::on_end(ended_by_plugin);
   if (realtime()) host::set_budgets(*rig_, kBudget);
   watchdog_ = std::make_unique<Watchdog>(
       [this] { return loop_->finished() ? ++idle_beats_ : thread_->beats(); }, [this] { hung(); });
@@ -103,6 +122,7 @@ bool Run::prepare(Problems& problems) {
     problems.push_back({Severity::kError, rig_->descriptor_path, e.what()});
     return false;
   }
+  for (Problem& p : step::start_overlaps(*rig_, contact::Options())) problems.push_back(std::move(p));
   open_record(problems);
   if (base::failed(problems)) return false;
   Loop::Settings settings;
@@ -118,30 +138,72 @@ bool Run::prepare(Problems& problems) {
 void Run::open_devices(Problems& problems) {
   for (host::DeviceSlot& slot : rig_->devices) {
     host::Instance& instance = *slot.instance;
-    swage_result result = SWAGE_ERROR;
-    host::guarded(instance, host::Call::kOpen, 0, [&] { return result = slot.device->open(instance.raw); });
+    // written by a thread that may outlive this function
+    const auto result = std::make_shared<std::atomic<swage_result>>(SWAGE_ERROR);
+    const auto open = [&instance, device = slot.device, result] {
+      host::guarded(instance, host::Call::kOpen, 0, [&] { return *result = device->open(instance.raw); });
+    };
+    if (!bounded_call(open, driver_limits().open)) {
+      left_ = true;
+      problems.push_back({Severity::kError, instance.name, lost_text(instance, "open", driver_limits().open)});
+      continue;
+    }
     Problems said = instance.services->take_reports();
     const bool told = base::failed(said);
     for (Problem& p : said) problems.push_back(std::move(p));
-    if (result < 0) {
+    if (*result < 0) {
       if (!told)
         problems.push_back({Severity::kError, instance.name, instance.plugin_id + " could not be opened."});
       continue;
     }
     opened_.push_back(&slot);
-    const bool lockstep = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) != 0;
-    const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
-    if (!lockstep) {
-      ports_.push_back(std::make_unique<IoPort>(slot, watchdog_->stalled_flag()));
-      continue;
-    }
-    ports_.push_back(std::make_unique<StepPort>(slot, rig_->world.dt, !realtime()));
-    if (force && realtime())
-      problems.push_back({Severity::kNote, instance.name,
-                          instance.plugin_id +
-                              " runs in the step and gets no forces in real time: nobody could release "
-                              "the hand if the step hung."});
+    open_port(slot, problems);
   }
+}
+
+void Run::open_port(host::DeviceSlot& slot, Problems& problems) {
+  const host::Instance& instance = *slot.instance;
+  const bool lockstep = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) != 0;
+  const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
+  if (!lockstep) {
+    ports_.push_back(std::make_unique<IoPort>(slot, watchdog_->stalled_flag()));
+    if (!realtime())
+      problems.push_back({Severity::kError, instance.name,
+                          instance.plugin_id +
+                              " is a live device with a clock of its own: a scene without a clock would run away from it. Run "
+                              "in real time, or choose a scripted hand."});
+    return;
+  }
+  ports_.push_back(std::make_unique<StepPort>(slot, rig_->world.dt, !realtime()));
+  if (force && realtime())
+    problems.push_back({Severity::kNote, instance.name,
+                        instance.plugin_id +
+                            " runs in the step and gets no forces in real time: nobody could release "
+                            "the hand if the step hung."});
+}
+
+// A device whose exchange has not come back is not closed: one caller at a time.
+void Run::close_devices(Problems& problems) {
+  std::vector<const host::Instance*> lost;
+  for (const auto& port : ports_) {
+    if (port->stop()) continue;
+    left_ = true;
+    const host::Instance& instance = *port->slot().instance;
+    lost.push_back(&instance);
+    problems.push_back({Severity::kWarning, instance.name, lost_text(instance, "exchange", driver_limits().exchange)});
+  }
+  for (host::DeviceSlot* slot : opened_) {
+    host::Instance& instance = *slot->instance;
+    if (std::find(lost.begin(), lost.end(), &instance) != lost.end()) continue;
+    const auto close = [&instance, device = slot->device] {
+      // also in quarantine: what it holds must be given back
+      host::detail::contained(instance, host::Call::kClose, 0, [&] { device->close(instance.raw); });
+    };
+    if (bounded_call(close, driver_limits().close)) continue;
+    left_ = true;
+    problems.push_back({Severity::kWarning, instance.name, lost_text(instance, "close", driver_limits().close)});
+  }
+  opened_.clear();
 }
 
 void Run::open_record(Problems& problems) {
@@ -172,7 +234,8 @@ void Run::open_record(Problems& problems) {
 void Run::start() {
   if (started_) return;
   started_ = true;
-  sentinel_ = std::make_unique<Sentinel>();
+  current_ = this;
+  host::CallWatch::guard_exit();
   const bool forces = std::any_of(rig_->devices.begin(), rig_->devices.end(), [](const host::DeviceSlot& s) {
     return (s.device->flags & SWAGE_DEVICE_FORCE) != 0;
   });
@@ -235,26 +298,32 @@ void Run::wait() {
   if (started_) close();
 }
 
-// Waits for the end of the attempt, then takes everything down in the order that keeps the record: the step first.
+// Waits for the end of the attempt and keeps its result before any device is asked to leave. The watchdog sees all of it.
 void Run::close() {
   if (closed_) return;
   closed_ = true;
   thread_->join();
-  watchdog_->stop();
-  for (const auto& port : ports_) port->stop();
   collect_reports();
   result_ = make_result(loop_->ending());
   if (recorder_) {
     recorder_->finish(make_end(result_));
     for (Problem& p : recorder_->problems()) result_.problems.push_back(std::move(p));
   }
-  sentinel_.reset();
+  current_ = nullptr;
+  close_devices(result_.problems);
+  watchdog_->stop();
 }
 
 Result Run::result() const { return closed_ ? result_ : make_result(Ending::kNone); }
 
 void Run::collect_reports() {
   if (realtime()) problems_.push_back({Severity::kNote, "loop", grant_});
+  for (std::size_t i = 0; i < ports_.size(); ++i)
+    if (const uint32_t times = loop_->times_lost(i); times > 0)
+      problems_.push_back({Severity::kWarning, ports_[i]->slot().instance->name,
+                           "This hand was lost " + std::to_string(times) + (times == 1 ? " time" : " times") +
+                               "; the lesson waited " + host::format_number(0.1 * std::round(10 * loop_->seconds_lost(i))) +
+                               " s for it while its tool held."});
   for (host::Instance* instance : host::instances(*rig_)) {
     for (Problem& p : instance->services->take_reports()) problems_.push_back(std::move(p));
     if (instance->quarantined.load() != 0)
@@ -304,6 +373,22 @@ record::AttemptEnd Run::make_end(const Result& result) const {
   return end;
 }
 
+void Run::save_void(const char* reason) {
+  if (!recorder_) return;
+  record::AttemptEnd end;
+  end.outcome = judge::Outcome::kVoid;
+  end.reason = reason;
+  end.is_void = true;
+  end.simulated_s = static_cast<double>(loop_->steps()) * rig_->world.dt;
+  end.metric.assign(rig_->script.metrics.size(), std::nan(""));
+  recorder_->finish(end);
+}
+
+void Run::ended_by_plugin(const host::LastCall& call, const char* cause) {
+  Sentinel::write(call, cause);
+  if (Run* run = current_.exchange(nullptr)) run->save_void("host.ended");
+}
+
 // On the watchdog's thread, while the step thread is lost in a call: what there is, is saved, and the program ends with the
 // name of the culprit. A slow disk or a machine that was held up is nobody's hang.
 void Run::hung() {
@@ -315,15 +400,7 @@ void Run::hung() {
                                         "\" (" + culprit->plugin_id + " " + culprit->plugin_version + ")"
                                   : "the step itself";
   const uint64_t step = loop_->steps();
-  if (recorder_) {
-    record::AttemptEnd end;
-    end.outcome = judge::Outcome::kVoid;
-    end.reason = "host.hung";
-    end.is_void = true;
-    end.simulated_s = static_cast<double>(step) * rig_->world.dt;
-    end.metric.assign(rig_->script.metrics.size(), std::nan(""));
-    recorder_->finish(end);
-  }
+  save_void("host.hung");
   std::fprintf(stderr,
                "swage: step %llu has not come back for half a second: %s. The attempt was saved. Start in "
                "safe mode to "

@@ -25,7 +25,8 @@ namespace swage::session {
 class Run final : public Session {
  public:
   /// `rig` is assembled and active. [main]
-  Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig);
+  Run(const Options& options, host::Catalogue catalogue, std::unique_ptr<host::Rig> rig,
+      std::unique_ptr<Sentinel> sentinel);
   ~Run() override;
 
   /// Opens devices and the record. False: `problems` say why. [main]
@@ -49,7 +50,11 @@ class Run final : public Session {
   void open_devices(Problems& problems);
   void open_record(Problems& problems);
   void close();
+  void close_devices(Problems& problems);
+  void open_port(host::DeviceSlot& slot, Problems& problems);
   void hung();
+  void save_void(const char* reason);
+  static void ended_by_plugin(const host::LastCall& call, const char* cause);
   void collect_reports();
   Result make_result(Ending ending) const;
   record::AttemptEnd make_end(const Result& result) const;
@@ -57,8 +62,8 @@ class Run final : public Session {
 
   const Options options_;
   const host::Catalogue catalogue_;
+  std::unique_ptr<Sentinel> sentinel_;  // outlives the plugins
   std::unique_ptr<host::Rig> rig_;
-  std::unique_ptr<Sentinel> sentinel_;
   std::unique_ptr<Watchdog> watchdog_;
   std::vector<std::unique_ptr<Port>> ports_;
   std::vector<host::DeviceSlot*> opened_;
@@ -67,9 +72,11 @@ class Run final : public Session {
   std::unique_ptr<Loop> loop_;
   std::unique_ptr<RtThread> thread_;
 
+  static std::atomic<Run*> current_;
   std::atomic<const host::LastCall*> last_call_{nullptr};  // of the step thread
   uint64_t idle_beats_ = 0;                                // the watchdog's pulse once the attempt has ended
   uint32_t marks_ = 0;
+  bool left_ = false;  // a device has not come back: what its thread may touch is never destroyed
   bool started_ = false, closed_ = false;
   std::string grant_;
   Problems problems_;

@@ -31,6 +31,10 @@ constexpr std::size_t kHandlerStack = 64 * 1024;
 std::atomic<int> file{-1};
 std::array<struct sigaction, kSignals.size()> before;
 
+// [main]
+int watching = 0;  // sentinels of this process
+std::string own_path;
+
 void put(int fd, const char* text) noexcept {
   std::size_t size = std::strlen(text);
   while (size > 0) {
@@ -50,7 +54,8 @@ void put(int fd, uint64_t number) noexcept {
 // one field per line: cause, instance, plugin, call, step
 void write_report(const host::LastCall& last, const char* cause, uint64_t number) noexcept {
   const int fd = file.exchange(-1, std::memory_order_relaxed);
-  if (fd < 0) return;
+  // what stood there was only for the case that nobody could write
+  if (fd < 0 || ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0) return;
   put(fd, cause);
   if (number > 0) put(fd, number);
   put(fd, "\n");
@@ -106,12 +111,12 @@ std::string Sentinel::default_folder() {
 }
 
 Sentinel::Sentinel(const std::string& folder) {
-  if (folder.empty()) return;
+  if (++watching > 1 || folder.empty()) return;
   std::error_code ignored;
   fs::create_directories(folder, ignored);
   const int fd = ::open(path_of(folder, getpid()).c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0600);
   if (fd < 0) return;
-  path_ = path_of(folder, getpid());
+  own_path = path_of(folder, getpid());
   file.store(fd, std::memory_order_relaxed);
   protect_thread();
   struct sigaction action = {};
@@ -121,12 +126,20 @@ Sentinel::Sentinel(const std::string& folder) {
 }
 
 Sentinel::~Sentinel() {
-  if (path_.empty()) return;
+  if (--watching > 0 || own_path.empty()) return;
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before[i], nullptr);
   const int fd = file.exchange(-1, std::memory_order_relaxed);
-  if (fd < 0) return;  // something was written: it stays
-  ::close(fd);
-  ::unlink(path_.c_str());
+  if (fd >= 0) {  // nothing was written: nothing stays
+    ::close(fd);
+    ::unlink(own_path.c_str());
+  }
+  own_path.clear();
+}
+
+void Sentinel::suspect(const std::string& plugins) {
+  const int fd = file.load(std::memory_order_relaxed);
+  if (fd < 0 || ftruncate(fd, 0) != 0 || lseek(fd, 0, SEEK_SET) != 0 || plugins.empty()) return;
+  put(fd, ("unknown\n\n" + plugins + "\n\n0\n").c_str());
 }
 
 void Sentinel::protect_thread() {
@@ -155,6 +168,11 @@ base::Problem Sentinel::problem(const Report& report) {
   base::Problem out;
   out.severity = base::Severity::kWarning;
   out.where = report.instance.empty() ? "swage" : report.instance;
+  if (report.instance.empty() && !report.plugin.empty()) {
+    out.message = "The last run ended without a word: somebody ended the program, or a plugin did. Plugins that did not come with "
+                  "Swage took part: " + report.plugin + ". What was recorded until then is safe.";
+    return out;
+  }
   if (report.instance.empty()) {
     out.message = "The last run ended badly (" + report.cause + ") outside of any plugin.";
     return out;

@@ -21,18 +21,22 @@ class Sentinel {
   struct Report {
     std::string instance, plugin, call;  // "" when no plugin was running
     uint64_t step = 0;
-    std::string cause;  // "signal 11", "hang"
+    std::string cause;  // "signal 11", "hang", "exit", "unknown"
   };
 
   /// $XDG_STATE_HOME/swage, else ~/.local/state/swage. [main]
   static std::string default_folder();
 
   /// Watches this program from now on: handlers for SIGSEGV, SIGBUS, SIGFPE, SIGILL and SIGABRT that pass the signal on. A
-  /// folder that cannot be written is no error; then nothing is remembered. One at a time. [main]
+  /// folder that cannot be written is no error; then nothing is remembered. Several of a process share one file. [main]
   explicit Sentinel(const std::string& folder = default_folder());
   ~Sentinel();  // all went well: nothing is left behind
   Sentinel(const Sentinel&) = delete;
   Sentinel& operator=(const Sentinel&) = delete;
+
+  /// Plugins that did not come with Swage: if the program ends without a word (a kill, a plugin that calls _exit), the next start
+  /// names them. "" takes the suspicion back. [main]
+  static void suspect(const std::string& plugins);
 
   /// Gives the calling thread a stack of its own for handlers, so that a stack overflow is caught as well. [any]
   static void protect_thread();
@@ -45,9 +49,6 @@ class Sentinel {
 
   /// The report in words, with the remedy. [main]
   static base::Problem problem(const Report& report);
-
- private:
-  std::string path_;
 };
 
 }  // namespace swage::session

@@ -1,20 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/session.hpp"
 
+#include <set>
 #include <utility>
 
 #include "assembly/assemble.hpp"
 #include "assembly/lesson_file.hpp"
+#include "host/call_watch.hpp"
 #include "host/catalogue.hpp"
+#include "host/nearest.hpp"
 #include "session/run.hpp"
 #include "session/sentinel.hpp"
 
 namespace swage::session {
 
+namespace {
+
+// plugins of a lesson that did not come with Swage, for the next start should one of them end the program without a word
+std::string foreign_plugins(const assembly::LessonFile& file, const host::Catalogue& catalogue) {
+  std::set<std::string> ids;
+  const auto look = [&](const assembly::PluginUse& use) {
+    const host::PluginInfo* plugin = catalogue.find(use.plugin);
+    if (plugin != nullptr && !plugin->stock) ids.insert(plugin->id);
+  };
+  for (const auto& object : file.objects) look(object);
+  for (const auto& coupling : file.couplings) look(coupling);
+  for (const auto& device : file.devices)
+    for (const auto& choice : device.choices) look(choice);
+  look(file.lesson);
+  return host::join({ids.begin(), ids.end()});
+}
+
+}  // namespace
+
 std::unique_ptr<Session> Session::open(const Options& options, Problems& problems) {
   // how did the last run end?
   Sentinel::Report report;
   if (Sentinel::take(Sentinel::default_folder(), report)) problems.push_back(Sentinel::problem(report));
+
+  // from here on plugins are called
+  auto sentinel = std::make_unique<Sentinel>();
+  host::CallWatch::on_end([](const host::LastCall& call, const char* cause) { Sentinel::write(call, cause); });
 
   assembly::LessonFile file;
   // a faulty file is assembled all the same, as far as it goes: one run tells everything that is wrong with it
@@ -28,11 +54,12 @@ std::unique_ptr<Session> Session::open(const Options& options, Problems& problem
   search.plugin_dirs = options.plugin_dirs;
   search.safe_mode = options.safe_mode;
   host::Catalogue catalogue(search);
+  Sentinel::suspect(foreign_plugins(file, catalogue));
   auto rig =
       assembly::assemble(file, catalogue, {options.device, options.device_params, options.mode}, problems);
   if (!rig) return nullptr;
 
-  auto run = std::make_unique<Run>(options, std::move(catalogue), std::move(rig));
+  auto run = std::make_unique<Run>(options, std::move(catalogue), std::move(rig), std::move(sentinel));
   Problems found;
   const bool ready = run->prepare(found);
   for (Problem& p : found) problems.push_back(std::move(p));

@@ -29,8 +29,8 @@ bool sensible(const swage_contact& c) {
 
 }  // namespace
 
-Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events)
-    : rig_(rig), objects_(objects), events_(events) {
+Couplings::Couplings(host::Rig& rig, const Objects& objects, Events& events, WriteGuard& writes)
+    : rig_(rig), objects_(objects), events_(events), writes_(writes) {
   const uint32_t max_contacts = rig.world.capacity.contacts, max_ties = rig.world.capacity.ties;
   const auto count = static_cast<uint32_t>(rig.couplings.size());
   step_.resize(count);
@@ -188,10 +188,13 @@ void Couplings::call(uint32_t coupling, host::Call call, const contact::ContactS
     return resolving ? slot.coupling->resolve(instance.raw, &step)
                      : slot.coupling->finish(instance.raw, &step);
   });
+  writes_.check(instance, call);
 
   // only the law may be changed, only before the solve, and only to something sensible
   if (!host::accept(instance, call, now, step.signal, step.n_signal, kAnyNumber))
     std::fill_n(step.signal, step.n_signal, 0.0);
+  if (!host::accept(instance, call, now, step.state, step.n_state, kAnyNumber))
+    std::fill_n(step.state, step.n_state, 0.0);
   if (!given || !resolving) return;
   if (!std::all_of(contacts.begin(), contacts.end(), sensible)) {
     host::quarantine(instance, host::Misdeed::kNotFinite, call, now);

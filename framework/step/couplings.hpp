@@ -17,7 +17,7 @@ namespace swage::step {
 class Couplings {
  public:
   /// [main]
-  Couplings(host::Rig& rig, const Objects& objects, Events& events);
+  Couplings(host::Rig& rig, const Objects& objects, Events& events, WriteGuard& writes);
 
   void reset() noexcept;                                 // [rt] all
   void reset_those_of(uint32_t object) noexcept;         // [rt]
@@ -55,6 +55,7 @@ class Couplings {
   host::Rig& rig_;
   const Objects& objects_;
   Events& events_;
+  WriteGuard& writes_;
   std::vector<swage_coupling_step> step_;
   std::vector<Context> context_;
   std::vector<swage_contact> shown_;   // shown_[i] stands for contact i of the set

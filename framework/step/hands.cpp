@@ -20,6 +20,14 @@ using toolkit::Vec3;
 namespace {
 
 constexpr uint32_t kHasPose = SWAGE_VALID_POSE;
+constexpr uint32_t kHeld = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP;
+// s without a valid value after which a hand is met again as after a clutch. Shorter gaps are drop-outs of a bus, in which a hand
+// moves less than its tremor
+constexpr double kLost = 0.1;
+// closure at which a returning hand has met the one that is held
+constexpr double kMet = 0.02;
+// s in which a hand that speaks of the world gets back to where it says that it is
+constexpr double kFade = 0.25;
 
 // the nearest unit quaternion, or false when there is none
 bool normalise(swage_quat& q) {
@@ -64,6 +72,7 @@ Hands::Hands(host::Rig& rig, std::vector<DevicePort*> ports)
   sample_.resize(devices);
   X_WD_.resize(devices);
   seen_.resize(devices);
+  hold_.resize(devices);
   input_.resize(rig.objects.size());
   for (const scene::BodyInfo& body : rig.world.body) {
     const Pose X_WO = body.object < rig.objects.size() ? Pose(rig.objects[body.object].X_WO) : Pose();
@@ -76,6 +85,7 @@ void Hands::reset() noexcept {
   std::fill(sample_.begin(), sample_.end(), swage_sample{});
   for (swage_sample& s : sample_) s.pose.q.w = 1;
   std::fill(seen_.begin(), seen_.end(), uint8_t{0});
+  std::fill(hold_.begin(), hold_.end(), Hold{});
   for (uint32_t i = 0; i < X_WD_.size(); ++i) X_WD_[i] = rig_.devices[i].X_WD0;
   for (uint32_t i = 0; i < input_.size(); ++i) {
     input_[i] = {};
@@ -100,6 +110,7 @@ void Hands::save(scene::Writer& out) const noexcept {
   out.put(X_WD_);
   out.put(input_);
   for (const uint8_t seen : seen_) out.put(uint64_t{seen});
+  out.put(hold_);
 }
 
 bool Hands::restore(scene::Reader& in) noexcept {
@@ -111,6 +122,7 @@ bool Hands::restore(scene::Reader& in) noexcept {
     in.get(word);
     seen = static_cast<uint8_t>(word);
   }
+  in.get(hold_);
   return in.ok();
 }
 
@@ -158,6 +170,7 @@ void Hands::read() noexcept {
       continue;
     }
     place(i);
+    hold_closure(i);
   }
   for (uint32_t i = 0; i < input_.size(); ++i) map_input(i);
 }
@@ -167,15 +180,63 @@ void Hands::place(uint32_t device) noexcept {
   const host::DeviceSlot& slot = rig_.devices[device];
   const swage_sample& sample = sample_[device];
   swage_pose pose = sample.pose;
-  if (!(sample.valid & kHasPose) || !normalise(pose.q)) return;
+  if (!(sample.valid & kHasPose) || !normalise(pose.q)) {
+    ++hold_[device].pose_gone;
+    return;
+  }
   if (!(slot.device->flags & SWAGE_DEVICE_WORLD)) {
     const double k = 1 / slot.motion_scale;
     const Pose X_WD0(slot.X_WD0), X_D0H(Vec3(k * toolkit::vec(pose.p)), toolkit::quat(pose.q));
     pose = (X_WD0 * X_D0H).abi();
     if (rig_.mirror) pose = toolkit::mirrored(pose);
   }
+  meet_pose(device, pose);
   X_WD_[device] = pose;
   seen_[device] = 1;
+}
+
+// A hand that comes back after it was lost goes on from where its tool stands: the way between is kept, or, where a device speaks of
+// the world itself, faded out.
+void Hands::meet_pose(uint32_t device, swage_pose& X_WD) noexcept {
+  Hold& hold = hold_[device];
+  const bool returns = seen_[device] && static_cast<double>(hold.pose_gone) * rig_.world.dt >= kLost;
+  hold.pose_gone = 0;
+  if (returns) {
+    const Pose was(X_WD_[device]), now(X_WD);
+    hold.p = toolkit::raw(Vec3(was.p - now.p));
+    hold.q = toolkit::raw(Quat(now.q.conjugate() * was.q));
+    hold.clutched = 1;
+  }
+  if (!hold.clutched) return;
+  X_WD.p = toolkit::raw(Vec3(toolkit::vec(X_WD.p) + toolkit::vec(hold.p)));
+  X_WD.q = toolkit::raw(Quat((toolkit::quat(X_WD.q) * toolkit::quat(hold.q)).normalized()));
+  if (!(rig_.devices[device].device->flags & SWAGE_DEVICE_WORLD)) return;
+  const double rest = std::max(0.0, 1 - rig_.world.dt / kFade);
+  const Vec3 p = rest * toolkit::vec(hold.p), turn = rest * toolkit::log_rotation(toolkit::quat(hold.q));
+  hold.p = toolkit::raw(p);
+  hold.q = toolkit::raw(Quat(toolkit::exp_rotation(turn)));
+  hold.clutched = p.norm() > 1e-6 * rig_.world.length || turn.norm() > 1e-6;
+}
+
+// Closure and grip stay as they were while nothing valid comes. A person who comes back with another closure takes the jaws over
+// where the two meet.
+void Hands::hold_closure(uint32_t device) noexcept {
+  const swage_sample& sample = sample_[device];
+  Hold& hold = hold_[device];
+  hold.known |= sample.valid & kHeld;
+  if (!(sample.valid & SWAGE_VALID_CLOSURE)) {
+    hold.closure_gone += (hold.known & SWAGE_VALID_CLOSURE) != 0;
+    if (sample.valid & SWAGE_VALID_GRIP) hold.grip = sample.grip_force;
+    return;
+  }
+  const double closure = std::clamp(sample.closure, 0.0, 1.0);
+  if (static_cast<double>(hold.closure_gone) * rig_.world.dt >= kLost) hold.meeting = closure < hold.closure ? 1 : 2;
+  hold.closure_gone = 0;
+  const double off = closure - hold.closure;
+  if (std::abs(off) <= kMet || (hold.meeting == 1 ? off > 0 : off < 0)) hold.meeting = 0;
+  if (hold.meeting != 0) return;
+  hold.closure = closure;
+  if (sample.valid & SWAGE_VALID_GRIP) hold.grip = sample.grip_force;
 }
 
 void Hands::map_input(uint32_t object) noexcept {
@@ -186,13 +247,13 @@ void Hands::map_input(uint32_t object) noexcept {
     const swage_sample& s = sample_[follow.pose_device];
     in.X_WD = X_WD_[follow.pose_device];
     in.buttons = s.buttons;
-    in.valid |= s.valid & (SWAGE_VALID_POSE | SWAGE_VALID_BUTTONS);
+    in.valid |= SWAGE_VALID_POSE | (s.valid & SWAGE_VALID_BUTTONS);
   }
   if (follow.closure_device != host::kNone) {
-    const swage_sample& s = sample_[follow.closure_device];
-    if (s.valid & SWAGE_VALID_CLOSURE) in.closure = std::clamp(s.closure, 0.0, 1.0);
-    if (s.valid & SWAGE_VALID_GRIP) in.grip_force = s.grip_force;
-    in.valid |= s.valid & (SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP);
+    const Hold& hold = hold_[follow.closure_device];
+    if (hold.known & SWAGE_VALID_CLOSURE) in.closure = hold.closure;
+    if (hold.known & SWAGE_VALID_GRIP) in.grip_force = hold.grip;
+    in.valid |= static_cast<uint32_t>(hold.known) & (SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP);
   }
 }
 

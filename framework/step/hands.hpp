@@ -38,8 +38,20 @@ class Hands {
   bool gone() const noexcept;
 
  private:
+  /// What a hand holds while its device says nothing valid, and how it is met again afterwards. Plain words, saved with the state.
+  struct Hold {
+    uint64_t known = 0;                       // SWAGE_VALID_* that it has ever given, of pose, closure and grip
+    uint64_t pose_gone = 0, closure_gone = 0; // steps since each was last given
+    uint64_t clutched = 0;                    // 1: p and q below lie between device and hand
+    uint64_t meeting = 0;                     // 1: the closure is held until the person's meets it, coming from below; 2: from above
+    swage_vec3 p{};                           // m, added to the device's place
+    swage_quat q{1, 0, 0, 0};                 // after the device's rotation
+    double closure = 0, grip = 0;             // as used
+  };
   bool usable(uint32_t device) const noexcept;
   void place(uint32_t device) noexcept;
+  void meet_pose(uint32_t device, swage_pose& X_WD) noexcept;
+  void hold_closure(uint32_t device) noexcept;
   void map_input(uint32_t object) noexcept;
   void lead(uint32_t object) noexcept;
   struct Felt {
@@ -58,6 +70,7 @@ class Hands {
   std::vector<swage_sample> sample_;  // of each device, as used in this step
   std::vector<swage_pose> X_WD_;      // of each device: the hand in the scene, last valid one
   std::vector<uint8_t> seen_;         // of each device: a valid pose has come
+  std::vector<Hold> hold_;            // of each device
   std::vector<swage_input> input_;    // of each object
   std::vector<swage_pose> X_OB_;      // of each body: as declared in its object
 };

@@ -5,6 +5,7 @@
 
 #include "host/guard.hpp"
 #include "scene/view.hpp"
+#include "step/limits.hpp"
 
 namespace swage::step {
 
@@ -12,8 +13,8 @@ namespace {
 judge::Owned owned(const scene::Range& range) { return {range.first, range.count}; }
 }  // namespace
 
-Judging::Judging(host::Rig& rig, const Objects& objects, Events& events)
-    : rig_(rig), objects_(objects), events_(events), instance_(host::instances(rig)) {
+Judging::Judging(host::Rig& rig, const Objects& objects, Events& events, WriteGuard& writes)
+    : rig_(rig), objects_(objects), events_(events), writes_(writes), instance_(host::instances(rig)) {
   const host::LessonSlot& l = rig.lesson;
   referee_.prepare(rig.script, owned(l.metric), owned(l.cue), owned(l.event), owned(l.phase),
                    static_cast<uint32_t>(rig.objects.size()));
@@ -109,6 +110,9 @@ void Judging::ask_lesson() noexcept {
   host::Instance& instance = *slot.instance;
   host::guarded(instance, host::Call::kObserve, world.step,
                 [&] { return slot.lesson->observe(instance.raw, &view_, verdict, state); });
+  writes_.check(instance, host::Call::kObserve);
+  if (!host::accept(instance, host::Call::kObserve, world.step, state, slot.state.count, kAnyNumber))
+    std::fill_n(state, slot.state.count, 0.0);
   for (const judge::Event& e : referee_.events()) events_.emit_own(e.event, e.value);
   if (referee_.mistakes() > 0)
     host::quarantine(instance, host::Misdeed::kError, host::Call::kObserve, world.step);

@@ -19,7 +19,7 @@ namespace swage::step {
 class Judging {
  public:
   /// [main]
-  Judging(host::Rig& rig, const Objects& objects, Events& events);
+  Judging(host::Rig& rig, const Objects& objects, Events& events, WriteGuard& writes);
 
   void reset() noexcept;              // [rt]
   void observe() noexcept;            // [rt]
@@ -42,6 +42,7 @@ class Judging {
   host::Rig& rig_;
   const Objects& objects_;
   Events& events_;
+  WriteGuard& writes_;
   judge::Referee referee_;
   std::vector<swage_view_event> seen_;
   swage_view view_{};

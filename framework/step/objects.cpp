@@ -44,7 +44,8 @@ bool moves_itself(const scene::World& world, const scene::Range& body) {
 
 }  // namespace
 
-Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points) : rig_(rig), hands_(hands) {
+Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteGuard& writes)
+    : rig_(rig), hands_(hands), writes_(writes) {
   scene::World& world = rig.world;
   particle_start_ = world.particle_p_W;
   random_start_ = world.random;
@@ -119,6 +120,7 @@ void Objects::forces() noexcept {
     };
     const bool given = host::guarded(instance, host::Call::kForces, world.step,
                                      [&] { return slot.object->forces(instance.raw, &view); });
+    writes_.check(instance, host::Call::kForces);
     const bool good = given && accept(numbers(view.F_B_W), 6 * view.n_body, kMaxForce) &&
                       accept(view.particle_f_W, 3 * view.n_particle, kMaxForce) &&
                       accept(numbers(view.drive), 4 * view.n_hinge, kAnyNumber);
@@ -147,9 +149,13 @@ void Objects::finish() noexcept {
     host::Instance& instance = *slot.instance;
     host::guarded(instance, host::Call::kFinish, world.step,
                   [&] { return slot.object->finish(instance.raw, &view_[i]); });
+    writes_.check(instance, host::Call::kFinish);
     const bool whole = host::accept(instance, host::Call::kFinish, world.step, view_[i].signal,
                                     slot.signal.count, kAnyNumber);
     if (!whole) clear(world.signal, slot.signal);
+    // what it keeps is saved, hashed and given back to it: a number that is none stays for ever
+    if (!host::accept(instance, host::Call::kFinish, world.step, view_[i].state, slot.state.count, kAnyNumber))
+      clear(world.plugin_state, slot.state);
   }
 }
 

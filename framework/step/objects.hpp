@@ -10,13 +10,14 @@
 #include "host/rig.hpp"
 #include "step/flexible_body_adapter.hpp"
 #include "step/hands.hpp"
+#include "step/write_guard.hpp"
 
 namespace swage::step {
 
 class Objects {
  public:
   /// `max_points`: contact points of one flexible body in a step. [main]
-  Objects(host::Rig& rig, const Hands& hands, uint32_t max_points);
+  Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteGuard& writes);
 
   void reset() noexcept;                 // [rt] all of them, and the world
   void reset(uint32_t object) noexcept;  // [rt] one of them
@@ -44,6 +45,7 @@ class Objects {
 
   host::Rig& rig_;
   const Hands& hands_;
+  WriteGuard& writes_;
   std::vector<swage_object_step> view_;
   std::vector<std::unique_ptr<FlexibleBodyAdapter>> self_;
   std::vector<dynamics::FlexibleBody*> self_now_;

@@ -53,9 +53,10 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
       dynamics_(rig.world, options.dynamics),
       events_(rig.script),
       hands_(rig, std::move(ports)),
-      objects_(rig, hands_, rig.world.capacity.points),
-      couplings_(rig, objects_, events_),
-      judging_(rig, objects_, events_) {
+      writes_(rig.world),
+      objects_(rig, hands_, rig.world.capacity.points, writes_),
+      couplings_(rig, objects_, events_, writes_),
+      judging_(rig, objects_, events_, writes_) {
   detector_.reserve(contacts_);
   command_.reserve(kMaxCommands);
   instance_ = host::instances(rig);
@@ -117,6 +118,7 @@ void Engine::follow() noexcept {
 }
 
 void Engine::free_motion() noexcept {
+  writes_.take();
   objects_.forces();
   objects_.advance();
   dynamics_.free_motion(rig_.world);
@@ -130,6 +132,7 @@ void Engine::detect() noexcept {
 }
 
 void Engine::couple() noexcept {
+  writes_.take();
   couplings_.resolve(contacts_);
   done(Phase::kCouple);
 }
@@ -153,6 +156,7 @@ void Engine::tell_shortfall() noexcept {
 }
 
 void Engine::finish() noexcept {
+  writes_.take();
   objects_.finish();
   couplings_.tied();
   couplings_.finish(contacts_);

@@ -22,6 +22,7 @@
 #include "step/hands.hpp"
 #include "step/judging.hpp"
 #include "step/objects.hpp"
+#include "step/write_guard.hpp"
 
 namespace swage::step {
 
@@ -124,6 +125,7 @@ class Engine {
   contact::ContactSet contacts_;
   Events events_;
   Hands hands_;
+  WriteGuard writes_;
   Objects objects_;
   Couplings couplings_;
   Judging judging_;

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "host/nearest.hpp"
+#include "session/bounded_call.hpp"
 #include "tools/print.hpp"
 #include "tools/verbs.hpp"
 
@@ -59,6 +60,7 @@ void add_run(CLI::App& app, Arguments& a) {
           },
           "SECONDS"));
   verb->add_flag("--json", o.json, "The result as JSON");
+  verb->add_option("--trace", o.trace, "CSV file for every signal of every step; the attempt must be kept");
   plugin_dirs(verb, o.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return run(a.run); }; });
 }
@@ -118,6 +120,7 @@ void add_validate(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   verb->add_option("--only", o.only, "One test by its name");
   verb->add_option("--seed", o.seed, "Of the random tests")->capture_default_str();
+  verb->add_option("--with", o.with, "Lesson file: the plugins are tested in its scene")->check(CLI::ExistingFile);
   verb->add_flag("--in-process", o.in_process, "No child processes and no time limit: for a debugger");
   verb->add_flag("--json", o.json, "The result as JSON");
   plugin_dirs(verb, o.plugin_dirs);
@@ -251,7 +254,7 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return parse_and_run(argc, argv);
+    return swage::session::end_program(parse_and_run(argc, argv));
   } catch (const std::exception& error) {
     return problem(std::string(error.what()) + " (this should not happen: please report it)");
   }

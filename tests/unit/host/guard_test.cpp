@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
+
+#include <atomic>
+#include <clocale>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <thread>
 
 #include "base/clock.hpp"
 
@@ -18,6 +23,17 @@ void work_ns(int64_t ns) {
   const int64_t end = swage::base::cpu_ns() + ns;
   while (swage::base::cpu_ns() < end) {
   }
+}
+
+// both threads of a test on the first processor that this program may use
+void pin_to_one_processor() {
+  cpu_set_t allowed, one;
+  CPU_ZERO(&one);
+  sched_getaffinity(0, sizeof allowed, &allowed);
+  int first = 0;
+  while (!CPU_ISSET(first, &allowed)) ++first;
+  CPU_SET(first, &one);
+  sched_setaffinity(0, sizeof one, &one);
 }
 
 void sleep_ns(int64_t ns) { swage::base::sleep_until_ns(swage::base::wall_ns() + ns); }
@@ -130,12 +146,60 @@ TEST(Guard, TimeIsCountedPerStepOverAllCalls) {
 }
 
 TEST(Guard, WhoeverIsHeldUpByTheMachineIsInnocent) {
+  // this thread has a processor only when a busy one on the same processor leaves it some
+  std::atomic<bool> over{false};
+  std::thread busy([&] {
+    pin_to_one_processor();
+    while (!over) {
+    }
+  });
+  std::thread slow([&] {
+    pin_to_one_processor();
+    sched_param none{};
+    sched_setscheduler(0, SCHED_IDLE, &none);
+    Instance i;
+    i.watch.budget_ns = 2'000'000;
+    for (uint64_t step = 1; step <= 1000 && i.watch.preempted < 15; ++step)
+      guarded(i, Call::kForces, step, [] { work_ns(500'000); });
+    EXPECT_EQ(i.quarantined, 0u);
+    EXPECT_EQ(i.watch.late_steps, 0u);
+    EXPECT_GE(i.watch.preempted, 15u);
+  });
+  slow.join();
+  over = true;
+  busy.join();
+}
+
+TEST(Guard, WhoeverSleepsOrWaitsIsQuarantined) {
   Instance i;
   i.watch.budget_ns = 200'000;
-  for (uint64_t step = 1; step <= 50; ++step) guarded(i, Call::kForces, step, [] { sleep_ns(300'000); });
+  for (uint64_t step = 1; step <= 30; ++step) guarded(i, Call::kForces, step, [] { sleep_ns(2'000'000); });
+  EXPECT_EQ(i.misdeed, Misdeed::kWaited);
+  EXPECT_EQ(i.quarantine_step, 21u);
+
+  Instance long_one;
+  long_one.watch.budget_ns = 200'000;
+  for (uint64_t step = 1; step <= 4; ++step) guarded(long_one, Call::kForces, step, [] { sleep_ns(130'000'000); });
+  EXPECT_EQ(long_one.misdeed, Misdeed::kStalled) << "a quarter of a second is enough";
+  EXPECT_EQ(long_one.quarantine_step, 3u);
+}
+
+TEST(Guard, ADriverMayWait) {
+  Instance i;
+  i.watch.budget_ns = 200'000;
+  i.watch.may_wait = true;
+  for (uint64_t step = 1; step <= 40; ++step) guarded(i, Call::kExchange, step, [] { sleep_ns(1'000'000); });
   EXPECT_EQ(i.quarantined, 0u);
-  EXPECT_EQ(i.watch.late_steps, 0u);
-  EXPECT_GE(i.watch.preempted, 40u);
+}
+
+TEST(Guard, TheLanguageOfTheProgramStays) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const Call call : {Call::kConfigure, Call::kForces}) {
+    Instance i;
+    EXPECT_FALSE(guarded(i, call, 3, [] { ASSERT_NE(std::setlocale(LC_ALL, "C.UTF-8"), nullptr); }));
+    EXPECT_EQ(i.misdeed, Misdeed::kLocale) << text(call);
+    EXPECT_EQ(before, std::setlocale(LC_ALL, nullptr));
+  }
 }
 
 TEST(Guard, OldLatenessIsForgotten) {

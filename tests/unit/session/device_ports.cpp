@@ -55,6 +55,30 @@ TEST(IoPort, CarriesSamplesFromItsOwnThread) {
   step_until(port, 0, [&] { return port.stale(); });
 }
 
+TEST(IoPort, WhatIsOldIsNotValidAnyMore) {
+  FakeDevice device(0, 0);
+  host::DeviceSlot slot = device.slot();
+  IoPort port(slot, nullptr);
+  port.start();
+  swage_sample sample{};
+  step_until(port, 0, [&] {
+    port.read(0, 0, sample);
+    return sample.valid == SWAGE_VALID_POSE && port.lost_s() < 0.05;
+  });
+  device.frozen = true;
+  step_until(port, 0, [&] {
+    port.read(0, 0, sample);
+    return sample.valid == 0;
+  });
+  EXPECT_TRUE(port.stale());
+  step_until(port, 0, [&] { return port.lost_s() > 0.5; });
+  device.frozen = false;
+  step_until(port, 0, [&] {
+    port.read(0, 0, sample);
+    return sample.valid == SWAGE_VALID_POSE && port.lost_s() < 0.05;
+  });
+}
+
 TEST(IoPort, GivesForceOnlyWhileTheStepGoesOn) {
   FakeDevice device(SWAGE_DEVICE_FORCE, 2);
   host::DeviceSlot slot = device.slot();

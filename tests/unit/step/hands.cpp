@@ -266,5 +266,113 @@ TEST(Hands, AMirroredHandFeelsTheMirrorImage) {
   EXPECT_EQ(keeper.last.anchor.p.x, -1e-3);
 }
 
+// A hand that says nothing valid any more, and comes back elsewhere with other jaws.
+class LostHand : public ::testing::Test {
+ protected:
+  LostHand() {
+    s.rig.objects[0].follow.closure_device = 0;
+    s.device_.device.flags = SWAGE_DEVICE_LOCKSTEP;
+    s.device_.exchange = [this](const swage_command*, swage_sample* out) {
+      *out = {};
+      out->sequence = ++n;
+      out->pose = pose;
+      out->closure = closure;
+      out->grip_force = 2 * closure;
+      out->valid = valid;
+      return swage_result{SWAGE_OK};
+    };
+    s.tool_.forces = [this](const swage_object_step* step) {
+      input = *step->input;
+      return swage_result{SWAGE_OK};
+    };
+  }
+  static constexpr uint32_t kAll = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP;
+
+  FakeScene s;
+  swage_pose pose = at(1e-4, 0, 0);
+  double closure = 0.8;
+  uint32_t valid = kAll;
+  uint64_t n = 0;
+  swage_input input{};
+};
+
+TEST_F(LostHand, HoldsPoseClosureAndGrip) {
+  s.run(50);
+  valid = 0;
+  pose = at(9e-3, 9e-3, 9e-3);
+  closure = 0;
+  for (int i = 0; i < 1000; ++i) {
+    s.run(1);
+    ASSERT_EQ(s.tool().p.x, 1e-4) << i;
+    ASSERT_EQ(input.closure, 0.8) << i;
+    ASSERT_EQ(input.grip_force, 1.6) << i;
+    ASSERT_EQ(input.valid & kAll, kAll) << "an object that asks whether the closure is valid must not open: " << i;
+  }
+}
+
+TEST_F(LostHand, IsMetAgainWithoutALeap) {
+  s.run(50);
+  valid = 0;
+  s.run(200);
+  valid = kAll;
+  pose = {{5e-3, 0, 1e-3}, toolkit::raw(toolkit::exp_rotation({0, 0, 0.5}))};
+  s.run(1);
+  EXPECT_NEAR(s.tool().p.x, 1e-4, 1e-15) << "it goes on from where it stood";
+  EXPECT_NEAR(s.tool().q.w, 1, 1e-12);
+  // what the hand does from here on the tool does: 0.1 mm along x, and a turn about the world's z
+  pose.p.x += 1e-4;
+  pose.q = toolkit::raw(Quat(toolkit::exp_rotation({0, 0, 0.01}) * toolkit::quat(pose.q)));
+  s.run(20);
+  EXPECT_NEAR(s.tool().p.x, 2e-4, 1e-12);
+  EXPECT_NEAR(2 * std::asin(s.tool().q.z), 0.01, 1e-9);
+}
+
+TEST_F(LostHand, TakesTheJawsOverWhereBothMeet) {
+  s.run(50);
+  valid = 0;
+  s.run(200);
+  valid = kAll;
+  closure = 0.1;
+  s.run(10);
+  EXPECT_EQ(input.closure, 0.8) << "an open hand that comes back does not drop the needle";
+  for (; closure < 0.75; closure += 0.01) s.run(1);
+  EXPECT_EQ(input.closure, 0.8);
+  closure = 0.79;
+  s.run(1);
+  EXPECT_EQ(input.closure, 0.79);
+  closure = 0.2;
+  s.run(1);
+  EXPECT_EQ(input.closure, 0.2) << "from here on the hand leads";
+}
+
+TEST_F(LostHand, AShortDropOutIsNoClutch) {
+  s.run(50);
+  valid = 0;
+  s.run(20);
+  valid = kAll;
+  pose = at(2e-4, 0, 0);
+  closure = 0.5;
+  s.run(5);
+  EXPECT_DOUBLE_EQ(s.tool().p.x, 2e-4);
+  EXPECT_EQ(input.closure, 0.5);
+}
+
+TEST_F(LostHand, IsPartOfTheSavedState) {
+  s.run(50);
+  valid = 0;
+  s.run(200);
+  std::vector<std::byte> image(s.engine().image_size());
+  ASSERT_TRUE(s.engine().save(image));
+  const auto back = [&] {
+    valid = kAll;
+    pose = at(5e-3, 0, 0);
+    s.run(30);
+    return s.engine().hash();
+  };
+  const uint64_t first = back();
+  ASSERT_TRUE(s.engine().restore(image));
+  EXPECT_EQ(back(), first);
+}
+
 }  // namespace
 }  // namespace swage::step

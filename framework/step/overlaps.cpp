@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/overlaps.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace swage::step {
+
+namespace {
+// of the scene's length: 20 um in a scene of 1 mm. What lies on something or is held overlaps by 1 um at most
+constexpr double kDeep = 0.02;
+}  // namespace
+
+base::Problems start_overlaps(const host::Rig& rig, const contact::Options& options) {
+  base::Problems out;
+  contact::Detector detector(rig.world, rig.pairs, options);
+  contact::ContactSet set;
+  detector.reserve(set);
+  detector.reset(set);
+  detector.detect(rig.world, set);
+  std::vector<double> depth(rig.pairs.size(), 0);
+  for (const contact::Contact& c : set.contact) depth[c.pair] = std::max(depth[c.pair], -c.gap);
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] <= kDeep * rig.world.length) continue;
+    const auto& a = *rig.objects[rig.pairs[i].object_a].instance;
+    const auto& b = *rig.objects[rig.pairs[i].object_b].instance;
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "\"%.80s\" starts %.3g mm inside \"%.80s\": they will be pushed apart, and what is light is thrown. Move one of "
+                  "them in the lesson file (pose).",
+                  a.name.c_str(), 1e3 * depth[i], b.name.c_str());
+    out.push_back({base::Severity::kWarning, a.name, text});
+  }
+  return out;
+}
+
+}  // namespace swage::step

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Things that a lesson puts into each other. The solver pushes them apart, and what is light is thrown: a ring of some milligrams
+// that starts half a millimetre inside its hook leaves it at 74 m/s. A person has to be told before that.
+#pragma once
+
+#include <vector>
+
+#include "base/problem.hpp"
+#include "contact/detector.hpp"
+#include "host/rig.hpp"
+
+namespace swage::step {
+
+/// One warning per pair of objects that overlap at the poses of `rig` by more than 2 % of the scene's length, with names and depth.
+/// After Engine's construction, before its first step. [main]
+base::Problems start_overlaps(const host::Rig& rig, const contact::Options& options);
+
+}  // namespace swage::step

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A hand on a thread of its own that falls silent: the lesson waits for it, tells, and goes on when it is back.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "../step/fake_scene.hpp"
+#include "base/clock.hpp"
+#include "session/device_ports.hpp"
+#include "session/loop.hpp"
+#include "session/rt_thread.hpp"
+
+namespace swage::session {
+namespace {
+
+TEST(LostHand, TheLessonWaitsAndGoesOn) {
+  step::FakeScene s;
+  std::atomic<bool> silent{false};
+  s.device_.device.flags = 0;
+  s.device_.device.rate_hz = 1000;
+  s.device_.exchange = [&](const swage_command*, swage_sample* out) {
+    if (silent) return swage_result{SWAGE_OK};
+    ++out->sequence;
+    out->pose.q = {1, 0, 0, 0};
+    out->valid = SWAGE_VALID_POSE;
+    return swage_result{SWAGE_OK};
+  };
+  IoPort port(s.rig.devices[0], nullptr);
+  step::Engine engine(s.rig, step::Options(), {&port});
+  Loop loop(s.rig, engine, {&port}, nullptr, {});
+  std::unique_ptr<RtThread> thread;
+  thread = std::make_unique<RtThread>(Lateness::kCatchUp, 1e-3,
+                                      [&](const RtThread::Tick& t) { return loop.tick(t, thread->stats()); });
+  port.start();
+  thread->start([](const RtGrant&) {});
+  const auto until = [](auto done) {
+    while (!done()) base::sleep_until_ns(base::wall_ns() + 1'000'000);
+  };
+  snapshot::Snapshot shown;
+  until([&] { return loop.steps() > 100; });
+  silent = true;
+  until([&] { return loop.latest(shown) && shown.paused != 0; });
+  EXPECT_EQ(shown.device[0].stale, 1u);
+  const uint64_t then = loop.steps();
+  base::sleep_until_ns(base::wall_ns() + 300'000'000);
+  EXPECT_EQ(loop.steps(), then) << "no step is made while the hand is lost";
+  silent = false;
+  until([&] { return loop.steps() > then + 50; });
+  loop.stop();
+  thread->join();
+  port.stop();
+  EXPECT_EQ(loop.times_lost(0), 1u);
+  EXPECT_GT(loop.seconds_lost(0), 0.7);
+
+  int lost = 0, back = 0;
+  double waited = 0;
+  judge::Event e;
+  while (loop.next_event(e)) {
+    const std::string& id = s.rig.script.events[e.event].id;
+    lost += id == "host.hand_lost";
+    back += id == "host.hand_back";
+    if (id == "host.hand_back") waited = e.value;
+  }
+  EXPECT_EQ(lost, 1);
+  EXPECT_EQ(back, 1);
+  EXPECT_GT(waited, 0.7);
+}
+
+}  // namespace
+}  // namespace swage::session
