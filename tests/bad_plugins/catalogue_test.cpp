@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every evil plugin of evil_scene.cpp and evil_devices.cpp in a session of its own. What becomes of each stands in the guide
+// (framework/sdk/guide/misbehaviour.md); the table there is the expectation here.
+//
+//   refused    the scene does not open; a sentence names the plugin
+//   contained  the attempt is void; a sentence names the plugin
+//   left       the result is kept; a sentence names the device that was left behind
+//   named      the program ends, and not as if all were well; the next start names the plugin, and the record is whole
+//   harmless   nothing comes of it: the same bits as with the good one
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include "host/call_watch.hpp"
+#include "host/catalogue.hpp"
+#include "record/store.hpp"
+#include "session/bounded_call.hpp"
+#include "session/sentinel.hpp"
+#include "session/session.hpp"
+#include "test_places.hpp"
+
+namespace swage::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPage = SWAGE_SOURCE_DIR "/framework/sdk/guide/misbehaviour.md";
+constexpr const char* kPrefix = "org.example.bad.";
+
+std::string slurp(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+const host::Catalogue& catalogue() {
+  static const host::Catalogue all = [] {
+    host::Catalogue::Options options;
+    options.plugin_dirs = {EVIL_PLUGINS_DIR};
+    options.install_dir = "/nowhere";
+    options.use_environment = false;
+    options.describe_limit_s = 60;
+    return host::Catalogue(options);
+  }();
+  return all;
+}
+
+/// What became of one plugin.
+struct Fate {
+  std::string outcome, said;
+  uint64_t hash = 0;
+};
+
+std::string lesson_with(const host::PluginInfo& p) {
+  const std::string quoted = "\"" + p.id + "\"";
+  const bool device = p.kind == SWAGE_KIND_DEVICE, lesson = p.kind == SWAGE_KIND_LESSON;
+  const std::string ball = p.kind == SWAGE_KIND_OBJECT ? quoted : "\"org.example.ball\"";
+  std::string text = R"({ "format": "swage-lesson/1", "id": "test.evil", "title": "Evil",
+    "objects": [ { "name": "good", "plugin": "org.example.ball" },
+                 { "name": "thing", "plugin": )" + ball + R"(, "pose": { "p": [0.0019, 0, 0] } } ],)";
+  const std::string coupling = p.kind == SWAGE_KIND_COUPLING ? quoted : "\"swage.coupling.contact\"";
+  text += R"( "couplings": [ { "name": "between", "plugin": )" + coupling + R"(, "between": ["good", "thing"] } ],)";
+  if (device) text += R"( "devices": [ { "name": "hand", "plugin": )" + quoted + " } ],";
+  return text + R"( "lesson": { "plugin": )" + (lesson ? quoted : "\"swage.lesson.look\"") + " } }";
+}
+
+bool clocked(const host::PluginInfo& p) {
+  return p.kind == SWAGE_KIND_DEVICE || p.id.find("sleeps") != std::string::npos || p.id.ends_with("burns");
+}
+
+// in a process of its own: opens, runs, writes what it heard
+[[noreturn]] void attempt(const std::string& folder, const host::PluginInfo& p) {
+  if (!freopen((folder + "/stderr").c_str(), "w", stderr)) _exit(99);
+  alarm(50);  // a test that fails must end
+  host::CallWatch::set_limit(0.3);
+  driver_limits() = {0.3, 0.3, 0.3};
+  Options options;
+  options.lesson_path = folder + "/lesson.json";
+  options.plugin_dirs = {EVIL_PLUGINS_DIR, BALL_DIR, SWAGE_BINARY_DIR "/plugins"};
+  options.store_path = folder + "/attempts.db";
+  options.pace = clocked(p) ? Pace::kRealtime : Pace::kFastest;
+  options.max_time_s = 0.1;
+  Problems problems;
+  std::ofstream out(folder + "/told");
+  uint64_t hash = 0;
+  std::string outcome = "refused";
+  {
+    auto session = Session::open(options, problems);
+    if (session) {
+      session->start();
+      // a hand that is lost pauses the lesson: then somebody stops it
+      for (int ms = 0; ms < 3000 && !session->finished(); ms += 5)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      session->stop();
+      const Result result = session->result();
+      problems.insert(problems.end(), result.problems.begin(), result.problems.end());
+      outcome = result.outcome == judge::Outcome::kVoid ? "contained" : left_behind() > 0 ? "left" : "harmless";
+      hash = result.hash;
+    }
+  }
+  out << outcome << " " << hash << "\n";
+  for (const Problem& problem : problems)
+    if (problem.severity >= base::Severity::kWarning) out << problem.where << ": " << problem.message << "\n";
+  out.close();
+  _exit(0);
+}
+
+class EvilPlugins : public ::testing::Test {
+ protected:
+  EvilPlugins() {
+    char name[] = "/tmp/swage-evil-XXXXXX";
+    home_ = mkdtemp(name);
+    unsetenv("SWAGE_PLUGIN_PATH");
+  }
+  ~EvilPlugins() override { fs::remove_all(home_); }
+
+  Fate fate_of(const host::PluginInfo& p) {
+    const std::string folder = home_ + "/" + p.id;
+    fs::create_directory(folder);
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+    setenv("XDG_DATA_HOME", folder.c_str(), 1);
+    std::ofstream(folder + "/lesson.json") << lesson_with(p);
+    const pid_t child = fork();
+    if (child == 0) attempt(folder, p);
+    int status = 0;
+    waitpid(child, &status, 0);
+    Fate fate;
+    std::istringstream told(slurp(folder + "/told"));
+    std::string first;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && std::getline(told, first)) {
+      std::istringstream(first) >> fate.outcome >> fate.hash;
+      fate.said.assign(std::istreambuf_iterator<char>(told), {});
+    } else {
+      fate = after_the_end(folder, status);
+    }
+    fs::remove_all(folder);
+    return fate;
+  }
+
+  // the program has ended: what the next start says of it
+  Fate after_the_end(const std::string& folder, int status) {
+    Fate fate;
+    fate.outcome = "named";
+    Sentinel::Report report;
+    if (Sentinel::take(Sentinel::default_folder(), report))
+      fate.said = Sentinel::problem(report).message;
+    else
+      fate.outcome = "unnamed";
+    const bool quits = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    fate.said += quits ? " (exit code 0)" : "";
+    std::string error;
+    if (!record::Store::open(folder + "/attempts.db", error)) fate.outcome = "damaged: " + error;
+    return fate;
+  }
+
+ private:
+  std::string home_;
+};
+
+/// The rows of the page: "| `forces` | contained | ..." with the columns of kinds, and "| `object.force_nan` | contained |".
+std::map<std::string, std::string> expected() {
+  std::map<std::string, std::string> out;
+  std::istringstream page(slurp(kPage));
+  std::vector<std::string> columns;
+  for (std::string line; std::getline(page, line);) {
+    if (line.empty() || line[0] != '|') {
+      columns.clear();
+      continue;
+    }
+    std::vector<std::string> cells;
+    std::istringstream in(line.substr(1));
+    for (std::string cell; std::getline(in, cell, '|');) {
+      std::erase(cell, '`');
+      const auto from = cell.find_first_not_of(' '), to = cell.find_last_not_of(' ');
+      cells.push_back(from == std::string::npos ? "" : cell.substr(from, to - from + 1));
+    }
+    if (cells.size() < 2 || cells[0].starts_with("---")) continue;
+    if (columns.empty()) {
+      columns = cells;
+    } else if (columns[0] == "function") {
+      for (std::size_t i = 1; i < std::min(cells.size(), columns.size()); ++i) out[cells[0] + "_" + columns[i]] = cells[i];
+    } else {
+      out[cells[0]] = cells[1];
+    }
+  }
+  return out;
+}
+
+TEST_F(EvilPlugins, EachEndsAsTheGuideSays) {
+  const std::map<std::string, std::string> table = expected();
+  std::map<int32_t, uint64_t> good;
+  std::size_t tried = 0;
+  const char* only = std::getenv("EVIL_ONLY");
+  for (const host::PluginInfo& p : catalogue().plugins()) {
+    const std::string name = p.id.substr(std::string(kPrefix).size());
+    if (only != nullptr && name.find(only) == std::string::npos && !name.ends_with(".good")) continue;
+    ++tried;
+    const Fate fate = fate_of(p);
+    if (std::getenv("EVIL_PRINT")) std::printf("%s | %s | %s\n", name.c_str(), fate.outcome.c_str(), fate.said.c_str());
+    if (name.ends_with(".good")) good[p.kind] = fate.hash;
+    const auto row = table.find(name);
+    if (row == table.end()) {
+      ADD_FAILURE() << name << " does not stand in " << kPage << ": " << fate.outcome << " " << fate.said;
+      continue;
+    }
+    EXPECT_EQ(fate.outcome, row->second) << name << ": " << fate.said;
+    if (fate.outcome == "harmless") {
+      if (!clocked(p)) {
+        EXPECT_EQ(fate.hash, good[p.kind]) << name;
+      }
+    } else {
+      EXPECT_NE(fate.said.find(p.id), std::string::npos) << name << ": " << fate.said;
+    }
+  }
+  EXPECT_TRUE(only != nullptr || tried >= 110u) << tried;
+}
+
+// A library that misbehaves while it is loaded does so in a child, and is refused with a sentence.
+TEST(EvilLibraries, AreRefusedBeforeAnybodyLoadsThem) {
+  char name[] = "/tmp/swage-evil-load-XXXXXX";
+  const std::string home = mkdtemp(name);
+  std::vector<std::string> faults = {"init_refuses",        "factory_null",        "descriptor_null",
+                                     "descriptor_nameless", "descriptor_kindless", "descriptor_endless"};
+  for (const char* function : {"constructor", "init", "factory", "descriptor"})
+    for (const char* what : {"throws", "loops", "blocks", "crashes", "overflows", "aborts", "exits", "quits", "rounds", "translates"})
+      faults.push_back(std::string(function) + "_" + what);
+  for (const std::string& fault : faults) {
+    fs::create_directory(home + "/" + fault);
+    fs::copy_file(EVIL_LOAD, home + "/" + fault + "/evil.so");
+    host::Catalogue::Options options;
+    options.plugin_dirs = {home + "/" + fault};
+    options.install_dir = "/nowhere";
+    options.use_environment = false;
+    options.describe_limit_s = 0.5;
+    const host::Catalogue found(options);
+    EXPECT_TRUE(found.plugins().empty()) << fault;
+    ASSERT_EQ(found.refused().size(), 1u) << fault;
+    const std::string& reason = found.refused()[0].reason;
+    if (std::getenv("EVIL_PRINT")) std::printf("load.%s | refused | %s\n", fault.c_str(), reason.c_str());
+    EXPECT_TRUE(reason.size() > 10 && reason.ends_with(".")) << fault << ": " << reason;
+  }
+  fs::remove_all(home);
+}
+
+TEST_F(EvilPlugins, TheGuideNamesNoneThatIsNotThere) {
+  for (const auto& [name, outcome] : expected())
+    EXPECT_NE(catalogue().find(kPrefix + name), nullptr) << name;
+}
+
+}  // namespace
+}  // namespace swage::session

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Flexible objects with one fault each, for the validator: org.example.bad.solver.<fault>. A ball on a spring that cannot turn:
+// v = v_free + sum j / m, so that W is I / m in every block. Through the wrapper, which such faults pass.
+#include <swage/object.hpp>
+
+#include <cstdlib>
+#include <limits>
+
+namespace {
+
+enum Fault { kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStandsStill, kAborts, kDents, kNearest };
+constexpr std::array kIds = {"org.example.bad.solver.good",     "org.example.bad.solver.skew",
+                             "org.example.bad.solver.pulls",    "org.example.bad.solver.unsteady",
+                             "org.example.bad.solver.part",     "org.example.bad.solver.unwritten",
+                             "org.example.bad.solver.forgets",  "org.example.bad.solver.doubles",
+                             "org.example.bad.solver.stands",   "org.example.bad.solver.aborts",
+                             "org.example.bad.solver.dents",    "org.example.bad.solver.nearest"};
+
+constexpr double kMass = 1e-6, kStiffness = 1;  // kg, N/m
+struct State {
+  swage_vec3 rest;
+};
+
+template <Fault F>
+class Ball final : public swage::Object<>, public swage::Solid, public swage::Solver, public swage::Dented, public swage::Graspable {
+ public:
+  static constexpr auto id = kIds[F], version = "1.0.0", name = "Ball on a spring", summary = "A flexible object with a fault.",
+                        author = "Swage", licence = "Apache-2.0";
+
+  void build(const swage::NoParams&, Builder& b) override {
+    body_ = b.own_body("ball");
+    b.sphere(body_, {0, 0, 0}, 1e-3);
+    b.state<State>();
+  }
+  void reset(const swage::Step& step) override { step.state<State>().rest = step.pose(body_).p; }
+
+  void advance(const swage::Step& step) override {
+    const swage_vec3 &rest = step.state<State>().rest, &p = step.pose(body_).p, &g = step.gravity();
+    swage_vec3& v = step.twist(body_).v;
+    const double h = step.dt(), a = kMass + h * h * kStiffness;
+    const auto next = [&](double v0, double x, double gravity) { return (kMass * (v0 + h * gravity) - h * kStiffness * x) / a; };
+    v = {next(v.x, p.x - rest.x, g.x), next(v.y, p.y - rest.y, g.y), next(v.z, p.z - rest.z, g.z)};
+    free_ = v;
+    start_ = p;
+    move(step, v);
+  }
+
+  void compliance(const swage::Step& step, std::span<const swage_contact_point> points, double* v_free, double* W) override {
+    if (F == kAborts) std::abort();
+    const double h = step.dt(), per = 1 / (kMass + h * h * kStiffness);
+    const size_t n = 3 * points.size();
+    ++asked_;
+    for (size_t i = 0; i < n; ++i) {
+      const double v[] = {free_.x, free_.y, free_.z};
+      v_free[i] = F == kStandsStill ? 0.5 : v[i % 3];
+      for (size_t k = 0; k < n && !(F == kUnwritten && i + 1 == n); ++k) {
+        double w = i % 3 == k % 3 ? per : 0;
+        if (F == kPulls) w = -w;
+        if (F == kUnsteady) w *= 1 + 1e-6 * static_cast<double>(asked_ % 2);
+        if (F == kPart) w /= static_cast<double>(n);
+        if (F == kSkew && i == 0 && k == 1) w = 0.3 * per;
+        W[i * n + k] = w;
+      }
+    }
+  }
+
+  void yield(const swage::Step& step, std::span<const swage_contact_point> points, const double* impulse) override {
+    const double h = step.dt();
+    const double scale = F == kForgets ? 0 : F == kDoubles ? 2 : 1;
+    const double per = scale / (kMass + h * h * kStiffness);
+    swage_vec3 v = free_;
+    for (size_t i = 0; i < points.size(); ++i)
+      v = {v.x + per * impulse[3 * i], v.y + per * impulse[3 * i + 1], v.z + per * impulse[3 * i + 2]};
+    move(step, v);
+  }
+
+  uint32_t dents(const swage::Step&, std::span<swage_dent> out) override {
+    if (F == kDents && !out.empty()) out[0] = {{0, 0, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1e-3};
+    return F == kDents && !out.empty() ? 1 : 0;
+  }
+  void locate(const swage::Step& step, swage_vec3, swage_graspable_place& out) override {
+    out = {0.5, 1e-3, step.pose(body_).p, {1, 0, 0}, {0, 1, 0}};
+    if (F == kNearest) out.tangent_W = {2, 0, 0};
+  }
+
+ private:
+  void move(const swage::Step& step, const swage_vec3& v) {
+    const double h = step.dt();
+    step.twist(body_) = {v, {0, 0, 0}};
+    step.pose(body_).p = {start_.x + h * v.x, start_.y + h * v.y, start_.z + h * v.z};
+  }
+
+  swage::Body body_;
+  swage_vec3 free_{}, start_{};  // of this step, from advance() on
+  uint64_t asked_ = 0;
+};
+
+}  // namespace
+
+SWAGE_EXPORT(Ball<kGood>, Ball<kSkew>, Ball<kPulls>, Ball<kUnsteady>, Ball<kPart>, Ball<kUnwritten>, Ball<kForgets>, Ball<kDoubles>,
+             Ball<kStandsStill>, Ball<kAborts>, Ball<kDents>, Ball<kNearest>)
