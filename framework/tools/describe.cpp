@@ -6,11 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "host/catalogue.hpp"
+#include "host/child.hpp"
 #include "host/nearest.hpp"
 #include "host/params_json.hpp"
 #include "host/schema.hpp"
 #include "host/units.hpp"
 #include "tools/print.hpp"
+#include "tools/test_scene.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -45,6 +47,51 @@ std::string default_text(const Param& p) {
   for (std::size_t i = 0; i < 4; ++i) value.number[i] = p.default_number[i];
   value.text = {p.default_text.data(), p.default_text.size()};
   return host::value_text(p, value);
+}
+
+/// What an instance declares, found by making one in a scene of its own, in a child: a plugin that crashes ends nothing here.
+struct Declared {
+  nlohmann::ordered_json signals = nlohmann::ordered_json::array(), events = signals;
+  std::string why_not;  // "" when they are known
+};
+
+Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
+  constexpr double kLimit = 20;  // s
+  const auto ask = [&]() -> std::string {
+    const TestScene scene(info, catalogue);
+    nlohmann::ordered_json out = {{"signals", nlohmann::json::array()}, {"events", nlohmann::json::array()}};
+    std::string why = scene.skipped();
+    Stepped made;
+    if (why.empty() && scene.make({}, made, why)) {
+      std::string owner = info.kind == SWAGE_KIND_LESSON ? made.rig->lesson.instance->name : "subject";
+      for (const judge::Name& s : made.rig->script.signals)
+        if (s.owner == owner) out["signals"].push_back({{"id", s.id}, {"unit", s.unit}, {"doc", s.doc}});
+      for (const judge::Name& e : made.rig->script.events)
+        if (e.owner == owner) out["events"].push_back({{"id", e.id}, {"unit", e.unit}, {"doc", e.doc}});
+    } else {
+      out["why"] = why;
+    }
+    return out.dump();
+  };
+  Declared known;
+  const auto answer = nlohmann::ordered_json::parse(host::run_forked(ask, kLimit).out, nullptr, false);
+  known.why_not = "It ended the process in which it was asked.";
+  if (!answer.is_object()) return known;
+  known.why_not = answer.value("why", "");
+  known.signals = answer["signals"];
+  known.events = answer["events"];
+  return known;
+}
+
+// what a lesson may watch
+void print_declared(const Declared& known) {
+  for (const auto& [title, rows] : {std::pair("Signals", &known.signals), std::pair("Events", &known.events)}) {
+    if (!rows->empty()) std::printf("  [%s]\n", title);
+    for (const auto& row : *rows)
+      std::printf("  %-20s %-5s %s\n", row["id"].get<std::string>().c_str(), row["unit"].get<std::string>().c_str(),
+                  row["doc"].get<std::string>().c_str());
+  }
+  if (!known.why_not.empty()) std::printf("  Its signals and events are not known here: %s\n", known.why_not.c_str());
 }
 
 const char* criterion_text(int32_t kind) {
@@ -180,12 +227,25 @@ int describe(const DescribeOptions& o) {
     if (!o.what.empty() && one == nullptr) return problem(catalogue.missing_text(o.what));
   }
 
+  // what an instance declares: asked when few plugins are described
+  host::Catalogue::Options everything;
+  everything.plugin_dirs = o.plugin_dirs;
+  if (is_path) everything.plugin_dirs.insert(everything.plugin_dirs.begin(), plugins[0].bundle_dir);
+  const bool deep = !o.what.empty() && plugins.size() <= 4;
+  const host::Catalogue partners(everything);
+
   if (o.schema) {
     const bool one = !o.what.empty() && plugins.size() == 1;
     std::printf("%s\n", (one ? host::params_schema(plugins[0]) : host::lesson_schema(plugins)).c_str());
   } else if (o.json) {
     auto list = nlohmann::ordered_json::array();
-    for (const PluginInfo& p : plugins) list.push_back(to_json(p));
+    for (const PluginInfo& p : plugins) {
+      list.push_back(to_json(p));
+      if (!deep || p.kind == SWAGE_KIND_DEVICE) continue;
+      const Declared known = declared(p, partners);
+      list.back()["signals"] = known.signals;
+      list.back()["events"] = known.events;
+    }
     print(list);
   } else if (o.markdown) {
     for (const PluginInfo& p : plugins) print_markdown(p);
@@ -194,7 +254,10 @@ int describe(const DescribeOptions& o) {
       std::printf("%-9s %-28s %-8s %s\n", host::kind_text(p.kind), p.id.c_str(), p.version.c_str(),
                   p.summary.c_str());
   } else {
-    for (const PluginInfo& p : plugins) print_text(p);
+    for (const PluginInfo& p : plugins) {
+      print_text(p);
+      if (deep && p.kind != SWAGE_KIND_DEVICE) print_declared(declared(p, partners));
+    }
   }
   return kPassed;
 }

@@ -18,6 +18,8 @@ namespace {
 
 // contacts shown at once; a grasp has some ten, a needle that lies in a tray some three
 constexpr uint32_t kContacts[] = {0, 1, 3, 17, 64};
+// ties, tears and wounds that there is room for
+constexpr uint32_t kRoom = 64;
 
 swage_quat turn(base::Xoshiro256& random) {
   double q[4], sum = 0;
@@ -133,16 +135,69 @@ class Coupling final : public Onlooker {
                       c.stiffness, c.restitution));
     }
     for (swage_contact& c : contact_) push(c, random, poisoned);
+    ties(random, poisoned);
     call(host::Call::kFinish, [&] { return slot_.coupling->finish(slot_.instance->raw, &step_); });
     for (uint32_t i = 0; i < step_.n_signal; ++i) {
       said_.add(step_.signal[i]);
       if (!poisoned && !std::isfinite(step_.signal[i])) accuse("wrote a signal that is not finite");
     }
+    draw(poisoned);
     said_.add(step_.state, step_.n_state * sizeof(double));
   }
 
  private:
   static host::Instance& instance_of(const Stepped& scene) { return *scene.rig->couplings.back().instance; }
+
+  // its links, solved by chance
+  void ties(base::Xoshiro256& random, bool poisoned) {
+    if (slot_.ties == nullptr) return;
+    std::vector<swage_tie> tie(kRoom + 1);
+    uint32_t n = 0;
+    const bool given = call(host::Call::kTies, [&] {
+      return slot_.ties->ties(slot_.instance->raw, &step_, kRoom, tie.data(), &n);
+    });
+    if (n > kRoom) accuse(format("gave %u ties where there is room for %u", n, kRoom));
+    n = given ? std::min(n, kRoom) : 0;
+    for (uint32_t i = 0; i < n && !poisoned; ++i) check(tie[i]);
+    for (uint32_t i = 0; i < n; ++i) {
+      said_.add(&tie[i].p_W, sizeof tie[i].p_W);
+      tie[i].f_a_W = {wild(random), wild(random), wild(random)};
+      tie[i].slid_W = {1e-3 * wild(random), 1e-3 * wild(random), 1e-3 * wild(random)};
+    }
+    call(host::Call::kTied, [&] { return slot_.ties->tied(slot_.instance->raw, &step_, n, tie.data()); });
+  }
+
+  void check(const swage_tie& t) {
+    const auto& v = t.axis_W;
+    const bool unit = std::abs(v.x * v.x + v.y * v.y + v.z * v.z - 1) < 1e-6;
+    const auto body = [&](uint32_t index, uint32_t object) {
+      return index == SWAGE_NONE || index < rig().objects[object].body.count;
+    };
+    if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3)) accuse("gave a tie with a place or axis that is none");
+    if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) accuse("gave a tie to a body that is not there");
+    for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back})
+      if (!(x >= 0)) accuse(format("gave a tie with a stiffness or strength of %g", x));
+  }
+
+  // what it draws: torn places, and what is known of them
+  void draw(bool poisoned) {
+    if (poisoned) return;
+    uint32_t n = 0;
+    if (slot_.tears != nullptr) {
+      std::vector<swage_tear> tear(kRoom + 1);
+      call(host::Call::kTears, [&] { return slot_.tears->tears(slot_.instance->raw, &step_, kRoom, tear.data(), &n); });
+      if (n > kRoom) accuse(format("gave %u tears where there is room for %u", n, kRoom));
+      for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
+        if (!host::finite(&tear[i].a_W.x, 10)) accuse("gave a tear that is no number");
+    }
+    if (slot_.wounds == nullptr) return;
+    std::vector<swage_wound> wound(kRoom + 1);
+    n = 0;
+    call(host::Call::kWounds, [&] { return slot_.wounds->wounds(slot_.instance->raw, &step_, kRoom, wound.data(), &n); });
+    if (n > kRoom) accuse(format("gave %u wounds where there is room for %u", n, kRoom));
+    for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
+      if (!host::finite(&wound[i].p_W.x, 8)) accuse("gave a wound that is no number");
+  }
   static bool sensible(const swage_contact& c) {
     return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
            c.restitution >= 0 && c.restitution <= 1;

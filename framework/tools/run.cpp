@@ -8,11 +8,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "assembly/lesson_file.hpp"
 #include "host/nearest.hpp"
 #include "host/units.hpp"
+#include "record/recorder.hpp"
 #include "session/session.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
@@ -104,9 +106,25 @@ bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
   return true;
 }
 
+// once: without a window nobody sees that the lesson waits
+void tell_of_lost_hand(const session::Session& session, bool& told) {
+  static snapshot::Snapshot now;  // large
+  if (told || !session.latest(now) || now.paused == 0) return;
+  for (uint32_t i = 0; i < now.n_device && !told; ++i) {
+    if (now.device[i].stale == 0) continue;
+    tell(base::Severity::kWarning, session.card().devices[i].name,
+         "This hand is lost: its tool holds, and the lesson waits for it. Ctrl-C ends the attempt.");
+    told = true;
+  }
+}
+
 void drive(session::Session& session) {
   session.start();
-  while (!session.finished() && interrupts == 0) usleep(5'000);
+  bool told = false;
+  for (int look = 0; !session.finished() && interrupts == 0; ++look) {
+    usleep(5'000);
+    if (look % 40 == 39) tell_of_lost_hand(session, told);
+  }
   if (interrupts != 0) tell(base::Severity::kNote, "", "Interrupted: the attempt ends as aborted.");
   session.stop();
 }
@@ -193,6 +211,30 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
   print(out);
 }
 
+// every signal of every step, from the record
+bool write_trace(const std::string& file, const std::string& store, const std::string& attempt) {
+  record::Recording recording;
+  std::string error = "the attempt was not kept";
+  if (attempt.empty() || !record::read_recording(store, attempt, recording, error)) {
+    tell(base::Severity::kError, file, "No trace was written: " + error);
+    return false;
+  }
+  std::ofstream out(file);
+  out << "time [s]";
+  const auto& signals = recording.info.script.signals;
+  for (const judge::Name& s : signals) out << "," << s.owner << "." << s.id << " [" << s.unit << "]";
+  out << "\n";
+  for (std::size_t i = 0; i < recording.step.size(); ++i) {
+    out << format("%.6f", static_cast<double>(recording.step[i] + 1) * recording.info.dt);
+    for (std::size_t k = 0; k < signals.size(); ++k)
+      out << format(",%.7g", static_cast<double>(recording.signal[i * signals.size() + k]));
+    out << "\n";
+  }
+  out.close();
+  if (!out.good()) tell(base::Severity::kError, file, "The trace could not be written whole.");
+  return out.good();
+}
+
 int refused(const RunOptions& o, const base::Problems& problems) {
   tell(problems);
   if (o.json) print({{"problems", to_json(problems)}});
@@ -226,10 +268,12 @@ int run(const RunOptions& o) {
   drive(*session);
   const session::Result result = session->result();
   tell(result.problems);
+  const bool traced = o.trace.empty() || write_trace(o.trace, store_place(o.store), result.attempt_id);
   if (o.json)
     print_json(session->card(), result, store_place(o.store));
   else
     print_text(o, session->card(), result, store_place(o.store));
+  if (!traced) return kProblem;
   return result.outcome == judge::Outcome::kPassed ? kPassed : kNotPassed;
 }
 

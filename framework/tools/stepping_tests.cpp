@@ -10,6 +10,8 @@
 
 #include "base/clock.hpp"
 #include "base/rng.hpp"
+#include "assembly/lesson_file.hpp"
+#include "tools/extension_tests.hpp"
 #include "tools/onlooker.hpp"
 #include "tools/print.hpp"
 #include "tools/test_scene.hpp"
@@ -65,7 +67,8 @@ Finding stepping(const TestScene& scene, uint64_t) {
     const double now = energy(s.engine->world(), kinetic);
     most = std::max(most, kinetic);
     // 1e-6 of what moves: a thousand times what rounding and integration make of ten seconds of free fall
-    const bool free = s.rig->world.hinge.empty() && scene.plugin().kind == SWAGE_KIND_OBJECT;
+    const bool free =
+        s.rig->world.hinge.empty() && scene.plugin().kind == SWAGE_KIND_OBJECT && !scene.of_lesson();
     if (free && now - start > 1e-6 * most)
       return failed(
           format("Its energy grew by %.3g J until step %d, with nothing that touches it.", now - start, i));
@@ -108,7 +111,7 @@ Finding alone(const TestScene& scene, uint64_t) {
   Stepped a, b, c;
   std::string error;
   Wish crowded;
-  crowded.with_neighbour = object;
+  crowded.with_neighbour = object && !scene.of_lesson();
   if (!scene.make({}, a, error) || !scene.make({}, b, error) || !scene.make(crowded, c, error))
     return failed(error);
   for (int i = 0; i < 500; ++i) {
@@ -117,7 +120,7 @@ Finding alone(const TestScene& scene, uint64_t) {
     c.engine->step();
     if (a.engine->hash() != b.engine->hash())
       return failed(format("Two runs of the same scene differ at step %d.", i));
-    if (object && a.engine->object_hash(0) != c.engine->object_hash(TestScene::subject(crowded)))
+    if (object && a.engine->object_hash(scene.subject({})) != c.engine->object_hash(scene.subject(crowded)))
       return failed(
           format("It moves otherwise at step %d when another instance is in the scene: instances share "
                  "something that changes.",
@@ -128,6 +131,7 @@ Finding alone(const TestScene& scene, uint64_t) {
 
 // level 6: a scene somewhere else is the same scene
 Finding moved(const TestScene& scene, uint64_t) {
+  if (scene.of_lesson()) return skipped("The lesson says where things stand.");
   Stepped here, there;
   std::string error;
   Wish away;
@@ -284,21 +288,29 @@ Finding fuzz(const TestScene& scene, uint64_t seed) {
 using Test = Finding (*)(const TestScene&, uint64_t);
 
 // the worst of what a test finds in the plugins of a library
-Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_dirs, Test test,
+Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_dirs, const std::string& with, Test test,
                uint32_t kinds) {
   host::Catalogue::Options options;
   options.plugin_dirs = plugin_dirs;
   options.plugin_dirs.insert(options.plugin_dirs.begin(),
                              std::filesystem::path(subject.library_path).parent_path().string());
   const host::Catalogue catalogue(options);
+  assembly::LessonFile lesson;
+  base::Problems problems;
+  if (!with.empty() && !assembly::read_lesson_file(with, lesson, problems))
+    return failed(with + " is no lesson that can be used: " + (problems.empty() ? "" : problems[0].message));
   Finding worst{Mark::kSkipped, ""};
   bool any = false;
   for (const PluginInfo& p : subject.plugins) {
     if ((kinds & host::kind_bit(p.kind)) == 0) continue;
     const PluginInfo* plugin = catalogue.find(p.id);
     if (plugin == nullptr) return failed(catalogue.missing_text(p.id));
-    const TestScene scene(*plugin, catalogue);
-    Finding f = scene.skipped().empty() ? test(scene, subject.seed) : skipped(scene.skipped());
+    const TestScene scene = with.empty() ? TestScene(*plugin, catalogue) : TestScene(*plugin, catalogue, lesson);
+    Finding f = skipped(scene.skipped());
+    if (scene.on_thread() && test != driver)
+      f = skipped("It is asked on a thread of its own: see the test \"driver\".");
+    else if (scene.skipped().empty())
+      f = test(scene, subject.seed);
     if (subject.plugins.size() > 1 && !f.text.empty()) f.text = p.id + ": " + f.text;
     // skipped counts only when nothing else was found
     const bool worse =
@@ -311,7 +323,7 @@ Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_di
 
 }  // namespace
 
-std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& plugin_dirs) {
+std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& plugin_dirs, const std::string& with) {
   struct Entry {
     uint32_t level;
     const char *name, *asks;
@@ -320,7 +332,7 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
   };
   constexpr uint32_t kObject = host::kind_bit(SWAGE_KIND_OBJECT),
                      kCoupling = host::kind_bit(SWAGE_KIND_COUPLING),
-                     kLesson = host::kind_bit(SWAGE_KIND_LESSON);
+                     kLesson = host::kind_bit(SWAGE_KIND_LESSON), kDevice = host::kind_bit(SWAGE_KIND_DEVICE);
   static constexpr Entry kTests[] = {
       {4, "stepping", "10 000 steps with defaults: every number finite, no energy out of nothing", stepping,
        host::kAllKinds},
@@ -329,6 +341,10 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
        kObject | kCoupling | kLesson},
       {5, "alone", "the same bits in a second run, and with another instance in the scene", alone,
        kObject | kCoupling | kLesson},
+      {5, "solver", "the solver's answers: symmetric, no energy out of nothing, the same bits again, and kept", solver, kObject},
+      {5, "traits", "what its traits answer, near, far and beyond its ends", traits, kObject},
+      {5, "driver", "opens and closes again and again on a thread of its own, measures forwards, comes back in time", driver,
+       kDevice},
       // contacts amplify rounding, so that two touching things need not end in the same place
       {6, "moved", "the scene 1 m away: the same motion", moved, kObject},
       {6, "range", "every parameter at its ends and 200 random sets: an error that is told, or a good run",
@@ -342,8 +358,8 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
   std::vector<host::ValidateTest> out;
   for (const Entry& e : kTests)
     out.push_back({e.level, e.name, e.asks,
-                   [plugin_dirs, test = e.test, kinds = e.kinds](const Subject& s) {
-                     return of_all(s, plugin_dirs, test, kinds);
+                   [plugin_dirs, with, test = e.test, kinds = e.kinds](const Subject& s) {
+                     return of_all(s, plugin_dirs, with, test, kinds);
                    },
                    e.kinds});
   return out;

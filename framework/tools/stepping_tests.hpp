@@ -11,7 +11,8 @@
 
 namespace swage::tools {
 
-/// `plugin_dirs`: where else to look for objects that a coupling can bind.
-std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& plugin_dirs);
+/// `plugin_dirs`: where else to look for objects that a coupling can bind. `with`: a lesson file whose scene they are tested in
+/// instead of one that is made for them; "" for none.
+std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& plugin_dirs, const std::string& with = "");
 
 }  // namespace swage::tools

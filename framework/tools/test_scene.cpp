@@ -127,7 +127,63 @@ TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& cata
     find_led();
     if (plugin.kind == SWAGE_KIND_COUPLING) find_pair();
     if (plugin.kind == SWAGE_KIND_LESSON) find_stage();
+    find_thread();
   }
+}
+
+TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue, const assembly::LessonFile& lesson)
+    : plugin_(plugin), catalogue_(catalogue), lesson_(&lesson) {
+  const assembly::LessonFile f = lesson_file({});
+  std::vector<const assembly::PluginUse*> uses = {&f.lesson};
+  for (const auto& o : f.objects) uses.push_back(&o);
+  for (const auto& c : f.couplings) uses.push_back(&c);
+  for (const auto& d : f.devices) uses.push_back(&d.choices[0]);
+  const bool used = std::any_of(uses.begin(), uses.end(), [&](const auto* use) { return use->plugin == plugin.id; });
+  std::string why;
+  if (!used)
+    skipped_ = "The lesson " + lesson.path + " does not use it.";
+  else if (!assembles(f, why))
+    skipped_ = "The lesson " + lesson.path + " cannot be built. " + why;
+  else
+    find_thread();
+}
+
+uint32_t TestScene::subject(const Wish& wish) const {
+  if (lesson_ == nullptr) return wish.with_neighbour ? 1 : 0;
+  for (uint32_t i = 0; i < lesson_->objects.size(); ++i)
+    if (lesson_->objects[i].plugin == plugin_.id) return i;
+  return 0;
+}
+
+// the wished parameters over those of the lesson, wherever the plugin is used; a device that is tested is the first choice
+assembly::LessonFile TestScene::lesson_file(const Wish& wish) const {
+  assembly::LessonFile f = *lesson_;
+  const auto give = [&](assembly::PluginUse& use) {
+    if (use.plugin != plugin_.id) return;
+    nlohmann::json all = nlohmann::json::parse(use.params, nullptr, false);
+    if (!all.is_object()) all = nlohmann::json::object();
+    all.update(nlohmann::json::parse(wish.params));
+    use.params = all.dump();
+  };
+  for (auto& object : f.objects) give(object);
+  for (auto& coupling : f.couplings) give(coupling);
+  give(f.lesson);
+  for (auto& device : f.devices) {
+    const auto own = std::find_if(device.choices.begin(), device.choices.end(),
+                                  [&](const auto& choice) { return choice.plugin == plugin_.id; });
+    if (own != device.choices.end()) std::iter_swap(device.choices.begin(), own);
+    for (auto& choice : device.choices) give(choice);
+  }
+  return f;
+}
+
+void TestScene::find_thread() {
+  base::Problems ignored;
+  if (plugin_.kind != SWAGE_KIND_DEVICE || !skipped_.empty()) return;
+  const auto rig = assembly::assemble(file({}), catalogue_, {}, ignored);
+  if (!rig) return;
+  for (const host::DeviceSlot& slot : rig->devices)
+    if (slot.instance->plugin_id == plugin_.id) on_thread_ = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) == 0;
 }
 
 bool TestScene::assembles(const assembly::LessonFile& file, std::string& error) const {
@@ -237,6 +293,7 @@ void TestScene::set_stage(assembly::LessonFile& f, const Wish& wish) const {
 }
 
 assembly::LessonFile TestScene::file(const Wish& wish) const {
+  if (lesson_ != nullptr) return lesson_file(wish);
   // 100 characteristic lengths: far enough to have nothing to do with each other
   constexpr double kFar = 0.1;
   assembly::LessonFile f = empty_lesson();
@@ -273,10 +330,12 @@ bool TestScene::make(const Wish& wish, Stepped& out, std::string& error) const {
   if (!out.rig) return false;
 
   std::vector<step::DevicePort*> ports;
-  if (plugin_.kind == SWAGE_KIND_DEVICE) {
-    if ((out.rig->devices[0].device->flags & SWAGE_DEVICE_LOCKSTEP) == 0) {
-      error = "It is not lock-step: it runs on a thread of its own.";
-      return false;
+  if (lesson_ != nullptr || plugin_.kind == SWAGE_KIND_DEVICE) {
+    // what is asked in the step the engine asks itself; what lives on a thread of its own rests
+    out.still = std::make_unique<StillHand>(wish.at);
+    for (const host::DeviceSlot& slot : out.rig->devices) {
+      const bool in_step = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) != 0;
+      ports.push_back(wish.hand != nullptr && ports.empty() ? wish.hand : in_step ? nullptr : out.still.get());
     }
   } else if (!out.rig->devices.empty()) {
     out.still = std::make_unique<StillHand>(wish.at);

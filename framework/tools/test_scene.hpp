@@ -41,6 +41,8 @@ class TestScene {
  public:
   /// A scene for `plugin`; `catalogue` lends what it needs. Both outlive this.
   TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue);
+  /// The scene of a lesson in which the plugin is used; `lesson` outlives this.
+  TestScene(const host::PluginInfo& plugin, const host::Catalogue& catalogue, const assembly::LessonFile& lesson);
 
   /// Why this plugin cannot be stepped here, or "".
   const std::string& skipped() const { return skipped_; }
@@ -52,10 +54,16 @@ class TestScene {
   /// True when something in the scene follows a hand.
   bool is_led() const;
   /// Index of the object under test in a rig made with this wish.
-  static uint32_t subject(const Wish& wish) { return wish.with_neighbour ? 1 : 0; }
+  uint32_t subject(const Wish& wish) const;
+  /// True for a device that is asked on a thread of its own.
+  bool on_thread() const { return on_thread_; }
+  /// True when the scene is a lesson's: things stand where it puts them.
+  bool of_lesson() const { return lesson_ != nullptr; }
 
  private:
   assembly::LessonFile file(const Wish& wish) const;
+  assembly::LessonFile lesson_file(const Wish& wish) const;
+  void find_thread();
   bool assembles(const assembly::LessonFile& file, std::string& error) const;
   bool follows(const std::string& object_plugin) const;
   void find_led();
@@ -67,6 +75,8 @@ class TestScene {
 
   const host::PluginInfo& plugin_;
   const host::Catalogue& catalogue_;
+  const assembly::LessonFile* lesson_ = nullptr;
+  bool on_thread_ = false;
   struct Actor {
     std::string name, plugin;
   };

@@ -10,6 +10,8 @@
 
 #include "assembly/assemble.hpp"
 #include "host/nearest.hpp"
+#include "step/overlaps.hpp"
+#include "step/step.hpp"
 #include "tools/print.hpp"
 #include "tools/stepping_tests.hpp"
 #include "tools/verbs.hpp"
@@ -27,6 +29,16 @@ struct Report {
   Json json = Json::array();
 };
 
+// the scene as its first step finds it
+void look_for_overlaps(host::Rig& rig, base::Problems& problems) {
+  try {
+    const step::Engine engine(rig, step::Options{}, {});
+    for (base::Problem& p : step::start_overlaps(rig, contact::Options())) problems.push_back(std::move(p));
+  } catch (const std::exception& refused) {
+    problems.push_back({base::Severity::kError, rig.descriptor_path, refused.what()});
+  }
+}
+
 void validate_lesson(const std::string& path, const ValidateOptions& o, Report& report) {
   base::Problems problems;
   assembly::LessonFile file;
@@ -41,7 +53,8 @@ void validate_lesson(const std::string& path, const ValidateOptions& o, Report& 
   const host::Catalogue catalogue(options);
   for (const std::string& hand : read ? hands : std::vector<std::string>()) {
     base::Problems found;
-    assembly::assemble(file, catalogue, {hand, ""}, found);
+    const auto rig = assembly::assemble(file, catalogue, {hand, ""}, found);
+    if (rig) look_for_overlaps(*rig, found);
     for (base::Problem& p : found) {
       const bool known = std::any_of(problems.begin(), problems.end(), [&](const base::Problem& q) {
         return q.where == p.where && q.message == p.message;
@@ -122,7 +135,7 @@ bool spread(const std::string& path, std::vector<std::string>& out) {
 
 int validate(const ValidateOptions& o) {
   std::vector<host::ValidateTest> tests = host::host_tests();
-  for (host::ValidateTest& test : stepping_tests(o.plugin_dirs)) tests.push_back(std::move(test));
+  for (host::ValidateTest& test : stepping_tests(o.plugin_dirs, o.with)) tests.push_back(std::move(test));
   std::stable_sort(tests.begin(), tests.end(),
                    [](const auto& a, const auto& b) { return a.level < b.level; });
 

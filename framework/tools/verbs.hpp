@@ -22,6 +22,7 @@ struct RunOptions {
   std::vector<std::string> settings;  // "needle.arc=2/8"
   bool headless = false, fast = false, safe_mode = false, json = false;
   double max_time_s = 0;  // simulated; 0: until the lesson ends
+  std::string trace;      // CSV file for every signal of every step, "" for none
 };
 int run(const RunOptions&);
 
@@ -44,6 +45,7 @@ int replay(const ReplayOptions&);
 struct ValidateOptions {
   std::vector<std::string> paths;  // bundles, libraries and lesson files
   std::vector<std::string> plugin_dirs;
+  std::string with;  // lesson file whose scene the plugins are tested in, "" to make one
   std::string only;
   uint32_t strictness = 5;
   uint64_t seed = 1;

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A device with a thread of its own, asked as the session asks it. Nobody is pushed: every force that it is sent is zero.
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "base/clock.hpp"
+#include "host/services.hpp"
+#include "tools/extension_tests.hpp"
+#include "tools/print.hpp"
+
+namespace swage::tools {
+namespace {
+
+using host::Finding;
+using host::Mark;
+
+constexpr uint32_t kKnownFlags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_FORCE | SWAGE_DEVICE_WORLD;
+constexpr uint32_t kKnownBits = SWAGE_VALID_POSE | SWAGE_VALID_TWIST | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP |
+                                SWAGE_VALID_BUTTONS | SWAGE_VALID_DONE;
+constexpr int kExchanges = 300, kAfterPause = 30;
+constexpr int64_t kPause = 300'000'000;  // ns in which nobody asks, as while a machine is held up
+// s that one exchange may take: the session gives a hand up after 0.1 s without a sample, and a device after 2 s
+constexpr double kSlow = 0.1, kTooSlow = 1;
+
+class Driver {
+ public:
+  explicit Driver(host::DeviceSlot& slot) : slot_(slot) {}
+
+  /// "" or what is wrong with the table itself.
+  std::string table() const {
+    const swage_device& d = *slot_.device;
+    if ((d.flags & ~kKnownFlags) != 0) return format("It has unknown flags (%u).", d.flags & ~kKnownFlags);
+    if (!std::isfinite(d.rate_hz) || d.rate_hz <= 0) return format("Its rate of %g Hz is none.", d.rate_hz);
+    if (!std::isfinite(d.max_force) || (d.max_force > 0) != ((d.flags & SWAGE_DEVICE_FORCE) != 0))
+      return format("It %s forces, and bears %g N.", (d.flags & SWAGE_DEVICE_FORCE) != 0 ? "takes" : "takes no", d.max_force);
+    return "";
+  }
+
+  Finding open() {
+    swage_result result = SWAGE_ERROR;
+    host::guarded(instance(), host::Call::kOpen, 0, [&] { return result = slot_.device->open(instance().raw); });
+    base::Problems said = instance().services->take_reports();
+    if (result >= 0) return {};
+    if (instance().quarantined.load() != 0 && said.empty() && result != SWAGE_ERROR)
+      return {Mark::kFailed, host::quarantine_text(instance())};
+    if (said.empty()) return {Mark::kFailed, "open() refuses and does not say why."};
+    // hardware that is not here is no fault of the plugin
+    return {Mark::kSkipped, "It did not open: " + said[0].message};
+  }
+  void close() {
+    host::detail::contained(instance(), host::Call::kClose, 0, [&] { slot_.device->close(instance().raw); });
+  }
+
+  /// Exchanges on a thread of its own; "" or what was wrong.
+  std::string run(int times) {
+    std::thread io([&] {
+      const host::ScopedRole role(SWAGE_THREAD_IO);
+      const double period = 1 / std::clamp(slot_.device->rate_hz, 20.0, 4000.0);
+      int64_t next = base::wall_ns();
+      for (int i = 0; i < times && wrong_.empty(); ++i) {
+        exchange();
+        next = std::max(next + static_cast<int64_t>(1e9 * period), base::wall_ns());
+        base::sleep_until_ns(next);
+      }
+    });
+    io.join();
+    return wrong_;
+  }
+
+  Finding verdict() const {
+    if (measurements_ == 0)
+      return {Mark::kWarning, "It opened and sent no measurement. What is connected to it?"};
+    if (longest_ > kSlow)
+      return {Mark::kWarning, format("An exchange took %.2f s; after %.1f s without a sample the hand counts as lost.", longest_,
+                                     kSlow)};
+    if (!odd_.empty()) return {Mark::kWarning, odd_};
+    return {Mark::kSuccess, format("%llu measurements; the longest exchange took %.1f ms.",
+                                   static_cast<unsigned long long>(measurements_), 1e3 * longest_)};
+  }
+
+ private:
+  host::Instance& instance() { return *slot_.instance; }
+
+  void exchange() {
+    swage_command command{};
+    command.time_s = 1e-9 * static_cast<double>(base::wall_ns());
+    command.anchor.q.w = 1;
+    swage_sample sample = last_;
+    const int64_t begin = base::wall_ns();
+    const bool good = host::guarded(instance(), host::Call::kExchange, ++n_,
+                                    [&] { return slot_.device->exchange(instance().raw, &command, &sample); });
+    const double took = 1e-9 * static_cast<double>(base::wall_ns() - begin);
+    longest_ = std::max(longest_, took);
+    if (took > kTooSlow) wrong_ = format("An exchange took %.2f s. Wait for a driver for 0.1 s at most, and say that nothing new came.", took);
+    if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
+    if (instance().services->role_breaches() > 0) wrong_ = "It called the host from a thread that may not.";
+    if (good && wrong_.empty()) look(sample);
+  }
+
+  void look(const swage_sample& s) {
+    if (!host::finite(&s.time_s, 16)) wrong_ = "A sample has a number that is not finite.";
+    if ((s.valid & ~kKnownBits) != 0) wrong_ = format("A sample says that unknown fields are valid (%u).", s.valid & ~kKnownBits);
+    if (s.sequence < last_.sequence) wrong_ = "The number of the measurements goes backwards.";
+    const swage_quat& q = s.pose.q;
+    const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    if ((s.valid & SWAGE_VALID_POSE) != 0 && !(std::abs(norm - 1) < 1e-3))
+      wrong_ = format("A valid pose has a quaternion of length %g.", norm);
+    if ((s.valid & SWAGE_VALID_CLOSURE) != 0 && !(s.closure >= 0 && s.closure <= 1))
+      odd_ = format("A valid closure is %g; it goes from 0 open to 1 closed.", s.closure);
+    if (s.sequence > last_.sequence) {
+      if (measurements_ > 0 && s.time_s < last_.time_s) wrong_ = "A newer measurement has an older time.";
+      if (std::abs(s.time_s - 1e-9 * static_cast<double>(base::wall_ns())) > 5)
+        odd_ = "The time of its measurements is not on the host's clock (CLOCK_MONOTONIC, s).";
+      ++measurements_;
+    }
+    if (!wrong_.empty()) wrong_ += format(" Exchange %llu.", static_cast<unsigned long long>(n_));
+    last_ = s;
+  }
+
+  host::DeviceSlot& slot_;
+  swage_sample last_{};
+  uint64_t n_ = 0, measurements_ = 0;
+  double longest_ = 0;  // s
+  std::string wrong_, odd_;
+};
+
+}  // namespace
+
+Finding driver(const TestScene& scene, uint64_t) {
+  Stepped s;
+  std::string error;
+  if (!scene.make({}, s, error)) return {Mark::kFailed, error};
+  Driver driver(s.rig->devices[0]);
+  if (std::string wrong = driver.table(); !wrong.empty()) return {Mark::kFailed, wrong};
+  if (!scene.on_thread()) return {Mark::kSkipped, "It is asked in the step, as the other tests do."};
+  for (int round = 0; round < 3; ++round) {
+    if (Finding f = driver.open(); f.mark != Mark::kSuccess) return f;
+    std::string wrong = driver.run(kExchanges);
+    if (wrong.empty()) base::sleep_until_ns(base::wall_ns() + kPause);
+    if (wrong.empty()) wrong = driver.run(kAfterPause);
+    driver.close();
+    if (!wrong.empty()) return {Mark::kFailed, wrong};
+  }
+  return driver.verdict();
+}
+
+}  // namespace swage::tools

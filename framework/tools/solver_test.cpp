@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The contract of swage.object.solver/1 (abi/object.h), asked of the tables alone.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "base/rng.hpp"
+#include "host/services.hpp"
+#include "scene/view.hpp"
+#include "toolkit/math.hpp"
+#include "tools/extension_tests.hpp"
+#include "tools/print.hpp"
+
+namespace swage::tools {
+namespace {
+
+using host::Finding;
+using host::Mark;
+using toolkit::Pose;
+using toolkit::Vec3;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Vector = Eigen::VectorXd;
+using Points = std::vector<swage_contact_point>;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+// relative to the largest entry of W. Rounding of a good solver stays below 1e-12
+constexpr double kExact = 1e-9;
+// relative to the change that the impulses make; small angles in a solver's equations leave 1e-6
+constexpr double kMotion = 1e-3;
+
+/// What a solver answers for some points.
+struct Answer {
+  Vector v_free;
+  Matrix W;
+  bool operator==(const Answer& other) const { return v_free == other.v_free && W == other.W; }
+};
+
+class Solver {
+ public:
+  Solver(Stepped& scene, uint32_t object, uint64_t seed)
+      : slot_(scene.rig->objects[object]), world_(scene.rig->world), random_(seed) {
+    for (uint32_t i = 0; i < slot_.body.count; ++i) moves_ |= motion(i) == SWAGE_MOTION_SELF;
+  }
+  /// Whether anything moves by it.
+  bool moves() const { return slot_.solver != nullptr && moves_; }
+
+  /// "" or what is wrong, at the poses of now.
+  std::string check() {
+    if (std::string wrong = call(host::Call::kAdvance, [&] { return slot_.solver->advance(raw(), &view()); });
+        !wrong.empty())
+      return wrong;
+    const Points points = surface_points();
+    if (points.empty()) return "";
+    Answer all, again;
+    if (std::string wrong = ask(points, all); !wrong.empty()) return wrong;
+    if (std::string wrong = ask(points, again); !wrong.empty()) return wrong;
+    if (!(all == again)) return "compliance() gives other bits when it is asked the same again.";
+    if (std::string wrong = matrix(all.W); !wrong.empty()) return wrong;
+    if (std::string wrong = part(points, all); !wrong.empty()) return wrong;
+    if (std::string wrong = surface(points); !wrong.empty()) return wrong;
+    return motion_after(points, all);
+  }
+  const std::string& note() const { return note_; }
+
+ private:
+  swage_instance* raw() const { return slot_.instance->raw; }
+  int32_t motion(uint32_t body) const { return world_.body[slot_.body.first + body].motion; }
+  const swage_object_step& view() {
+    view_ = scene::view(world_, {slot_.body, slot_.particle, slot_.shape, slot_.hinge, slot_.state, slot_.signal}, &input_);
+    return view_;
+  }
+  template <class F>
+  std::string call(host::Call which, F&& f) {
+    const host::ScopedRole rt(SWAGE_THREAD_RT);
+    host::guarded(*slot_.instance, which, world_.step, f);
+    return slot_.instance->quarantined.load() != 0 ? host::quarantine_text(*slot_.instance) : "";
+  }
+
+  std::string ask(const Points& points, Answer& out) {
+    const auto n = static_cast<uint32_t>(points.size());
+    out.v_free = Vector::Constant(3 * n, kNan);
+    out.W = Matrix::Constant(3 * n, 3 * n, kNan);
+    if (std::string wrong = call(host::Call::kCompliance,
+                                 [&] {
+                                   return slot_.solver->compliance(raw(), &view(), n, points.data(), out.v_free.data(),
+                                                                   out.W.data());
+                                 });
+        !wrong.empty())
+      return wrong;
+    if (out.v_free.allFinite() && out.W.allFinite()) return "";
+    return format("compliance() for %u points leaves a number unwritten, or writes one that is not finite.", n);
+  }
+
+  static std::string matrix(const Matrix& W) {
+    const double size = W.cwiseAbs().maxCoeff();
+    const double skew = (W - W.transpose()).cwiseAbs().maxCoeff();
+    if (skew > kExact * size)
+      return format("compliance() is not symmetric: entries differ by %.3g of %.3g m/s per N s.", skew, size);
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(W)).eigenvalues().minCoeff();
+    if (least < -kExact * size)
+      return format("compliance() is not positive semi-definite: an eigenvalue is %.3g of %.3g m/s per N s. Pushing would "
+                    "give energy.",
+                    least, size);
+    return "";
+  }
+
+  // the same points, asked alone
+  std::string part(const Points& points, const Answer& all) {
+    const Points few(points.begin(), points.begin() + static_cast<long>((points.size() + 1) / 2));
+    Answer some;
+    if (std::string wrong = ask(few, some); !wrong.empty()) return wrong;
+    const auto n = static_cast<Eigen::Index>(3 * few.size());
+    const double size = all.W.cwiseAbs().maxCoeff(), speed = std::max(all.v_free.cwiseAbs().maxCoeff(), 1e-12);
+    if ((some.W - all.W.topLeftCorner(n, n)).cwiseAbs().maxCoeff() > kExact * size ||
+        (some.v_free - all.v_free.head(n)).cwiseAbs().maxCoeff() > kExact * speed)
+      return "compliance() of some points differs when more points are asked for.";
+    return "";
+  }
+
+  std::string surface(const Points& points) {
+    if (slot_.surface == nullptr) return "";
+    const auto n = static_cast<uint32_t>(points.size());
+    Vector u[2];
+    for (Vector& one : u) {
+      one = Vector::Constant(3 * n, kNan);
+      if (std::string wrong = call(host::Call::kDisplacement,
+                                   [&] { return slot_.surface->displacement(raw(), &view(), n, points.data(), one.data()); });
+          !wrong.empty())
+        return wrong;
+      if (!one.allFinite()) return "displacement() leaves a number unwritten, or writes one that is not finite.";
+    }
+    return u[0] == u[1] ? "" : "displacement() gives other bits when it is asked the same again.";
+  }
+
+  // the points after the impulses `j`, from the state of now, which is put back
+  std::string after(const Points& points, const Vector& j, Vector& v) {
+    const scene::World saved = world_;
+    Answer ignored;
+    std::string wrong = ask(points, ignored);
+    if (wrong.empty())
+      wrong = call(host::Call::kYield, [&] {
+        return slot_.solver->yield(raw(), &view(), static_cast<uint32_t>(points.size()), points.data(), j.data());
+      });
+    // arms are those at which the contacts were found
+    v = Vector::Zero(j.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const uint32_t b = slot_.body.first + points[i].body;
+      const Vec3 r = toolkit::vec(points[i].p_W) - toolkit::vec(saved.X_WB[b].p);
+      v.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+          toolkit::vec(world_.V_WB[b].v) + toolkit::vec(world_.V_WB[b].w).cross(r);
+    }
+    world_ = saved;
+    if (wrong.empty() && !v.allFinite()) wrong = "yield() leaves a speed that is not finite.";
+    return wrong;
+  }
+
+  std::string motion_after(const Points& points, const Answer& all) {
+    const auto n = static_cast<Eigen::Index>(3 * points.size());
+    const double size = all.W.cwiseAbs().maxCoeff();
+    // pushes that move a point by about a millimetre per second: nothing gives way for good at that
+    Vector j(n), without, with;
+    for (Eigen::Index i = 0; i < n; ++i) j[i] = 1e-3 / (size * static_cast<double>(n)) * random_.uniform(-1, 1);
+    if (std::string wrong = after(points, Vector::Zero(n), without); !wrong.empty()) return wrong;
+    if (std::string wrong = after(points, j, with); !wrong.empty()) return wrong;
+    const Vector change = all.W * j;
+    const double whole = change.cwiseAbs().maxCoeff(), off = (with - without - change).cwiseAbs().maxCoeff();
+    // tissue whose surface moves while its body stands says so; how that surface moves no table tells
+    if (slot_.surface != nullptr && (with - without).cwiseAbs().maxCoeff() < 1e-3 * whole) {
+      note_ = "Motion after impulses was not compared: its surface does not move with its bodies.";
+      return "";
+    }
+    if (off > kMotion * whole)
+      return format("After yield() the points do not move as v_free + W j says: %.3g m/s off, of a change of %.3g m/s.", off,
+                    whole);
+    const double slip = (without - all.v_free).cwiseAbs().maxCoeff();
+    if (slip > kMotion * std::max(all.v_free.cwiseAbs().maxCoeff(), whole))
+      return format("After yield() without impulses the points do not move as v_free says: %.3g m/s off.", slip);
+    return "";
+  }
+
+  // places on the surfaces that touch, three to a shape
+  Points surface_points() {
+    constexpr std::size_t kMost = 12;
+    Points out;
+    std::vector<uint32_t> shapes;
+    for (uint32_t i = 0; i < slot_.shape.count; ++i) {
+      const scene::Shape& s = world_.shape[slot_.shape.first + i];
+      if ((s.flags & SWAGE_SHAPE_COLLIDES) != 0 && world_.body[s.body].motion == SWAGE_MOTION_SELF) shapes.push_back(i);
+    }
+    for (std::size_t k = 0; k < kMost && !shapes.empty(); ++k) {
+      const uint32_t i = shapes[random_() % shapes.size()];
+      out.push_back(on(world_.shape[slot_.shape.first + i], i));
+    }
+    return out;
+  }
+
+  swage_contact_point on(const scene::Shape& s, uint32_t index) {
+    Vec3 out_S(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+    if (out_S.norm() < 0.1) out_S = Vec3::UnitX();
+    out_S.normalize();
+    Vec3 p_S = s.radius * out_S;
+    if (s.kind == SWAGE_SHAPE_CAPSULE || s.kind == SWAGE_SHAPE_CYLINDER) p_S.z() += s.half_length * random_.uniform(-1, 1);
+    if (s.kind == SWAGE_SHAPE_ARC) {
+      const double angle = s.sweep * random_.uniform();
+      p_S += s.arc_radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    }
+    if (s.kind == SWAGE_SHAPE_CONVEX) {
+      const auto& vertex = world_.convex[s.convex].vertex;
+      p_S = vertex[random_() % vertex.size()];
+      out_S = p_S.normalized();
+    }
+    if (s.kind == SWAGE_SHAPE_HEIGHT_FIELD) {
+      const scene::HeightFieldInfo& f = world_.field[s.field];
+      const uint32_t i = static_cast<uint32_t>(random_() % f.nx), j = static_cast<uint32_t>(random_() % f.ny);
+      p_S = {i * f.dx, j * f.dy, f.height[j * f.nx + i]};
+      out_S = Vec3::UnitZ();
+    }
+    const Pose X_WS = Pose(world_.X_WB[s.body]) * Pose(s.X_BS);
+    return {s.body - slot_.body.first, index, toolkit::raw(Vec3(X_WS * p_S)), toolkit::raw(Vec3(-(X_WS.q * out_S)))};
+  }
+
+  host::ObjectSlot& slot_;
+  scene::World& world_;
+  base::Xoshiro256 random_;
+  swage_object_step view_{};
+  swage_input input_{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
+  bool moves_ = false;
+  std::string note_;
+};
+
+std::string dents(Stepped& s, uint32_t object) {
+  const host::ObjectSlot& slot = s.rig->objects[object];
+  if (slot.dents == nullptr) return "";
+  scene::World& world = s.rig->world;
+  const swage_input input{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
+  const swage_object_step view =
+      scene::view(world, {slot.body, slot.particle, slot.shape, slot.hinge, slot.state, slot.signal}, &input);
+  for (const uint32_t room : {0u, 1u, 16u}) {
+    // one more than there is room for, to see whether it keeps within it
+    std::vector<swage_dent> out(room + 1, {{0, 0, 0}, {0, 0, 0}, -7});
+    uint32_t n = 0;
+    const host::ScopedRole rt(SWAGE_THREAD_RT);
+    host::guarded(*slot.instance, host::Call::kDents, world.step,
+                  [&] { return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n); });
+    if (slot.instance->quarantined.load() != 0) return host::quarantine_text(*slot.instance);
+    if (n > room || out[room].radius != -7) return format("dents() writes %u dents where there is room for %u.", n, room);
+    for (uint32_t i = 0; i < n; ++i)
+      if (!host::finite(&out[i].p_W.x, 7) || !(out[i].radius > 0)) return "dents() gives a dent that is no number, or no radius.";
+  }
+  return "";
+}
+
+// the defaults, and each value of each choice: levels of detail are choices
+std::vector<std::string> ways(const host::ParamTable& table) {
+  std::vector<std::string> out = {"{}"};
+  for (const host::Param& p : table)
+    if (p.type == SWAGE_PARAM_CHOICE)
+      for (const std::string& choice : p.choices) out.push_back(nlohmann::json{{p.id, choice}}.dump());
+  return out;
+}
+
+}  // namespace
+
+Finding solver(const TestScene& scene, uint64_t seed) {
+  bool moved = false, drawn = false;
+  std::string note;
+  for (const std::string& params : ways(scene.plugin().params)) {
+    Stepped s;
+    std::string error;
+    Wish wish;
+    wish.params = params;
+    if (!scene.make(wish, s, error)) continue;  // test "range" asks whether a refusal is told
+    const uint32_t subject = scene.subject(wish);
+    Solver solver(s, subject, seed);
+    drawn |= s.rig->objects[subject].dents != nullptr;
+    for (int round = 0; round < 5; ++round) {
+      std::string wrong = s.run(7);
+      if (wrong.empty()) wrong = dents(s, subject);
+      if (wrong.empty() && solver.moves()) wrong = solver.check();
+      if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : " Parameters: " + params)};
+    }
+    moved |= solver.moves();
+    if (!solver.note().empty()) note = solver.note();
+  }
+  if (!moved && !drawn) return {Mark::kSkipped, "It has no solver of its own."};
+  return {Mark::kSuccess, note};
+}
+
+}  // namespace swage::tools

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Traits with functions (abi/object.h): a coupling that has never heard of the object asks them for places on it.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "base/rng.hpp"
+#include "host/services.hpp"
+#include "scene/view.hpp"
+#include "tools/extension_tests.hpp"
+#include "tools/print.hpp"
+
+namespace swage::tools {
+namespace {
+
+using host::Finding;
+using host::Mark;
+
+bool is_unit(const swage_vec3& a) { return std::abs(std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z) - 1) < 1e-6; }
+double dot(const swage_vec3& a, const swage_vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+bool positive(double a) { return std::isfinite(a) && a > 0; }
+bool at_least_0(double a) { return a >= 0; }  // an infinite strength is a strength
+
+class Traits {
+ public:
+  Traits(Stepped& scene, uint32_t object, uint64_t seed)
+      : scene_(scene), slot_(scene.rig->objects[object]), random_(seed) {}
+
+  int asked() const { return asked_; }
+
+  std::string check() {
+    std::string wrong = graspable();
+    if (wrong.empty()) wrong = gripper();
+    if (wrong.empty()) wrong = piercing();
+    if (wrong.empty()) wrong = pierceable();
+    return wrong;
+  }
+
+ private:
+  const swage_object_step& view() {
+    view_ = scene::view(scene_.rig->world,
+                        {slot_.body, slot_.particle, slot_.shape, slot_.hinge, slot_.state, slot_.signal}, &input_);
+    return view_;
+  }
+  template <class T>
+  const T* table(const char* id) {
+    const auto* found = static_cast<const T*>(slot_.instance->extension(id));
+    asked_ += found != nullptr;
+    return found;
+  }
+  // asks twice: "" when both answers are the same bits and nobody is in quarantine
+  template <class T, class F>
+  std::string twice(const char* what, T& out, F&& f) {
+    T again{};
+    out = {};
+    const host::ScopedRole rt(SWAGE_THREAD_RT);
+    for (T* answer : {&out, &again}) {
+      host::guarded(*slot_.instance, host::Call::kResolve, scene_.rig->world.step, [&] { return f(answer); });
+      if (slot_.instance->quarantined.load() != 0) return std::string(what) + "(): " + host::quarantine_text(*slot_.instance);
+    }
+    if (std::memcmp(&out, &again, sizeof out) != 0) return std::string(what) + "() gives other bits when it is asked the same again.";
+    return "";
+  }
+  // near the object, and a metre off
+  swage_vec3 somewhere() {
+    const swage_vec3& p = scene_.rig->world.X_WB[slot_.body.first].p;
+    const double r = random_() % 4 == 0 ? 1.0 : 1e-2;
+    return {p.x + r * random_.uniform(-1, 1), p.y + r * random_.uniform(-1, 1), p.z + r * random_.uniform(-1, 1)};
+  }
+  static std::string told(const char* what, const char* wrong) { return std::string(what) + "() " + wrong; }
+
+  std::string graspable() {
+    const auto* t = table<swage_graspable>(SWAGE_TRAIT_GRASPABLE);
+    if (t == nullptr) return "";
+    if (t->locate == nullptr) return "The table of " SWAGE_TRAIT_GRASPABLE " has gaps.";
+    for (int i = 0; i < 200; ++i) {
+      const swage_vec3 p = somewhere();
+      swage_graspable_place place;
+      std::string wrong =
+          twice("locate", place, [&](auto* out) { return t->locate(slot_.instance->raw, &view(), p, out); });
+      if (!wrong.empty()) return wrong;
+      if (!(place.s >= 0 && place.s <= 1)) return told("locate", "gives a place s outside of 0 to 1.");
+      if (!positive(place.length)) return told("locate", "gives no length > 0 m.");
+      if (!is_unit(place.tangent_W) || !is_unit(place.normal_W) || std::abs(dot(place.tangent_W, place.normal_W)) > 1e-6)
+        return told("locate", "gives a tangent and a normal that are not unit and square to each other.");
+      if (!host::finite(&place.p_W.x, 3)) return told("locate", "gives a place that is no number.");
+    }
+    return "";
+  }
+
+  std::string gripper() {
+    const auto* t = table<swage_gripper>(SWAGE_TRAIT_GRIPPER);
+    if (t == nullptr) return "";
+    if (t->describe == nullptr) return "The table of " SWAGE_TRAIT_GRIPPER " has gaps.";
+    for (const double closure : {0.0, 0.5, 1.0}) {
+      input_.closure = closure;
+      swage_gripper_state g;
+      std::string wrong = twice("describe", g, [&](auto* out) { return t->describe(slot_.instance->raw, &view(), out); });
+      if (!wrong.empty()) return wrong;
+      if (g.left_body >= slot_.body.count || g.right_body >= slot_.body.count)
+        return told("describe", "names a jaw that it has not declared.");
+      if (!is_unit(g.axis_W) || !is_unit(g.closing_W)) return told("describe", "gives an axis that is not unit.");
+      if (!host::finite(&g.tip_W.x, 3) || !std::isfinite(g.opening) || !(g.closure >= 0 && g.closure <= 1))
+        return told("describe", "gives tips, an opening or a closure that are none.");
+    }
+    return "";
+  }
+
+  std::string piercing() {
+    const auto* t = table<swage_piercing>(SWAGE_TRAIT_PIERCING);
+    if (t == nullptr) return "";
+    if (t->place == nullptr || t->nearest == nullptr) return "The table of " SWAGE_TRAIT_PIERCING " has gaps.";
+    for (int i = 0; i < 200; ++i) {
+      const double s = random_.uniform(-0.5, 1.5);
+      const swage_vec3 p = somewhere();
+      swage_piercing_place place[2];
+      std::string wrong =
+          twice("place", place[0], [&](auto* out) { return t->place(slot_.instance->raw, &view(), s, out); });
+      if (wrong.empty())
+        wrong = twice("nearest", place[1], [&](auto* out) { return t->nearest(slot_.instance->raw, &view(), p, out); });
+      if (!wrong.empty()) return wrong;
+      for (const swage_piercing_place& at : place) {
+        const char* who = &at == place ? "place" : "nearest";
+        if (!(at.s >= 0 && at.s <= 1)) return told(who, "gives a place s outside of 0 to 1.");
+        if (!positive(at.length) || !positive(at.radius)) return told(who, "gives no length and radius > 0 m.");
+        if (!is_unit(at.tangent_W) || !host::finite(&at.p_W.x, 3)) return told(who, "gives a tangent that is not unit.");
+        if (at.body >= slot_.body.count) return told(who, "names a body that it has not declared.");
+      }
+    }
+    return "";
+  }
+
+  std::string pierceable() {
+    const auto* t = table<swage_pierceable>(SWAGE_TRAIT_PIERCEABLE);
+    if (t == nullptr) return "";
+    if (t->law == nullptr || t->locate == nullptr) return "The table of " SWAGE_TRAIT_PIERCEABLE " has gaps.";
+    swage_pierceable_law law;
+    if (std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); }); !wrong.empty())
+      return wrong;
+    for (const double x : {law.stiffness, law.stiffening, law.friction, law.puncture_force, law.cutting_force, law.drag,
+                           law.side_stiffness, law.failure_stress})
+      if (!at_least_0(x)) return told("law", "gives a property that is negative or no number.");
+    for (int i = 0; i < 200; ++i) {
+      const swage_vec3 p = somewhere();
+      swage_pierceable_place place;
+      std::string wrong =
+          twice("locate", place, [&](auto* out) { return t->locate(slot_.instance->raw, &view(), p, out); });
+      if (!wrong.empty()) return wrong;
+      const double at[] = {place.depth, place.beyond, place.edge, place.p_W.x, place.p_W.y, place.p_W.z};
+      for (const double x : at)
+        if (std::isnan(x)) return told("locate", "gives a place that is no number.");
+      if (!is_unit(place.normal_W)) return told("locate", "gives a normal that is not unit.");
+      if (place.body >= slot_.body.count) return told("locate", "names a body that it has not declared.");
+    }
+    return "";
+  }
+
+  Stepped& scene_;
+  host::ObjectSlot& slot_;
+  base::Xoshiro256 random_;
+  swage_object_step view_{};
+  swage_input input_{{{0, 0, 0}, {1, 0, 0, 0}}, 0, 0, 0, 0};
+  int asked_ = 0;
+};
+
+}  // namespace
+
+Finding traits(const TestScene& scene, uint64_t seed) {
+  Stepped s;
+  std::string error;
+  if (!scene.make({}, s, error)) return {Mark::kFailed, error};
+  if (std::string wrong = s.run(10); !wrong.empty()) return {Mark::kFailed, wrong};
+  Traits traits(s, scene.subject({}), seed);
+  if (std::string wrong = traits.check(); !wrong.empty()) return {Mark::kFailed, wrong};
+  return traits.asked() > 0 ? Finding{} : Finding{Mark::kSkipped, "Its traits have no functions."};
+}
+
+}  // namespace swage::tools
