@@ -35,13 +35,13 @@ inline GraspSignals find_grasp(const Scene& scene, Binder& binder, const std::st
   const auto signal = [&](const char* id) {
     const Signal found = scene.find_signal(owner, id);
     if (!found.valid())
-      binder.error("\"" + owner + "\" has no signal \"" + id + "\", which this lesson watches");
+      binder.missing(scene, "signal", owner, id, "which this lesson watches");
     return found;
   };
   const auto event = [&](const char* id) {
     const Event found = scene.find_event(owner, id);
     if (!found.valid())
-      binder.error("\"" + owner + "\" has no event \"" + id + "\", which this lesson watches");
+      binder.missing(scene, "event", owner, id, "which this lesson watches");
     return found;
   };
   return {signal("grasp.held"),      signal("grasp.force"),     signal("grasp.s"),

@@ -72,7 +72,7 @@ class Look final : public Lesson<LookParams> {
     for (Measure& m : measures_) {
       m.signal = scene.find_signal(m.owner, m.id);
       if (!m.signal.valid()) {
-        binder.error("\"" + m.owner + "\" has no signal \"" + m.id + "\", which \"measures\" names");
+        binder.missing(scene, "signal", m.owner, m.id, "which \"measures\" names");
       } else if (view(scene->signal[m.signal].unit) != m.unit) {
         binder.error("\"" + m.id + "\" is told in " + std::string(view(scene->signal[m.signal].unit)) +
                      ", not in " + m.unit + " as \"measures\" says");

@@ -58,6 +58,19 @@ class Binder {
   Mark mark_point(swage_vec3 p_W, double radius, std::string_view meaning) {
     return add({SWAGE_MARK_POINT, kNone, str(meaning), {radius, 0}, p_W});
   }
+  /// A sentence for a signal or event that `owner` does not offer: what it offers instead. [main]
+  void missing(const Scene& scene, std::string_view what, std::string_view owner, std::string_view id, std::string_view why) {
+    const bool event = what == "event";
+    std::string text = "\"" + std::string(owner) + "\" has no " + std::string(what) + " \"" + std::string(id) + "\"";
+    if (!why.empty()) text += ", " + std::string(why);
+    std::string there;
+    const auto add = [&](const swage_str& of, const swage_str& one) {
+      if (view(of) == owner) there += (there.empty() ? "" : ", ") + std::string(view(one));
+    };
+    for (uint32_t i = 0; !event && i < scene->n_signal; ++i) add(scene->signal[i].owner, scene->signal[i].id);
+    for (uint32_t i = 0; event && i < scene->n_event; ++i) add(scene->event[i].owner, scene->event[i].id);
+    error(text + ". It has: " + (there.empty() ? "none" : there));
+  }
   /// Something that the lesson needs is not there; several may be told, bind then fails.
   void error(const std::string& message) {
     raw_->error(raw_, message.c_str());

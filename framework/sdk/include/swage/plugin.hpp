@@ -186,6 +186,13 @@ struct Library {
 /// Folder of the bundle, for the plugin's own resources; known once the library is loaded. [main]
 inline const std::string& bundle_dir() { return detail::bundle(); }
 
+/// The object of class T behind an instance, for the functions of a table of your own (Instance::extension). Only for instances of T,
+/// from configure() on. [any]
+template <class T>
+T& self(swage_instance* instance) {
+  return *detail::Holder<T>::of(instance).plugin;
+}
+
 /// What SWAGE_EXPORT exports; tests may make one without a library.
 template <class... Plugins>
 constexpr swage_entry make_entry() {
