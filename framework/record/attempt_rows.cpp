@@ -2,6 +2,7 @@
 #include "record/attempt_rows.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -85,7 +86,7 @@ std::vector<judge::Name> names_from(const json& list) {
   return out;
 }
 
-std::string health_json(const snapshot::LoopHealth& h) {
+std::string health_json(const snapshot::LoopHealth& h, double forces_off_s) {
   json out = {{"executed", h.executed},
               {"late", h.late},
               {"overrun", h.overrun},
@@ -94,7 +95,8 @@ std::string health_json(const snapshot::LoopHealth& h) {
               {"worst_step_s", h.worst_step_s},
               {"mean_step_cpu_s", h.mean_step_cpu_s},
               {"realtime", h.realtime},
-              {"quarantined", h.quarantined}};
+              {"quarantined", h.quarantined},
+              {"forces_off_s", forces_off_s}};
   for (const auto& field : base::kSolverHealthFields) out["solver"][field.id] = h.solver.*field.count;
   out["solver"]["steps"] = h.solver.steps;
   out["phase_s"] = json::array();
@@ -196,7 +198,25 @@ Batch end_rows(const std::string& attempt_id, const AttemptInfo& info, const Att
   out.push_back({Kind::kEnd,
                  {utc_now(), std::string(aborted ? "aborted" : "complete"), std::string(judge::text(outcome)),
                   end.reason, end.score, end.simulated_s, int64_t{end.is_void}, static_cast<int64_t>(dropped),
-                  health_json(end.health), attempt_id}});
+                  health_json(end.health, end.forces_off_s), attempt_id}});
+  return out;
+}
+
+// one step in twenty left out is noticed by nobody
+std::string remark(const std::string& loop_health, bool realtime, int64_t steps_missing) {
+  constexpr double kSlow = 0.95;
+  std::string out;
+  const auto add = [&](const char* form, double number) {
+    char text[96];
+    std::snprintf(text, sizeof text, form, number);
+    out += (out.empty() ? "" : ", ") + std::string(text);
+  };
+  parse(loop_health, [&](const json& h) {
+    const double made = h.value("executed", 0.0), lost = h.value("dropped", 0.0);
+    if (realtime && lost > 0 && made / (made + lost) < kSlow) add("at %.0f %% of real speed", 1e2 * made / (made + lost));
+    if (const double off = h.value("forces_off_s", 0.0); off > 0) add("no forces for %.1f s", off);
+  });
+  if (steps_missing > 0) add("%.0f steps not recorded", static_cast<double>(steps_missing));
   return out;
 }
 
@@ -247,6 +267,19 @@ bool from_json(const std::string& text, std::vector<std::pair<std::string, std::
   return parse(text, [&](const json& j) {
     plugins.clear();
     for (const json& p : j) plugins.emplace_back(p.at("id"), p.at("version"));
+  });
+}
+
+std::string metrics_json(const std::vector<MetricValue>& metrics) {
+  json out = json::array();
+  for (const MetricValue& m : metrics) out.push_back({{"id", m.id}, {"unit", m.unit}, {"value", m.value}});
+  return out.dump();
+}
+
+bool metrics_from_json(const std::string& text, std::vector<MetricValue>& metrics) {
+  return parse(text, [&](const json& j) {
+    metrics.clear();
+    for (const json& m : j) metrics.push_back({m.at("id"), m.at("unit"), m.at("value").get<double>()});
   });
 }
 

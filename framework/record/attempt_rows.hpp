@@ -10,6 +10,7 @@
 
 #include "record/recorder.hpp"
 #include "record/sql.hpp"
+#include "record/store.hpp"
 
 namespace swage::record {
 
@@ -48,11 +49,16 @@ Batch attempt_rows(const std::string& attempt_id, const AttemptInfo&);
 /// Metrics and the end of the attempt.
 Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);
 
+/// What a person should know before believing the numbers of an attempt, from its columns; "" when all was as it should be.
+std::string remark(const std::string& loop_health, bool realtime, int64_t steps_missing);
+
 // The parts of an attempt row that are JSON text.
 std::string to_json(const judge::Script&);
 bool from_json(const std::string& text, judge::Script&);
 std::string to_json(const std::vector<std::pair<std::string, std::string>>& plugins);
 bool from_json(const std::string& text, std::vector<std::pair<std::string, std::string>>& plugins);
+std::string metrics_json(const std::vector<MetricValue>& metrics);
+bool metrics_from_json(const std::string& text, std::vector<MetricValue>& metrics);
 std::string to_json(const std::vector<std::string>& names);
 bool from_json(const std::string& text, std::vector<std::string>& names);
 

@@ -26,8 +26,8 @@ inline constexpr std::size_t kHashWords = 2, kCommandWords = sizeof(CommandRecor
 // 250 steps = 250 ms at 1 kHz: what killing the program may lose. Shorter chunks compress worse and commit
 // more often.
 inline constexpr std::size_t kChunkSteps = 250;
-// a chunk that claims more rows than this was not written by us
-inline constexpr int64_t kMaxChunkRows = 1 << 16;
+// a chunk that claims more rows than this was not written by us: 250 steps, or as many commands as the step's ring holds
+inline constexpr int64_t kMaxChunkRows = 4096;
 
 /// Steps whose chunks are in a batch.
 uint64_t steps_in(const Batch&);

@@ -4,12 +4,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace swage::record {
 
 /// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, then random bits; text order is order of making.
 /// [any]
 std::string make_id();
+
+/// Whether a text has the form of such an identifier. [any]
+bool is_id(std::string_view text);
 
 /// Now as "2025-06-01T09:30:00.125Z". [any]
 std::string utc_now();

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -33,13 +34,17 @@ constexpr uint64_t kReserve = 8u << 20;
 std::string prefix(const std::string& store) {
   if (is_postgres(store)) {
     char name[32];
-    std::snprintf(name, sizeof name, "server-%016llx-", static_cast<unsigned long long>(base::hash(store)));
+    const std::string who = shown(store);
+    std::snprintf(name, sizeof name, "server-%016llx-", static_cast<unsigned long long>(base::hash(who)));
     return (fs::path(Store::default_path()).parent_path() / name).string();
   }
   std::error_code code;
   const fs::path whole = fs::weakly_canonical(fs::absolute(store, code), code);
   return (code ? store : whole.string()) + "-";
 }
+
+// A frame is a quarter of a second, some ten kB, or the head of an attempt with its files, 16 MiB at most.
+constexpr uint32_t kMostFrame = 64u << 20;
 
 void put(Blob& out, const void* data, std::size_t size) {
   const auto* from = static_cast<const uint8_t*>(data);
@@ -140,8 +145,9 @@ bool write_all(int file, const Blob& data, uint64_t offset) {
 
 std::unique_ptr<Journal> Journal::create(const std::string& store, const std::string& attempt_id) {
   const std::string path = prefix(store) + attempt_id + std::string(kEnding);
+  // the first attempt of a user finds no folder yet
   std::error_code code;
-  if (is_postgres(store) && fs::create_directories(fs::path(path).parent_path(), code))
+  if (fs::create_directories(fs::path(path).parent_path(), code))
     fs::permissions(fs::path(path).parent_path(), fs::perms::owner_all, code);
 
   // locked before it has its name, so that nobody can take it for a dead program's
@@ -167,6 +173,12 @@ Journal::~Journal() {
   close(file_);
 }
 
+bool Journal::is_whole() const {
+  struct stat mine {}, named {};
+  return fstat(file_, &mine) == 0 && stat(path_.c_str(), &named) == 0 && mine.st_ino == named.st_ino &&
+         mine.st_dev == named.st_dev && static_cast<uint64_t>(mine.st_size) >= size_;
+}
+
 void Journal::remove() { unlink(path_.c_str()); }
 
 bool Journal::append(const Batch& batch) {
@@ -187,6 +199,7 @@ bool Journal::append(const Batch& batch) {
 }
 
 bool is_recording(const std::string& store, const std::string& attempt_id) {
+  if (attempt_id.find('/') != std::string::npos) return false;  // no name of ours: nothing is looked for elsewhere
   const std::string path = prefix(store) + attempt_id + std::string(kEnding);
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -196,22 +209,29 @@ bool is_recording(const std::string& store, const std::string& attempt_id) {
 }
 
 bool merge_journal(Database& db, const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const Blob bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  Reader in(bytes.data(), bytes.size());
+  std::error_code code;
+  if (!fs::is_regular_file(path, code)) return false;
+  uint64_t left = fs::file_size(path, code);
+  std::ifstream in(path, std::ios::binary);
+  const auto take_from = [&](void* to, std::size_t size) {
+    if (left < size || !in.read(static_cast<char*>(to), static_cast<std::streamsize>(size))) return false;
+    left -= size;
+    return true;
+  };
   char magic[8] = {};
-  if (!in.take(magic) || std::memcmp(magic, kMagic, sizeof magic) != 0)
+  if (!take_from(magic, sizeof magic) || std::memcmp(magic, kMagic, sizeof magic) != 0)
     return true;  // nothing was ever written
   for (;;) {
     uint32_t size = 0, crc = 0;
-    if (!in.take(size) || !in.take(crc) || size == 0) return true;
-    const auto left = static_cast<std::size_t>(bytes.data() + bytes.size() - in.here());
-    if (left < size || crc32c(in.here(), size) != crc) return true;  // torn: what follows never was whole
+    if (!take_from(&size, sizeof size) || !take_from(&crc, sizeof crc) || size == 0) return true;
+    // torn: what follows never was whole
+    if (size > left || size > kMostFrame) return true;
+    Blob frame(size);
+    if (!take_from(frame.data(), size) || crc32c(frame.data(), size) != crc) return true;
     Batch batch;
-    Reader rows(in.here(), size);
+    Reader rows(frame.data(), size);
     if (!take(rows, batch)) return true;
     if (!write_batch(db, batch)) return false;
-    in = Reader(in.here() + size, left - size);
   }
 }
 
@@ -222,7 +242,8 @@ int merge_journals(Database& db, const std::string& store) {
   for (const fs::directory_entry& entry : fs::directory_iterator(first.parent_path(), code)) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with(first.filename().string()) || !name.ends_with(kEnding)) continue;
-    const int file = ::open(entry.path().c_str(), O_RDWR | O_CLOEXEC);
+    if (!entry.is_regular_file(code)) continue;
+    const int file = ::open(entry.path().c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
     if (file < 0) continue;
     // locked: its program lives and will see to it
     if (flock(file, LOCK_EX | LOCK_NB) == 0 && merge_journal(db, entry.path().string())) {

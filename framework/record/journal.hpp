@@ -23,6 +23,8 @@ class Journal {
 
   bool append(const Batch&);  // false when this too is full
   bool empty() const { return size_ == 0; }
+  /// Whether the file of this name still is the one that was written, as long as what was written.
+  bool is_whole() const;
   const std::string& path() const { return path_; }
   void remove();  // its rows have reached the store
 

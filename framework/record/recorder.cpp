@@ -20,6 +20,7 @@
 #include "record/identity.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
+#include "record/seal.hpp"
 #include "record/store.hpp"
 
 namespace swage::record {
@@ -85,6 +86,7 @@ class FileRecorder final : public Recorder {
     end_thread();
   }
 
+  Kept kept() const override { return kept_; }
   std::string attempt_id() const override { return id_; }
   uint64_t dropped() const override { return dropped_.load(std::memory_order_relaxed); }
   bool healthy() const override { return healthy_.load(std::memory_order_relaxed); }
@@ -119,7 +121,12 @@ class FileRecorder final : public Recorder {
 
   void tell(base::Severity severity, const std::string& message) {
     const std::lock_guard lock(mutex_);
-    problems_.push_back({severity, "record " + store_, message});
+    problems_.push_back({severity, std::string(kRecordPlace) + shown(store_), message});
+  }
+
+  // what may be over by the end of the attempt; anything else is for a person to decide
+  static bool may_go_on_without(Trouble why) {
+    return why == Trouble::kLocked || why == Trouble::kFull || why == Trouble::kUnreachable;
   }
 
   // --- writer thread
@@ -146,8 +153,8 @@ class FileRecorder final : public Recorder {
     Trouble why = Trouble::kNone;
     db_ = open_store(store_, error, &why);
     if (!db_) {
-      if ((why == Trouble::kLocked || why == Trouble::kFull) && fall_back(why, error)) return true;
-      tell(base::Severity::kError, error);
+      if (may_go_on_without(why)) return fall_back(why, error);
+      tell(base::Severity::kError, error + " With --store :none: the lesson runs all the same, and nothing is kept.");
       return false;
     }
     merge_journals(*db_, store_);
@@ -168,6 +175,7 @@ class FileRecorder final : public Recorder {
     if (was_empty) oldest_ = Clock::now();
     while (steps_.try_pop(record_)) {
       buffer_.add(record_);
+      ++taken_;
       if (buffer_.steps() < kChunkSteps) continue;
       commit();
       oldest_ = Clock::now();
@@ -190,27 +198,39 @@ class FileRecorder final : public Recorder {
              "that disk.");
   }
 
-  // from here on the rest of the attempt goes beside the store, its head repeated so that the file stands
-  // alone
-  bool fall_back(Trouble why, const std::string& error) {
+  std::string reason(Trouble why, const std::string& error) const {
+    switch (why) {
+      case Trouble::kLocked:
+        return "is locked by another program";
+      case Trouble::kFull:
+        return "cannot grow: the disk is full, or files may not be that large (ulimit -f)";
+      case Trouble::kUnreachable:
+        return "does not answer (" + (error.ends_with('.') ? error.substr(0, error.size() - 1) : error) + ")";
+      default:
+        return "cannot be written (" + error + ")";
+    }
+  }
+
+  // From here on the rest of the attempt goes beside the store, its head repeated so that the file stands alone. The words of the
+  // failure are taken by value: those of the connection end with it.
+  bool fall_back(Trouble why, const std::string error) {
     db_.reset();
     healthy_.store(false, std::memory_order_relaxed);
-    const std::string reason = why == Trouble::kLocked ? "is locked by another program"
-                               : why == Trouble::kFull ? "cannot grow: the disk is full"
-                                                       : "cannot be written (" + error + ")";
+    const std::string what = "The store " + reason(why, error);
     if (!journal_ || !journal_->append(attempt_rows(id_, info_))) {
       tell(base::Severity::kError,
-           "The store " + reason +
+           what +
                ", and no file can be written beside it: from here on nothing of this attempt "
                "is kept. Free space there or choose another store.");
       journal_.reset();
       return false;
     }
     tell(base::Severity::kWarning,
-         "The store " + reason + ". The attempt goes on and is kept in " + journal_->path() +
+         what + ". The attempt goes on and is kept in " + journal_->path() +
              "; it is merged when the store is next opened." +
-             (why == Trouble::kFull ? " Free space on that disk now: the file has room for a minute or two."
-                                    : ""));
+             (why == Trouble::kFull      ? " Free space on that disk now: the file has room for a minute or two."
+              : why == Trouble::kDamaged ? remedy(store_, why)
+                                         : ""));
     return true;
   }
 
@@ -236,10 +256,14 @@ class FileRecorder final : public Recorder {
     }
     keep(end, true);
     settle();
+    if (finished_) look_back();
+    db_.reset();
+    journal_.reset();
   }
 
   void settle() {
     if (db_) {
+      if (finished_) seal_attempt(*db_, id_);
       if (!db_->on_postgres()) {
         // a reader may keep the log from being emptied; nothing is lost then, so do not wait long
         db_->run("PRAGMA busy_timeout = 200");
@@ -248,14 +272,39 @@ class FileRecorder final : public Recorder {
     } else if (journal_ && finished_) {
       // perhaps the other program has gone meanwhile
       std::string error;
-      const std::unique_ptr<Database> again = open_store(store_, error);
+      std::unique_ptr<Database> again = open_store(store_, error);
       if (again && merge_journal(*again, journal_->path())) {
         journal_->remove();
+        seal_attempt(*again, id_);
+        db_ = std::move(again);
         tell(base::Severity::kNote, "The store can be written again: the attempt has been merged into it.");
       }
     }
+  }
+
+  // What is said about the attempt is what another program would find.
+  void look_back() {
+    kept_.missing_steps = std::max(dropped(), buffer_.steps_lost_in_gaps());
+    std::string error;
     db_.reset();
-    journal_.reset();
+    if (journal_ && !journal_->empty() && journal_->is_whole()) {
+      kept_.where = Kept::Where::kBeside;
+      kept_.file = journal_->path();
+    } else if (const std::unique_ptr<Database> store = open_for_reading(store_, error)) {
+      const std::vector<Row> ended =
+          store->rows("SELECT state FROM attempt WHERE attempt_id = ? AND state <> 'running'", {id_});
+      if (!ended.empty()) kept_.where = Kept::Where::kStore;
+      const std::vector<Row> steps = store->rows(
+          "SELECT COALESCE(SUM(n), 0) FROM chunk WHERE attempt_id = ? AND stream = ?", {id_, std::string(kHashStream)});
+      const auto there = steps.empty() ? 0 : static_cast<uint64_t>(real(steps[0][0]));
+      kept_.missing_steps = std::max(kept_.missing_steps, taken_ - std::min(taken_, there));
+    }
+    if (kept_.where == Kept::Where::kNowhere)
+      tell(base::Severity::kError, "This attempt is not kept. " + error);
+    else if (kept_.missing_steps > 0)
+      tell(base::Severity::kWarning,
+           std::to_string(kept_.missing_steps) +
+               " steps of this attempt could not be kept: it can be replayed up to the first of them only.");
   }
 
   const std::string store_, id_;
@@ -273,12 +322,14 @@ class FileRecorder final : public Recorder {
   base::Problems problems_;
 
   std::promise<bool> opened_;
+  Kept kept_;
   AttemptEnd end_;                             // handed over by joining
   bool finished_ = false, discarded_ = false;  // set before stop_
 
   // the writer's own
   ChunkBuffer buffer_;
   StepRecord record_{};
+  uint64_t taken_ = 0;  // steps out of the ring
   Clock::time_point oldest_{};
   std::unique_ptr<Database> db_;
   std::unique_ptr<Journal> journal_;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,12 +78,24 @@ struct AttemptEnd {
   bool is_void = false;
   std::vector<double> metric;  // in the order of script.metrics, NaN: not reported
   snapshot::LoopHealth health;
+  double forces_off_s = 0;  // s in which a force guard stood switched off
 };
+
+/// What has become of an attempt that was finished; read back from the disk, not remembered.
+struct Kept {
+  enum class Where : uint8_t { kNowhere, kBeside, kStore };
+  Where where = Where::kNowhere;
+  std::string file;           // kBeside: the journal that the store takes in when it is next opened
+  uint64_t missing_steps = 0;  // a replay ends at the first of them
+};
+
+/// Problems about the record begin their place with this word.
+inline constexpr std::string_view kRecordPlace = "record ";
 
 class Recorder {
  public:
   /// Opens the store, writes the attempt as "running" and starts the writer thread. [main]
-  /// A locked store or a full disk falls back to a journal file beside it and says so in `problems`.
+  /// A locked store, a full disk or a server that does not answer falls back to a journal file and says so in `problems`.
   static std::unique_ptr<Recorder> open(const std::string& store_path, const AttemptInfo&,
                                         base::Problems& problems);
   virtual ~Recorder() = default;
@@ -93,6 +106,7 @@ class Recorder {
   virtual void command(const CommandRecord&) noexcept = 0;        // [rt] wait-free
   virtual void note(uint64_t step, const std::string& text) = 0;  // [main] what a person says about a moment
   virtual void finish(const AttemptEnd&) = 0;  // [main] flushes, checkpoints, joins the writer
+  virtual Kept kept() const = 0;               // [main] once finished
   virtual void discard() = 0;                  // [main] instead: there was no attempt, nothing is kept
   virtual std::string attempt_id() const = 0;  // [any]
   virtual uint64_t dropped() const = 0;        // [any] records lost: ring or disk full
@@ -101,7 +115,7 @@ class Recorder {
 };
 
 /// Everything of a recorded attempt that replaying needs, read back. Columns, because a quarter of an hour
-/// has 900 000 steps.
+/// has 900 000 steps. At most 900 MB of them are read: an hour of one hand.
 struct Recording {
   AttemptInfo info;
   std::vector<uint64_t> step, hash;  // one each per recorded step; a jump in `step` is a gap
@@ -115,5 +129,8 @@ struct Recording {
 /// ""). [main]
 bool read_recording(const std::string& store_or_file, const std::string& attempt_id, Recording&,
                     std::string& error);
+
+/// The same with nothing kept: false with a sentence when it could not be read. Needs little memory, however long it is. [main]
+bool check_recording(const std::string& store_or_file, const std::string& attempt_id, std::string& error);
 
 }  // namespace swage::record

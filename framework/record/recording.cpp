@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstring>
 
 #include "record/chunk_buffer.hpp"
@@ -10,20 +11,27 @@
 namespace swage::record {
 namespace {
 
-// the chunks of one stream, unpacked one behind the other
-template <class Word>
+// Bytes of columns that are read into memory, so that a small file cannot fill it: an hour of one hand and twenty signals.
+constexpr uint64_t kMostBytes = 900'000'000;
+// No text that Swage writes is longer, the lesson with its scene and the names of the script included; blobs are files of up to
+// 16 MiB or chunks of some kB.
+constexpr int64_t kMostText = 8 << 20, kMostBlob = 32 << 20;
+
+// The chunks of one stream, unpacked one after the other, each handed on: sink(words, rows).
+template <class Word, class Sink>
 bool read_stream(Database& db, const std::string& id, const char* stream, std::size_t columns,
-                 std::vector<Word>& table, std::string& error) {
+                 std::string& error, const Sink& sink) {
   int64_t expected = 0;
   bool ok = true;
+  std::vector<Word> table;
   const auto visit = [&](const Row& r) {
     const int64_t n = integer(r[1]);
     ok = integer(r[0]) == expected++ && n > 0 && n <= kMaxChunkRows;
     if (!ok) return false;
-    const std::size_t first = table.size(), rows = static_cast<std::size_t>(n);
-    table.resize(first + rows * columns);
-    ok = unpack(integer(r[2]), static_cast<uint32_t>(integer(r[3])), blob(r[4]), table.data() + first, rows,
-                columns);
+    const std::size_t rows = static_cast<std::size_t>(n);
+    table.resize(rows * columns);
+    ok = unpack(integer(r[2]), static_cast<uint32_t>(integer(r[3])), blob(r[4]), table.data(), rows, columns);
+    if (ok) ok = sink(table.data(), rows);
     return ok;
   };
   const bool read =
@@ -32,10 +40,33 @@ bool read_stream(Database& db, const std::string& id, const char* stream, std::s
                           " stream = ? ORDER BY seq",
                           {id, std::string(stream)}, visit);
   if (read && ok) return true;
+  if (!error.empty()) return false;
   error = "The recording of attempt " + id + " is damaged: chunk " + std::to_string(expected - 1) +
           " of stream \"" + stream + "\" " +
           (read ? "does not fit its checksum." : "cannot be read: " + db.error() + ".");
   return false;
+}
+
+// Before a column is taken into memory.
+bool has_no_giants(Database& db, const std::string& id, std::string& error) {
+  if (db.on_postgres()) return true;
+  for (const char* table : {"attempt", "metric", "event", "chunk", "hand", "file"}) {
+    std::string where;
+    for (const Row& column : db.rows("SELECT name FROM pragma_table_info('" + std::string(table) + "')")) {
+      const bool is_blob = text(column[0]) == "data";
+      where += std::string(where.empty() ? "" : " OR ") + "LENGTH(" + text(column[0]) + ") > " +
+               std::to_string(is_blob ? kMostBlob : kMostText);
+    }
+    if (where.empty()) continue;  // of a later version of the tables
+    const std::vector<Row> found = db.rows(
+        "SELECT 1 FROM " + std::string(table) + " WHERE attempt_id = ? AND (" + where + ") LIMIT 1", {id});
+    if (db.trouble() == Trouble::kNone && found.empty()) continue;
+    error = db.trouble() != Trouble::kNone
+                ? "Attempt " + id + " cannot be read: " + db.error() + "."
+                : "Attempt " + id + " is damaged: its table \"" + table + "\" holds more than Swage ever writes.";
+    return false;
+  }
+  return true;
 }
 
 bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::string& error) {
@@ -90,33 +121,78 @@ bool read_luggage(Database& db, const std::string& id, AttemptInfo& info, std::s
   return false;
 }
 
-bool read_streams(Database& db, const std::string& id, Recording& out, std::string& error) {
+// What the chunks say they hold is asked before any is unpacked, and what they may hold is theirs at once: a vector that grows holds
+// twice what it has.
+bool make_room(Database& db, const std::string& id, Recording& out, std::string& error) {
+  const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
+  const auto rows_of = [&](const char* stream) {
+    const std::vector<Row> rows = db.rows(
+        "SELECT COALESCE(SUM(n), 0) FROM chunk WHERE attempt_id = ? AND stream = ? AND n > 0", {id, std::string(stream)});
+    return rows.empty() ? 0.0 : std::max(0.0, real(rows[0][0]));
+  };
+  const double hashes = rows_of(kHashStream), inputs = rows_of(kInputStream) * static_cast<double>(devices),
+               traces = rows_of(kSignalStream) * static_cast<double>(signals), commands = rows_of(kCommandStream);
+  const double bytes = hashes * 16 + inputs * sizeof(swage_sample) + traces * sizeof(float) +
+                       commands * sizeof(CommandRecord);
+  if (!(bytes <= static_cast<double>(kMostBytes))) {
+    error = "Attempt " + id + " is too long to be opened: it has more than " +
+            std::to_string(kMostBytes / 1'000'000) + " MB of samples and signals.";
+    return false;
+  }
+  out.step.reserve(static_cast<std::size_t>(hashes));
+  out.hash.reserve(static_cast<std::size_t>(hashes));
+  out.sample.reserve(static_cast<std::size_t>(inputs));
+  out.signal.reserve(static_cast<std::size_t>(traces));
+  out.commands.reserve(static_cast<std::size_t>(commands));
+  return true;
+}
+
+// The streams of an attempt side by side. With `keep` they are put into `out`; without, they are only looked through.
+bool read_streams(Database& db, const std::string& id, Recording& out, bool keep, std::string& error) {
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   if (devices > snapshot::kMaxDevices || signals > snapshot::kMaxSignals) {
     error = "Attempt " + id + " claims more devices or signals than a scene can have.";
     return false;
   }
-  std::vector<uint64_t> hash, input, command;
-  if (!read_stream(db, id, kHashStream, kHashWords, hash, error) ||
-      !read_stream(db, id, kInputStream, devices * kSampleWords, input, error) ||
-      !read_stream(db, id, kSignalStream, signals, out.signal, error) ||
-      !read_stream(db, id, kCommandStream, kCommandWords, command, error))
+  uint64_t steps = 0, input_rows = 0, signal_rows = 0;
+  if (keep && !make_room(db, id, out, error)) return false;
+  const auto hashes = [&](const uint64_t* words, std::size_t rows) {
+    steps += rows;
+    for (std::size_t i = 0; keep && i < rows; ++i) {
+      out.step.push_back(words[kHashWords * i]);
+      out.hash.push_back(words[kHashWords * i + 1]);
+    }
+    return true;
+  };
+  const auto samples = [&](const uint64_t* words, std::size_t rows) {
+    input_rows += rows;
+    const std::size_t first = out.sample.size(), size = rows * devices * sizeof(swage_sample);
+    if (keep) {
+      out.sample.resize(first + rows * devices);
+      std::memcpy(&out.sample[first], words, size);
+    }
+    return true;
+  };
+  const auto traces = [&](const float* values, std::size_t rows) {
+    signal_rows += rows;
+    if (keep) out.signal.insert(out.signal.end(), values, values + rows * signals);
+    return true;
+  };
+  const auto commands = [&](const uint64_t* words, std::size_t rows) {
+    const std::size_t first = out.commands.size();
+    if (!keep) return true;
+    out.commands.resize(first + rows);
+    std::memcpy(static_cast<void*>(&out.commands[first]), words, rows * sizeof(CommandRecord));
+    return true;
+  };
+  if (!read_stream<uint64_t>(db, id, kHashStream, kHashWords, error, hashes) ||
+      !read_stream<uint64_t>(db, id, kInputStream, devices * kSampleWords, error, samples) ||
+      !read_stream<float>(db, id, kSignalStream, signals, error, traces) ||
+      !read_stream<uint64_t>(db, id, kCommandStream, kCommandWords, error, commands))
     return false;
-  const std::size_t steps = hash.size() / kHashWords;
-  if (input.size() != steps * devices * kSampleWords || out.signal.size() != steps * signals) {
-    error = "The recording of attempt " + id + " is damaged: its streams are not equally long.";
-    return false;
-  }
-  for (std::size_t i = 0; i < steps; ++i) {
-    out.step.push_back(hash[kHashWords * i]);
-    out.hash.push_back(hash[kHashWords * i + 1]);
-  }
-  out.sample.resize(steps * devices);
-  if (!input.empty()) std::memcpy(out.sample.data(), input.data(), input.size() * sizeof(uint64_t));
-  out.commands.resize(command.size() / kCommandWords);
-  if (!command.empty())
-    std::memcpy(static_cast<void*>(out.commands.data()), command.data(), command.size() * sizeof(uint64_t));
-  return true;
+  if (input_rows == (devices > 0 ? steps : 0) && signal_rows == (signals > 0 ? steps : 0)) return true;
+  error = "The recording of attempt " + id + " is damaged: its streams are not equally long.";
+  return false;
 }
 
 bool read_events(Database& db, const std::string& id, Recording& out, std::string& error) {
@@ -136,10 +212,8 @@ bool read_events(Database& db, const std::string& id, Recording& out, std::strin
   return false;
 }
 
-}  // namespace
-
-bool read_recording(const std::string& store_or_file, const std::string& attempt_id, Recording& out,
-                    std::string& error) {
+bool read(const std::string& store_or_file, const std::string& attempt_id, Recording& out, bool keep,
+          std::string& error) {
   const std::string where = store_or_file.empty() ? Store::default_path() : store_or_file;
   const std::unique_ptr<Database> db = open_for_reading(where, error);
   if (!db) return false;
@@ -147,16 +221,31 @@ bool read_recording(const std::string& store_or_file, const std::string& attempt
   if (id.empty()) {
     const std::vector<Row> rows = db->rows("SELECT attempt_id FROM attempt LIMIT 2");
     if (rows.size() != 1) {
-      error = where + (rows.empty() ? " holds no attempt." : " holds several attempts: say which one.");
+      error = db->trouble() != Trouble::kNone
+                  ? shown(where) + " cannot be read: " + db->error() + "." + remedy(where, db->trouble())
+                  : shown(where) +
+                        (rows.empty() ? " holds no attempt." : " holds several attempts: say which one.");
       return false;
     }
     id = text(rows[0][0]);
   }
   out = Recording();
-  if (read_info(*db, id, out.info, error) && read_luggage(*db, id, out.info, error) &&
-      read_streams(*db, id, out, error) && read_events(*db, id, out, error))
-    return true;
-  return false;
+  error.clear();
+  return has_no_giants(*db, id, error) && read_info(*db, id, out.info, error) &&
+         read_luggage(*db, id, out.info, error) && read_streams(*db, id, out, keep, error) &&
+         read_events(*db, id, out, error);
+}
+
+}  // namespace
+
+bool read_recording(const std::string& store_or_file, const std::string& attempt_id, Recording& out,
+                    std::string& error) {
+  return read(store_or_file, attempt_id, out, true, error);
+}
+
+bool check_recording(const std::string& store_or_file, const std::string& attempt_id, std::string& error) {
+  Recording head;
+  return read(store_or_file, attempt_id, head, false, error);
 }
 
 }  // namespace swage::record

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/schema.hpp"
 
-#include <sys/stat.h>
-
-#include <fstream>
+#include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "record/identity.hpp"
 
@@ -71,6 +71,17 @@ const std::vector<Step> kSteps = {
         "CREATE TABLE file (attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
         " name TEXT NOT NULL, crc32c BIGINT NOT NULL, data @BLOB@ NOT NULL, PRIMARY KEY (attempt_id, name))",
     },
+    {
+        // 3: a checksum of what an attempt says, and what later versions of its lesson say about it
+        "CREATE TABLE seal (attempt_id TEXT PRIMARY KEY REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " digest TEXT NOT NULL)",
+
+        "CREATE TABLE grade (grade_id TEXT PRIMARY KEY,"
+        " attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " graded_utc TEXT NOT NULL, app_version TEXT NOT NULL, plugins TEXT NOT NULL, identical BIGINT NOT NULL,"
+        " outcome TEXT NOT NULL, reason TEXT NOT NULL, score DOUBLE PRECISION, metrics TEXT NOT NULL)",
+        "CREATE INDEX grade_by_attempt ON grade (attempt_id)",
+    },
 };
 
 std::string in_dialect(std::string sql, bool postgres) {
@@ -108,10 +119,22 @@ std::string too_new(int version, std::size_t known) {
          ", this program knows " + std::to_string(known) + "): update Swage.";
 }
 
-bool looks_like_sqlite(const std::string& path) {
-  char magic[16] = {};
-  std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
-  return std::string(magic, 15) == "SQLite format 3";
+// Programs that start at once on a new database must not make its tables at once; the lock goes with the transaction.
+constexpr const char* kLockTables = "SELECT pg_advisory_xact_lock(83874652119)";  // any number, the same in every Swage
+
+// Killed programs lose nothing that was committed; a power cut may lose the last commits but damages nothing. While another
+// program changes a new file to that mode SQLite says "locked" without waiting.
+bool use_write_ahead_log(Database& db) {
+  constexpr int kTries = 40;
+  for (int i = 0; i < kTries; ++i) {
+    const std::vector<Row> mode = db.rows("PRAGMA journal_mode");
+    const bool set = !mode.empty() && text(mode[0][0]) == "wal";
+    if (set || db.run("PRAGMA journal_mode = WAL"))
+      return db.run("PRAGMA synchronous = NORMAL") && db.run("PRAGMA wal_autocheckpoint = 1000");
+    if (db.trouble() != Trouble::kLocked) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return false;
 }
 
 }  // namespace
@@ -135,7 +158,7 @@ bool bring_up_to_date(Database& db, std::span<const Step> steps, std::string& er
   }
 
   // ask again once the lock is ours: another program may have been quicker
-  bool done = version >= 0 && db.begin();
+  bool done = version >= 0 && db.begin() && (!db.on_postgres() || db.run(kLockTables));
   if (done) {
     version = schema_version(db);
     done = version >= 0 && take_steps(db, steps, version) && db.commit();
@@ -145,40 +168,99 @@ bool bring_up_to_date(Database& db, std::span<const Step> steps, std::string& er
   return done;
 }
 
-std::unique_ptr<Database> open_store(const std::string& where, std::string& error, Trouble* why) {
-  std::unique_ptr<Database> db = Database::open(where, Access::kWrite, error, why);
-  if (!db) return nullptr;
-  bool ok = true;
-  if (!db->on_postgres()) {
-    // killed programs lose nothing that was committed; a power cut may lose the last commits but damages
-    // nothing
-    ok = db->run("PRAGMA journal_mode = WAL") && db->run("PRAGMA synchronous = NORMAL") &&
-         db->run("PRAGMA wal_autocheckpoint = 1000");
-    if (!ok) error = db->error() + ".";
+std::string foreign_tables(Database& db, bool alone) {
+  constexpr const char* kObjects =
+      "SELECT type, name, tbl_name, sql FROM sqlite_master WHERE sql IS NOT NULL ORDER BY type, name";
+  if (db.on_postgres()) return "";
+  std::string error;
+  const int version = schema_version(db);
+  const std::unique_ptr<Database> model = Database::open(kInMemory, Access::kWrite, error);
+  if (version < 1 || static_cast<std::size_t>(version) > kSteps.size() || !model ||
+      !bring_up_to_date(*model, schema_steps().first(static_cast<std::size_t>(version)), error))
+    return "Its tables cannot be compared with those of Swage: " + error;
+  std::vector<Row> there = db.rows(kObjects);
+  if (db.trouble() != Trouble::kNone) return "Its list of tables cannot be read: " + db.error() + ".";
+  for (const Row& wanted : model->rows(kObjects)) {
+    const auto found = std::find(there.begin(), there.end(), wanted);
+    if (found == there.end())
+      return "Its " + text(wanted[0]) + " \"" + text(wanted[1]) + "\" is not as Swage makes it.";
+    there.erase(found);
   }
-  if (ok && bring_up_to_date(*db, schema_steps(), error)) return db;
-  if (why != nullptr) *why = db->trouble() == Trouble::kNone ? Trouble::kOther : db->trouble();
-  error = where + " cannot be used as the store of attempts. " + error;
+  for (const Row& more : there)
+    if (alone && text(more[3]) != kExportTable)
+      return "It holds a " + text(more[0]) + " that Swage does not make.";
+  return "";
+}
+
+std::unique_ptr<Database> open_store(const std::string& where, std::string& error, Trouble* why) {
+  Trouble trouble = Trouble::kNone;
+  std::unique_ptr<Database> db = Database::open(where, Access::kWrite, error, &trouble);
+  if (why != nullptr) *why = trouble;
+  if (!db) {
+    error += remedy(where, trouble);
+    return nullptr;
+  }
+  const bool ready = db->on_postgres() || use_write_ahead_log(*db);
+  if (!ready) error = db->error() + ".";
+  if (ready && bring_up_to_date(*db, schema_steps(), error)) {
+    error = foreign_tables(*db, false);
+    if (error.empty()) return db;
+    trouble = Trouble::kDamaged;
+  } else {
+    trouble = db->trouble();
+  }
+  // tables that are there but not as they were made
+  if (trouble == Trouble::kOther && !db->on_postgres()) trouble = Trouble::kDamaged;
+  if (trouble == Trouble::kNone) trouble = Trouble::kOther;
+  if (why != nullptr) *why = trouble;
+  error = shown(where) + " cannot be used as the store of attempts. " + error + remedy(where, trouble);
   return nullptr;
 }
 
-std::unique_ptr<Database> open_for_reading(const std::string& where, std::string& error) {
-  struct stat facts {};
-  if (!is_postgres(where) && stat(where.c_str(), &facts) == 0 && !looks_like_sqlite(where)) {
-    error = where + " is not a file of Swage attempts (its first bytes are not those of an SQLite file).";
+std::unique_ptr<Database> open_for_reading(const std::string& where, std::string& error, Trouble* why) {
+  Trouble trouble = Trouble::kNone;
+  std::unique_ptr<Database> db = Database::open(where, Access::kRead, error, &trouble);
+  if (!db) {
+    if (why != nullptr) *why = trouble;
     return nullptr;
   }
-  std::unique_ptr<Database> db = Database::open(where, Access::kRead, error);
-  if (!db) return nullptr;
   const int version = schema_version(*db);
-  if (version >= 1 && static_cast<std::size_t>(version) <= schema_steps().size()) return db;
-  if (version < 0)
-    error = where + " is damaged and cannot be read: " + db->error() + ".";
+  if (version >= 1 && static_cast<std::size_t>(version) <= schema_steps().size()) {
+    const std::string foreign = foreign_tables(*db, false);
+    if (foreign.empty()) return db;
+    error = shown(where) + " cannot be used. " + foreign + remedy(where, Trouble::kDamaged);
+    if (why != nullptr) *why = Trouble::kDamaged;
+    return nullptr;
+  }
+  trouble = version < 0 && db->trouble() != Trouble::kNone ? db->trouble() : Trouble::kOther;
+  if (why != nullptr) *why = trouble;
+  if (version > 0)
+    error = shown(where) + ": " + too_new(version, schema_steps().size());
   else if (version == 0)
-    error = where + " is a database, but not one of Swage attempts.";
+    error = shown(where) + " is a database, but not one of Swage attempts.";
+  else if (db->error().find("not a database") != std::string::npos)
+    error = where + " is not a file of Swage attempts (its first bytes are not those of an SQLite file)." +
+            remedy(where, trouble);
   else
-    error = where + ": " + too_new(version, schema_steps().size());
+    error = shown(where) + " cannot be read: " + db->error() + "." + remedy(where, trouble);
   return nullptr;
+}
+
+std::string remedy(const std::string& where, Trouble why) {
+  switch (why) {
+    case Trouble::kDamaged:
+      if (is_postgres(where)) return " Restore its newest backup.";
+      return " If it was a store, \"swage attempts salvage --store " + where +
+             "\" makes a new one of what can still be read.";
+    case Trouble::kFull:
+      return " Free space on that disk, or raise the limit on the size of files (ulimit -f).";
+    case Trouble::kReadOnly:
+      return " Choose another store with --store.";
+    case Trouble::kUnreachable:
+      return " Check that the server runs and lets this station in.";
+    default:
+      return "";
+  }
 }
 
 }  // namespace swage::record

@@ -1,29 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/sql.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <QtCore/QByteArray>
 #include <QtCore/QMetaType>
-#include <QtCore/QUrl>
-#include <QtCore/QUrlQuery>
 #include <QtCore/QVariant>
 #include <QtSql/QSqlDatabase>
 #include <QtSql/QSqlError>
 #include <QtSql/QSqlQuery>
 #include <QtSql/QSqlRecord>
 #include <atomic>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
+
+#include "record/patience.hpp"
+#include "record/sql_connect.hpp"
 
 namespace swage::record {
 namespace {
+
+// 3 s: the step's ring holds 4 s, so that a server that stops answering costs no step; a query takes milliseconds.
+// Smaller loses the server on a slow network, larger loses steps.
+constexpr std::chrono::milliseconds kAnswer{3000};
 
 QVariant to_qt(const Value& value) {
   struct Visit {
@@ -62,19 +61,28 @@ Value from_qt(const QVariant& value) {
   }
 }
 
-// the low byte of SQLite's extended result codes; PostgreSQL's codes are five letters, class 53 is lack of
-// resources
-Trouble classify(const QSqlError& error, bool postgres) {
-  if (error.type() == QSqlError::NoError) return Trouble::kNone;
-  if (postgres) {
-    const QString code = error.nativeErrorCode();
-    if (code.startsWith(QLatin1String("53"))) return Trouble::kFull;
-    return code == QLatin1String("55P03") ? Trouble::kLocked : Trouble::kOther;
-  }
-  switch (error.nativeErrorCode().toInt() & 0xff) {
+// PostgreSQL's codes are five letters: class 53 is lack of resources, 08 and 57P a connection that was lost, none at all a server
+// that was never reached
+Trouble classify_postgres(const QString& code) {
+  if (code.startsWith(QLatin1String("53"))) return Trouble::kFull;
+  if (code == QLatin1String("25006") || code == QLatin1String("42501")) return Trouble::kReadOnly;
+  if (code.isEmpty() || code.startsWith(QLatin1String("08")) || code.startsWith(QLatin1String("57P")))
+    return Trouble::kUnreachable;
+  if (code.startsWith(QLatin1String("XX"))) return Trouble::kDamaged;
+  // waited too long for a lock; a deadlock that the server has ended
+  const bool locked = code == QLatin1String("55P03") || code == QLatin1String("40P01");
+  return locked ? Trouble::kLocked : Trouble::kOther;
+}
+
+// the low byte of SQLite's extended result codes
+Trouble classify_sqlite(int code) {
+  switch (code & 0xff) {
     case 5:  // SQLITE_BUSY
     case 6:  // SQLITE_LOCKED
       return Trouble::kLocked;
+    case 8:   // SQLITE_READONLY
+    case 14:  // SQLITE_CANTOPEN: its log or its shared memory cannot be made beside it
+      return Trouble::kReadOnly;
     case 10:  // SQLITE_IOERR: also a file over the size that the system allows
     case 13:  // SQLITE_FULL
       return Trouble::kFull;
@@ -86,62 +94,15 @@ Trouble classify(const QSqlError& error, bool postgres) {
   }
 }
 
-// folders 0700 and an empty file 0600, before SQLite makes its own with the rights of this process
-bool make_private_file(const std::string& path, std::string& error) {
-  namespace fs = std::filesystem;
-  std::error_code code;
-  std::vector<fs::path> missing;
-  for (fs::path p = fs::absolute(path, code).parent_path(); !p.empty() && !fs::exists(p, code);
-       p = p.parent_path())
-    missing.push_back(p);
-  for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
-    if (mkdir(p->c_str(), 0700) == 0 || errno == EEXIST) continue;
-    error = "The folder " + p->string() + " cannot be made: " + std::strerror(errno) + ".";
-    return false;
-  }
-  const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (file < 0) {
-    error = path + " cannot be opened for writing: " + std::strerror(errno) + ".";
-    return false;
-  }
-  close(file);
-  return true;
+Trouble classify(const QSqlError& error, bool postgres) {
+  if (error.type() == QSqlError::NoError) return Trouble::kNone;
+  return postgres ? classify_postgres(error.nativeErrorCode())
+                  : classify_sqlite(error.nativeErrorCode().toInt());
 }
 
 QString unique_name() {
   static std::atomic<uint64_t> count{0};
   return QStringLiteral("swage_record_%1").arg(++count);
-}
-
-// postgresql://user:password@host:port/database?host=/folder/of/the/socket
-void configure_postgres(QSqlDatabase& db, const std::string& where) {
-  const QUrl url(QString::fromStdString(where));
-  const QUrlQuery query(url);
-  const QString socket = query.queryItemValue(QStringLiteral("host"), QUrl::FullyDecoded);
-  const QString port = query.queryItemValue(QStringLiteral("port"));
-  db.setHostName(socket.isEmpty() ? url.host() : socket);
-  db.setUserName(url.userName());
-  db.setPassword(url.password());
-  db.setDatabaseName(url.path().mid(1));
-  if (url.port() > 0) db.setPort(url.port());
-  if (!port.isEmpty()) db.setPort(port.toInt());
-  db.setConnectOptions(QStringLiteral("connect_timeout=5"));
-}
-
-// whether the file of an SQLite store can be written or read; it is made when it is to be written
-bool file_ready(const std::string& where, Access access, std::string& error) {
-  if (access == Access::kWrite) return make_private_file(where, error);
-  if (::access(where.c_str(), R_OK) == 0) return true;
-  error = where + " cannot be read: " + std::strerror(errno) + ".";
-  return false;
-}
-
-void configure_sqlite(QSqlDatabase& db, const std::string& where, Access access) {
-  db.setDatabaseName(QString::fromStdString(where));
-  // 2000 ms: longer than any measured commit, shorter than the recorder's ring lasts
-  db.setConnectOptions(access == Access::kRead
-                           ? QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000;QSQLITE_OPEN_READONLY")
-                           : QStringLiteral("QSQLITE_BUSY_TIMEOUT=2000"));
 }
 
 }  // namespace
@@ -169,14 +130,12 @@ const Blob& blob(const Value& value) {
   return v != nullptr ? *v : kEmpty;
 }
 
-bool is_postgres(std::string_view where) {
-  return where.starts_with("postgresql://") || where.starts_with("postgres://");
-}
-
 struct Database::Connection {
   QString name;
+  std::string where;
   QSqlDatabase db;
   bool postgres = false;
+  std::optional<Patience> patience;  // of a server
   std::map<std::string, QSqlQuery, std::less<>> prepared;
   QSqlQuery plain;
   Trouble trouble = Trouble::kNone;
@@ -190,8 +149,20 @@ struct Database::Connection {
   bool failed(const QSqlError& what) {
     trouble = classify(what, postgres);
     if (trouble == Trouble::kNone) trouble = Trouble::kOther;
-    error = what.text().simplified().toStdString();
+    error = without_password(what.text().simplified().toStdString(), where);
+    if (patience && patience->at_an_end()) {
+      trouble = Trouble::kUnreachable;
+      error = "the server has not answered for 3 s";
+    }
     return false;
+  }
+  // a call to the server, which may never answer
+  template <class Call>
+  bool ask(const Call& call) {
+    if (patience) patience->begin();
+    const bool good = call();
+    if (patience) patience->end();
+    return good;
   }
 
   // nullptr on failure
@@ -203,7 +174,7 @@ struct Database::Connection {
   QSqlQuery* execute_plain(std::string_view sql) {
     plain = QSqlQuery(db);
     plain.setForwardOnly(true);
-    if (plain.exec(QString::fromUtf8(sql.data(), static_cast<qsizetype>(sql.size())))) {
+    if (ask([&] { return plain.exec(QString::fromUtf8(sql.data(), static_cast<qsizetype>(sql.size()))); })) {
       ok();
       return &plain;
     }
@@ -218,7 +189,7 @@ struct Database::Connection {
     if (found == prepared.end()) {
       QSqlQuery query(db);
       query.setForwardOnly(true);
-      if (!query.prepare(QString::fromUtf8(sql.data(), static_cast<qsizetype>(sql.size())))) {
+      if (!ask([&] { return query.prepare(QString::fromUtf8(sql.data(), static_cast<qsizetype>(sql.size()))); })) {
         failed(query.lastError());
         return nullptr;
       }
@@ -226,7 +197,7 @@ struct Database::Connection {
     }
     QSqlQuery& query = found->second;
     for (std::size_t i = 0; i < values.size(); ++i) query.bindValue(static_cast<int>(i), to_qt(values[i]));
-    if (query.exec()) {
+    if (ask([&] { return query.exec(); })) {
       ok();
       return &query;
     }
@@ -239,6 +210,7 @@ struct Database::Connection {
 Database::Database(std::unique_ptr<Connection> connection) : connection_(std::move(connection)) {}
 
 Database::~Database() {
+  if (connection_->patience) connection_->patience->begin();
   connection_->prepared.clear();
   connection_->plain = QSqlQuery();
   connection_->db.close();
@@ -248,12 +220,13 @@ Database::~Database() {
 
 std::unique_ptr<Database> Database::open(const std::string& where, Access access, std::string& error,
                                          Trouble* why) {
+  Trouble ignored;
+  Trouble& trouble = why != nullptr ? *why : ignored;
+  trouble = Trouble::kOther;
   const bool postgres = is_postgres(where);
-  if (why != nullptr) *why = Trouble::kOther;
-  if (!postgres && !file_ready(where, access, error)) {
-    if (why != nullptr && errno == ENOSPC) *why = Trouble::kFull;
-    return nullptr;
-  }
+  error = address_problem(where);
+  const bool in_file = !postgres && where != kInMemory;
+  if (!error.empty() || (in_file && !file_ready(where, access, error, trouble))) return nullptr;
 
   const QString driver = postgres ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE");
   if (!QSqlDatabase::isDriverAvailable(driver)) {
@@ -262,27 +235,41 @@ std::unique_ptr<Database> Database::open(const std::string& where, Access access
     return nullptr;
   }
   auto connection = std::make_unique<Connection>();
+  connection->where = where;
   connection->postgres = postgres;
   connection->name = unique_name();
   connection->db = QSqlDatabase::addDatabase(driver, connection->name);
-  if (postgres)
-    configure_postgres(connection->db, where);
-  else
-    configure_sqlite(connection->db, where, access);
-  const bool opened = connection->db.open();
-  if (!opened) {
-    connection->failed(connection->db.lastError());
-    error = where + " cannot be opened: " + connection->error + ".";
-  }
   std::unique_ptr<Database> database(new Database(std::move(connection)));
-  if (why != nullptr) *why = database->trouble();
-  if (!opened) return nullptr;
-  if (!postgres) {
-    database->run("PRAGMA foreign_keys = ON");
-    database->run("PRAGMA trusted_schema = OFF");
-    if (access == Access::kWrite) database->run("PRAGMA secure_delete = ON");
+  if (!database->connect(access, error)) {
+    trouble = database->trouble();
+    return nullptr;
   }
+  trouble = Trouble::kNone;
   return database;
+}
+
+bool Database::connect(Access access, std::string& error) {
+  Connection& c = *connection_;
+  if (!c.postgres)
+    configure_sqlite(c.db, c.where, access);
+  else if (!configure_postgres(c.db, c.where, error))
+    return false;
+  if (!c.db.open()) {
+    c.failed(c.db.lastError());
+    error = shown(c.where) + " cannot be opened: " + c.error + ".";
+    return false;
+  }
+  if (c.postgres) {
+    c.patience.emplace(socket_of(c.db), kAnswer);
+    // a lock of another station is waited for as long as one of SQLite's
+    run("SET lock_timeout = '2s'");
+    run("SET client_min_messages = warning");  // "already exists, skipping" is for nobody's terminal
+    return true;
+  }
+  run("PRAGMA foreign_keys = ON");
+  run("PRAGMA trusted_schema = OFF");
+  if (access == Access::kWrite) run("PRAGMA secure_delete = ON");
+  return true;
 }
 
 bool Database::run(std::string_view sql, const Row& values) {
@@ -297,7 +284,7 @@ bool Database::each(std::string_view sql, const Row& values, const std::function
   if (query == nullptr) return false;
   const int columns = query->record().count();
   Row row(static_cast<std::size_t>(columns));
-  while (query->next()) {
+  while (connection_->ask([&] { return query->next(); })) {
     for (int i = 0; i < columns; ++i) row[static_cast<std::size_t>(i)] = from_qt(query->value(i));
     if (!visit(row)) break;
   }

@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "record/address.hpp"
+
 namespace swage::record {
 
 using Blob = std::vector<uint8_t>;
@@ -28,9 +30,18 @@ const Blob& blob(const Value&);
 enum class Access { kRead, kWrite };
 
 /// Why the last call failed, as far as it decides what to do next.
-enum class Trouble { kNone, kLocked, kFull, kDamaged, kOther };
+enum class Trouble {
+  kNone,
+  kLocked,
+  kFull,
+  kDamaged,      // or not a database at all
+  kReadOnly,     // the rights of this user, or a disk that may only be read
+  kUnreachable,  // the server does not answer, or no longer
+  kOther
+};
 
-bool is_postgres(std::string_view where);
+/// A database of SQLite's that is gone with its connection.
+inline constexpr const char* kInMemory = ":memory:";
 
 class Database {
  public:
@@ -43,7 +54,8 @@ class Database {
   Database& operator=(const Database&) = delete;
 
   bool run(std::string_view sql, const Row& values = {});
-  std::vector<Row> rows(std::string_view sql, const Row& values = {});  // empty on failure too: see trouble()
+  /// Empty on failure too: trouble() tells the two apart, and every caller must ask.
+  std::vector<Row> rows(std::string_view sql, const Row& values = {});
   /// Row by row for what may be large; `visit` returns false to stop.
   bool each(std::string_view sql, const Row& values, const std::function<bool(const Row&)>& visit);
 
@@ -57,6 +69,7 @@ class Database {
 
  private:
   struct Connection;
+  bool connect(Access, std::string& error);
   explicit Database(std::unique_ptr<Connection>);
   std::unique_ptr<Connection> connection_;
 };

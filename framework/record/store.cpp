@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/store.hpp"
 
+#include <pwd.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 #include "record/identity.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
+#include "record/seal.hpp"
 #include "record/transfer.hpp"
 
 namespace swage::record {
@@ -15,7 +20,8 @@ namespace {
 constexpr const char* kSelectAttempts =
     "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, a.device, a.started_utc, "
     "a.ended_utc,"
-    " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void FROM attempt a"
+    " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void,"
+    " a.loop_health, a.realtime, a.dropped FROM attempt a"
     " JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
 
 AttemptRow attempt_from(const Row& r) {
@@ -35,38 +41,82 @@ AttemptRow attempt_from(const Row& r) {
   a.score = real(r[12]);
   a.simulated_s = real(r[13]);
   a.is_void = integer(r[14]) != 0;
+  a.remark = remark(text(r[15]), integer(r[16]) != 0, integer(r[17]));
   return a;
 }
 
+// What tells that a list of attempts is no longer as it was. It reads no recording.
+constexpr const char* kDigest =
+    "SELECT COUNT(*), COALESCE(MAX(started_utc), ''), COALESCE(MAX(ended_utc), ''),"
+    " COALESCE(SUM(CASE WHEN state = 'running' THEN 1 ELSE 0 END), 0) + COALESCE(SUM(is_void), 0),"
+    " (SELECT COUNT(*) FROM person) FROM attempt";
+
 class SqlStore final : public Store {
  public:
-  SqlStore(std::unique_ptr<Database> db, std::string where) : db_(std::move(db)), where_(std::move(where)) {}
+  SqlStore(std::unique_ptr<Database> db, std::string where, bool read_only)
+      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only) {}
+
+  std::string trouble() const override { return trouble_; }
+  bool read_only() const override { return read_only_; }
+
+  bool changed() override {
+    begin();
+    if (!db_->on_postgres()) {
+      const std::vector<Row> version = rows("PRAGMA data_version");
+      const int64_t now = version.empty() ? -1 : integer(version[0][0]);
+      if (now == std::exchange(data_version_, now) && now >= 0) return false;
+    }
+    std::vector<Row> now = rows(kDigest);
+    if (now == digest_) return !trouble_.empty();
+    digest_ = std::move(now);
+    return true;
+  }
+
+  std::string damage() override {
+    begin();
+    if (db_->on_postgres()) return "";
+    std::string out = foreign_tables(*db_, false);
+    const std::vector<Row> found = rows("PRAGMA quick_check(1)");
+    const std::vector<Row> orphans = rows("PRAGMA foreign_key_check");
+    const std::string seals = schema_version(*db_) >= 3 ? broken_seals(*db_) : "";
+    if (out.empty() && !trouble_.empty()) return trouble_;
+    if (out.empty() && (found.empty() || text(found[0][0]) != "ok"))
+      out = found.empty() ? "It cannot be checked." : text(found[0][0]) + ".";
+    if (out.empty()) out = seals;
+    if (out.empty() && !orphans.empty()) out = "Pieces of attempts are there without what they belong to.";
+    return out.empty() ? "" : "The store " + shown(where_) + " is damaged: " + out;
+  }
 
   std::vector<Person> people() override {
+    begin();
     std::vector<Person> out;
     const char* sql =
         "SELECT p.person_id, p.pseudonym, p.created_utc, COUNT(a.attempt_id) FROM person p"
         " LEFT JOIN session s ON s.person_id = p.person_id LEFT JOIN attempt a ON a.session_id = s.session_id"
         " GROUP BY p.person_id, p.pseudonym, p.created_utc ORDER BY p.pseudonym";
-    for (const Row& r : db_->rows(sql))
+    for (const Row& r : rows(sql))
       out.push_back({text(r[0]), text(r[1]), text(r[2]), static_cast<uint32_t>(integer(r[3]))});
     return out;
   }
 
   Person person(const std::string& name) override {
-    write(*db_, {Kind::kPerson, {make_id(), name, utc_now()}});
+    begin();
+    if (!write(*db_, {Kind::kPerson, {make_id(), name, utc_now()}})) complain();
+    const std::string why = trouble_;
     for (Person& p : people())
       if (p.name == name) return p;
+    if (trouble_.empty()) trouble_ = why;
     return {};
   }
 
   std::vector<AttemptRow> attempts(const std::string& person_id, const std::string& lesson_id) override {
+    begin();
     const std::string which = " WHERE (? = '' OR p.person_id = ?) AND (? = '' OR a.exercise = ?)";
     const Row values = {person_id, person_id, lesson_id, lesson_id};
     std::vector<AttemptRow> out;
     std::map<std::string, std::size_t> place;
     for (const Row& r :
-         db_->rows(kSelectAttempts + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values)) {
+         rows(kSelectAttempts + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values)) {
       place[text(r[0])] = out.size();
       out.push_back(attempt_from(r));
     }
@@ -74,7 +124,7 @@ class SqlStore final : public Store {
         "SELECT m.attempt_id, m.name, m.unit, m.value FROM metric m JOIN attempt a ON a.attempt_id = "
         "m.attempt_id"
         " JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
-    for (const Row& r : db_->rows(metrics + which + " ORDER BY m.attempt_id, m.seq", values)) {
+    for (const Row& r : rows(metrics + which + " ORDER BY m.attempt_id, m.seq", values)) {
       const auto at = place.find(text(r[0]));
       if (at != place.end()) out[at->second].metrics.push_back({text(r[1]), text(r[2]), real(r[3])});
     }
@@ -82,26 +132,29 @@ class SqlStore final : public Store {
   }
 
   bool attempt(const std::string& id, AttemptRow& out) override {
-    const std::vector<Row> rows = db_->rows(std::string(kSelectAttempts) + " WHERE a.attempt_id = ?", {id});
-    if (rows.empty()) return false;
-    out = attempt_from(rows[0]);
-    for (const Row& r :
-         db_->rows("SELECT name, unit, value FROM metric WHERE attempt_id = ? ORDER BY seq", {id}))
+    begin();
+    const std::vector<Row> found = rows(std::string(kSelectAttempts) + " WHERE a.attempt_id = ?", {id});
+    if (found.empty()) return false;
+    out = attempt_from(found[0]);
+    for (const Row& r : rows("SELECT name, unit, value FROM metric WHERE attempt_id = ? ORDER BY seq", {id}))
       out.metrics.push_back({text(r[0]), text(r[1]), real(r[2])});
     return true;
   }
 
   std::vector<EventRow> events(const std::string& attempt_id) override {
+    begin();
     std::vector<EventRow> out;
     const char* sql =
         "SELECT step, t_us, owner, body, value FROM event WHERE attempt_id = ? ORDER BY step, seq";
-    for (const Row& r : db_->rows(sql, {attempt_id}))
+    for (const Row& r : rows(sql, {attempt_id}))
       out.push_back({static_cast<uint64_t>(integer(r[0])), 1e-6 * static_cast<double>(integer(r[1])),
                      text(r[2]), text(r[3]), real(r[4])});
     return out;
   }
 
   int recover() override {
+    begin();
+    if (read_only_) return 0;
     // on a shared server only this machine can know which of its programs live
     std::string sql =
         "SELECT a.attempt_id, a.dt_s FROM attempt a JOIN session s ON s.session_id = a.session_id"
@@ -112,9 +165,43 @@ class SqlStore final : public Store {
       values.push_back(station());
     }
     int recovered = 0;
-    for (const Row& r : db_->rows(sql, values))
+    for (const Row& r : rows(sql, values))
       if (!is_recording(where_, text(r[0])) && recover_one(text(r[0]), real(r[1]))) ++recovered;
+    constexpr int kAtOnce = 200;  // under a second
+    if (trouble_.empty()) seal_unsealed(*db_, kAtOnce);
     return recovered;
+  }
+
+  bool add_grade(const Grade& g, std::string& error) override {
+    begin();
+    const bool done = db_->run(
+        "INSERT INTO grade (grade_id, attempt_id, graded_utc, app_version, plugins, identical, outcome, reason, score,"
+        " metrics) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        {make_id(), g.attempt_id, utc_now(), std::string(SWAGE_VERSION), to_json(g.plugins), int64_t{g.identical},
+         g.outcome, g.reason, g.score, metrics_json(g.metrics)});
+    if (!done) error = "The grade cannot be kept: " + db_->error() + "." + remedy(where_, db_->trouble());
+    return done;
+  }
+
+  std::vector<Grade> grades(const std::string& attempt_id) override {
+    begin();
+    std::vector<Grade> out;
+    for (const Row& r : rows("SELECT graded_utc, app_version, plugins, identical, outcome, reason, score, metrics"
+                             " FROM grade WHERE attempt_id = ? ORDER BY graded_utc DESC, grade_id DESC",
+                             {attempt_id})) {
+      Grade g;
+      g.attempt_id = attempt_id;
+      g.graded_utc = text(r[0]);
+      g.app_version = text(r[1]);
+      from_json(text(r[2]), g.plugins);
+      g.identical = integer(r[3]) != 0;
+      g.outcome = text(r[4]);
+      g.reason = text(r[5]);
+      g.score = real(r[6]);
+      metrics_from_json(text(r[7]), g.metrics);
+      out.push_back(std::move(g));
+    }
+    return out;
   }
 
   bool export_attempt(const std::string& id, const std::string& file, std::string& error) override {
@@ -125,38 +212,83 @@ class SqlStore final : public Store {
   }
 
  private:
+  void begin() { trouble_.clear(); }
+
+  void complain() {
+    if (trouble_.empty())
+      trouble_ = "The store " + shown(where_) + " cannot be read or written as it should: " + db_->error() + "." +
+                 remedy(where_, db_->trouble());
+  }
+
+  std::vector<Row> rows(std::string_view sql, const Row& values = {}) {
+    std::vector<Row> out = db_->rows(sql, values);
+    if (db_->trouble() != Trouble::kNone) complain();
+    return out;
+  }
+
   // what was committed tells how far it came
   bool recover_one(const std::string& id, double dt) {
     double simulated = 0;
-    for (const Row& r : db_->rows("SELECT t0_us, n FROM chunk WHERE attempt_id = ? AND stream = 'hash'"
-                                  " ORDER BY seq DESC LIMIT 1",
-                                  {id}))
+    for (const Row& r : rows("SELECT t0_us, n FROM chunk WHERE attempt_id = ? AND stream = 'hash'"
+                             " ORDER BY seq DESC LIMIT 1",
+                             {id}))
       simulated = 1e-6 * static_cast<double>(integer(r[0])) + dt * static_cast<double>(integer(r[1]));
-    return db_->run(
+    const bool done = db_->run(
         "UPDATE attempt SET state = 'recovered', outcome = ?, simulated_s = ?"
         " WHERE attempt_id = ? AND state = 'running'",
         {std::string(judge::text(judge::Outcome::kAborted)), simulated, id});
+    if (!done) complain();
+    return done;
   }
 
   std::unique_ptr<Database> db_;
   const std::string where_;
+  const bool read_only_;
+  std::string trouble_;
+  int64_t data_version_ = -1;
+  std::vector<Row> digest_;
 };
+
+std::string place(const std::string& where) { return where.empty() ? Store::default_path() : where; }
+
+std::unique_ptr<Store> open_writing(const std::string& path, std::string& error, Trouble& why) {
+  std::unique_ptr<Database> db = open_store(path, error, &why);
+  if (!db) return nullptr;
+  merge_journals(*db, path);
+  return std::make_unique<SqlStore>(std::move(db), path, false);
+}
 
 }  // namespace
 
 std::unique_ptr<Store> Store::open(const std::string& where, std::string& error) {
-  const std::string path = where.empty() ? default_path() : where;
-  std::unique_ptr<Database> db = open_store(path, error);
+  Trouble why = Trouble::kNone;
+  return open_writing(place(where), error, why);
+}
+
+std::unique_ptr<Store> Store::open_to_read(const std::string& where, std::string& error) {
+  std::unique_ptr<Database> db = open_for_reading(place(where), error);
   if (!db) return nullptr;
-  merge_journals(*db, path);
-  return std::make_unique<SqlStore>(std::move(db), path);
+  return std::make_unique<SqlStore>(std::move(db), place(where), true);
+}
+
+std::unique_ptr<Store> Store::open_as_allowed(const std::string& where, std::string& error) {
+  Trouble why = Trouble::kNone;
+  std::unique_ptr<Store> store = open_writing(place(where), error, why);
+  if (store || why != Trouble::kReadOnly) return store;
+  return open_to_read(where, error);
 }
 
 std::string Store::default_path() {
   const char* data = std::getenv("XDG_DATA_HOME");
   if (data != nullptr && data[0] == '/') return std::string(data) + "/swage/attempts.db";
   const char* home = std::getenv("HOME");
-  return std::string(home != nullptr ? home : "") + "/.local/share/swage/attempts.db";
+  if (home == nullptr || home[0] != '/') {
+    // a service or cron job has no HOME; its user has a home all the same
+    const passwd* user = getpwuid(geteuid());
+    home = user != nullptr ? user->pw_dir : nullptr;
+  }
+  if (home == nullptr || home[0] != '/' || home[1] == '\0') return "";
+  return std::string(home) + "/.local/share/swage/attempts.db";
 }
 
 }  // namespace swage::record

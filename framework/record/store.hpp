@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swage::record {
@@ -36,8 +37,19 @@ struct AttemptRow {
   std::string state;    // "running", "complete", "aborted", "recovered"
   std::string outcome;  // judge::text
   std::string reason;
+  std::string remark;  // what bends its numbers: "at 52 % of real speed"; "" usually
   double score = 0, simulated_s = 0;
   bool is_void = false;
+  std::vector<MetricValue> metrics;
+};
+
+/// What the lesson of today says about an attempt of then; kept beside what was said then.
+struct Grade {
+  std::string attempt_id, graded_utc, app_version;
+  std::vector<std::pair<std::string, std::string>> plugins;  // id, version of everything that judged
+  bool identical = false;  // the steps had the same bits as then; false: the scene went another way
+  std::string outcome, reason;
+  double score = 0;
   std::vector<MetricValue> metrics;
 };
 
@@ -45,9 +57,21 @@ class Store {
  public:
   /// `where`: a file path for SQLite, or "postgresql://user@host/database". nullptr and `error` on failure.
   static std::unique_ptr<Store> open(const std::string& where, std::string& error);
-  /// The user's own store: $XDG_DATA_HOME/swage/attempts.db; folder 0700, file 0600.
+  /// Only to be looked at: an exported attempt, or a store that this user may not change. Nothing is made, upgraded or recovered.
+  static std::unique_ptr<Store> open_to_read(const std::string& where, std::string& error);
+  /// As open(); where that is refused only because nothing may be written there, as open_to_read().
+  static std::unique_ptr<Store> open_as_allowed(const std::string& where, std::string& error);
+  /// The user's own store: $XDG_DATA_HOME/swage/attempts.db; folder 0700, file 0600. "" for a user without a home.
   static std::string default_path();
   virtual ~Store() = default;
+
+  /// Why the last call gave less than there is, as a sentence; "" when it gave everything. An empty list is no answer without it.
+  virtual std::string trouble() const { return {}; }
+  /// Whether anything was written, by whomever, since the last time this was asked. Cheap: may be asked every second.
+  virtual bool changed() { return false; }
+  virtual bool read_only() const { return false; }
+  /// Reads every page of the store: what is damaged, as a sentence, "" when it is whole. Takes seconds for gigabytes.
+  virtual std::string damage() { return {}; }
 
   virtual std::vector<Person> people() = 0;
   virtual Person person(const std::string& name) = 0;  // made when it does not exist
@@ -58,6 +82,12 @@ class Store {
   virtual std::vector<EventRow> events(const std::string& attempt_id) = 0;
   /// Attempts that were running when their program died become "recovered". Returns how many.
   virtual int recover() = 0;
+  virtual bool add_grade(const Grade&, std::string& error) {
+    error = "Nothing can be kept here.";
+    return false;
+  }
+  /// Newest first; none unless somebody has judged again.
+  virtual std::vector<Grade> grades(const std::string&) { return {}; }
   /// One self-contained file (everything that `swage replay` needs) out of, and into, the store.
   virtual bool export_attempt(const std::string& id, const std::string& file, std::string& error) = 0;
   virtual bool import_attempt(const std::string& file, std::string& id, std::string& error) = 0;

@@ -3,15 +3,23 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <filesystem>
 
 #include "base/hash.hpp"
 #include "record/attempt_rows.hpp"
+#include "record/identity.hpp"
 #include "record/recorder.hpp"
 #include "record/schema.hpp"
 
 namespace swage::record {
 namespace {
+
+// An exported attempt is 70 kB a second at most, 250 MB an hour; a file beyond this is not one.
+constexpr uint64_t kMostFile = uint64_t{1} << 30;
 
 struct Source {
   Kind kind;
@@ -97,12 +105,19 @@ bool make_file(Database& store, const std::string& id, const std::string& file, 
   const std::unique_ptr<Database> out = Database::open(file, Access::kWrite, error);
   std::string digest;
   return out && bring_up_to_date(*out, schema_steps(), error) && copy(store, *out, id, digest, error) &&
-         out->run("CREATE TABLE swage_export (digest TEXT NOT NULL)") &&
+         out->run(kExportTable) &&
          out->run("INSERT INTO swage_export (digest) VALUES (?)", {digest});
 }
 
 // what a stranger's file must be before we believe a word of it
 bool check_file(Database& file, std::string& id, std::string& error) {
+  error = foreign_tables(file, true);
+  if (!error.empty()) {
+    // a store of many attempts is named as what it is
+    const std::vector<Row> attempts = file.rows("SELECT COUNT(*) FROM attempt");
+    const bool store = foreign_tables(file, false).empty() && !attempts.empty() && integer(attempts[0][0]) > 1;
+    if (!store) return false;
+  }
   const std::vector<Row> integrity = file.rows("PRAGMA integrity_check(1)");
   if (integrity.empty() || text(integrity[0][0]) != "ok") {
     error = "It is damaged: " + (integrity.empty() ? file.error() : text(integrity[0][0])) + ".";
@@ -115,6 +130,10 @@ bool check_file(Database& file, std::string& id, std::string& error) {
     return false;
   }
   id = text(attempts[0][0]);
+  if (!is_id(id)) {
+    error = "Its attempt has an identifier that Swage does not make.";
+    return false;
+  }
 
   base::Hash hash;
   const std::vector<Row> digest = file.rows("SELECT digest FROM swage_export");
@@ -136,7 +155,11 @@ bool write_attempt_file(Database& store, const std::string& id, const std::strin
   }
   const std::string part = file + ".part";
   unlink(part.c_str());
-  const bool ok = make_file(store, id, part, error) && rename(part.c_str(), file.c_str()) == 0;
+  bool ok = make_file(store, id, part, error);
+  if (ok && rename(part.c_str(), file.c_str()) != 0) {
+    error = std::string(std::strerror(errno)) + ".";
+    ok = false;
+  }
   if (ok) return true;
   unlink(part.c_str());
   error = "Attempt " + id + " cannot be exported to " + file + ". " + error;
@@ -144,11 +167,15 @@ bool write_attempt_file(Database& store, const std::string& id, const std::strin
 }
 
 bool read_attempt_file(Database& store, const std::string& file, std::string& id, std::string& error) {
+  std::error_code code;
+  if (std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) > kMostFile) {
+    error = file + " is refused. It is larger than 1 GiB, which no exported attempt is.";
+    return false;
+  }
   const std::unique_ptr<Database> in = open_for_reading(file, error);
   if (!in) return false;
   std::string found, digest, reason;
-  Recording whole;
-  if (check_file(*in, found, reason) && read_recording(file, found, whole, reason) &&
+  if (check_file(*in, found, reason) && check_recording(file, found, reason) &&
       copy(*in, store, found, digest, reason)) {
     id = found;
     return true;

@@ -13,6 +13,7 @@
 #include "attempt.hpp"
 #include "base/clock.hpp"
 #include "base/rng.hpp"
+#include "postgres_server.hpp"
 #include "record/schema.hpp"
 
 namespace swage::record::test {
@@ -83,9 +84,7 @@ int trials() {
 
 bool is_soak() { return std::getenv("SWAGE_KILL_TRIALS") != nullptr; }
 
-TEST(Kill, LosesNothingThatWasWrittenAndDamagesNothing) {
-  const Folder folder;
-  const std::string store = folder / "attempts.db";
+void kill_again_and_again(const std::string& store) {
   base::Xoshiro256 random(2024);
   uint64_t worst = 0;
   for (int trial = 0; trial < trials(); ++trial) {
@@ -112,11 +111,26 @@ TEST(Kill, LosesNothingThatWasWrittenAndDamagesNothing) {
     }
     worst = std::max(worst, handed - kept);
 
+    if (is_postgres(store)) continue;
     const auto db = open_for_reading(store, error);
     EXPECT_EQ(text(db->rows("PRAGMA integrity_check")[0][0]), "ok");
   }
-  RecordProperty("worst_loss_ms", static_cast<int>(worst));
+  testing::Test::RecordProperty("worst_loss_ms", static_cast<int>(worst));
   std::printf("worst loss in %d trials: %llu ms\n", trials(), static_cast<unsigned long long>(worst));
+}
+
+TEST(Kill, LosesNothingThatWasWrittenAndDamagesNothing) {
+  const Folder folder;
+  kill_again_and_again(folder / "attempts.db");
+}
+
+TEST(Kill, NeitherOnAServer) {
+  PostgresServer server;
+  if (!server.running()) GTEST_SKIP() << server.why_not();
+  const Folder folder;
+  setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+  kill_again_and_again(server.make_database("killed"));
+  unsetenv("XDG_DATA_HOME");
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 //   record_child limit <store> <bytes>         no file may grow beyond <bytes>; then as below
 //   record_child tmpfs <folder> <kilobytes>    a small disk of its own is mounted there; store "a.db"
 //   record_child fixture <folder> <file>       300 steps, exported: how tests/attempts/v<schema>.swage came about
+//   record_child crowd <store> <seed>          what a console does: an attempt of 1500 steps is recorded while the store is
+//                                              listed, opened again and read; prints "kept <id>", or what went wrong
+//   record_child list <store> <user>           as a user who may only read; prints the number of attempts, or what went wrong
 // limit and tmpfs record 4000 steps of noise and print what the recorder said. Exit 77: not permitted here.
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -104,6 +107,59 @@ int tmpfs(const std::string& folder, const std::string& kilobytes) {
   return code != 0 ? code : look(folder + "/a.db");
 }
 
+// "" or what a look at the store met with
+std::string look_around(const std::string& where) {
+  std::string error;
+  const auto store = Store::open(where, error);
+  if (!store) return error;
+  store->recover();
+  const std::vector<AttemptRow> attempts = store->attempts("");
+  if (!store->trouble().empty()) return store->trouble();
+  Recording recording;
+  for (const AttemptRow& a : attempts)
+    if (a.state == "complete") return read_recording(where, a.id, recording, error) ? "" : error;
+  return "";
+}
+
+int crowd(const std::string& where, uint64_t seed) {
+  base::Problems problems;
+  const auto recorder = Recorder::open(where, make_info(seed), problems);
+  const auto complain = [](const base::Problems& list) {
+    for (const base::Problem& p : list) std::printf("trouble %s\n", p.message.c_str());
+    std::fflush(stdout);
+  };
+  complain(problems);
+  if (!recorder) return 2;
+  for (uint64_t step = 0; step < 1500; ++step) {
+    recorder->step(make_step(seed, step));
+    if (step % 250 != 249) continue;
+    const std::string trouble = look_around(where);
+    if (!trouble.empty()) complain({{base::Severity::kError, "", trouble}});
+    base::sleep_until_ns(base::wall_ns() + 20'000'000);
+  }
+  recorder->finish(make_end());
+  complain(recorder->problems());
+  std::printf("kept %s\n", recorder->attempt_id().c_str());
+  return 0;
+}
+
+int list(const std::string& where, const std::string& user) {
+  // root may write everywhere
+  if (geteuid() == 0 && setuid(static_cast<uid_t>(std::atoi(user.c_str()))) != 0) return 77;
+  std::string error;
+  const auto store = Store::open_as_allowed(where, error);
+  if (!store) {
+    std::printf("refused %s\n", error.c_str());
+    return 0;
+  }
+  const auto attempts = store->attempts("");
+  std::printf("attempts %zu\nread_only %d\n%s\n", attempts.size(), store->read_only(), store->trouble().c_str());
+  Recording recording;
+  if (!attempts.empty() && read_recording(where, attempts[0].id, recording, error))
+    std::printf("steps %zu\n", recording.step.size());
+  return 0;
+}
+
 int fixture(const std::string& folder, const std::string& file) {
   std::string error;
   const std::string id = record_attempt(folder + "/a.db", 300);
@@ -120,6 +176,8 @@ int main(int argc, char** argv) {
   if (verb == "loop") return loop(argv[2], std::strtoull(argv[3], nullptr, 10));
   if (verb == "limit") return limit(argv[2], std::strtoull(argv[3], nullptr, 10));
   if (verb == "tmpfs") return tmpfs(argv[2], argv[3]);
+  if (verb == "crowd") return crowd(argv[2], std::strtoull(argv[3], nullptr, 10));
+  if (verb == "list") return list(argv[2], argv[3]);
   if (verb == "fixture") return fixture(argv[2], argv[3]);
   return 2;
 }

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pwd.h>
 #include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 
@@ -180,7 +183,50 @@ TEST(Store, TheUsersOwnStoreFollowsXdg) {
   setenv("XDG_DATA_HOME", "relative is ignored", 1);
   setenv("HOME", "/people/ada", 1);
   EXPECT_EQ(Store::default_path(), "/people/ada/.local/share/swage/attempts.db");
+  // a service has no HOME, its user has; "/" is nobody's home
   unsetenv("XDG_DATA_HOME");
+  unsetenv("HOME");
+  const passwd* user = getpwuid(geteuid());
+  ASSERT_NE(user, nullptr);
+  EXPECT_EQ(Store::default_path(), std::string(user->pw_dir) + "/.local/share/swage/attempts.db");
+}
+
+TEST(Store, SomewhereElseThanAFileOrAServerIsNoStore) {
+  const Folder folder;
+  std::filesystem::current_path(folder.path());
+  std::string error;
+  EXPECT_FALSE(Store::open("mysql://ada@host/swage", error));
+  EXPECT_THAT(error, HasSubstr("\"mysql://\" is no store that Swage knows"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  ASSERT_EQ(mkfifo((folder / "pipe.db").c_str(), 0600), 0);
+  for (const std::string& what : {std::string("/dev/zero"), folder / "pipe.db", folder.path().string()}) {
+    EXPECT_FALSE(Store::open(what, error));
+    EXPECT_THAT(error, HasSubstr("is not a file"));
+    EXPECT_FALSE(Store::open_to_read(what, error));
+    EXPECT_THAT(error, HasSubstr("is not a file"));
+  }
+  std::filesystem::current_path("/");
+}
+
+TEST(Store, APasswordIsNeverShown) {
+  for (const char* where : {"postgresql://ada:s3cret@host/db", "postgresql://ada:s3cret@x/db?host=/nowhere",
+                            "postgresql://ada@/db?host=/nowhere&password=s3cret", "postgres://ada:s3/cr#e@host/db"}) {
+    EXPECT_THAT(shown(where), testing::AllOf(HasSubstr("***"), testing::Not(HasSubstr("s3"))))
+        << where;
+  }
+  EXPECT_EQ(shown("postgresql://ada@host:5432/db"), "postgresql://ada@host:5432/db");
+  EXPECT_EQ(shown("/home/ada/a:b@c.db"), "/home/ada/a:b@c.db");
+  std::string error;
+  EXPECT_FALSE(Store::open("postgresql://ada:s3cret@/db?host=/nowhere", error));
+  EXPECT_THAT(error, testing::Not(HasSubstr("s3cret")));
+  EXPECT_FALSE(Store::open("postgresql://ada:s3cret@/db?host=/nowhere&encryption=off", error));
+  EXPECT_THAT(error, testing::AllOf(HasSubstr("\"encryption\" is no part"), testing::Not(HasSubstr("s3cret"))));
+  base::Problems problems;
+  setenv("XDG_DATA_HOME", "/proc/nowhere", 1);
+  EXPECT_FALSE(Recorder::open("postgresql://ada:s3cret@/db?host=/nowhere", make_info(), problems));
+  unsetenv("XDG_DATA_HOME");
+  ASSERT_FALSE(problems.empty());
+  for (const base::Problem& p : problems) EXPECT_THAT(p.where + p.message, testing::Not(HasSubstr("s3cret")));
 }
 
 }  // namespace

@@ -3,12 +3,16 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <fstream>
 
 #include "attempt.hpp"
+#include "base/clock.hpp"
 #include "base/rng.hpp"
+#include "record/codec.hpp"
 #include "record/schema.hpp"
 
 namespace swage::record::test {
@@ -154,6 +158,99 @@ TEST(Transfer, LiesInsideAWellFormedFileAreFound) {
   std::string id;
   EXPECT_FALSE(Store::open(e.folder / "b.db", e.error)->import_attempt(file, id, e.error));
   EXPECT_THAT(e.error, HasSubstr("do not fit the checksum"));
+}
+
+// What a stranger can put into a file that is well-formed for SQLite.
+TEST(Transfer, AViewATriggerAndAnIndexOfAStrangerAreRefused) {
+  Exported e;
+  const char* const endless =
+      "WITH RECURSIVE n(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM n) SELECT '00000000-0000-0000-0000-000000000000'"
+      " FROM n WHERE i < 0";
+  const std::vector<std::vector<std::string>> crafted = {
+      {"ALTER TABLE attempt RENAME TO hidden", std::string("CREATE VIEW attempt AS ") + endless},
+      {"ALTER TABLE swage_schema RENAME TO hidden",
+       "CREATE VIEW swage_schema AS WITH RECURSIVE n(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM n)"
+       " SELECT 2 AS version, i AS since_utc FROM n WHERE i < 0"},
+      {"CREATE TRIGGER t AFTER INSERT ON person BEGIN DELETE FROM attempt; END"},
+      {"CREATE INDEX slow ON chunk (hex(zeroblob(100000000)))"},
+      {"DROP TABLE swage_export", std::string("CREATE VIEW swage_export AS ") + endless},
+      {"CREATE TABLE more (x TEXT)"},
+  };
+  const std::string file = e.folder / "crafted.swage";
+  for (const auto& statements : crafted) {
+    std::filesystem::copy_file(e.file, file, std::filesystem::copy_options::overwrite_existing);
+    {
+      const auto db = Database::open(file, Access::kWrite, e.error);
+      db->run("PRAGMA legacy_alter_table = ON");
+      for (const std::string& sql : statements) ASSERT_TRUE(db->run(sql)) << sql << db->error();
+    }
+    const int64_t start = base::wall_ns();
+    const auto store = Store::open(e.folder / "b.db", e.error);
+    std::string id;
+    EXPECT_FALSE(store->import_attempt(file, id, e.error)) << statements[0];
+    EXPECT_THAT(e.error, HasSubstr("crafted.swage")) << statements[0];
+    EXPECT_LT(base::wall_ns() - start, 5'000'000'000) << statements[0];
+  }
+}
+
+TEST(Transfer, AnIdentifierIsNoPath) {
+  Exported e;
+  const std::string file = e.folder / "path.swage";
+  std::filesystem::copy_file(e.file, file);
+  {
+    const auto db = Database::open(file, Access::kWrite, e.error);
+    db->run("PRAGMA foreign_keys = OFF");
+    for (const char* table : {"attempt", "metric", "event", "chunk", "hand", "file"})
+      ASSERT_TRUE(db->run("UPDATE " + std::string(table) + " SET attempt_id = '/etc/cron.d/swage'"));
+  }
+  std::string id;
+  EXPECT_FALSE(Store::open(e.folder / "b.db", e.error)->import_attempt(file, id, e.error));
+  EXPECT_THAT(e.error, HasSubstr("an identifier that Swage does not make"));
+}
+
+// 4096 rows of zeros are some bytes; a file of 600 kB full of them was 6 GB in memory.
+TEST(Transfer, ASmallFileDoesNotFillTheMemory) {
+  Exported e;
+  const std::string file = e.folder / "bomb.swage";
+  std::filesystem::copy_file(e.file, file);
+  {
+    const auto db = Database::open(file, Access::kWrite, e.error);
+    const std::vector<uint64_t> zeros(4096 * 2 * 18, 0);
+    const Packed input = pack(zeros.data(), 4096, 36), hash = pack(zeros.data(), 4096, 2);
+    const std::vector<float> still(4096 * 2, 0);
+    const Packed signal = pack(still.data(), 4096, 2);
+    ASSERT_TRUE(db->begin() && db->run("DELETE FROM chunk"));
+    const auto put = [&](const char* stream, int64_t seq, const Packed& p) {
+      return db->run("INSERT INTO chunk VALUES (?, ?, ?, 0, 4096, ?, ?, ?, NULL)",
+                     {e.id, std::string(stream), seq, static_cast<int64_t>(p.codec), int64_t{p.crc}, p.data});
+    };
+    for (int64_t seq = 0; seq < 1500; ++seq)
+      ASSERT_TRUE(put("hash", seq, hash) && put("input", seq, input) && put("signal", seq, signal));
+    ASSERT_TRUE(db->commit());
+  }
+  Recording recording;
+  EXPECT_FALSE(read_recording(file, "", recording, e.error));
+  EXPECT_THAT(e.error, HasSubstr("is too long to be opened: it has more than 900 MB"));
+  recording = {};
+  EXPECT_TRUE(check_recording(file, "", e.error)) << e.error;
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  EXPECT_LT(use.ru_maxrss, 1'000'000) << "kB";
+}
+
+TEST(Transfer, WhatIsNoFileOrTooLargeIsNotOpened) {
+  Exported e;
+  const auto store = Store::open(e.folder / "b.db", e.error);
+  std::string id;
+  ASSERT_EQ(mkfifo((e.folder / "pipe.swage").c_str(), 0600), 0);
+  for (const std::string& what : {std::string("/dev/zero"), e.folder / "pipe.swage", e.folder.path().string()}) {
+    EXPECT_FALSE(store->import_attempt(what, id, e.error));
+    EXPECT_THAT(e.error, HasSubstr("is not a file"));
+  }
+  std::ofstream(e.folder / "huge.swage") << "SQLite format 3";
+  std::filesystem::resize_file(e.folder / "huge.swage", uint64_t{8} << 30);
+  EXPECT_FALSE(store->import_attempt(e.folder / "huge.swage", id, e.error));
+  EXPECT_THAT(e.error, HasSubstr("larger than 1 GiB"));
 }
 
 }  // namespace

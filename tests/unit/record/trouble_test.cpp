@@ -168,6 +168,82 @@ void expect_accounted(const std::string& out) {
       << out;
 }
 
+// The words of a failure belong to the connection that failed, and end with it.
+TEST(Trouble, AStoreDamagedInTheMiddleIsNamedWithItsReason) {
+  const Folder folder;
+  const std::string path = folder / "a.db";
+  record_attempt(path, 300);
+  base::Problems problems;
+  auto recorder = Recorder::open(path, make_info(), problems);
+  ASSERT_TRUE(recorder);
+  for (uint64_t i = 0; i < 500; ++i) recorder->step(make_step(7, i));
+  {
+    std::string error;
+    const auto rude = Database::open(path, Access::kWrite, error);
+    while (!rude->run("DROP TABLE chunk")) {
+    }
+  }
+  for (uint64_t i = 500; i < 1500; ++i) recorder->step(make_step(7, i));
+  recorder->finish(make_end());
+  const base::Problems said = recorder->problems();
+  ASSERT_GE(said.size(), 1u);
+  EXPECT_THAT(said[0].message, HasSubstr("cannot be written (no such table: chunk Unable"));
+  EXPECT_EQ(recorder->kept().where, Kept::Where::kBeside);
+  EXPECT_EQ(journals(folder), std::vector<std::string>{recorder->kept().file});
+}
+
+TEST(Trouble, WhatIsSaidToBeKeptIsKept) {
+  const Folder folder;
+  base::Problems problems;
+  auto recorder = Recorder::open(folder / "a.db", make_info(), problems);
+  for (uint64_t i = 0; i < 500; ++i) recorder->step(make_step(7, i));
+  recorder->finish(make_end());
+  EXPECT_EQ(recorder->kept().where, Kept::Where::kStore);
+  EXPECT_EQ(recorder->kept().missing_steps, 0u);
+
+  // what it has written is taken away while it runs
+  recorder = Recorder::open(folder / "a.db", make_info(), problems);
+  for (uint64_t i = 0; i < 500; ++i) recorder->step(make_step(7, i));
+  std::string error;
+  const auto rude = Database::open(folder / "a.db", Access::kWrite, error);
+  const auto written = [&] {
+    return integer(rude->rows("SELECT COALESCE(SUM(n), 0) FROM chunk WHERE stream = 'hash' AND attempt_id = ?",
+                              {recorder->attempt_id()})[0][0]);
+  };
+  while (written() < 500) {
+  }
+  while (!rude->run("DELETE FROM attempt")) {
+  }
+  recorder->finish(make_end());
+  EXPECT_EQ(recorder->kept().missing_steps, 500u);
+  const base::Problems said = recorder->problems();
+  ASSERT_FALSE(said.empty());
+  EXPECT_THAT(said.back().message, HasSubstr("500 steps of this attempt could not be kept"));
+}
+
+TEST(Trouble, NothingKeptIsSaid) {
+  const Folder folder;
+  base::Problems problems;
+  auto recorder = Recorder::open(folder / "a.db", make_info(), problems);
+  for (uint64_t i = 0; i < 500; ++i) recorder->step(make_step(7, i));
+  // the disk is taken out
+  std::filesystem::remove_all(folder.path());
+  recorder->finish(make_end());
+  EXPECT_EQ(recorder->kept().where, Kept::Where::kNowhere);
+  const base::Problems said = recorder->problems();
+  ASSERT_FALSE(said.empty());
+  EXPECT_EQ(said.back().severity, base::Severity::kError);
+  EXPECT_THAT(said.back().message, HasSubstr("This attempt is not kept."));
+}
+
+TEST(Trouble, TheFirstAttemptOfAllHasItsJournalToo) {
+  const Folder folder;
+  base::Problems problems;
+  const auto recorder = Recorder::open(folder / "not/yet/a.db", make_info(), problems);
+  ASSERT_TRUE(recorder);
+  EXPECT_TRUE(is_recording(folder / "not/yet/a.db", recorder->attempt_id()));
+}
+
 TEST(Trouble, AFullDiskUsesTheRoomThatWasReserved) {
   const Folder folder;
   // 4000 steps are 1.3 MB: from a disk on which they find no room to one on which they do
@@ -183,6 +259,38 @@ TEST(Trouble, AFullDiskUsesTheRoomThatWasReserved) {
   }
   EXPECT_TRUE(saved_by_reserve);
   EXPECT_TRUE(lost_some);
+}
+
+TEST(Trouble, AStoreThatMayOnlyBeReadIsListed) {
+  const Folder folder;
+  record_attempt(folder / "a.db", 300);
+  namespace fs = std::filesystem;
+  fs::permissions(folder / "a.db", static_cast<fs::perms>(0444));
+  fs::permissions(folder.path(), static_cast<fs::perms>(0555));
+  const std::string out = run_child("list " + (folder / "a.db") + " 65534");
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  if (out.empty()) GTEST_SKIP() << "nobody else can be asked here";
+  EXPECT_THAT(out, AllOf(HasSubstr("attempts 1\n"), HasSubstr("read_only 1\n"), HasSubstr("steps 300\n")));
+}
+
+TEST(Trouble, ADamagedStoreIsNotAnEmptyOne) {
+  const Folder folder;
+  const std::string path = folder / "a.db";
+  record_attempt(path, 300);
+  {
+    // the first leaf of the table of attempts: SQLite finds it only when it reads a row
+    std::string error;
+    const auto db = Database::open(path, Access::kRead, error);
+    const auto root = integer(db->rows("SELECT rootpage FROM sqlite_master WHERE name = 'attempt'")[0][0]);
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp((root - 1) * 4096);
+    file.write(std::string(64, '\x55').data(), 64);
+  }
+  std::string error;
+  const auto store = Store::open(path, error);
+  const bool told = store == nullptr ? error.find("salvage") != std::string::npos
+                                     : store->attempts("").empty() && store->trouble().find("salvage") != std::string::npos;
+  EXPECT_TRUE(told) << error << (store ? store->trouble() : "");
 }
 
 TEST(Trouble, ALimitOnTheSizeOfFilesCountsAsAFullDisk) {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a connection is set up, for sql.cpp alone: rights, read-only folders, addresses of servers.
+#pragma once
+
+#include <string>
+
+#include "record/sql.hpp"
+
+class QSqlDatabase;
+
+namespace swage::record {
+
+/// Makes the file of a store that is to be written. False with a sentence for what is no regular file or may not be used.
+bool file_ready(const std::string& where, Access, std::string& error, Trouble& why);
+void configure_sqlite(QSqlDatabase&, const std::string& where, Access);
+
+/// False with a sentence when the address says what Swage does not know.
+bool configure_postgres(QSqlDatabase&, const std::string& where, std::string& error);
+/// The socket of an open connection to a server, -1 when it cannot be known.
+int socket_of(const QSqlDatabase&);
+
+}  // namespace swage::record
