@@ -85,13 +85,16 @@ void Loop::listen(const RtThread::Tick& tick) noexcept {
   step::Command command;
   for (int i = 0; i < kCommandsPerStep && command_in_.try_pop(command); ++i) take_command(command);
   if (tick.lost > 0) tell(judge::kTimeLost, static_cast<double>(tick.lost));
+  bool forceless = false;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     const ForceFault fault = ports_[i]->fault();
+    forceless |= fault != ForceFault::kNone && fault != ForceFault::kStopped;
     if (fault == fault_seen_[i]) continue;
     fault_seen_[i] = fault;
     if (fault != ForceFault::kNone && fault != ForceFault::kStopped)
       tell(judge::kForceStopped, static_cast<double>(static_cast<uint32_t>(fault)));
   }
+  forceless_steps_ += forceless;
 }
 
 void Loop::tell(judge::HostEvent event, double value) noexcept {

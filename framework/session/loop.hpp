@@ -60,6 +60,8 @@ class Loop {
   /// How often a port's hand was lost, and for how long the lesson waited, s.
   uint32_t times_lost(std::size_t port) const { return lost_[port].times; }
   double seconds_lost(std::size_t port) const { return lost_[port].seconds + lost_[port].longest_now; }
+  /// Simulated seconds in which a device that gives forces was switched off by its guard.
+  double forces_off_s() const { return static_cast<double>(forceless_steps_) * rig_.world.dt; }
 
  private:
   void listen(const RtThread::Tick& tick) noexcept;
@@ -102,6 +104,7 @@ class Loop {
   bool forces_on_ = false;
   bool realtime_granted_ = false;
   uint64_t lost_events_ = 0;
+  uint64_t forceless_steps_ = 0;
   Ending ending_ = Ending::kNone;
 };
 

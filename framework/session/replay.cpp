@@ -39,16 +39,34 @@ uint64_t void_from(const record::Recording& recording) {
   return ~uint64_t{0};
 }
 
+// what the lesson says after the steps that were made
+Result verdict_of(const Playback& again) {
+  const judge::Verdict& said = again.engine().verdict();
+  const judge::Script& script = again.rig().script;
+  Result out;
+  out.outcome = said.outcome;
+  if (said.reason < script.events.size()) out.reason = script.events[said.reason].id;
+  out.score = said.score;
+  out.steps = again.at();
+  out.simulated_s = again.engine().world().time();
+  for (std::size_t i = 0; i < script.metrics.size(); ++i) {
+    const judge::Name& name = script.metrics[i];
+    out.metrics.push_back({name.id, name.unit, name.doc, said.metric[i]});
+  }
+  return out;
+}
+
 }  // namespace
 
 bool replay(const record::Recording& recording, const std::vector<std::string>& plugin_dirs, Replay& out,
-            Problems& problems) {
+            Problems& problems, bool to_the_end) {
   out = {};
   const std::unique_ptr<Playback> again = Playback::open(recording, plugin_dirs, problems);
   if (!again) return false;
   const host::Rig& rig = again->rig();
   const std::size_t signals = recording.info.script.signals.size();
   const uint64_t last = void_from(recording);
+  for (const host::Instance* i : host::instances(rig)) out.plugins.emplace_back(i->plugin_id, i->plugin_version);
   for (std::size_t i = 0; i < recording.step.size(); ++i) {
     if (i >= again->count()) {
       out.reason = "step " + std::to_string(i) + " was not recorded";
@@ -63,9 +81,15 @@ bool replay(const record::Recording& recording, const std::vector<std::string>& 
     if (again->first_difference() > i) continue;
     out.first_difference = i;
     if (rig.world.signal.size() == signals) out.reason = who_differs(rig, &recording.signal[signals * i]);
+    out.verdict = verdict_of(*again);
+    if (!to_the_end) return true;
+    while (again->step()) {
+    }
+    out.verdict = verdict_of(*again);
     return true;
   }
   out.identical = true;
+  out.verdict = verdict_of(*again);
   return true;
 }
 

@@ -308,10 +308,19 @@ void Run::close() {
   if (recorder_) {
     recorder_->finish(make_end(result_));
     for (Problem& p : recorder_->problems()) result_.problems.push_back(std::move(p));
+    tell_kept(recorder_->kept());
   }
   current_ = nullptr;
   close_devices(result_.problems);
   watchdog_->stop();
+}
+
+// what is said about the record is what is found on the disk
+void Run::tell_kept(const record::Kept& kept) {
+  result_.not_kept = kept.where == record::Kept::Where::kNowhere;
+  if (result_.not_kept) result_.attempt_id.clear();
+  result_.kept_beside = kept.file;
+  result_.missing_steps = kept.missing_steps;
 }
 
 Result Run::result() const { return closed_ ? result_ : make_result(Ending::kNone); }
@@ -358,7 +367,32 @@ Result Run::make_result(Ending ending) const {
     out.metrics.push_back({name.id, name.unit, name.doc, verdict.metric[i]});
   }
   out.health = loop_->health();
+  tell_circumstances(out);
   return out;
+}
+
+// What a person must know before believing the numbers: the time was not the hand's, or nothing was felt.
+void Run::tell_circumstances(Result& out) const {
+  // one step in twenty is noticed by nobody and comes with every busy machine
+  constexpr double kSlow = 0.95;
+  const double made = static_cast<double>(out.health.executed), lost = static_cast<double>(out.health.dropped);
+  if (made + lost > 0) out.speed = made / (made + lost);
+  out.forces_off_s = loop_->forces_off_s();
+  char text[256];
+  if (realtime() && out.speed < kSlow) {
+    std::snprintf(text, sizeof text,
+                  "The attempt ran at %.0f %% of real speed, because the machine could not keep up: %.1f s were left "
+                  "out. Its times and speeds are not those of the hand.",
+                  1e2 * out.speed, lost * rig_->world.dt);
+    out.problems.push_back({Severity::kWarning, "loop", text});
+  }
+  if (out.forces_off_s > 0) {
+    std::snprintf(text, sizeof text,
+                  "For %.1f s of this attempt no force was given: the force guard had switched off after a fault. "
+                  "Pause and resume to switch it on again.",
+                  out.forces_off_s);
+    out.problems.push_back({Severity::kWarning, "forces", text});
+  }
 }
 
 record::AttemptEnd Run::make_end(const Result& result) const {
@@ -370,6 +404,7 @@ record::AttemptEnd Run::make_end(const Result& result) const {
   end.is_void = result.outcome == judge::Outcome::kVoid;
   for (const Result::Metric& m : result.metrics) end.metric.push_back(m.value);
   end.health = result.health;
+  end.forces_off_s = result.forces_off_s;
   return end;
 }
 

@@ -56,7 +56,9 @@ class Run final : public Session {
   void save_void(const char* reason);
   static void ended_by_plugin(const host::LastCall& call, const char* cause);
   void collect_reports();
+  void tell_kept(const record::Kept& kept);
   Result make_result(Ending ending) const;
+  void tell_circumstances(Result& out) const;
   record::AttemptEnd make_end(const Result& result) const;
   bool realtime() const { return options_.pace == Pace::kRealtime; }
 

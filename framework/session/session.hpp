@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/problem.hpp"
@@ -55,6 +56,11 @@ struct Result {
   judge::Outcome outcome = judge::Outcome::kRunning;
   std::string reason;      // event id, e.g. "grasp.dropped"
   std::string attempt_id;  // "" when nothing was kept
+  bool not_kept = false;   // it was to be kept and is not: `problems` say why
+  std::string kept_beside;  // file with the attempt while its store cannot be written; "" when it is in the store
+  double speed = 1;         // simulated over real time; below 1 the machine could not keep up
+  double forces_off_s = 0;  // s in which a force guard stood switched off after a fault
+  uint64_t missing_steps = 0;  // of what is kept: a replay ends at the first of them
   double score = 0;
   double simulated_s = 0;
   uint64_t steps = 0;
@@ -101,12 +107,15 @@ struct Replay {
   bool identical = false;
   uint64_t first_difference = 0;  // step number; when not identical
   std::string reason;  // why stepping ended early or which object differs, "" when it cannot be known
+  /// What the lesson says now, having seen every step; its outcome is kRunning where the attempt was ended from outside.
+  Result verdict;
+  std::vector<std::pair<std::string, std::string>> plugins;  // id, version of everything in the scene now
 };
 
 /// Builds the scene from the recording's own descriptor, steps it without a clock on the recorded samples and
 /// commands, and compares the hash of every step. False and `problems` when it cannot be built (a plugin is
-/// missing). [main]
+/// missing). `to_the_end`: goes on where the bits differ, for the verdict of the lesson as it is now. [main]
 bool replay(const record::Recording&, const std::vector<std::string>& plugin_dirs, Replay& out,
-            Problems& problems);
+            Problems& problems, bool to_the_end = false);
 
 }  // namespace swage::session
