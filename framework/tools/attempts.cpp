@@ -6,6 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "host/nearest.hpp"
+#include "record/address.hpp"
+#include "record/backup.hpp"
+#include "record/identity.hpp"
+#include "record/salvage.hpp"
 #include "record/store.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
@@ -27,7 +31,14 @@ std::unique_ptr<record::Store> open(const AttemptsOptions& o, bool may_make = fa
   }
   // attempts whose program died are shown as what they are
   store->recover();
+  if (store->read_only())
+    tell(base::Severity::kNote, record::shown(where), "This store can only be read here: nothing in it is changed.");
   return store;
+}
+
+// where an attempt's own name could be a path, it does not choose the place of a file
+std::string file_name(const std::string& id) {
+  return record::is_id(id) ? id + ".swage" : "attempt.swage";
 }
 
 Json to_json(const record::AttemptRow& a) {
@@ -48,6 +59,7 @@ Json to_json(const record::AttemptRow& a) {
           {"score", number(a.score)},
           {"simulated_s", number(a.simulated_s)},
           {"void", a.is_void},
+          {"remark", a.remark},
           {"metrics", metrics}};
 }
 
@@ -63,24 +75,27 @@ int list_attempts(const AttemptsOptions& o) {
       names.push_back(p.name);
       if (p.name == o.person) person_id = p.id;
     }
+    if (!store->trouble().empty()) return problem(store->trouble());
     if (person_id.empty())
       return problem("Nobody in the store is called \"" + o.person + "\"." +
                      host::did_you_mean(o.person, names));
   }
 
   const std::vector<record::AttemptRow> attempts = store->attempts(person_id, o.lesson);
+  if (!store->trouble().empty()) return problem(store->trouble());
   if (o.json) {
     Json out = Json::array();
     for (const record::AttemptRow& a : attempts) out.push_back(to_json(a));
     print(out);
     return kPassed;
   }
-  if (attempts.empty()) std::printf("no attempts in %s\n", store_place(o.store).c_str());
+  if (attempts.empty()) std::printf("no attempts in %s\n", record::shown(store_place(o.store)).c_str());
   for (const record::AttemptRow& a : attempts) {
     const std::string how = a.state == "complete" ? a.outcome : a.state;
-    std::printf("%s  %.16s  %-16s %-28s %-10s %5.1f  %8.1f s  %s\n", a.id.c_str(), a.started_utc.c_str(),
-                a.person_name.c_str(), a.lesson_id.c_str(), how.c_str(),
-                std::isfinite(a.score) ? a.score : 0.0, a.simulated_s, a.reason.c_str());
+    std::printf("%s  %s  %-16s %-28s %-10s %5.1f  %8.1f s  %s\n", printable(a.id).c_str(), printable(a.started_utc.substr(0, 16)).c_str(),
+                printable(a.person_name).c_str(), printable(a.lesson_id).c_str(), printable(how).c_str(),
+                std::isfinite(a.score) ? a.score : 0.0, a.simulated_s,
+                printable(a.remark.empty() ? a.reason : a.reason + " (" + a.remark + ")").c_str());
   }
   return kPassed;
 }
@@ -92,7 +107,7 @@ int export_attempt(const AttemptsOptions& o) {
   if (!store) return kProblem;
   if (!find_attempt(*store, o.id, row, error)) return problem(error);
   if (row.state == "running") return problem("Attempt " + row.id + " is still running.");
-  const std::string file = o.file.empty() ? row.id + ".swage" : o.file;
+  const std::string file = o.file.empty() ? file_name(row.id) : o.file;
   if (!store->export_attempt(row.id, file, error)) return problem(error);
   if (o.json)
     print({{"attempt", row.id}, {"file", file}});
@@ -118,6 +133,60 @@ int import_attempts(const AttemptsOptions& o) {
   }
   if (o.json) print(list);
   return good ? kPassed : kProblem;
+}
+
+int salvage_store(const AttemptsOptions& o) {
+  const std::string where = store_place(o.store);
+  record::Salvaged out;
+  std::string error;
+  const bool done = o.file.empty() ? record::salvage_in_place(where, out, error)
+                                   : record::salvage(where, o.file, out, error);
+  if (!done) return problem(error);
+  if (o.json) {
+    print({{"store", o.file.empty() ? where : o.file},
+           {"damaged", out.damaged},
+           {"whole", out.whole},
+           {"shortened", out.shortened},
+           {"altered", out.altered},
+           {"lost", out.headless},
+           {"lost_rows", out.lost_rows}});
+    return kPassed;
+  }
+  std::printf("%llu attempts whole, %llu with a recording that ends early, %llu with rows that are not what they were, "
+              "%llu lost\n",
+              static_cast<unsigned long long>(out.whole), static_cast<unsigned long long>(out.shortened),
+              static_cast<unsigned long long>(out.altered),
+              static_cast<unsigned long long>(out.headless));
+  std::printf("the store is %s\n", o.file.empty() ? where.c_str() : o.file.c_str());
+  if (!out.damaged.empty()) std::printf("the damaged one lies in %s\n", out.damaged.c_str());
+  return kPassed;
+}
+
+int backup_attempts(const AttemptsOptions& o) {
+  record::Copied out;
+  std::string error;
+  const std::string where = store_place(o.store);
+  if (!existing_store(where, error) || !record::backup_store(where, o.file, out, error)) return problem(error);
+  if (o.json)
+    print({{"file", o.file}, {"people", out.people}, {"attempts", out.attempts}});
+  else
+    std::printf("%llu attempts of %llu people in %s\n", static_cast<unsigned long long>(out.attempts),
+                static_cast<unsigned long long>(out.people), o.file.c_str());
+  return kPassed;
+}
+
+int restore_attempts(const AttemptsOptions& o) {
+  record::Copied out;
+  std::string error;
+  const std::string where = store_place(o.store);
+  if (!record::restore_store(o.file, where, out, error)) return problem(error);
+  if (o.json)
+    print({{"store", record::shown(where)}, {"attempts", out.attempts}, {"added", out.added}});
+  else
+    std::printf("%llu of %llu attempts were added to %s, the others were there\n",
+                static_cast<unsigned long long>(out.added), static_cast<unsigned long long>(out.attempts),
+                record::shown(where).c_str());
+  return kPassed;
 }
 
 }  // namespace swage::tools

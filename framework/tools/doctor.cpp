@@ -16,6 +16,7 @@
 #include "host/catalogue.hpp"
 #include "host/child.hpp"
 #include "host/nearest.hpp"
+#include "record/address.hpp"
 #include "record/store.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
@@ -136,9 +137,11 @@ fs::path existing(fs::path path) {
 
 Finding store(const std::string& where) {
   std::error_code ignored;
-  const bool server = where.find("://") != std::string::npos;
+  const bool server = record::is_postgres(where);
   const std::string remedy = server ? "Check the server's address, and that it runs and lets you in."
                                     : "Choose another place with --store, or make that folder yours.";
+  if (const std::string no = record::address_problem(where); !no.empty())
+    return {"store", State::kBad, no, remedy};
   if (!server && !fs::exists(where, ignored)) {
     const fs::path folder = existing(fs::absolute(where, ignored));
     if (fs::is_directory(folder, ignored) && access(folder.c_str(), W_OK) == 0)
@@ -147,9 +150,19 @@ Finding store(const std::string& where) {
             remedy};
   }
   std::string error;
-  const auto opened = record::Store::open(where, error);
+  const auto opened = record::Store::open_as_allowed(where, error);
   if (!opened) return {"store", State::kBad, error, remedy};
-  return {"store", State::kGood, format("%zu attempts in ", opened->attempts("").size()) + where, ""};
+  const std::string damage = opened->damage();
+  const std::size_t attempts = opened->attempts("").size();
+  const std::string trouble = !damage.empty() ? damage : opened->trouble();
+  if (!trouble.empty())
+    return {"store", State::kBad, trouble,
+            server ? "Restore the newest backup of that database."
+                   : "Put a new one in its place with: swage attempts salvage --store " + where};
+  const std::string text = format("%zu attempts in ", attempts) + record::shown(where);
+  if (opened->read_only())
+    return {"store", State::kPoor, text + ", which can only be read here: no attempt can be kept", remedy};
+  return {"store", State::kGood, text, ""};
 }
 
 Finding disk(const std::string& where) {
@@ -157,7 +170,7 @@ Finding disk(const std::string& where) {
   constexpr uint64_t kEnough = uint64_t{1} << 30;
   std::error_code ignored;
   struct statvfs facts {};
-  if (where.find("://") != std::string::npos) return {"disk", State::kGood, "the store is on a server", ""};
+  if (record::is_postgres(where)) return {"disk", State::kGood, "the store is on a server", ""};
   const fs::path folder = existing(fs::absolute(where, ignored));
   if (statvfs(folder.c_str(), &facts) != 0)
     return {"disk", State::kBad, folder.string() + " cannot be asked", ""};
@@ -187,7 +200,7 @@ int doctor(const DoctorOptions& o) {
     bad |= f.state == State::kBad;
     list.push_back({{"name", f.name}, {"state", text(f.state)}, {"text", f.text}, {"remedy", f.remedy}});
     if (o.json) continue;
-    std::printf("%-4s  %-12s %s\n", text(f.state), f.name.c_str(), f.text.c_str());
+    std::printf("%-4s  %-12s %s\n", text(f.state), printable(f.name).c_str(), printable(f.text).c_str());
     if (!f.remedy.empty()) std::printf("      %-12s %s\n", "", f.remedy.c_str());
   }
   if (o.json) print(list);

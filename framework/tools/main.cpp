@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage: one program with verbs. Its window is swage-console.
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -83,6 +87,8 @@ void add_replay(CLI::App& app, Arguments& a) {
   verb->add_option("attempt", a.replay.what, "Attempt id or its beginning, \"last\", or a .swage file")
       ->required();
   verb->add_option("--store", a.replay.store, "Attempts database");
+  verb->add_flag("--grade", a.replay.grade,
+                 "Let the lesson of today judge it (\"all\": every attempt), and keep that beside what was said");
   verb->add_flag("--json", a.replay.json, "The result as JSON");
   plugin_dirs(verb, a.replay.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return replay(a.replay); }; });
@@ -167,7 +173,7 @@ void add_bench(CLI::App& app, Arguments& a) {
 }
 
 void add_attempts(CLI::App& app, Arguments& a) {
-  CLI::App* verb = app.add_subcommand("attempts", "List, export and import what the store keeps");
+  CLI::App* verb = app.add_subcommand("attempts", "List, export, import, back up and salvage what the store keeps");
   AttemptsOptions& o = a.attempts;
   verb->require_subcommand(1);
   const auto common = [&](CLI::App* sub, int (*what)(const AttemptsOptions&)) {
@@ -186,6 +192,16 @@ void add_attempts(CLI::App& app, Arguments& a) {
   CLI::App* in = verb->add_subcommand("import", "Files into the store; what is there already stays");
   in->add_option("files", o.files, "Files that were exported")->required();
   common(in, import_attempts);
+  CLI::App* save = verb->add_subcommand("backup", "The whole store, file or server, into one file");
+  save->add_option("file", o.file, "File to write; one that is there is replaced once the new one is whole")->required();
+  common(save, backup_attempts);
+  CLI::App* back = verb->add_subcommand("restore", "What a backup holds into the store; what is there already stays");
+  back->add_option("file", o.file, "File that \"backup\" has written")->required();
+  common(back, restore_attempts);
+  CLI::App* rescue = verb->add_subcommand("salvage", "A new store of what a damaged one still holds");
+  rescue->add_option("--to", o.file,
+                     "File of the new store; unless given it takes the place of the damaged one, which is kept beside it");
+  common(rescue, salvage_store);
 }
 
 void add_needle(CLI::App& app, Arguments& a) {
@@ -250,9 +266,19 @@ int parse_and_run(int argc, char** argv) {
   return a.chosen();
 }
 
+// A file that is opened while 0, 1 or 2 is closed would get that number, and be written over by what is meant for a terminal.
+void occupy_standard_streams() {
+  int file = open("/dev/null", O_RDWR);
+  while (file >= 0 && file <= STDERR_FILENO) file = open("/dev/null", O_RDWR);
+  if (file >= 0) close(file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
+  // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
+  signal(SIGXFSZ, SIG_IGN);
   try {
     return swage::session::end_program(parse_and_run(argc, argv));
   } catch (const std::exception& error) {

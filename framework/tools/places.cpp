@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "record/address.hpp"
+
 namespace swage::tools {
 
 namespace fs = std::filesystem;
@@ -60,8 +62,9 @@ std::string store_place(const std::string& given) {
 
 std::unique_ptr<record::Store> existing_store(const std::string& where, std::string& error) {
   std::error_code ignored;
-  if (where.find("://") != std::string::npos || fs::exists(where, ignored))
-    return record::Store::open(where, error);
+  error = record::address_problem(where);
+  if (!error.empty()) return nullptr;
+  if (record::is_postgres(where) || fs::exists(where, ignored)) return record::Store::open_as_allowed(where, error);
   error = "There is no store " + where + ": no attempt has been kept there yet.";
   return nullptr;
 }
@@ -70,7 +73,16 @@ bool find_attempt(record::Store& store, const std::string& meant, record::Attemp
                   std::string& error) {
   if (store.attempt(meant, out)) return true;
   std::vector<record::AttemptRow> candidates;
-  for (record::AttemptRow& a : store.attempts(""))
+  if (!store.trouble().empty()) {
+    error = store.trouble();
+    return false;
+  }
+  std::vector<record::AttemptRow> all = store.attempts("");
+  if (!store.trouble().empty()) {
+    error = store.trouble();
+    return false;
+  }
+  for (record::AttemptRow& a : all)
     if (meant == "last" || a.id.starts_with(meant)) candidates.push_back(std::move(a));
   if (candidates.empty()) {
     error = meant == "last" ? "The store holds no attempt yet."

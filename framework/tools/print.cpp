@@ -28,11 +28,29 @@ const char* text(base::Severity severity) {
 
 }  // namespace
 
+// C0 and DEL, and C1, which UTF-8 writes as 0xC2 0x80 to 0xC2 0x9F: some terminals take the latter for escapes too
+std::string printable(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+    const bool c1 = c == 0xC2 && next >= 0x80 && next <= 0x9F;
+    if (c1)
+      out += format("\\x%02x", next), ++i;
+    else if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F)
+      out += format("\\x%02x", c);
+    else
+      out += text[i];
+  }
+  return out;
+}
+
 void tell(base::Severity severity, const std::string& where, const std::string& message) {
   // results first, when both go to one terminal
   std::fflush(stdout);
   const char* between = where.empty() ? "" : ": ";
-  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), where.c_str(), between, message.c_str());
+  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), printable(where).c_str(), between,
+               printable(message).c_str());
 }
 
 void tell(const base::Problems& problems) {
@@ -50,7 +68,8 @@ int problem(const std::string& message) {
 
 void print(const nlohmann::ordered_json& json) {
   using Json = nlohmann::ordered_json;
-  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  // JSON itself writes C0 as \\u001b; line ends of the layout stay
+  std::printf("%s\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)).c_str());
 }
 
 nlohmann::ordered_json to_json(const base::Problems& problems) {

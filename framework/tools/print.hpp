@@ -10,6 +10,9 @@
 
 namespace swage::tools {
 
+/// Text from files and people, without what a terminal would obey: control characters become \\xNN, line ends and tabs stay.
+std::string printable(const std::string& text);
+
 /// "error: <where>: <message>"
 void tell(base::Severity severity, const std::string& where, const std::string& message);
 void tell(const base::Problems& problems);

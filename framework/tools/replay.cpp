@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage replay: steps a kept attempt again and compares every hash.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -46,9 +48,110 @@ std::string gap_text(const record::Recording& recording) {
   return recording.step.empty() ? "It has no recorded step." : "";
 }
 
+// What was said then and what the lesson says now, one below the other.
+void print_grade(const record::AttemptRow& then, const record::Grade& now) {
+  std::printf("%s  %s  %s\n", printable(then.id).c_str(), printable(then.lesson_id).c_str(),
+              now.identical ? "the same bits" : "OTHER BITS: the scene went another way than then");
+  std::printf("  %-20s %12s %12s\n", "", "then", "now");
+  std::printf("  %-20s %12s %12s\n", "outcome", printable(then.outcome).c_str(), printable(now.outcome).c_str());
+  std::printf("  %-20s %12.4g %12.4g\n", "score", then.score, now.score);
+  for (const record::MetricValue& m : now.metrics) {
+    const auto old = std::find_if(then.metrics.begin(), then.metrics.end(), [&](const auto& t) { return t.id == m.id; });
+    std::printf("  %-20s %12s %12.4g %s\n", printable(m.id).c_str(),
+                old == then.metrics.end() ? "-" : format("%.4g", old->value).c_str(), m.value,
+                printable(m.unit).c_str());
+  }
+}
+
+record::Grade grade_of(const record::AttemptRow& then, const session::Replay& now) {
+  record::Grade g;
+  g.attempt_id = then.id;
+  g.plugins = now.plugins;
+  g.identical = now.identical;
+  // who ended it from outside, a time limit or a person, is not judged again
+  const bool open = now.verdict.outcome == judge::Outcome::kRunning;
+  g.outcome = open ? then.outcome : judge::text(now.verdict.outcome);
+  g.reason = open ? then.reason : now.verdict.reason;
+  g.score = now.verdict.score;
+  for (const session::Result::Metric& m : now.verdict.metrics)
+    if (std::isfinite(m.value)) g.metrics.push_back({m.id, m.unit, m.value});
+  return g;
+}
+
+bool same_verdict(const record::AttemptRow& then, const record::Grade& now) {
+  // stored scores and metrics are doubles: what is judged the same is the same to the last bit but for text
+  if (then.outcome != now.outcome || std::abs(then.score - now.score) > 1e-9) return false;
+  for (const record::MetricValue& m : then.metrics)
+    for (const record::MetricValue& n : now.metrics)
+      if (m.id == n.id && std::abs(m.value - n.value) > 1e-9 * (1 + std::abs(m.value))) return false;
+  return true;
+}
+
+enum class Judged { kSame, kOther, kNot };
+
+Judged grade_one(record::Store& store, const std::string& where, const ReplayOptions& o,
+                 const record::AttemptRow& then, nlohmann::ordered_json& list) {
+  record::Recording recording;
+  std::string error;
+  session::Replay result;
+  base::Problems problems;
+  if (!record::read_recording(where, then.id, recording, error) || recording.step.empty()) {
+    tell(base::Severity::kError, then.id, error.empty() ? "It has no recorded step." : error);
+    return Judged::kNot;
+  }
+  const std::string gap = gap_text(recording);
+  const bool stepped = gap.empty() && session::replay(recording, o.plugin_dirs, result, problems, true);
+  tell(problems);
+  if (!stepped) {
+    if (!gap.empty()) tell(base::Severity::kError, then.id, gap);
+    return Judged::kNot;
+  }
+  const record::Grade now = grade_of(then, result);
+  if (!store.add_grade(now, error)) {
+    tell(base::Severity::kError, then.id, error);
+    return Judged::kNot;
+  }
+  const bool same = same_verdict(then, now);
+  if (o.json)
+    list.push_back({{"attempt", then.id},
+                    {"identical", now.identical},
+                    {"same", same},
+                    {"then", {{"outcome", then.outcome}, {"score", number(then.score)}}},
+                    {"now", {{"outcome", now.outcome}, {"score", number(now.score)}}}});
+  else
+    print_grade(then, now);
+  return same ? Judged::kSame : Judged::kOther;
+}
+
+// 0: every verdict is as it was; 1: some differ; 2: some could not be judged
+int grade(const ReplayOptions& o) {
+  const std::string where = store_place(o.store);
+  std::string error;
+  const auto store = existing_store(where, error);
+  if (!store) return problem(error);
+  std::vector<record::AttemptRow> attempts;
+  if (o.what == "all") {
+    attempts = store->attempts("");
+    if (!store->trouble().empty()) return problem(store->trouble());
+  } else if (!find_attempt(*store, o.what, attempts.emplace_back(), error)) {
+    return problem(error);
+  }
+  auto list = nlohmann::ordered_json::array();
+  int code = kPassed;
+  for (const record::AttemptRow& a : attempts) {
+    if (a.state == "running") continue;
+    const Judged judged = grade_one(*store, where, o, a, list);
+    if (judged == Judged::kNot) code = kProblem;
+    if (judged == Judged::kOther && code == kPassed) code = kNotPassed;
+  }
+  if (o.json) print(list);
+  return code;
+}
+
 }  // namespace
 
 int replay(const ReplayOptions& o) {
+  if (o.grade) return grade(o);
   record::Recording recording;
   std::string id, error;
   if (!load(o, recording, id, error)) return problem(error);

@@ -14,6 +14,7 @@
 #include "assembly/lesson_file.hpp"
 #include "host/nearest.hpp"
 #include "host/units.hpp"
+#include "record/address.hpp"
 #include "record/recorder.hpp"
 #include "session/session.hpp"
 #include "tools/places.hpp"
@@ -149,26 +150,36 @@ std::string metric_text(double value, const std::string& unit) {
   return format("%.4g%s%s", scale * value, shown[0] != '\0' ? " " : "", shown);
 }
 
+std::string kept_text(const session::Result& r, const std::string& store) {
+  if (r.not_kept) return "NOT KEPT: nothing of this attempt is in the store";
+  if (r.attempt_id.empty()) return "not kept";
+  std::string text = "kept as attempt " + r.attempt_id + " in ";
+  text += r.kept_beside.empty() ? record::shown(store)
+                                : r.kept_beside + ", until " + record::shown(store) + " can be written again";
+  if (r.missing_steps > 0)
+    text += format("; %llu steps are missing in it", static_cast<unsigned long long>(r.missing_steps));
+  return text;
+}
+
 void print_text(const RunOptions& o, const snapshot::SceneCard& card, const session::Result& r,
                 const std::string& store) {
-  std::printf("%s (%s)\n", card.title.c_str(), card.lesson_id.c_str());
+  std::printf("%s (%s)\n", printable(card.title).c_str(), printable(card.lesson_id).c_str());
   for (const auto& d : card.devices)
-    std::printf("  %s: %s %s\n", d.name.c_str(), d.plugin.c_str(), d.plugin_version.c_str());
+    std::printf("  %s: %s %s\n", printable(d.name).c_str(), printable(d.plugin).c_str(),
+                printable(d.plugin_version).c_str());
   std::printf("%s", judge::text(r.outcome));
-  if (!r.reason.empty()) std::printf(": %s", r.reason.c_str());
+  if (!r.reason.empty()) std::printf(": %s", printable(r.reason).c_str());
   std::printf(", score %s of 100, after %.3f s\n", host::format_number(std::round(10 * r.score) / 10).c_str(),
               r.simulated_s);
   for (const auto& m : r.metrics) {
-    std::printf("  %-20s %-14s %s\n", m.id.c_str(), metric_text(m.value, m.unit).c_str(), m.doc.c_str());
+    std::printf("  %-20s %-14s %s\n", printable(m.id).c_str(),
+                printable(metric_text(m.value, m.unit)).c_str(), printable(m.doc).c_str());
   }
   std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
   if (r.health.solver.steps > 0)
     std::printf("solver: fell short in %llu steps: %s\n",
                 static_cast<unsigned long long>(r.health.solver.steps), base::text(r.health.solver).c_str());
-  if (r.attempt_id.empty())
-    std::printf("not kept\n");
-  else
-    std::printf("kept as attempt %s in %s\n", r.attempt_id.c_str(), store.c_str());
+  std::printf("%s\n", kept_text(r, store).c_str());
 }
 
 Json solver_json(const base::SolverHealth& health) {
@@ -206,7 +217,11 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
     out["metrics"].push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}, {"doc", m.doc}});
   out["loop"] = loop_json(r.health);
   out["attempt"] = r.attempt_id.empty() ? Json(nullptr) : Json(r.attempt_id);
-  out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(store);
+  out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(record::shown(store));
+  out["kept_beside"] = r.kept_beside.empty() ? Json(nullptr) : Json(r.kept_beside);
+  out["missing_steps"] = r.missing_steps;
+  out["speed"] = number(r.speed);
+  out["forces_off_s"] = number(r.forces_off_s);
   out["problems"] = to_json(r.problems);
   print(out);
 }
@@ -245,6 +260,9 @@ int refused(const RunOptions& o, const base::Problems& problems) {
 
 int run(const RunOptions& o) {
   if (!o.headless) open_window(o);
+  if (o.lesson.ends_with(".swage"))
+    return problem(o.lesson + " is a kept attempt and no lesson. Step it again with: swage replay " + o.lesson +
+                   "   or look at it with: swage-console " + o.lesson);
   session::Options options;
   options.lesson_path = o.lesson;
   options.plugin_dirs = o.plugin_dirs;
@@ -274,6 +292,7 @@ int run(const RunOptions& o) {
   else
     print_text(o, session->card(), result, store_place(o.store));
   if (!traced) return kProblem;
+  if (result.not_kept) return kProblem;
   return result.outcome == judge::Outcome::kPassed ? kPassed : kNotPassed;
 }
 

@@ -35,9 +35,10 @@ struct StudyOptions {
 int study(const StudyOptions&);
 
 struct ReplayOptions {
-  std::string what;  // file, attempt id or its beginning, "last"
+  std::string what;  // file, attempt id or its beginning, "last"; for grading also "all"
   std::string store;
   std::vector<std::string> plugin_dirs;
+  bool grade = false;  // let the lesson of today judge it, and keep that beside what was said
   bool json = false;
 };
 int replay(const ReplayOptions&);
@@ -102,12 +103,15 @@ int bench_needle(const NeedleOptions&);
 
 struct AttemptsOptions {
   std::string store, person, lesson;
-  std::string id, file;            // export
+  std::string id, file;            // export; salvage: the new store, "" for the place of the damaged one
   std::vector<std::string> files;  // import
   bool json = false;
 };
 int list_attempts(const AttemptsOptions&);
 int export_attempt(const AttemptsOptions&);
 int import_attempts(const AttemptsOptions&);
+int salvage_store(const AttemptsOptions&);
+int backup_attempts(const AttemptsOptions&);
+int restore_attempts(const AttemptsOptions&);
 
 }  // namespace swage::tools

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <stdlib.h>
+
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "program.hpp"
 #include "record/recorder.hpp"
@@ -89,6 +93,68 @@ TEST_F(Attempts, SayWhatIsMissing) {
          "none.swage cannot be read: No such file");
   expect({"replay", path("none.swage")}, "There is no file " + path("none.swage"));
   expect({"replay", "last", "--store", path("none.db")}, "There is no store");
+}
+
+TEST_F(Attempts, EscapeSequencesDoNotReachTheTerminal) {
+  keep("Eve\x1b]0;owned\x07\xC2\x9B" "2J", "org.example.\x1b[31m");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"attempts", "list", "--store", store()},
+        std::vector<std::string>{"attempts", "list", "--store", store(), "--json"},
+        std::vector<std::string>{"attempts", "list", "--store", store(), "--person", "No\x1b[2Jbody"},
+        std::vector<std::string>{"attempts", "import", path("no\x1b[2Jfile"), "--store", store()},
+        std::vector<std::string>{"doctor", "--store", path("no\x1b[2Jstore")}}) {
+    const Said said = swage(arguments);
+    EXPECT_THAT(said.out + said.err, testing::Not(testing::AnyOf(HasSubstr("\x1b"), HasSubstr("\xC2\x9B"))))
+        << arguments[1];
+  }
+}
+
+TEST_F(Attempts, ADamagedStoreSaysSoAndIsSalvaged) {
+  const std::string id = keep("Ada", "org.example.a");
+  keep("Bo", "org.example.b");
+  {
+    // the page that lists the tables is whole, that of the attempts is not
+    std::fstream file(store(), std::ios::in | std::ios::out | std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    file.clear();
+    const auto page = static_cast<std::streamoff>(bytes.find("A lesson") / 4096 * 4096);
+    file.seekp(page);
+    file.write(std::string(8, '\x55').data(), 8);
+  }
+  const Said list = swage({"attempts", "list", "--store", store()});
+  EXPECT_EQ(list.code, 2);
+  EXPECT_THAT(list.out, testing::Not(HasSubstr("no attempts")));
+  EXPECT_THAT(list.err, HasSubstr("swage attempts salvage --store " + store()));
+  const Said doctor = swage({"doctor", "--store", store()});
+  EXPECT_EQ(doctor.code, 2);
+  EXPECT_THAT(doctor.out, testing::ContainsRegex("bad +store"));
+  const Said salvage = swage({"attempts", "salvage", "--store", store()});
+  EXPECT_EQ(salvage.code, 0) << salvage.err;
+  EXPECT_THAT(salvage.out, HasSubstr("the store is " + store() + "\n"));
+  EXPECT_THAT(salvage.out, HasSubstr("the damaged one lies in " + store() + ".damaged-"));
+  EXPECT_EQ(swage({"attempts", "list", "--store", store()}).code, 0);
+  EXPECT_EQ(swage({"doctor", "--store", store()}).code, 0);
+}
+
+TEST_F(Attempts, AnotherKindOfServerIsNoFile) {
+  for (const char* verb : {"list", "import"}) {
+    std::vector<std::string> arguments = {"attempts", verb, "--store", "mysql://ada:secret@host/swage"};
+    if (verb == std::string("import")) arguments.push_back("one.swage");
+    const Said said = swage(arguments);
+    EXPECT_EQ(said.code, 2);
+    EXPECT_THAT(said.err, HasSubstr("is no store that Swage knows"));
+    EXPECT_THAT(said.err, testing::Not(HasSubstr("secret")));
+  }
+}
+
+TEST_F(Attempts, AUserWithoutAHomeIsToldAndTheRootOfTheDiskStaysAsItIs) {
+  const bool before = std::filesystem::exists("/.local");
+  unsetenv("HOME");
+  unsetenv("XDG_DATA_HOME");
+  const Said said = swage({"doctor", "--json"});
+  setenv("HOME", folder().c_str(), 1);
+  EXPECT_EQ(std::filesystem::exists("/.local"), before);
+  EXPECT_THAT(said.out, testing::Not(HasSubstr("\"/.local")));
 }
 
 }  // namespace

@@ -101,6 +101,73 @@ TEST_F(Run, KeepsNothingWhenTold) {
   EXPECT_THAT(said.out, HasSubstr("\nnot kept\n"));
 }
 
+// What a shell can take away from a program before it starts it.
+TEST_F(Run, ALimitOnFilesIsASentenceAndNoSignal) {
+  const std::string file = lesson("3 s");
+  for (const char* blocks : {"0", "20", "100"}) {
+    const Said said = swage({"-c", "ulimit -f " + std::string(blocks) + "; exec " SWAGE_PROGRAM " run " + file +
+                                       " --headless --as-fast-as-possible --store " + path(blocks) + ".db"},
+                            "/bin/bash");
+    // kept, or said that it is not; never both, and never a signal
+    const bool kept = said.out.find("kept as attempt") != std::string::npos;
+    EXPECT_EQ(said.code == 0, kept) << blocks << said.out << said.err;
+    if (!kept) {
+      EXPECT_EQ(said.code, 2) << said.out << said.err;
+      EXPECT_THAT(said.err, HasSubstr("ulimit -f")) << blocks;
+    }
+  }
+}
+
+TEST_F(Run, WithoutStandardStreamsTheStoreStaysWhole) {
+  const Said said = swage({"-c", "exec " SWAGE_PROGRAM " run " + lesson() +
+                                     " --headless --as-fast-as-possible --store " + store() + " <&- >&- 2>&-"},
+                          "/bin/bash");
+  EXPECT_EQ(said.code, 0);
+  EXPECT_EQ(only_attempt().state, "complete");
+  EXPECT_EQ(swage({"replay", "last", "--store", store()}).code, 0);
+}
+
+// What the lesson says today is kept beside what it said then, and neither replaces the other.
+TEST_F(Run, TheLessonOfTodayJudgesAnAttemptOfThen) {
+  run(lesson(), {"--as-fast-as-possible"});
+  const Said same = swage({"replay", "last", "--grade", "--store", store()});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("the same bits"));
+  EXPECT_THAT(same.out, testing::ContainsRegex("outcome +passed +passed"));
+  // an earlier version of the lesson was stricter
+  tamper("UPDATE attempt SET outcome = 'failed', score = 12");
+  const nlohmann::json other = swage({"replay", "all", "--grade", "--json", "--store", store()}).json();
+  ASSERT_EQ(other.size(), 1u);
+  EXPECT_FALSE(other[0]["same"]);
+  EXPECT_EQ(other[0]["then"]["outcome"], "failed");
+  EXPECT_EQ(other[0]["now"]["outcome"], "passed");
+  EXPECT_EQ(swage({"replay", "all", "--grade", "--store", store()}).code, 1);
+  EXPECT_EQ(only_attempt().outcome, "failed");
+  std::string error;
+  const auto grades = record::Store::open(store(), error)->grades(only_attempt().id);
+  ASSERT_EQ(grades.size(), 3u);
+  EXPECT_EQ(grades[0].outcome, "passed");
+  EXPECT_EQ(grades[0].score, 100);
+  EXPECT_TRUE(grades[0].identical);
+  EXPECT_FALSE(grades[0].metrics.empty());
+  EXPECT_FALSE(grades[0].plugins.empty());
+}
+
+TEST_F(Run, AKeptAttemptIsNoLesson) {
+  run(lesson(), {"--as-fast-as-possible"});
+  ASSERT_EQ(swage({"attempts", "export", "last", path("one.swage"), "--store", store()}).code, 0);
+  const Said said = run(path("one.swage"));
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("is a kept attempt and no lesson"));
+  EXPECT_THAT(said.err, HasSubstr("swage replay " + path("one.swage")));
+}
+
+TEST_F(Run, APlaceThatMayNotBeWrittenOffersToRunUnrecorded) {
+  const Said said = swage({"run", lesson(), "--headless", "--as-fast-as-possible", "--store", "/proc/a.db"});
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, HasSubstr("--store :none:"));
+}
+
 TEST_F(Run, AnAttemptThatIsCutShortIsNotPassed) {
   const Said said = run(lesson("100 s"), {"--as-fast-as-possible", "--max-time", "0.2"});
   EXPECT_EQ(said.code, 1) << said.err;
