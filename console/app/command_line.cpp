@@ -3,6 +3,8 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
 
 #include "console/models/lessons_model.hpp"
 
@@ -14,6 +16,13 @@ QCommandLineOption option(const char* name, const char* text, const char* value 
           QString::fromLatin1(value)};
 }
 
+// By its name, or by its first bytes whatever its name. Nothing has opened a store yet, so that this costs nobody a lock.
+bool is_attempt(const QString& path) {
+  if (path.endsWith(QLatin1String(".swage"), Qt::CaseInsensitive)) return true;
+  QFile file(path);
+  return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
+}
+
 }  // namespace
 
 Launch read_command_line(const QStringList& arguments) {
@@ -23,8 +32,8 @@ Launch read_command_line(const QStringList& arguments) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(QStringLiteral("lesson"),
-                               QCoreApplication::translate("command_line", "Lesson file to open."),
-                               QStringLiteral("[lesson.json]"));
+                               QCoreApplication::translate("command_line", "Lesson file, or kept attempt, to open."),
+                               QStringLiteral("[lesson.json | attempt.swage]"));
   parser.addOptions({
       option("start", "Start the lesson at once."),
       option("device", "The hand: mouse, expert, a plugin id, or a name from the lesson.", "device"),
@@ -52,8 +61,13 @@ Launch read_command_line(const QStringList& arguments) {
   const auto text = [&](const char* name) { return parser.value(QString::fromLatin1(name)); };
   const auto given = [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
   Launch launch;
-  if (!parser.positionalArguments().isEmpty())
-    launch.options.lesson_path = parser.positionalArguments().first().toStdString();
+  if (!parser.positionalArguments().isEmpty()) {
+    const QString file = parser.positionalArguments().first();
+    if (is_attempt(file))
+      launch.attempt_file = file;
+    else
+      launch.options.lesson_path = file.toStdString();
+  }
   for (const QString& dir : parser.values(QStringLiteral("plugin-dir")))
     launch.options.plugin_dirs.push_back(dir.toStdString());
   launch.options.device = text("device").toStdString();

@@ -19,6 +19,7 @@ struct Launch {
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none
   QString page;                // "run" or "progress"
   QString review;              // attempt to open on the Review page, "latest" for the newest
+  QString attempt_file;        // kept attempt to open on the Review page
   QString screenshot;          // file to write the picture of the window to, then quit
   double screenshot_at_s = 0;  // simulated time; without a run, seconds after the window is there
   QSize size;                  // of the window

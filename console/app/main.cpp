@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <signal.h>
+
 #include <QApplication>
 #include <QTemporaryDir>
 
 #include "console/app/application.hpp"
 #include "console/app/command_line.hpp"
+#include "console/app/end_signals.hpp"
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
@@ -14,6 +17,8 @@ using namespace swage;
 namespace {
 
 int run(int argc, char** argv) {
+  // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
+  signal(SIGXFSZ, SIG_IGN);
   if (console::asks_for_text(argc, argv)) {
     QCoreApplication text_only(argc, argv);
     console::read_command_line(QCoreApplication::arguments());
@@ -34,7 +39,7 @@ int run(int argc, char** argv) {
   doors.open_session = &session::Session::open;
   if (launch.options.store_path != ":none:") {
     doors.open_store = [where = launch.options.store_path](std::string& error) {
-      return record::Store::open(where, error);
+      return record::Store::open_as_allowed(where, error);
     };
   }
   const session::Options& options = launch.options;
@@ -46,7 +51,14 @@ int run(int argc, char** argv) {
                                                    base::Problems& problems) {
     return console::open_session_player(recording, dirs, problems);
   };
+  doors.open_file = [](const std::string& file, std::string& error) {
+    return record::Store::open_to_read(file, error);
+  };
+  doors.read_file = [](const std::string& file, const std::string& id, record::Recording& out, std::string& error) {
+    return record::read_recording(file, id, out, error);
+  };
   console::MainWindow window(std::move(doors), launch);
+  const console::EndSignals signals([&window] { window.leave(); });
   window.show();
   if (!launch.screenshot.isEmpty()) {
     new console::Screenshot(&window, launch.screenshot, launch.screenshot_at_s, launch.start);

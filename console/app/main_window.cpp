@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHash>
 #include <QLabel>
@@ -57,6 +58,7 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   progress_ = new ProgressPage(std::move(doors.open_store), pages_);
   pages_->addWidget(run_);
   review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
+  review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
   pages_->addWidget(progress_);
   pages_->addWidget(review_);
   column->addWidget(pages_, 1);
@@ -67,6 +69,7 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   connect(run_, &RunPage::review, this, &MainWindow::review);
   connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
   connect(progress_, &ProgressPage::review, this, &MainWindow::review);
+  connect(progress_, &ProgressPage::open_file, this, &MainWindow::open_attempt);
   connect(review_, &ReviewPage::back, this, [this] { show_page(1); });
   progress_->set_metric_finder([this](const QString& lesson, const std::string& metric) {
     const int row = lessons_.row_of(lesson);
@@ -165,6 +168,7 @@ void MainWindow::add_actions() {
     strip_->show_frames(shown_view()->frames());
   });
   connect(&frames_timer_, &QTimer::timeout, this, [this] { strip_->show_frames(shown_view()->frames()); });
+  add(tr("Open an attempt"), QKeySequence::Open, [this] { open_attempt(); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
   for (int i = 0; i < page_buttons_.size(); ++i) {
@@ -187,9 +191,27 @@ void MainWindow::show_page(int page) {
 
 void MainWindow::review(const QString& attempt_id) {
   if (!progress_->store()) return;
-  review_->open(*progress_->store(), attempt_id);
+  review_->open(progress_->store(), attempt_id);
   show_page(2);
   review_->setFocus();
+}
+
+void MainWindow::open_attempt() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open an attempt"), {},
+                                                    tr("Swage attempts (*.swage);;All files (*)"));
+  if (!file.isEmpty()) review_file(file);
+}
+
+void MainWindow::review_file(const QString& file) {
+  review_->open_file(file);
+  show_page(2);
+  review_->setFocus();
+}
+
+void MainWindow::leave() {
+  run_->control()->stop();
+  remember();
+  QCoreApplication::exit(0);
 }
 
 void MainWindow::show_help() {
@@ -287,6 +309,7 @@ void MainWindow::restore(const Launch& launch) {
   if (const auto view = preset_of(launch.view)) run_->look(*view);
   if (launch.page == QLatin1String("progress")) show_page(1);
   if (!launch.review.isEmpty()) review_given(launch);
+  if (!launch.attempt_file.isEmpty()) review_file(launch.attempt_file);
   if (!launch.trainee.isEmpty()) {
     trainee_look_.stereo.layout = layout_of(launch.trainee);
     show_trainee();

@@ -25,6 +25,8 @@ struct Doors {
   StoreOpener open_store;  // none: nothing is kept
   RecordingReader read_recording;
   PlayerOpener open_player;
+  FileOpener open_file;  // an attempt out of a file
+  FileReader read_file;
 };
 
 class MainWindow : public QMainWindow {
@@ -47,6 +49,11 @@ class MainWindow : public QMainWindow {
   void toggle_trainee();
   void show_trainee_settings();
   void review(const QString& attempt_id);
+  /// Asks for a file with an attempt and shows it on the Review page.
+  void open_attempt();
+  void review_file(const QString& file);
+  /// The attempt ends as with Stop, what is remembered is written, the program goes: for a signal that asks for it.
+  void leave();
 
  protected:
   void closeEvent(QCloseEvent* event) override;

@@ -9,6 +9,7 @@
 
 #include "base/problem.hpp"
 #include "record/recorder.hpp"
+#include "record/store.hpp"
 #include "snapshot/scene_card.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -31,6 +32,10 @@ class Player {
 /// Reads what was recorded of an attempt. False and `error`, a sentence, when it cannot be read.
 using RecordingReader =
     std::function<bool(const std::string& attempt_id, record::Recording& out, std::string& error)>;
+/// A store that is only looked at, out of a file; nullptr and `error` when it is none.
+using FileOpener = std::function<std::unique_ptr<record::Store>(const std::string& file, std::string& error)>;
+using FileReader =
+    std::function<bool(const std::string& file, const std::string& attempt_id, record::Recording& out, std::string& error)>;
 /// Builds its scene; nullptr and problems when a plugin is missing. The recording outlives the player.
 using PlayerOpener =
     std::function<std::unique_ptr<Player>(const record::Recording& recording, base::Problems& problems)>;

@@ -47,6 +47,7 @@ bool RunControl::start(const session::Options& options) {
   result_ = {};
   source_.clear();
   Q_EMIT opened();
+  if (!problems.empty()) Q_EMIT told(problems);
   session_->start();
   set_state(options.start_paused ? State::kPaused : State::kRunning);
   timer_.start();

@@ -57,6 +57,7 @@ class RunControl : public QObject {
  Q_SIGNALS:
   void state_changed();
   void opened();  // card() is new
+  void told(const std::vector<swage::base::Problem>& problems);  // of an attempt that starts all the same
   void failed(const std::vector<swage::base::Problem>& problems);
   void frame();  // at display rate while running
   void happened(const swage::judge::Event& event);

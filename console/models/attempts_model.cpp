@@ -67,7 +67,8 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kTime:
       return clock_text(a.simulated_s);
     case kReason:
-      return human_id(qt(a.reason));
+      return a.remark.empty() ? human_id(qt(a.reason))
+                              : QStringLiteral("%1 (%2)").arg(human_id(qt(a.reason)), qt(a.remark));
     default:
       return {};
   }

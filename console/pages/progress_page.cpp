@@ -15,6 +15,7 @@ namespace swage::console {
 namespace {
 
 constexpr int kCurve = 8;  // fewer points tell no curve
+constexpr int kWatch_ms = 2000;  // what others have written appears that soon; a look costs under a millisecond
 
 }  // namespace
 
@@ -40,6 +41,14 @@ ProgressPage::ProgressPage(StoreOpener opener, QWidget* parent)
   stack_->addWidget(full);
   stack_->addWidget(make_empty());
   row->addWidget(stack_);
+  watch_.setInterval(kWatch_ms);
+  connect(&watch_, &QTimer::timeout, this, &ProgressPage::look);
+  watch_.start();
+}
+
+// what other programs and stations have written; nothing is asked while nobody looks
+void ProgressPage::look() {
+  if (isVisible() && store_ && !broken_ && store_->changed()) refresh();
 }
 
 QWidget* ProgressPage::make_people() {
@@ -114,7 +123,14 @@ QWidget* ProgressPage::make_person() {
   review_ =
       make_button(tr("Review this attempt"), QStringLiteral("Enter"), QStringLiteral("review"), list.frame);
   review_->setEnabled(false);
-  list.body->addWidget(review_, 0, Qt::AlignRight);
+  auto* open = make_button(tr("Open..."), QStringLiteral("Ctrl+O"), QStringLiteral("open_attempt"), list.frame);
+  open->setToolTip(tr("Look at an attempt that was saved to a file (Ctrl+O)"));
+  connect(open, &QPushButton::clicked, this, &ProgressPage::open_file);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(open);
+  buttons->addWidget(review_);
+  list.body->addLayout(buttons);
   connect(review_, &QPushButton::clicked, this, &ProgressPage::review_current);
   connect(table_, &QTableView::activated, this, &ProgressPage::review_current);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -171,7 +187,9 @@ void ProgressPage::ask_lesson(MetricSeries& series) const {
 void ProgressPage::set_theme(const UiTheme& theme) { chart_->set_theme(theme); }
 
 bool ProgressPage::open() {
-  if (store_) return true;
+  if (store_ && !broken_) return true;
+  store_.reset();
+  broken_ = false;
   std::string error;
   if (opener_) store_ = opener_(error);
   if (!store_ && !error.empty())
@@ -183,13 +201,26 @@ bool ProgressPage::open() {
   return true;
 }
 
+// False, and said on the page, when the store no longer gives what it holds.
+bool ProgressPage::reads() {
+  if (store_->trouble().empty()) return true;
+  broken_ = true;
+  empty_->setText(QString::fromStdString(store_->trouble()));
+  stack_->setCurrentIndex(1);
+  return false;
+}
+
 void ProgressPage::refresh() {
   const QString id = people_view_->currentIndex().data(PeopleModel::kId).toString();
+  const QModelIndexList rows = table_->selectionModel()->selectedRows();
+  const QString attempt = rows.isEmpty() ? QString() : rows.first().data(AttemptsModel::kId).toString();
   if (!open()) {
     stack_->setCurrentIndex(1);
     return;
   }
-  people_->set_people(store_->people());
+  const std::vector<record::Person> people = store_->people();
+  if (!reads()) return;
+  people_->set_people(people);
   if (people_->rowCount() == 0) {
     empty_->setText(
         tr("No one here yet. Attempts appear here after the first lesson; without a name they are kept for "
@@ -199,6 +230,9 @@ void ProgressPage::refresh() {
   }
   stack_->setCurrentIndex(0);
   people_view_->setCurrentIndex(people_->index(std::max(0, people_->row_of(id)), 0));
+  for (int row = 0; !attempt.isEmpty() && row < sorted_->rowCount(); ++row) {
+    if (sorted_->index(row, 0).data(AttemptsModel::kId).toString() == attempt) table_->selectRow(row);
+  }
 }
 
 void ProgressPage::focus_attempts() {
@@ -216,6 +250,7 @@ void ProgressPage::show_person() {
   if (!index.isValid() || !store_) return;
   name_->setText(index.data().toString());
   all_ = store_->attempts(index.data(PeopleModel::kId).toString().toStdString());
+  if (!reads()) return;
 
   // the lessons that this person has done
   const QString before = lesson_->currentData().toString();

@@ -10,6 +10,7 @@
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
+#include <QTimer>
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -31,8 +32,8 @@ class ProgressPage : public QWidget {
   PeopleModel* people() { return people_; }
   AttemptsModel* attempts() { return attempts_; }
   MetricChart* chart() { return chart_; }
-  /// nullptr before the first refresh() and where nothing is kept.
-  record::Store* store() { return store_.get(); }
+  /// nullptr before the first refresh() and where nothing is kept. Whoever looks at an attempt keeps its store open.
+  std::shared_ptr<record::Store> store() { return store_; }
   /// What a lesson says about a metric: which way it is better, and what is asked.
   using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
   void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
@@ -47,6 +48,8 @@ class ProgressPage : public QWidget {
  Q_SIGNALS:
   void run_lesson();
   void review(const QString& attempt_id);
+  /// An attempt out of a file is wanted.
+  void open_file();
   /// Attempts of a program that ended unexpectedly were brought to an end.
   void recovered(int attempts);
 
@@ -55,6 +58,8 @@ class ProgressPage : public QWidget {
   QWidget* make_person();
   QWidget* make_empty();
   bool open();
+  bool reads();
+  void look();
   void show_person();
   void show_attempts();
   void show_metric();
@@ -63,7 +68,9 @@ class ProgressPage : public QWidget {
 
   StoreOpener opener_;
   MetricFinder finder_;
-  std::unique_ptr<record::Store> store_;
+  std::shared_ptr<record::Store> store_;
+  bool broken_ = false;  // the last reading of the store failed: the next one opens it again
+  QTimer watch_;         // what other programs write
   PeopleModel* people_;
   AttemptsModel* attempts_;
   QSortFilterProxyModel* sorted_;

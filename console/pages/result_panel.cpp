@@ -46,6 +46,7 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   more_button_->setCheckable(true);
   connect(more_button_, &QPushButton::toggled, more_box_, &QWidget::setVisible);
   kept_ = make_muted({}, card.frame);
+  kept_->setObjectName(QStringLiteral("kept"));
   problems_ = make_muted({}, card.frame);
   card.body->addWidget(outcome_);
   card.body->addWidget(reason_);
@@ -176,9 +177,12 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
   add_line(metrics_, tr("Time"), clock_text(r.simulated_s), {});
   add_metrics(r, card);
   review_->setEnabled(kept);
-  kept_->setText(kept ? card.mode == "hand" ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
-                                            : tr("Recorded.")
-                      : tr("Not recorded."));
+  kept_->setText(r.not_kept               ? tr("▲ Not recorded: nothing of this attempt is kept.")
+                 : !kept                  ? tr("Not recorded.")
+                 : !r.kept_beside.empty() ? tr("▲ Recorded beside the store, until it can be written again.")
+                 : r.missing_steps > 0    ? tr("▲ Recorded, but %1 steps are missing.").arg(r.missing_steps)
+                 : card.mode == "hand"    ? tr("Recorded as an attempt of a recorded hand; it counts for nobody.")
+                                          : tr("Recorded."));
   show_notes(r);
   announce();
 }

@@ -207,28 +207,58 @@ void ReviewPage::show_problem(const QString& text) {
     findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(false);
 }
 
-bool ReviewPage::open(record::Store& store, const QString& id) {
+void ReviewPage::set_file_doors(FileOpener open, FileReader read) {
+  open_file_ = std::move(open);
+  read_file_ = std::move(read);
+}
+
+bool ReviewPage::open(std::shared_ptr<record::Store> store, const QString& id) {
+  store_ = std::move(store);
+  return show(id, reader_);
+}
+
+bool ReviewPage::open_file(const QString& file) {
+  const std::string path = file.toStdString();
+  std::string error;
+  store_.reset();
+  if (open_file_) store_ = open_file_(path, error);
+  const std::vector<record::AttemptRow> attempts = store_ ? store_->attempts("") : std::vector<record::AttemptRow>();
+  if (attempts.size() != 1) {
+    if (store_ && error.empty()) error = store_->trouble();
+    if (error.empty())
+      error = attempts.empty() ? path + " holds no attempt."
+                               : path + " is a store of several attempts: start with --store to see them.";
+    show_problem(QString::fromStdString(error));
+    return false;
+  }
+  return show(QString::fromStdString(attempts.front().id),
+              [this, path](const std::string& id, record::Recording& out, std::string& why) {
+                return read_file_(path, id, out, why);
+              });
+}
+
+bool ReviewPage::show(const QString& id, const RecordingReader& reader) {
   playing_ = false;
   timer_.stop();
   player_.reset();
   timeline_->set_review(nullptr, nullptr);
   recording_ = {};
   review_ = {};
-  store_ = &store;
   record::AttemptRow row;
   std::string error;
-  if (!store.attempt(id.toStdString(), row)) {
-    show_problem(tr("This attempt is no longer in the store."));
+  if (!store_->attempt(id.toStdString(), row)) {
+    show_problem(store_->trouble().empty() ? tr("This attempt is no longer in the store.")
+                                           : QString::fromStdString(store_->trouble()));
     return false;
   }
-  if (!reader_ || !reader_(id.toStdString(), recording_, error)) {
+  if (!reader || !reader(id.toStdString(), recording_, error)) {
     show_problem(tr("The attempt cannot be read: %1").arg(QString::fromStdString(error)));
     return false;
   }
   base::Problems problems;
   if (opener_) player_ = opener_(recording_, problems);
   review_ =
-      make_review(row, recording_, store.events(id.toStdString()), player_ ? &player_->card() : nullptr);
+      make_review(row, recording_, store_->events(id.toStdString()), player_ ? &player_->card() : nullptr);
   show_review(problems);
   go(0);
   return true;

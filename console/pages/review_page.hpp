@@ -36,7 +36,10 @@ class ReviewPage : public QWidget {
   void set_themes(const UiTheme& ui, const CueTheme& cues);
 
   /// Shows an attempt of the store. False: the page says why.
-  bool open(record::Store& store, const QString& attempt_id);
+  bool open(std::shared_ptr<record::Store> store, const QString& attempt_id);
+  /// The same out of a file that holds one.
+  void set_file_doors(FileOpener open, FileReader read);
+  bool open_file(const QString& file);
   /// Writes the attempt as the file's ending says: .swage (everything), .csv (signals), or the summary. "" or what went wrong.
   QString write_swage(const QString& file);
   QString write_signals(const QString& file);
@@ -73,7 +76,11 @@ class ReviewPage : public QWidget {
 
   RecordingReader reader_;
   PlayerOpener opener_;
-  record::Store* store_ = nullptr;
+  bool show(const QString& attempt_id, const RecordingReader& reader);
+
+  FileOpener open_file_;
+  FileReader read_file_;
+  std::shared_ptr<record::Store> store_;
   record::Recording recording_;
   Review review_;
   std::unique_ptr<Player> player_;

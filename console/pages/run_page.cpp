@@ -48,6 +48,7 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   connect(setup_, &SetupPanel::make_variant, this, &RunPage::make_variant);
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
   connect(control_, &RunControl::failed, this, &RunPage::show_problems);
+  connect(control_, &RunControl::told, this, &RunPage::show_record_warning);
   connect(control_, &RunControl::state_changed, this, &RunPage::update_state);
   connect(control_, &RunControl::frame, this, &RunPage::update_frame);
   connect(control_, &RunControl::finished, this, &RunPage::show_finished);

@@ -63,6 +63,8 @@ class RunPage : public QWidget {
 
  public Q_SLOTS:
   void start();
+  /// The same with nothing kept, because the store cannot be written; said as long as it lasts.
+  void start_unrecorded();
   /// A lesson of the instructor's own, based on the chosen one.
   void make_variant();
   /// Readings, cues and events in a window of their own, for a second screen.
@@ -101,6 +103,8 @@ class RunPage : public QWidget {
   const snapshot::SceneCard* card_of(const QString& lesson_path);
   void show_card(const snapshot::SceneCard& card);
   void show_problems(const base::Problems& problems);
+  void show_record_warning(const base::Problems& problems);
+  void launch(bool unrecorded);
   void update_state();
   void update_frame();
   void update_cues();
@@ -126,6 +130,8 @@ class RunPage : public QWidget {
   SceneView* view_ = nullptr;
   QList<SceneView*> views_;  // that one first
   QLabel *title_ = nullptr, *problem_ = nullptr;
+  QPushButton* unrecorded_ = nullptr;  // offered where the store refuses
+  QString refused_;                    // why it refused
   QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
               *cues_button_ = nullptr, *second_button_ = nullptr;
   QList<QPushButton*> folding_;  // over the picture

@@ -6,6 +6,7 @@
 #include "console/models/live_params.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/run_page.hpp"
+#include "record/recorder.hpp"
 
 namespace swage::console {
 namespace {
@@ -35,7 +36,16 @@ session::Options RunPage::options() const {
   return o;
 }
 
-void RunPage::start() {
+void RunPage::start() { launch(false); }
+
+void RunPage::start_unrecorded() {
+  launch(true);
+  if (!control_->running()) return;
+  problem_->setText(tr("▲ NOT RECORDED: nothing of this attempt is kept. %1").arg(refused_));
+  problem_->show();
+}
+
+void RunPage::launch(bool unrecorded) {
   if (control_->running() || setup_->lesson().isEmpty()) return;
   // what is about to run has been looked at, and could be built
   if (preview_timer_.isActive() || !setup_->startable()) preview();
@@ -43,7 +53,9 @@ void RunPage::start() {
   events_->clear();
   sounds_.reset();
   problem_->hide();
+  unrecorded_->hide();
   session::Options o = options();
+  if (unrecorded) o.store_path = ":none:";
   if (draws_seed_)
     o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
   if (control_->start(o)) view_->setFocus();
@@ -104,8 +116,26 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   update_hidden();
 }
 
+// an attempt that is kept elsewhere than asked says so while it runs
+void RunPage::show_record_warning(const base::Problems& problems) {
+  for (const base::Problem& p : problems) {
+    if (p.severity == base::Severity::kNote || !p.where.starts_with(record::kRecordPlace)) continue;
+    problem_->setText(QStringLiteral("▲ ") + QString::fromStdString(p.message));
+    problem_->show();
+  }
+}
+
 void RunPage::show_problems(const base::Problems& problems) {
   QStringList lines;
+  // where the record is all that is missing, the lesson itself can run
+  bool only_record = false;
+  for (const base::Problem& p : problems) {
+    if (p.severity != base::Severity::kError) continue;
+    only_record = p.where.starts_with(record::kRecordPlace);
+    if (!only_record) break;
+    refused_ = QString::fromStdString(p.message);
+  }
+  unrecorded_->setVisible(only_record);
   for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
   problem_->setText(tr("This lesson cannot run:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
   problem_->show();

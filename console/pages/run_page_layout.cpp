@@ -46,6 +46,11 @@ QWidget* RunPage::make_middle() {
   problem_->setProperty("card", true);
   problem_->setVisible(false);
   column->addWidget(problem_);
+  unrecorded_ = make_button(tr("Run without recording"), {}, QStringLiteral("run_unrecorded"), box);
+  unrecorded_->setToolTip(tr("The lesson runs; nothing of this attempt is kept"));
+  unrecorded_->setVisible(false);
+  connect(unrecorded_, &QPushButton::clicked, this, &RunPage::start_unrecorded);
+  column->addWidget(unrecorded_, 0, Qt::AlignLeft);
   column->addWidget(view_, 1);
   column->addWidget(make_actions());
 

@@ -280,6 +280,10 @@ std::unique_ptr<session::Session> open_fake(const session::Options& options,
     problems.push_back({base::Severity::kError, options.lesson_path, script.refuse});
     return nullptr;
   }
+  if (!script.refuse_record.empty() && options.store_path != ":none:") {
+    problems.push_back({base::Severity::kError, "record /full/attempts.db", script.refuse_record});
+    return nullptr;
+  }
   ++log->opened;
   return std::make_unique<FakeSession>(options, script, std::move(log));
 }

@@ -28,6 +28,7 @@ struct FakeScript {
   bool with_thread = false;
   bool with_gap = false;  // the machine lost time once
   std::string refuse;     // non-empty: open() fails with this problem
+  std::string refuse_record;  // non-empty: open() fails with this problem unless nothing is to be kept
 };
 
 std::unique_ptr<session::Session> open_fake(const session::Options& options,

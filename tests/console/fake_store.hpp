@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "record/store.hpp"
@@ -28,7 +29,9 @@ class FakeStore final : public record::Store {
   record::Person person(const std::string& name) override { return {name, name, "", 0}; }
   std::vector<record::AttemptRow> attempts(const std::string& person, const std::string& lesson) override {
     std::vector<record::AttemptRow> out;
-    for (const record::AttemptRow& a : attempts_) {
+    std::vector<record::AttemptRow> all = attempts_;
+    if (shared) all.insert(all.end(), shared->more.begin(), shared->more.end());
+    for (const record::AttemptRow& a : all) {
       if ((person.empty() || a.person_id == person) && (lesson.empty() || a.lesson_id == lesson))
         out.push_back(a);
     }
@@ -40,6 +43,15 @@ class FakeStore final : public record::Store {
     }
     return false;
   }
+  bool changed() override { return shared ? std::exchange(shared->changed, false) : false; }
+  std::string trouble() const override { return shared ? shared->trouble : std::string(); }
+  /// What another program does to the store while it is open.
+  struct Shared {
+    bool changed = false;
+    std::string trouble;
+    std::vector<record::AttemptRow> more;
+  };
+  std::shared_ptr<Shared> shared;
   std::vector<record::EventRow> events(const std::string&) override { return events_of_any; }
   std::vector<record::EventRow> events_of_any;
   int recover() override { return to_recover; }

@@ -139,6 +139,41 @@ TEST_F(Pages, ALessonThatCannotRunSaysWhereAndTheWindowGoesOn) {
   EXPECT_FALSE(problem->isVisible());
 }
 
+TEST_F(Pages, AStoreThatCannotBeWrittenDoesNotStopTheLesson) {
+  script.refuse_record = "The disk is full.";
+  script.end_s = 0;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  auto* offer = child<QPushButton>("run_unrecorded");
+  EXPECT_FALSE(offer->isVisible());
+  click("start");
+  EXPECT_EQ(control()->state(), RunControl::State::kIdle);
+  auto* problem = child<QLabel>("problem");
+  EXPECT_TRUE(problem->text().contains("The disk is full."));
+  ASSERT_TRUE(offer->isVisible());
+  click("run_unrecorded");
+  ASSERT_EQ(control()->state(), RunControl::State::kRunning);
+  EXPECT_EQ(log->last.store_path, ":none:");
+  EXPECT_FALSE(offer->isVisible());
+  EXPECT_TRUE(problem->isVisible());
+  EXPECT_TRUE(problem->text().contains("NOT RECORDED"));
+  EXPECT_TRUE(problem->text().contains("The disk is full."));
+  ASSERT_TRUE(eventually([&] { return child<QLabel>("recording")->text().contains("Not recorded"); }));
+  click("stop");
+  EXPECT_TRUE(child<QLabel>("kept")->text().contains("Not recorded"));
+  // a lesson that cannot run at all is not offered
+  script.refuse = "\"swage.jaw\" is not installed.";
+  click("start");
+  EXPECT_FALSE(offer->isVisible());
+}
+
+TEST_F(Pages, ASignalEndsTheAttemptAsStopDoes) {
+  run_to(0.1);
+  window->leave();
+  EXPECT_EQ(log->stopped, 1);
+  EXPECT_EQ(control()->state(), RunControl::State::kFinished);
+}
+
 TEST_F(Pages, ModesDecideDeviceStoreAndCues) {
   open();
   child<QAbstractButton>("demo")->click();

@@ -50,6 +50,38 @@ TEST_F(ProgressPages, ProgressShowsAPersonsAttempts) {
   EXPECT_FALSE(progress->chart()->grab().isNull());
 }
 
+// Another program, or a colleague's station, has kept an attempt meanwhile.
+TEST_F(ProgressPages, WhatOthersWriteAppearsByItself) {
+  attempts = sample_attempts();
+  open();
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  console::ProgressPage* progress = window->progress_page();
+  auto* table = child<QTableView>("attempts");
+  table->selectRow(3);
+  const QString chosen = table->selectionModel()->selectedRows().first().data(console::AttemptsModel::kId).toString();
+  const int before = progress->attempts()->rowCount();
+  shared->more = {sample_attempts().front()};
+  shared->more[0].id = "new";
+  shared->more[0].started_utc = "2026-12-24T09:00:00Z";
+  shared->changed = true;
+  EXPECT_TRUE(eventually([&] { return progress->attempts()->rowCount() == before + 1; }));
+  ASSERT_TRUE(table->selectionModel()->hasSelection());
+  EXPECT_EQ(table->selectionModel()->selectedRows().first().data(console::AttemptsModel::kId).toString(), chosen);
+}
+
+TEST_F(ProgressPages, AStoreThatIsDamagedIsNotAnEmptyOne) {
+  attempts = sample_attempts();
+  open();
+  shared->trouble = "The store is damaged.";
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(child<QLabel>("empty")->isVisible());
+  EXPECT_EQ(child<QLabel>("empty")->text(), "The store is damaged.");
+  shared->trouble.clear();
+  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  EXPECT_FALSE(child<QLabel>("empty")->isVisible());
+}
+
 TEST_F(ProgressPages, TheNewestAttemptIsTwoKeysAway) {
   attempts = sample_attempts();
   open();

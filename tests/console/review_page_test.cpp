@@ -42,6 +42,17 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   EXPECT_TRUE(window->progress_page()->isVisible());
 }
 
+TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {
+  launch.attempt_file = "/somewhere/one.swage";
+  open();
+  ASSERT_TRUE(review()->isVisible());
+  EXPECT_TRUE(child<QLabel>("review_title")->text().contains("Bea L."));
+  EXPECT_EQ(review()->review().traces.size(), 4);
+  window->review_file("/somewhere/damaged.swage");
+  EXPECT_EQ(child<QLabel>("review_problem")->text(), "/somewhere/damaged.swage is damaged and cannot be read.");
+  EXPECT_FALSE(child<QPushButton>("save_swage")->isEnabled());
+}
+
 TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
   open_review();
   console::Timeline* timeline = review()->timeline();

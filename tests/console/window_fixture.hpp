@@ -29,9 +29,19 @@ class WindowTest : public testing::Test {
         auto store = std::make_unique<FakeStore>(attempts);
         store->to_recover = to_recover;
         store->events_of_any = fake_events();
+        store->shared = shared;
         return store;
       };
     }
+    doors.open_file = [this](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
+      if (file.find("damaged") != std::string::npos) error = file + " is damaged and cannot be read.";
+      if (!error.empty()) return nullptr;
+      return std::make_unique<FakeStore>(std::vector<record::AttemptRow>{sample_attempts().back()});
+    };
+    doors.read_file = [this](const std::string&, const std::string&, record::Recording& out, std::string&) {
+      out = fake_recording(recorded_steps);
+      return true;
+    };
     doors.read_recording = [this](const std::string&, record::Recording& out, std::string& error) {
       out = fake_recording(recorded_steps);
       error = "Its file is damaged.";
@@ -95,6 +105,7 @@ class WindowTest : public testing::Test {
   FakeScript script;
   bool with_store = true;
   int to_recover = 0;
+  std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
   size_t recorded_steps = 2000;  // of whatever attempt is opened for review; 0: it cannot be read
   std::string plugin_missing;    // non-empty: the picture cannot be replayed
   uint64_t differs = ~uint64_t{0};
