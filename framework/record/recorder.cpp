@@ -285,8 +285,8 @@ class FileRecorder final : public Recorder {
   // What is said about the attempt is what another program would find.
   void look_back() {
     kept_.missing_steps = std::max(dropped(), buffer_.steps_lost_in_gaps());
+    // the connection that wrote is closed last: it takes the log with it
     std::string error;
-    db_.reset();
     if (journal_ && !journal_->empty() && journal_->is_whole()) {
       kept_.where = Kept::Where::kBeside;
       kept_.file = journal_->path();

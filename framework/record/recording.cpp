@@ -127,7 +127,8 @@ bool make_room(Database& db, const std::string& id, Recording& out, std::string&
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   const auto rows_of = [&](const char* stream) {
     const std::vector<Row> rows = db.rows(
-        "SELECT COALESCE(SUM(n), 0) FROM chunk WHERE attempt_id = ? AND stream = ? AND n > 0", {id, std::string(stream)});
+        "SELECT COALESCE(SUM(n), 0) FROM chunk WHERE attempt_id = ? AND stream = ? AND n BETWEEN 1 AND " + std::to_string(kMaxChunkRows),
+        {id, std::string(stream)});
     return rows.empty() ? 0.0 : std::max(0.0, real(rows[0][0]));
   };
   const double hashes = rows_of(kHashStream), inputs = rows_of(kInputStream) * static_cast<double>(devices),
