@@ -214,7 +214,7 @@ void ReviewPage::set_file_doors(FileOpener open, FileReader read) {
 
 bool ReviewPage::open(std::shared_ptr<record::Store> store, const QString& id) {
   store_ = std::move(store);
-  return show(id, reader_);
+  return show_attempt(id, reader_);
 }
 
 bool ReviewPage::open_file(const QString& file) {
@@ -231,13 +231,13 @@ bool ReviewPage::open_file(const QString& file) {
     show_problem(QString::fromStdString(error));
     return false;
   }
-  return show(QString::fromStdString(attempts.front().id),
+  return show_attempt(QString::fromStdString(attempts.front().id),
               [this, path](const std::string& id, record::Recording& out, std::string& why) {
                 return read_file_(path, id, out, why);
               });
 }
 
-bool ReviewPage::show(const QString& id, const RecordingReader& reader) {
+bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) {
   playing_ = false;
   timer_.stop();
   player_.reset();

@@ -76,7 +76,7 @@ class ReviewPage : public QWidget {
 
   RecordingReader reader_;
   PlayerOpener opener_;
-  bool show(const QString& attempt_id, const RecordingReader& reader);
+  bool show_attempt(const QString& attempt_id, const RecordingReader& reader);
 
   FileOpener open_file_;
   FileReader read_file_;
