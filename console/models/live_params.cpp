@@ -30,8 +30,7 @@ Lesson read(const std::string& path) {
   base::Problems ignored;  // told when the lesson is opened
   Lesson lesson;
   if (!assembly::read_lesson_text(path, {}, whole, ignored)) return lesson;
-  const Json root = Json::parse(whole.text, nullptr, false);
-  if (root.is_object()) lesson.root = root;
+  if (whole.json.is_object()) lesson.root = std::move(whole.json);
   lesson.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
   return lesson;
 }
@@ -68,12 +67,10 @@ std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
   const Json objects = list(root, "objects"), devices = list(root, "devices");
   for (const snapshot::CardObject& o : card.objects)
     out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
-  for (const Json& c : list(root, "couplings")) {
-    const std::string plugin = text(c, "plugin");
-    const std::string name = text(c, "name").empty() ? assembly::last_word(plugin) : text(c, "name");
-    const bool taken = std::any_of(out.begin(), out.end(), [&](const Use& use) { return use.name == name; });
-    if (!taken) out.push_back({name, plugin, params_of(c)});
-  }
+  const Json couplings = list(root, "couplings");
+  const std::vector<std::string> names = assembly::coupling_names(root);
+  for (std::size_t i = 0; i < couplings.size(); ++i)
+    out.push_back({names[i], text(couplings[i], "plugin"), params_of(couplings[i])});
   for (const snapshot::CardDevice& d : card.devices)
     out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin), true});
   const auto lesson = root.find("lesson");

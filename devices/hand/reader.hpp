@@ -57,7 +57,7 @@ class Reader {
       if (status == std::errc{} && unit == u.name && u.measure == measure)
         return finite(amount * u.si, where);
     }
-    fail(where, "\"" + text + "\" is not " + expected(measure));
+    fail(where, "\"" + text.substr(0, 60) + "\" is not " + expected(measure));
   }
 
   /// The text at a key, "" where it is absent.

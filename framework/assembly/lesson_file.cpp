@@ -16,6 +16,9 @@ namespace swage::assembly {
 namespace {
 
 constexpr const char* kFormat = "swage-lesson/1";
+constexpr std::size_t kMostProblems = 200;  // told of one file; who mends those sees the next ones
+constexpr std::size_t kMostUses = 128;   // objects, couplings or devices; lessons have up to twenty
+constexpr std::size_t kMostChoices = 32;  // alternatives of a device; lessons have up to five
 constexpr const char* kChannels[] = {"colour", "shape", "sound", "force"};  // bits SWAGE_CHANNEL_*
 
 class LessonParser {
@@ -31,24 +34,24 @@ class LessonParser {
     out_.summary = top.text("summary", false);
     out_.goal = top.text("goal", false);
     out_.seed = top.whole("seed", 0);
-    out_.rate_hz = top.quantity("rate_hz", "Hz", 1000, 100, 10000);
+    out_.rate_hz = top.quantity("rate_hz", "Hz", 1000, 200, 10000);
     out_.scene_length = top.quantity("scene_length", "m", 1e-3, 1e-6, 10);
     out_.gravity = top.vector("gravity", "m/s2", {0, 0, -9.80665});
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
     out_.mirror = top.flag("mirror", false);
     read_modes(top);
     read_requirements(top);
-    top.each("devices", [this](const Json& j, const std::string& p) { read_device(j, p); });
+    top.each("devices", kMostUses, [this](const Json& j, const std::string& p) { read_device(j, p); });
     if (top.need("objects") != nullptr)
-      top.each("objects", [this](const Json& j, const std::string& p) { read_object(j, p); });
-    top.each("couplings", [this](const Json& j, const std::string& p) { read_coupling(j, p); });
+      top.each("objects", kMostUses, [this](const Json& j, const std::string& p) { read_object(j, p); });
+    top.each("couplings", kMostUses, [this](const Json& j, const std::string& p) { read_coupling(j, p); });
     if (const Json* lesson = top.need("lesson")) {
       ObjectReader reader(*lesson, top.at("lesson"), "the lesson's plugin", teller_);
       read_use(reader, out_.lesson);
       reader.finish();
     }
     top.finish();
-    name_couplings();
+    name_couplings(json);
     check_names();
   }
 
@@ -65,7 +68,7 @@ class LessonParser {
     if (top.find("mode") != nullptr) out_.mode = top.choice("mode", kModes);
     if (top.find("cues") == nullptr) return;
     out_.cues = 0;
-    top.each("cues", [&](const Json& json, const std::string& pointer) {
+    top.each("cues", kMostUses, [&](const Json& json, const std::string& pointer) {
       const std::string word = json.is_string() ? json.get<std::string>() : "";
       const auto found = std::find(std::begin(kChannels), std::end(kChannels), word);
       if (found == std::end(kChannels))
@@ -114,7 +117,7 @@ class LessonParser {
     device.motion_scale = reader.quantity("motion_scale", "1", 1, 1e-3, 1e3);
     device.force_scale = reader.quantity("force_scale", "1", 0, 0, 1e3);
     device.X_WD0 = reader.pose("pose");
-    reader.each("or", [&](const Json& j, const std::string& p) {
+    reader.each("or", kMostChoices, [&](const Json& j, const std::string& p) {
       ObjectReader alternative(j, p, "an alternative of a device", teller_);
       DeviceChoice choice;
       choice.as = alternative.name("as", false);
@@ -164,16 +167,9 @@ class LessonParser {
     out_.couplings.push_back(std::move(coupling));
   }
 
-  // "swage.coupling.grasp" is "grasp", the second one "grasp_2"
-  void name_couplings() {
-    std::set<std::string> taken;
-    for (const LessonCoupling& c : out_.couplings) taken.insert(c.name);
-    for (LessonCoupling& c : out_.couplings) {
-      if (!c.name.empty() || c.plugin.empty()) continue;
-      const std::string word = last_word(c.plugin);
-      c.name = word;
-      for (int i = 2; !taken.insert(c.name).second; ++i) c.name = word + "_" + std::to_string(i);
-    }
+  void name_couplings(const Json& json) {
+    const std::vector<std::string> names = coupling_names(json);
+    for (std::size_t i = 0; i < out_.couplings.size(); ++i) out_.couplings[i].name = names[i];
   }
 
   void check_names() {
@@ -220,8 +216,6 @@ class LessonParser {
 
 }  // namespace
 
-std::string LessonFile::where(const std::string& pointer) const { return place_in(path, line_of, pointer); }
-
 std::string LessonFile::folder() const {
   std::error_code ignored;
   const std::string& file = beside.empty() ? path : beside;
@@ -230,20 +224,28 @@ std::string LessonFile::folder() const {
 
 namespace {
 
-/// `lines`: whether the text is the file's, so that its lines say something.
-bool parse(const std::string& text, const std::string& path, bool lines, LessonFile& out,
-           base::Problems& problems) {
+/// A file with a thousand faults is told as one that has more. What was an error stays one.
+void keep_first(base::Problems& problems, std::size_t most) {
+  if (problems.size() <= most) return;
+  const base::Problems rest(problems.begin() + static_cast<long>(most), problems.end());
+  problems.resize(most);
+  problems.push_back({base::failed(rest) ? base::Severity::kError : base::Severity::kWarning,
+                      problems.back().where, "And " + std::to_string(rest.size()) + " more."});
+}
+
+/// A file with double keys is read on: one list of everything that is wrong.
+bool read_text(const LessonText& whole, bool good, const std::string& path, LessonFile& out,
+               base::Problems& problems) {
   out = {};
-  out.text = text;
   out.path = path;
+  out.text = whole.text;
+  out.beside = whole.beside;
+  out.places = whole.places;
   const std::size_t before = problems.size();
-  Json json;
-  // a file with double keys is read on: one list of everything that is wrong
-  const bool read = parse_json(text, path, json, out.line_of, problems) || !out.line_of.empty();
-  if (!lines) out.line_of.clear();
-  if (read) LessonParser(out, problems).run(json);
-  out.faulty = std::any_of(problems.begin() + static_cast<long>(before), problems.end(),
-                           [](const base::Problem& p) { return p.severity == base::Severity::kError; });
+  if (whole.readable) LessonParser(out, problems).run(whole.json);
+  out.faulty = !good || std::any_of(problems.begin() + static_cast<long>(before), problems.end(),
+                                    [](const base::Problem& p) { return p.severity == base::Severity::kError; });
+  keep_first(problems, kMostProblems);
   return !out.faulty;
 }
 
@@ -251,7 +253,10 @@ bool parse(const std::string& text, const std::string& path, bool lines, LessonF
 
 bool parse_lesson(const std::string& text, const std::string& path, LessonFile& out,
                   base::Problems& problems) {
-  return parse(text, path, true, out, problems);
+  LessonText whole;
+  const bool good = parse_lesson_text(text, path, whole, problems);
+  whole.beside.clear();
+  return read_text(whole, good, path, out, problems);
 }
 
 bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& problems) {
@@ -261,16 +266,8 @@ bool read_lesson_file(const std::string& path, LessonFile& out, base::Problems& 
 bool read_lesson_file(const std::string& path, std::span<const Setting> settings, LessonFile& out,
                       base::Problems& problems) {
   LessonText whole;
-  const bool read = read_lesson_text(path, settings, whole, problems);
-  if (whole.text.empty()) {
-    out = {};
-    out.path = path;
-  } else {
-    parse(whole.text, path, !whole.made, out, problems);
-  }
-  out.beside = whole.beside;
-  out.faulty = out.faulty || !read;
-  return !out.faulty;
+  const bool good = read_lesson_text(path, settings, whole, problems);
+  return read_text(whole, good, path, out, problems);
 }
 
 }  // namespace swage::assembly

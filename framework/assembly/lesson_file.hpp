@@ -7,12 +7,12 @@
 #include <swage/abi/base.h>
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "assembly/places.hpp"
 #include "assembly/settings.hpp"
 #include "base/problem.hpp"
 
@@ -74,12 +74,10 @@ struct LessonFile {
   std::vector<LessonObject> objects;
   std::vector<LessonCoupling> couplings;
   PluginUse lesson;
-  std::map<std::string, uint32_t>
-      line_of;          // JSON pointer -> line, 1-based; empty where text is not the file's
+  Places places;        // where each value is written, in this file or in one that it is based on
   bool faulty = false;  // something in it is an error; assemble() then only looks for more
 
-  /// "lessons/grasp.json:12 #/objects/1/params/arc": path, line of the nearest place that exists, pointer.
-  std::string where(const std::string& pointer) const;
+  std::string where(const std::string& pointer) const { return places.where(pointer); }
   /// Relative FILE parameters start there.
   std::string folder() const;
 };

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "assembly/source_map.hpp"
+#include "base/text.hpp"
 #include "toolkit/read_file.hpp"
 
 namespace swage::assembly {
@@ -18,6 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxBytes = std::size_t{4}
                                   << 20;  // a lesson has some kilobytes; a mesh is a file of its own
 constexpr uint32_t kMaxNesting = 32;
+constexpr std::size_t kMostText = 10'000;  // bytes of one text: a page of summary has some thousand
 constexpr std::size_t kMostBases = 8;  // more is a tangle that nobody follows
 
 // What a lesson that is based on another says for itself; all else it has from there.
@@ -38,10 +41,78 @@ std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {
 struct Link {
   std::string path, text;
   Json json;
+  Places places;
   std::map<std::string, uint32_t> line_of;
+  bool readable = false;
 
   bool based() const { return json.is_object() && json.contains("based_on"); }
 };
+
+/// Texts that would move a terminal's cursor, or fill it.
+bool sound_texts(const Json& json, const std::string& pointer, const Link& link, base::Problems& problems) {
+  const auto sound = [&](const std::string& text, const std::string& at) {
+    const bool control = base::has_control(text);
+    if (!control && text.size() <= kMostText) return true;
+    problems.push_back({base::Severity::kError, link.places.where(at),
+                        control ? "\"" + base::printable(base::shortened(text, 40)) +
+                                      "\" holds a control character, which no text of a lesson needs."
+                                : "It is longer than 10 000 bytes."});
+    return false;
+  };
+  if (json.is_string()) return sound(json.get_ref<const std::string&>(), pointer);
+  bool good = true;
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) {
+      const std::string below = pointer + "/" + pointer_step(key);
+      good = sound(key, below) && sound_texts(value, below, link, problems) && good;
+    }
+  if (json.is_array())
+    for (std::size_t i = 0; i < json.size(); ++i)
+      good = sound_texts(json[i], pointer + "/" + std::to_string(i), link, problems) && good;
+  return good;
+}
+
+/// JSON of at most 4 MiB, nested at most 32 deep. False and problems otherwise, and where a key is there twice or a text is none
+/// for people; the link is then still readable.
+bool parse(Link& link, base::Problems& problems) {
+  const std::string file = link.path.empty() ? "lesson" : link.path;
+  const auto error = [&](const std::string& where, const std::string& message) {
+    problems.push_back({base::Severity::kError, where, message});
+    return false;
+  };
+  if (link.text.size() > kMaxBytes) return error(file, "It is larger than 4 MiB; that is no lesson.");
+  if (link.text.find_first_not_of(" \t\r\n") == std::string::npos)
+    return error(file, "It is empty; the smallest lesson is { \"format\": \"swage-lesson/1\", ... }.");
+  if (nesting(link.text) > kMaxNesting) return error(file, "Its brackets are nested deeper than 32.");
+  try {
+    link.json = Json::parse(link.text);
+  } catch (const Json::parse_error& e) {
+    const auto [line, column] = place(link.text, e.byte);
+    return error(file + ":" + std::to_string(line),
+                 "This is not valid JSON at column " + std::to_string(column) +
+                     ": a comma, colon, quotation mark or bracket is missing or too many.");
+  } catch (const Json::exception&) {
+    return error(file, "It holds a number that is too large.");
+  }
+  SourceMap map = map_source(link.text);
+  if (map.cut)
+    return error(file, "It holds more than 20 000 values, or a key of more than 200 letters; that is no lesson.");
+  link.readable = true;
+  link.line_of = map.line_of;
+  link.places = Places(link.path, link.path, std::move(map.line_of));
+  for (const auto& [pointer, key] : map.double_keys)
+    error(link.places.where(pointer + "/" + pointer_step(key)), "\"" + key + "\" is there twice.");
+  return sound_texts(link.json, "", link, problems) && map.double_keys.empty();
+}
+
+bool give(Link& link, LessonText& out) {
+  out.text = std::move(link.text);
+  out.json = std::move(link.json);
+  out.readable = link.readable;
+  out.beside = link.path;
+  out.places = std::move(link.places);
+  return true;
+}
 
 class Chain {
  public:
@@ -56,16 +127,17 @@ class Chain {
       if (!base.is_string() || base.get<std::string>().empty())
         return error(link, "/based_on", "\"based_on\" is the lesson file that this one is another of.");
       const std::string next = (fs::path(link.path).parent_path() / base.get<std::string>()).string();
-      for (const Link& before : links_) {
-        std::error_code none;
+      std::error_code none;
+      for (const Link& before : links_)
         if (fs::equivalent(before.path, next, none))
           return error(link, "/based_on", "It is based on itself, by way of \"" + next + "\".");
-      }
       if (links_.size() > kMostBases)
         return error(link, "/based_on", "More than eight lessons are based on one another.");
-      std::error_code none;
-      if (!fs::is_regular_file(next, none))
+      const std::string why = toolkit::file_refusal(next, kMaxBytes);
+      if (why == "There is no such file.")
         return error(link, "/based_on", "There is no lesson file \"" + next + "\" to be based on.");
+      if (!why.empty())
+        return error(link, "/based_on", "\"" + next + "\" is no lesson to be based on. " + why);
       if (!open(next)) return false;
     }
     return true;
@@ -73,51 +145,54 @@ class Chain {
 
   bool apply(std::span<const Setting> settings, LessonText& out) {
     Link& whole = links_.back();
-    out.beside = whole.path;
-    out.text = whole.text;
     out.made = links_.size() > 1 || !settings.empty();
-    if (!out.made) return true;
+    if (!out.made) return give(whole, out);
     if (!whole.json.is_object())
       return error(whole, "", "It is not a JSON object, so nothing can be set in it.");
+    // the lesson is called by the first file; what no other file changes is in the last one
+    whole.places = Places(links_.front().path, whole.path, whole.line_of);
     bool good = true;
-    for (std::size_t i = links_.size() - 1; i-- > 0;) good = lay_over(links_[i], whole.json) && good;
-    for (const Setting& setting : settings)
-      good = set_in(whole.json, setting, links_.front().path, problems_) && good;
-    if (good) out.text = whole.json.dump(2, ' ', false, Json::error_handler_t::replace);
+    for (std::size_t i = links_.size() - 1; i-- > 0;) good = lay_over(links_[i], whole) && good;
+    for (const Setting& setting : settings) good = set(whole, setting, "") && good;
+    if (good) whole.text = whole.json.dump(2, ' ', false, Json::error_handler_t::replace);
+    give(whole, out);
     return good;
   }
 
-  /// What can be gone on with where the chain is broken.
-  bool broken_here(LessonText& out) const {
-    if (links_.size() == 1 && !links_[0].based()) out.text = links_[0].text, out.beside = links_[0].path;
+  /// What can be gone on with where the chain is broken: a file that is based on nothing.
+  bool broken_here(LessonText& out) {
+    if (links_.size() == 1 && !links_[0].based()) give(links_[0], out);
     return false;
   }
 
  private:
   bool error(const Link& link, const std::string& pointer, const std::string& message) {
-    problems_.push_back({base::Severity::kError, place_in(link.path, link.line_of, pointer), message});
+    problems_.push_back({base::Severity::kError, link.places.where(pointer), message});
     return false;
   }
 
   bool open(const std::string& path) {
     std::string text, why;
-    if (!toolkit::read_file(path, kMaxBytes, text, why)) {
-      std::error_code ignored;
-      if (!fs::exists(path, ignored)) why = "There is no such lesson file.";
-      problems_.push_back({base::Severity::kError, path, why});
-      return false;
+    if (toolkit::read_file(path, kMaxBytes, text, why)) {
+      links_.push_back({path, std::move(text), {}, {}, {}, false});
+      return parse(links_.back(), problems_);
     }
-    links_.push_back({path, std::move(text), {}, {}});
-    // what is wrong with a file that is based on nothing is told when it is read as a lesson
-    base::Problems found;
-    Link& link = links_.back();
-    const bool good = parse_json(link.text, path, link.json, link.line_of, found);
-    if (links_.size() > 1 || link.based()) problems_.insert(problems_.end(), found.begin(), found.end());
+    if (why == "There is no such file.") why = "There is no such lesson file.";
+    problems_.push_back({base::Severity::kError, path, why});
+    return false;
+  }
+
+  /// One value, told at `place` if it cannot be set, and found there from now on; "" is from outside of all files.
+  bool set(Link& whole, const Setting& setting, const std::string& place) {
+    std::vector<std::string> pointers;
+    const std::string& path = links_.front().path;
+    const bool good = set_in(whole.json, setting, place.empty() ? path : place, problems_, pointers);
+    for (const std::string& p : pointers) whole.places.move(p, place.empty() ? path + " #" + p : place);
     return good;
   }
 
   /// What a file sets, and says for itself, into the one below it.
-  bool lay_over(const Link& link, Json& whole) {
+  bool lay_over(const Link& link, Link& whole) {
     bool good = true;
     for (const char* key : {"id", "title"})
       if (!link.json.contains(key))
@@ -128,20 +203,22 @@ class Chain {
       const std::string pointer = "/" + pointer_step(key);
       if (key == "set")
         good = set_all(link, value, whole) && good;
-      else if (key.starts_with("x-") || std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn))
-        whole[key] = value;
-      else
+      else if (key.starts_with("x-") || std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) {
+        whole.json[key] = value;
+        whole.places.move(pointer, link.places.where(pointer));
+      } else {
         good =
             error(link, pointer,
                   "\"" + key +
                       "\" is what it has from the lesson it is based on. To change a value write \"set\": { "
                       "\"needle.arc\": \"2/8\" }; to add or to leave out something write the lesson whole.");
+      }
     }
-    whole.erase("based_on");
+    whole.json.erase("based_on");
     return good;
   }
 
-  bool set_all(const Link& link, const Json& settings, Json& whole) {
+  bool set_all(const Link& link, const Json& settings, Link& whole) {
     if (!settings.is_object())
       return error(link, "/set", "\"set\" is an object { \"needle.arc\": \"2/8\", ... }.");
     bool good = true;
@@ -150,8 +227,7 @@ class Chain {
       if (what.find('.') == std::string::npos || what.front() == '.')
         good = error(link, pointer, "\"" + what + "\" is no value of a part; it looks like \"needle.arc\".");
       else
-        good = set_in(whole, {what, value.dump()}, place_in(link.path, link.line_of, pointer), problems_) &&
-               good;
+        good = set(whole, {what, value.dump()}, link.places.where(pointer)) && good;
     }
     return good;
   }
@@ -162,48 +238,20 @@ class Chain {
 
 }  // namespace
 
-std::string place_in(const std::string& path, const std::map<std::string, uint32_t>& line_of,
-                     const std::string& pointer) {
-  // what is missing is told at the line of the object that should have it
-  std::string known = pointer;
-  while (!known.empty() && !line_of.contains(known)) known.erase(known.rfind('/'));
-  const auto line = line_of.find(known);
-  const std::string number =
-      line == line_of.end() || pointer.empty() ? "" : ":" + std::to_string(line->second);
-  return (path.empty() ? "lesson" : path) + number + (pointer.empty() ? "" : " #" + pointer);
-}
-
-bool parse_json(const std::string& text, const std::string& path, Json& json,
-                std::map<std::string, uint32_t>& line_of, base::Problems& problems) {
-  const auto error = [&](const std::string& where, const std::string& message) {
-    problems.push_back({base::Severity::kError, where, message});
-    return false;
-  };
-  const std::string file = place_in(path, {}, "");
-  if (text.size() > kMaxBytes) return error(file, "It is larger than 4 MiB; that is no lesson.");
-  if (nesting(text) > kMaxNesting) return error(file, "Its brackets are nested deeper than 32.");
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& e) {
-    const auto [line, column] = place(text, e.byte);
-    return error(file + ":" + std::to_string(line),
-                 "This is not valid JSON at column " + std::to_string(column) +
-                     ": a comma, colon, quotation mark or bracket is missing or too many.");
-  } catch (const Json::exception&) {
-    return error(file, "It holds a number that is too large.");
-  }
-  SourceMap map = map_source(text);
-  line_of = std::move(map.line_of);
-  for (const auto& [pointer, key] : map.double_keys)
-    error(place_in(path, line_of, pointer + "/" + pointer_step(key)), "\"" + key + "\" is there twice.");
-  return map.double_keys.empty();
-}
-
 bool read_lesson_text(const std::string& path, std::span<const Setting> settings, LessonText& out,
                       base::Problems& problems) {
   out = {};
   Chain chain(problems);
   return chain.follow(path) ? chain.apply(settings, out) : chain.broken_here(out);
+}
+
+bool parse_lesson_text(const std::string& text, const std::string& path, LessonText& out,
+                       base::Problems& problems) {
+  out = {};
+  Link link{path, text, {}, {}, {}, false};
+  const bool good = parse(link, problems);
+  give(link, out);
+  return good;
 }
 
 }  // namespace swage::assembly

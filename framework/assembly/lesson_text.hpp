@@ -9,21 +9,23 @@
 // itself what it was. [main]
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "assembly/places.hpp"
 #include "assembly/settings.hpp"
 #include "base/problem.hpp"
 
 namespace swage::assembly {
 
 struct LessonText {
-  std::string text;    // "" when there is none to go on with
-  std::string beside;  // the file that its relative paths lie beside: at the end of all "based_on"
-  bool made = false;   // not the file's own, byte for byte; its lines then say nothing
+  std::string text;             // "" when there is none to go on with
+  nlohmann::ordered_json json;  // the same, parsed
+  bool readable = false;        // `json` is what the file says, though perhaps with faults
+  std::string beside;           // the file that its relative paths lie beside: at the end of all "based_on"
+  bool made = false;            // not the file's own, byte for byte
+  Places places;                // where each value is written
 };
 
 /// Follows "based_on" (relative to the file that says it), at most eight times; then what each file sets, the given one last,
@@ -32,13 +34,8 @@ struct LessonText {
 bool read_lesson_text(const std::string& path, std::span<const Setting> settings, LessonText& out,
                       base::Problems& problems);
 
-/// Reads JSON of at most 4 MiB, nested at most 32 deep. False and problems otherwise, and where a key is there twice; `json` and
-/// `line_of` (pointer to line, from 1) then still hold what was read.
-bool parse_json(const std::string& text, const std::string& path, nlohmann::ordered_json& json,
-                std::map<std::string, uint32_t>& line_of, base::Problems& problems);
-
-/// "lessons/grasp.json:12 #/objects/1/params/arc": path, line of the nearest place that exists, pointer.
-std::string place_in(const std::string& path, const std::map<std::string, uint32_t>& line_of,
-                     const std::string& pointer);
+/// The same of a text that is whole. `path` is what it is called.
+bool parse_lesson_text(const std::string& text, const std::string& path, LessonText& out,
+                       base::Problems& problems);
 
 }  // namespace swage::assembly

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assembly/source_map.hpp"
+#include "base/text.hpp"
 #include "host/nearest.hpp"
 #include "host/units.hpp"
 #include "toolkit/math.hpp"
@@ -12,6 +13,8 @@
 namespace swage::assembly {
 
 namespace {
+
+constexpr std::size_t kMostUnknown = 20;  // keys told one by one
 
 const Json& empty_object() {
   static const Json empty = Json::object();
@@ -26,8 +29,7 @@ bool is_instance_name(const std::string& name) {
 }  // namespace
 
 std::string short_dump(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+  return base::shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), 57);
 }
 
 ObjectReader::ObjectReader(const Json& json, std::string pointer, std::string what, const Teller& teller)
@@ -185,7 +187,7 @@ swage_pose ObjectReader::pose(const std::string& key) {
   return out;
 }
 
-void ObjectReader::each(const std::string& key,
+void ObjectReader::each(const std::string& key, std::size_t most,
                         const std::function<void(const Json&, const std::string&)>& f) {
   const Json* value = find(key);
   if (value == nullptr) return;
@@ -193,15 +195,22 @@ void ObjectReader::each(const std::string& key,
     teller_.error(at(key), "\"" + key + "\" is a list [ ... ], not " + short_dump(*value) + ".");
     return;
   }
+  if (value->size() > most)
+    return teller_.error(at(key), "\"" + key + "\" has at most " + std::to_string(most) + " entries, not " +
+                                      std::to_string(value->size()) + ".");
   for (std::size_t i = 0; i < value->size(); ++i) f((*value)[i], at(key) + "/" + std::to_string(i));
 }
 
 void ObjectReader::finish() {
+  std::size_t unknown = 0;
   for (const auto& [key, value] : json_->items()) {
     if (key.starts_with("x-") || std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (++unknown > kMostUnknown) continue;
     teller_.error(at(key), "\"" + key + "\" is not known in " + what_ + "." +
                                host::did_you_mean(key, known_) + " It has: " + host::join(known_) + ".");
   }
+  if (unknown > kMostUnknown)
+    teller_.error(pointer_, "And " + std::to_string(unknown - kMostUnknown) + " more keys are not known.");
 }
 
 }  // namespace swage::assembly

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/problem.hpp"
+#include "base/text.hpp"
 
 namespace swage::assembly {
 
@@ -22,8 +23,9 @@ struct Teller {
   std::function<std::string(const std::string& pointer)> where;
   base::Problems& problems;
 
+  /// A sentence about a name of ten thousand letters is cut.
   void error(const std::string& pointer, const std::string& message) const {
-    problems.push_back({base::Severity::kError, where(pointer), message});
+    problems.push_back({base::Severity::kError, where(pointer), base::shortened(message, 2000)});
   }
   void warn(const std::string& pointer, const std::string& message) const {
     problems.push_back({base::Severity::kWarning, where(pointer), message});
@@ -58,8 +60,9 @@ class ObjectReader {
   swage_vec3 vector(const std::string& key, const char* unit, swage_vec3 fallback);
   swage_pose pose(const std::string& key);
 
-  /// Calls f(value, pointer) for each element; an error when the key holds no array.
-  void each(const std::string& key, const std::function<void(const Json&, const std::string&)>& f);
+  /// Calls f(value, pointer) for each element; an error when the key holds no array, or more than `most`.
+  void each(const std::string& key, std::size_t most,
+            const std::function<void(const Json&, const std::string&)>& f);
 
   /// After everything has been asked for: errors about keys that nobody knows ("x-..." are notes of people).
   void finish();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/settings.hpp"
 
+#include <set>
+#include <utility>
+
+#include "assembly/source_map.hpp"
 #include "host/nearest.hpp"
 
 namespace swage::assembly {
@@ -13,50 +17,98 @@ Json value_of(const std::string& text) {
   return value.is_discarded() ? Json(text) : value;
 }
 
-std::string name_of(const Json& use) {
-  if (use.contains("name") && use["name"].is_string()) return use["name"];
-  return last_word(use.value("plugin", ""));
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-void set_param(Json& use, const std::string& key, const Json& value) { use["params"][key] = value; }
-
-void set_device(Json& device, const std::string& key, const Json& value) {
-  bool known = false;
-  const auto offer = [&](Json& choice) {
-    if (!choice.contains("params") || !choice["params"].contains(key)) return;
-    set_param(choice, key, value);
-    known = true;
-  };
-  offer(device);
-  if (device.contains("or"))
-    for (Json& choice : device["or"]) offer(choice);
-  if (!known) set_param(device, key, value);
+/// The list at a key, nullptr where there is none.
+Json* list_at(Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_array() ? &*found : nullptr;
 }
 
-/// False when nothing of this name is there; `names` then has all that is.
-bool set_instance(Json& file, const std::string& name, const std::string& key, const Json& value,
-                  std::vector<std::string>& names) {
+/// One value on its way into a lesson.
+struct Entry {
+  std::string key;
+  Json value;
+  std::vector<std::string> pointers{};  // where it was put
+  bool refused = false;                 // the file has something else where parameters belong
+
+  void put(Json& use, const std::string& pointer) {
+    if (use.is_object() && !use.contains("params")) use["params"] = Json::object();
+    if (!use.is_object() || !use["params"].is_object()) {
+      refused = true;
+      return;
+    }
+    use["params"][key] = value;
+    pointers.push_back(pointer + "/params/" + pointer_step(key));
+  }
+
+  /// Every alternative that knows the parameter, else the first.
+  void put_in_device(Json& device, const std::string& pointer) {
+    const auto knows = [this](const Json& choice) {
+      return choice.is_object() && choice.contains("params") && choice["params"].contains(key);
+    };
+    if (knows(device)) put(device, pointer);
+    if (Json* others = list_at(device, "or"))
+      for (std::size_t i = 0; i < others->size(); ++i)
+        if (knows((*others)[i])) put((*others)[i], pointer + "/or/" + std::to_string(i));
+    if (pointers.empty()) put(device, pointer);
+  }
+};
+
+std::vector<std::string> names_of(const Json& file, const char* list) {
+  if (std::string(list) == "couplings") return coupling_names(file);
+  std::vector<std::string> names;
+  for (const Json& use : file[list]) names.push_back(text_at(use, "name"));
+  return names;
+}
+
+/// False when nothing of this name is there; `all` then has every name.
+bool find_and_put(Json& file, const std::string& name, Entry& entry, std::vector<std::string>& all) {
   if (name == "lesson" && file.contains("lesson")) {
-    set_param(file["lesson"], key, value);
+    entry.put(file["lesson"], "/lesson");
     return true;
   }
   for (const char* list : {"objects", "couplings", "devices"}) {
-    if (!file.contains(list) || !file[list].is_array()) continue;
-    for (Json& use : file[list]) {
-      if (!use.is_object()) continue;
-      names.push_back(name_of(use));
-      if (names.back() != name) continue;
-      std::string(list) == "devices" ? set_device(use, key, value) : set_param(use, key, value);
+    Json* uses = list_at(file, list);
+    if (uses == nullptr) continue;
+    const std::vector<std::string> names = names_of(file, list);
+    for (std::size_t i = 0; i < uses->size(); ++i) {
+      if (!names[i].empty()) all.push_back(names[i]);
+      if (names[i] != name) continue;
+      const std::string pointer = "/" + std::string(list) + "/" + std::to_string(i);
+      std::string(list) == "devices" ? entry.put_in_device((*uses)[i], pointer)
+                                     : entry.put((*uses)[i], pointer);
       return true;
     }
   }
-  names.push_back("lesson");
+  all.push_back("lesson");
   return false;
 }
 
 }  // namespace
 
 std::string last_word(const std::string& plugin_id) { return plugin_id.substr(plugin_id.rfind('.') + 1); }
+
+std::vector<std::string> coupling_names(const Json& lesson) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  const auto couplings = lesson.is_object() ? lesson.find("couplings") : lesson.end();
+  if (couplings == lesson.end() || !couplings->is_array()) return names;
+  for (const Json& use : *couplings) {
+    names.push_back(text_at(use, "name"));
+    taken.insert(names.back());
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string word = last_word(text_at((*couplings)[i], "plugin"));
+    if (!names[i].empty() || word.empty()) continue;
+    names[i] = word;
+    for (int n = 2; !taken.insert(names[i]).second; ++n) names[i] = word + "_" + std::to_string(n);
+  }
+  return names;
+}
 
 bool parse_setting(const std::string& text, Setting& out) {
   const std::size_t equals = text.find('=');
@@ -65,19 +117,25 @@ bool parse_setting(const std::string& text, Setting& out) {
   return true;
 }
 
-bool set_in(Json& file, const Setting& setting, const std::string& name, base::Problems& problems) {
+bool set_in(Json& file, const Setting& setting, const std::string& place, base::Problems& problems,
+            std::vector<std::string>& pointers) {
   const std::size_t dot = setting.what.find('.');
   const Json value = value_of(setting.value);
   if (dot == std::string::npos) {
     file[setting.what] = value;
+    pointers = {"/" + pointer_step(setting.what)};
     return true;
   }
   std::vector<std::string> names;
   const std::string instance = setting.what.substr(0, dot);
-  if (set_instance(file, instance, setting.what.substr(dot + 1), value, names)) return true;
-  problems.push_back({base::Severity::kError, name,
-                      "There is no \"" + instance + "\" to set \"" + setting.what + "\"." +
-                          host::did_you_mean(instance, names) + " There is: " + host::join(names) + "."});
+  Entry entry{setting.what.substr(dot + 1), value};
+  const bool found = find_and_put(file, instance, entry, names);
+  pointers = std::move(entry.pointers);
+  if (found && !entry.refused) return true;
+  const std::string why = found ? "\"" + setting.what + "\" cannot be set: the lesson that this one is of has no \"params\": { ... } there."
+                                : "There is no \"" + instance + "\" to set \"" + setting.what + "\"." +
+                                      host::did_you_mean(instance, names) + " There is: " + host::join(names) + ".";
+  problems.push_back({base::Severity::kError, place, why});
   return false;
 }
 

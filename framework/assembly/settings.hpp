@@ -20,13 +20,17 @@ struct Setting {
 /// "grasp" of "swage.coupling.grasp": the name by which what has no other is known.
 std::string last_word(const std::string& plugin_id);
 
+/// Names of a lesson's couplings in their order: "name", else the last word of the plugin's id, numbered where it is taken
+/// ("grasp", "grasp_2"); "" for what has neither.
+std::vector<std::string> coupling_names(const nlohmann::ordered_json& lesson);
+
 /// "needle.arc=2/8" taken apart; false when it has no '='.
 bool parse_setting(const std::string& text, Setting& out);
 
 /// Puts the value into the lesson file; false and a problem when the instance is not there. Whether the parameter exists and
-/// bears the value is seen by assemble() as usual. `name` stands in the sentence. Of a device every alternative that knows the
-/// parameter already, else the first, is set.
-bool set_in(nlohmann::ordered_json& file, const Setting& setting, const std::string& name,
-            base::Problems& problems);
+/// bears the value is seen by assemble() as usual. `place` stands before the sentence; `pointers` says where the value is now: of
+/// a device every alternative that knows the parameter already, else the first, is set.
+bool set_in(nlohmann::ordered_json& file, const Setting& setting, const std::string& place,
+            base::Problems& problems, std::vector<std::string>& pointers);
 
 }  // namespace swage::assembly

@@ -17,6 +17,7 @@ class Mapper {
 
   void value(const std::string& pointer) {
     skip_space();
+    if (++out_.values > kMostValues) return cut();
     out_.line_of.emplace(pointer, line_);
     if (peek() == '{') {
       object(pointer);
@@ -31,6 +32,10 @@ class Mapper {
   }
 
  private:
+  void cut() {
+    out_.cut = true;
+    at_ = text_.size();
+  }
   char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   void skip_space() {
     for (; at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos;
@@ -56,6 +61,7 @@ class Mapper {
       }
       const uint32_t line = line_;
       const std::string key = string();
+      if (key.size() > kMostKey) return cut();
       const std::string below = pointer + "/" + pointer_step(key);
       if (!keys.insert(key).second) out_.double_keys.emplace_back(pointer, key);
       out_.line_of.insert_or_assign(below, line);

@@ -3,6 +3,7 @@
 // Which line of a JSON text each value is on: the parser forgets it. [main]
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -11,7 +12,14 @@
 
 namespace swage::assembly {
 
+// A lesson has some hundred values with keys of some letters; beyond these stands only a mistake, and telling what is wrong with
+// each would take minutes.
+inline constexpr std::size_t kMostValues = 20'000;
+inline constexpr std::size_t kMostKey = 200;
+
 struct SourceMap {
+  std::size_t values = 0;
+  bool cut = false;  // more than kMostValues, or a key longer than kMostKey: the rest was not looked at
   std::map<std::string, uint32_t> line_of;                       // JSON pointer -> line, 1-based
   std::vector<std::pair<std::string, std::string>> double_keys;  // pointer of the object, key
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "host/nearest.hpp"
 #include "host/params_json.hpp"
 #include "host/units.hpp"
@@ -18,10 +19,10 @@ using base::Severity;
 
 namespace {
 
+constexpr std::size_t kMostTold = 50;  // of one plugin's parameters
+
 std::string dump(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
+  return base::shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), 57);
 }
 
 // what a parameter takes, for "is ..., not ..."
@@ -59,20 +60,28 @@ class Checker {
       error("", "\"params\" is an object { \"name\": value, ... }, not " + dump(object) + ".");
       return false;
     }
-    for (const auto& [key, value] : object.items()) take(key, value, given);
+    std::size_t left = object.size();
+    for (const auto& [key, value] : object.items()) {
+      if (errors_ >= kMostTold) {
+        error("", "And " + std::to_string(left) + " more parameters have not been looked at.");
+        break;
+      }
+      take(key, value, given);
+      --left;
+    }
     for (std::size_t i = 0; i < table_.size(); ++i) {
       if (table_[i].required() && !given[i])
         error("", source_.plugin_id + " needs \"" + table_[i].id + "\" (" + expected(table_[i]) +
                       "): " + table_[i].doc);
     }
     out_.point_to_texts();
-    return good_;
+    return errors_ == 0;
   }
 
  private:
   void say(Severity severity, const std::string& pointer, const std::string& message) {
     problems_.push_back({severity, source_.where ? source_.where(pointer) : source_.plugin_id, message});
-    good_ = good_ && severity != Severity::kError;
+    errors_ += severity == Severity::kError ? 1 : 0;
   }
   void error(const std::string& pointer, const std::string& message) {
     say(Severity::kError, pointer, message);
@@ -199,7 +208,7 @@ class Checker {
   const ParamSource& source_;
   ParamValues& out_;
   base::Problems& problems_;
-  bool good_ = true;
+  std::size_t errors_ = 0;
 };
 
 }  // namespace

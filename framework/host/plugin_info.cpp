@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text.hpp"
 #include "host/elf_exports.hpp"
 #include "host/guard.hpp"
 #include "host/lesson_card.hpp"
@@ -55,6 +56,23 @@ PluginInfo copy_descriptor(const swage_descriptor& d) {
   for (const char* const* trait = d.traits; trait != nullptr && *trait != nullptr; ++trait)
     plugin.traits.push_back(*trait);
   return plugin;
+}
+
+/// A sentence where a text would move a terminal's cursor.
+void text_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
+  const auto look = [&faults](const std::string& owner, std::initializer_list<const std::string*> texts) {
+    if (std::any_of(texts.begin(), texts.end(), [](const std::string* t) { return base::has_control(*t); }))
+      faults.push_back(base::printable(owner) + " says something with control characters.");
+  };
+  look("It", {&plugin.id, &plugin.version, &plugin.name, &plugin.summary, &plugin.author, &plugin.licence,
+              &plugin.build_info});
+  for (const Param& p : plugin.params) {
+    look("Parameter \"" + p.id + "\"", {&p.id, &p.label, &p.group, &p.unit, &p.display_unit, &p.doc, &p.default_text});
+    for (const std::string& choice : p.choices) look("Parameter \"" + p.id + "\"", {&choice});
+  }
+  for (const MetricInfo& m : plugin.metrics)
+    look("Metric \"" + m.id + "\"", {&m.id, &m.unit, &m.doc, &m.formula, &m.code});
+  for (const CueInfo& c : plugin.cues) look("Cue \"" + c.id + "\"", {&c.id, &c.doc});
 }
 
 }  // namespace
@@ -126,6 +144,7 @@ std::vector<std::string> plugin_faults(const PluginInfo& plugin) {
                                                                             {"licence", &plugin.licence}}};
   for (const auto& [what, text] : texts)
     if (text->empty()) faults.push_back(std::string("It has no ") + what + ".");
+  text_faults(plugin, faults);
   for (std::string& fault : table_faults(plugin.params)) faults.push_back(std::move(fault));
   card_faults(plugin, faults);
   return faults;

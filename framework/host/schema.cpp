@@ -166,7 +166,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"summary", text},
                    {"goal", text},
                    {"seed", {{"type", "integer"}, {"minimum", 0}}},
-                   {"rate_hz", quantity_schema("Hz", 100, 10000)},
+                   {"rate_hz", quantity_schema("Hz", 200, 10000)},
                    {"scene_length", quantity_schema("m", 1e-6, 10)},
                    {"gravity", three("m/s2")},
                    {"max_time", quantity_schema("s", 0, 86400)},

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "base/text.hpp"
+
 namespace swage::host {
 
 namespace {
@@ -54,7 +56,7 @@ constexpr std::array kUnits = {
     Unit{"%", 1e-2, "1", "a pure number"},
 };
 
-std::string quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+std::string quoted(std::string_view text) { return "\"" + base::shortened(text, 60) + "\""; }
 
 // "a length (m, mm, um)"
 std::string expected(const Unit& unit) {

@@ -14,9 +14,9 @@
 
 namespace swage::toolkit {
 
-/// A lesson, a needle or a table has kilobytes, a hand of some minutes at 1 kHz megabytes; more is a mistake, and its reading
-/// would take the memory of the machine.
-inline constexpr std::size_t kMostFileBytes = std::size_t{64} << 20;
+/// A lesson, a needle or a table has kilobytes, a hand of five minutes at 1 kHz 30 megabytes; more is a mistake, and what is made of
+/// it would take the memory of the machine.
+inline constexpr std::size_t kMostFileBytes = std::size_t{32} << 20;
 
 namespace detail {
 

@@ -208,7 +208,7 @@ class Chart {
   double cheapest_ = 1e9, dearest_ = 0;  // us
   std::vector<Spot> placed_;
   std::vector<std::string> kinds_;  // plugins and engine's ladders, in the order of their styles
-  std::ostringstream o_;
+  std::ostringstream o_ = plain_stream();
 };
 
 }  // namespace
@@ -248,7 +248,7 @@ std::string audit_metrics_csv(const std::vector<AuditLesson>& lessons) {
 }
 
 std::string audit_markdown(const std::vector<AuditLesson>& lessons, const AuditRule& rule) {
-  std::ostringstream o;
+  std::ostringstream o = plain_stream();
   o << "# Which level of detail is enough\n\n"
     << format(
            "Each lesson played by its scripted %s at every level, one ladder at a time. A difference is the "

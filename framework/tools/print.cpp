@@ -6,13 +6,17 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <locale>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
 
 namespace {
+
+constexpr std::size_t kMostShown = 4000;  // bytes of a place and of a sentence: lists of all parameters have some hundred
 
 const char* text(base::Severity severity) {
   switch (severity) {
@@ -28,29 +32,14 @@ const char* text(base::Severity severity) {
 
 }  // namespace
 
-// C0 and DEL, and C1, which UTF-8 writes as 0xC2 0x80 to 0xC2 0x9F: some terminals take the latter for escapes too
-std::string printable(const std::string& text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
-    const bool c1 = c == 0xC2 && next >= 0x80 && next <= 0x9F;
-    if (c1)
-      out += format("\\x%02x", next), ++i;
-    else if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F)
-      out += format("\\x%02x", c);
-    else
-      out += text[i];
-  }
-  return out;
-}
+std::string printable(const std::string& text) { return base::printable(text); }
 
 void tell(base::Severity severity, const std::string& where, const std::string& message) {
   // results first, when both go to one terminal
   std::fflush(stdout);
   const char* between = where.empty() ? "" : ": ";
-  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), printable(where).c_str(), between,
-               printable(message).c_str());
+  const auto shown = [](const std::string& s) { return base::printable(base::shortened(s, kMostShown)); };
+  std::fprintf(stderr, "%s: %s%s%s\n", text(severity), shown(where).c_str(), between, shown(message).c_str());
 }
 
 void tell(const base::Problems& problems) {
@@ -82,6 +71,12 @@ nlohmann::ordered_json to_json(const base::Problems& problems) {
 nlohmann::ordered_json number(double value) {
   if (std::isfinite(value)) return value;
   return nullptr;
+}
+
+std::ostringstream plain_stream() {
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  return out;
 }
 
 std::string format(const char* form, ...) {

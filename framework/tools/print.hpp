@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <sstream>
 #include <string>
 
 #include "base/problem.hpp"
@@ -27,6 +28,9 @@ void print(const nlohmann::ordered_json& json);
 nlohmann::ordered_json to_json(const base::Problems& problems);
 /// NaN and infinity have no JSON: null.
 nlohmann::ordered_json number(double value);
+
+/// A stream whose numbers have a point and no groups, whatever a plugin makes of the locale of the process.
+std::ostringstream plain_stream();
 
 std::string format(const char* form, ...) __attribute__((format(printf, 1, 2)));
 

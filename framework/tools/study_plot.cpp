@@ -134,7 +134,7 @@ class Figure {
   const std::vector<StudyRow>& rows_;
   std::size_t inner_ = 1, outer_ = 1;
   double tick_ = 1, top_ = 1;
-  std::ostringstream o_;
+  std::ostringstream o_ = plain_stream();
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 using namespace swage;
 using assembly::LessonFile;
@@ -34,6 +35,26 @@ Read with(const std::string& more) {
 }
 
 }  // namespace
+
+// twenty thousand of anything are told quickly and in short
+TEST(LessonFile, CountsAreCapped) {
+  const auto many = [](std::size_t n, const std::function<std::string(std::size_t)>& one) {
+    std::string out;
+    for (std::size_t i = 0; i < n; ++i) out += (i > 0 ? "," : "") + one(i);
+    return out;
+  };
+  const std::string coupling = R"({"plugin": "p.c", "between": ["o", "o"]})";
+  EXPECT_THAT(with("\"couplings\": [" + many(3000, [&](std::size_t) { return coupling; }) + "]").said,
+              ElementsAre("a.json:2 #/couplings: \"couplings\" has at most 128 entries, not 3000."));
+  EXPECT_THAT(with("\"couplings\": [" + many(20'000, [&](std::size_t) { return coupling; }) + "]").said,
+              ElementsAre("a.json: It holds more than 20 000 values, or a key of more than 200 letters; that is no lesson."));
+  const Read keys = with(many(10'000, [](std::size_t i) { return "\"k" + std::to_string(i) + "\": 1"; }));
+  ASSERT_EQ(keys.said.size(), 21u);
+  EXPECT_EQ(keys.said.back(), "a.json: And 9980 more keys are not known.");
+  EXPECT_EQ(with("\"cues\": [" + many(100, [](std::size_t) { return "3"; }) + "]," +
+                 "\"objects_\": [" + many(5000, [](std::size_t) { return "{}"; }) + "]").said.size(), 101u);
+  EXPECT_THAT(with("\"" + std::string(300, 'k') + "\": 1").said.size(), 1u);
+}
 
 TEST(LessonFile, ReadsEverything) {
   const Read r(R"({
@@ -94,7 +115,7 @@ TEST(LessonFile, HasDefaults) {
 TEST(LessonFile, NumbersHaveUnitsAndRanges) {
   EXPECT_THAT(
       with(R"("rate_hz": 50)").said,
-      ElementsAre("a.json:2 #/rate_hz: 50 is out of range; \"rate_hz\" goes from 100 Hz to 10000 Hz."));
+      ElementsAre("a.json:2 #/rate_hz: 50 is out of range; \"rate_hz\" goes from 200 Hz to 10000 Hz."));
   EXPECT_THAT(
       with(R"("scene_length": "1 s")").said,
       ElementsAre("a.json:2 #/scene_length: \"1 s\" is a time; \"scene_length\" is a length (m, mm, um)."));

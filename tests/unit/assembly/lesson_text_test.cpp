@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -143,6 +144,72 @@ TEST_F(LessonTexts, WhatCannotBeSetIsSaidAllInOneGo) {
   write("b.json", R"({ "format": "swage-lesson/1", "based_on": "series/whole.json", "set": [] })");
   EXPECT_FALSE(read("b.json"));
   EXPECT_EQ(said_.size(), 3u) << "no id, no title, no object of settings";
+}
+
+TEST_F(LessonTexts, AnEmptyFileIsNoLesson) {
+  for (const char* text : {"", " \n\t"}) {
+    write("empty.json", text);
+    EXPECT_FALSE(read("empty.json"));
+    EXPECT_THAT(said_, ElementsAre(HasSubstr("empty.json: It is empty;")));
+    LessonFile file;
+    base::Problems problems;
+    EXPECT_FALSE(read_lesson_file(folder_ / "empty.json", file, problems));
+    EXPECT_EQ(problems.size(), 1u);
+  }
+}
+
+TEST_F(LessonTexts, ABaseThatIsNoFileIsRefused) {
+  std::filesystem::create_symlink("loop.json", folder_ / "loop.json");
+  ASSERT_EQ(mkfifo((folder_ / "pipe.json").c_str(), 0600), 0);
+  std::filesystem::create_directory(folder_ / "folder.json");
+  std::ofstream(folder_ / "huge.json").close();
+  std::filesystem::resize_file(folder_ / "huge.json", std::uintmax_t{8} << 30);
+  const std::pair<std::string, std::string> bases[] = {
+      {"loop.json", "Too many levels of symbolic links."},
+      {"pipe.json", "It is a pipe or a device, not a file."},
+      {"folder.json", "It is a folder, not a file."},
+      {"huge.json", "It is larger than 4 MiB."},
+      {std::string(300, 'a') + ".json", "File name too long."}};
+  for (const auto& [base, why] : bases) {
+    write("b.json", variant(base, R"("seed": 9)"));
+    EXPECT_FALSE(read("b.json"));
+    EXPECT_THAT(said_, ElementsAre(testing::AllOf(HasSubstr("b.json:3 #/based_on: "), HasSubstr(why))));
+    EXPECT_FALSE(read(base)) << base;
+    EXPECT_THAT(said_, ElementsAre(HasSubstr(why)));
+  }
+}
+
+// what is wrong is told where it is written: in the variant what the variant says, in its base what that says
+TEST_F(LessonTexts, AVariantKeepsFilesAndLines) {
+  write("b.json", variant("series/whole.json",
+                          "\"seed\": -1,\n\"cues\": [\"smell\"],\n\"set\": { \"needle.arc\": \"2/8\",\n\"needle.size\": \"4 mm\" }"));
+  write("c.json", variant("b.json", "\"set\": {\n\"needle.size\": \"3 mm\" }", "c"));
+  LessonFile file;
+  base::Problems problems;
+  EXPECT_FALSE(read_lesson_file(folder_ / "c.json", {{{"needle.wire", "1"}}}, file, problems));
+  const std::string f = folder_.path() + "/";
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].where, f + "b.json:4 #/seed");
+  EXPECT_EQ(problems[1].where, f + "b.json:5 #/cues");
+  EXPECT_EQ(file.where("/objects/0/params/arc"), f + "b.json:6 #/set/needle.arc");
+  EXPECT_EQ(file.where("/objects/0/params/size/0"), f + "c.json:5 #/set/needle.size");
+  EXPECT_EQ(file.where("/objects/0/params/wire"), f + "c.json #/objects/0/params/wire");
+  EXPECT_EQ(file.where("/objects/0/plugin"), f + "series/whole.json:3 #/objects/0/plugin");
+  EXPECT_EQ(file.where("/title"), f + "c.json:2 #/title");
+  EXPECT_EQ(file.where(""), f + "c.json");
+}
+
+TEST_F(LessonTexts, TextsForATerminalOrWithoutAnEndAreRefused) {
+  LessonText out;
+  base::Problems problems;
+  EXPECT_FALSE(parse_lesson_text(R"({ "title": "a\u001b[31mb", "x-\u009b": 1 })", "l", out, problems));
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].where, "l:1 #/title");
+  EXPECT_EQ(problems[0].message, "\"a\\x1b[31mb\" holds a control character, which no text of a lesson needs.");
+  problems.clear();
+  EXPECT_TRUE(parse_lesson_text(R"({ "title": "two\nlines \u00e9" })", "l", out, problems));
+  EXPECT_FALSE(parse_lesson_text("{ \"title\": \"" + std::string(10'001, 'a') + "\" }", "l", out, problems));
+  EXPECT_EQ(problems.back().message, "It is longer than 10 000 bytes.");
 }
 
 TEST_F(LessonTexts, AnEndlessChainEnds) {

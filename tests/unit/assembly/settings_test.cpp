@@ -24,8 +24,9 @@ Json with(const std::vector<std::string>& texts, base::Problems& problems) {
   std::vector<Setting> settings(texts.size());
   for (size_t i = 0; i < texts.size(); ++i) EXPECT_TRUE(parse_setting(texts[i], settings[i]));
   Json file = Json::parse(kLesson);
+  std::vector<std::string> pointers;
   for (const Setting& setting : settings)
-    if (!set_in(file, setting, "l.json", problems)) return Json();
+    if (!set_in(file, setting, "l.json", problems, pointers)) return Json();
   return file;
 }
 
@@ -44,6 +45,34 @@ TEST(Settings, GoWhereTheirNameSays) {
   EXPECT_EQ(file["devices"][0]["or"][0]["params"]["tremor"], "15 um");
   EXPECT_EQ(file["devices"][0]["or"][1]["params"]["tremor"], "15 um");
   EXPECT_EQ(file["devices"][0]["params"], Json({{"start", {0, 0, 0}}}));
+}
+
+TEST(Settings, ReachASecondCouplingOfOnePluginByItsNumber) {
+  Json file = Json::parse(R"({ "couplings": [ { "plugin": "p.touch" }, { "plugin": "p.touch" }, { "name": "touch_3", "plugin": "p.touch" },
+                               { "plugin": "p.touch" }, 7 ] })");
+  EXPECT_EQ(coupling_names(file), (std::vector<std::string>{"touch", "touch_2", "touch_3", "touch_4", ""}));
+  base::Problems problems;
+  std::vector<std::string> pointers;
+  ASSERT_TRUE(set_in(file, {"touch_4.friction", "0.2"}, "l.json", problems, pointers));
+  EXPECT_EQ(file["couplings"][3]["params"]["friction"], 0.2);
+  EXPECT_EQ(pointers, std::vector<std::string>{"/couplings/3/params/friction"});
+}
+
+// a base lesson may hold anything anywhere; whoever bases another on it gets a sentence
+TEST(Settings, MeetWrongTypesWithASentence) {
+  for (const char* text :
+       {R"({"lesson": 3})", R"({"lesson": []})", R"({"lesson": {"params": [1]}})", R"({"lesson": {"params": null}})",
+        R"({"objects": {"name": "lesson"}})", R"({"objects": [{"name": 3, "plugin": 4}]})", R"({"couplings": [{"plugin": {}}]})",
+        R"({"devices": [{"name": "x", "params": 3, "or": 4}]})", R"({"devices": [{"name": "x", "or": [3, {"params": []}]}]})"}) {
+    for (const char* what : {"lesson.drive", "x.y", "touch.friction"}) {
+      Json file = Json::parse(text);
+      base::Problems problems;
+      std::vector<std::string> pointers;
+      const bool set = set_in(file, {what, "1"}, "l.json", problems, pointers);
+      EXPECT_EQ(set, problems.empty()) << text << " " << what;
+      EXPECT_EQ(set, !pointers.empty()) << text << " " << what;
+    }
+  }
 }
 
 TEST(Settings, AreRefusedWithASentence) {

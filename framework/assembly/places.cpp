@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/places.hpp"
+
+#include <utility>
+
+namespace swage::assembly {
+namespace {
+
+template <class Value>
+void erase_below(std::map<std::string, Value>& map, const std::string& pointer) {
+  // '0' follows '/': every key between is below the pointer
+  map.erase(map.lower_bound(pointer + "/"), map.lower_bound(pointer + "0"));
+  map.erase(pointer);
+}
+
+}  // namespace
+
+Places::Places(std::string path, std::string file, std::map<std::string, uint32_t> line_of)
+    : path_(std::move(path)), file_(std::move(file)), line_of_(std::move(line_of)) {}
+
+void Places::move(const std::string& pointer, const std::string& place) {
+  erase_below(line_of_, pointer);
+  erase_below(moved_, pointer);
+  moved_[pointer] = place;
+}
+
+std::string Places::where(const std::string& pointer) const {
+  const std::string path = path_.empty() ? "lesson" : path_;
+  if (pointer.empty()) return path;
+  // what is missing is told at the line of the object that should have it
+  for (std::string known = pointer;; known.erase(known.rfind('/'))) {
+    if (const auto moved = moved_.find(known); moved != moved_.end()) return moved->second;
+    if (const auto line = line_of_.find(known); line != line_of_.end())
+      return (file_.empty() ? path : file_) + ":" + std::to_string(line->second) + " #" + pointer;
+    if (known.empty()) return path + " #" + pointer;
+  }
+}
+
+}  // namespace swage::assembly
