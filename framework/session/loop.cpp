@@ -5,6 +5,7 @@
 
 #include "base/clock.hpp"
 #include "judge/host_events.hpp"
+#include "step/limits.hpp"
 #include "swage/abi/lesson_card.h"
 
 namespace swage::session {
@@ -75,6 +76,7 @@ bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   take_pointer();
   engine_.step();
   knock();
+  feel();
   keep(stats);
   const Ending now = judge();
   return now == Ending::kNone || end(now, stats);
@@ -156,6 +158,10 @@ void Loop::knock() noexcept {
   for (Port* port : ports_) port->knock(force);
 }
 
+void Loop::feel() noexcept {
+  for (const contact::Contact& c : engine_.contacts().contact) hardest_ = std::max(hardest_, c.f_a_W.norm());
+}
+
 // records, events and snapshots of the step that was just made
 void Loop::keep(const LoopStats& stats) noexcept {
   steps_.store(engine_.world().step, std::memory_order_relaxed);
@@ -200,6 +206,7 @@ void Loop::show(const LoopStats& stats) noexcept {
 
 // Is it over? A quarantine voids the attempt but lets it run on to its end, unless nobody is left who could end it.
 Ending Loop::judge() const noexcept {
+  if (hardest_ > step::kMaxContactForce) return Ending::kImpossible;
   if (engine_.verdict().outcome != judge::Outcome::kRunning) return Ending::kVerdict;
   const double time = engine_.world().time();
   if (settings_.lesson_max_time_s > 0 && time >= settings_.lesson_max_time_s) return Ending::kLessonTimeLimit;

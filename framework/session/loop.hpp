@@ -23,7 +23,7 @@
 namespace swage::session {
 
 /// Why an attempt ended.
-enum class Ending : uint32_t { kNone, kVerdict, kStopped, kTimeLimit, kLessonTimeLimit, kHandEnded, kVoid };
+enum class Ending : uint32_t { kNone, kVerdict, kStopped, kTimeLimit, kLessonTimeLimit, kHandEnded, kVoid, kImpossible };
 
 class Loop {
  public:
@@ -56,6 +56,7 @@ class Loop {
 
   // --- valid once finished
   Ending ending() const { return ending_; }
+  double hardest() const { return hardest_; }  // N, the greatest force at one contact
   const snapshot::LoopHealth& health() const { return out_->health; }
   /// How often a port's hand was lost, and for how long the lesson waited, s.
   uint32_t times_lost(std::size_t port) const { return lost_[port].times; }
@@ -72,6 +73,7 @@ class Loop {
   void tell(judge::HostEvent event, double value) noexcept;
   void keep(const LoopStats& stats) noexcept;
   void show(const LoopStats& stats) noexcept;
+  void feel() noexcept;
   Ending judge() const noexcept;
   bool end(Ending ending, const LoopStats& stats) noexcept;
 
@@ -105,6 +107,7 @@ class Loop {
   bool realtime_granted_ = false;
   uint64_t lost_events_ = 0;
   uint64_t forceless_steps_ = 0;
+  double hardest_ = 0;  // N
   Ending ending_ = Ending::kNone;
 };
 

@@ -16,6 +16,7 @@
 #include "record/store.hpp"
 #include "session/bounded_call.hpp"
 #include "session/live.hpp"
+#include "step/limits.hpp"
 #include "step/overlaps.hpp"
 #include "toolkit/read_file.hpp"
 
@@ -50,6 +51,8 @@ const char* text(Ending ending) {
       return "hand.ended";
     case Ending::kVoid:
       return "host.quarantined";
+    case Ending::kImpossible:
+      return "host.impossible";
     default:
       return "";
   }
@@ -59,6 +62,12 @@ std::string lost_text(const host::Instance& device, const char* call, double lim
   return "The device (" + device.plugin_id + " " + device.plugin_version + ") has not come back from " + call + "() for " +
          host::format_number(limit_s) +
          " s and is left behind. Restart the program before you use it again.";
+}
+
+std::string impossible_text(double force) {
+  return "Two surfaces pressed on each other with " + host::format_quantity(std::round(force), "N") +
+         ", more than any hand can (" + host::format_quantity(step::kMaxContactForce, "N") +
+         "): the attempt is void. A stiffness, a density or the rate of this lesson does not fit its scene.";
 }
 
 // what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
@@ -357,6 +366,10 @@ Result Run::make_result(Ending ending) const {
   if (engine_->quarantined() > 0) {
     out.outcome = judge::Outcome::kVoid;
     out.reason = text(Ending::kVoid);
+  }
+  if (ending == Ending::kImpossible) {
+    out.outcome = judge::Outcome::kVoid;
+    out.problems.push_back({Severity::kError, rig_->descriptor_path, impossible_text(loop_->hardest())});
   }
   out.score = out.outcome == judge::Outcome::kVoid ? 0 : verdict.score;
   out.steps = engine_->world().step;

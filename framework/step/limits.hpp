@@ -7,6 +7,9 @@ namespace swage::step {
 
 // N and N m that an object may put on one of its bodies in one step. Normal: 1e-6 to 1. Larger: nothing in microsurgery
 inline constexpr double kMaxForce = 1e3;
+// N at one contact. Normal: up to 16, a needleholder closed hard; a fist holds some 500. Larger: a stiffness, a mass or a rate that
+// is of no such scene, and a result that no hand can make
+inline constexpr double kMaxContactForce = 500;
 // m/s of a free surface. Normal: under 0.1. Larger: an unstable solver on its way to infinity
 inline constexpr double kMaxSpeed = 1e3;
 // m/s per N s of a free surface: 1 / effective mass. Normal: 1e3 to 1e8 (a wire end of 10 ug). Larger: no mass at all

@@ -2,7 +2,9 @@
 #include "contact.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <string>
 
 #include "toolkit/math.hpp"
 
@@ -15,6 +17,16 @@ void Contact::build(const ContactParams& params, CouplingBuilder& builder) {
   force_ = builder.signal("contact.force", "N", "Sum of the normal forces between the two objects.");
   overlap_ =
       builder.signal("contact.overlap", "m", "Deepest overlap of the two surfaces, 0 when they are apart.");
+}
+
+void Contact::activate(double dt_s) {
+  const double most = kMostPerStep / (dt_s * dt_s);
+  if (law_.stiffness <= most) return;
+  char text[32];
+  const int rate = static_cast<int>(std::lround(1 / dt_s));
+  const auto end = std::to_chars(text, text + sizeof text, most, std::chars_format::general, 3).ptr;
+  refuse("at " + std::to_string(rate) + " steps a second a contact is at most " + std::string(text, end) +
+         " N/m stiff; take a lower \"stiffness\" or a higher \"rate_hz\"");
 }
 
 void Contact::resolve(const CouplingStep& step) {

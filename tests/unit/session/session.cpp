@@ -4,6 +4,7 @@
 #include "session/session.hpp"
 
 #include <cmath>
+#include <fstream>
 
 #include "record/store.hpp"
 #include "session_bed.hpp"
@@ -31,6 +32,27 @@ TEST_F(SessionTest, TheSameAttemptTwiceGivesTheSameBits) {
   EXPECT_NE(a.hash, 0u);
   options.device = "novice";
   EXPECT_NE(run().hash, a.hash);
+}
+
+// 5 kg of lead on steel: what comes out is not surgery, whatever a lesson makes of it
+TEST_F(SessionTest, AForceThatNoHandCanMakeVoidsTheAttempt) {
+  options.lesson_path = folder + "/heavy.json";
+  options.device = "";
+  std::ofstream(options.lesson_path) << R"({ "format": "swage-lesson/1", "id": "test.heavy", "title": "Heavy",
+    "objects": [ { "name": "ball", "plugin": "swage.object.solids", "pose": { "p": [0, 0, "100 mm"] },
+                   "params": { "form": "sphere", "diameter": "100 mm", "density": 11000 } },
+                 { "name": "floor", "plugin": "swage.object.solids", "pose": { "p": [0, 0, "-10 mm"] },
+                   "params": { "form": "box", "fixed": true, "size": ["200 mm", "200 mm", "20 mm"] } } ],
+    "couplings": [ { "plugin": "swage.coupling.contact", "between": ["ball", "floor"] } ],
+    "lesson": { "plugin": "swage.lesson.look" } })";
+  options.max_time_s = 2;
+  const Result result = run();
+  EXPECT_EQ(result.outcome, judge::Outcome::kVoid);
+  EXPECT_EQ(result.reason, "host.impossible");
+  EXPECT_EQ(result.score, 0);
+  EXPECT_LT(result.simulated_s, 0.2) << "it ends there";
+  const std::string said = told(result.problems);
+  EXPECT_NE(said.find("more than any hand can (500 N): the attempt is void."), std::string::npos) << said;
 }
 
 TEST_F(SessionTest, StopsWhenToldAndSaysSo) {
