@@ -5,6 +5,7 @@
 
 #include "host/guard.hpp"
 #include "scene/kinematics.hpp"
+#include "scene/room.hpp"
 #include "scene/view.hpp"
 #include "step/limits.hpp"
 
@@ -54,6 +55,7 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteG
   particle_before_ = world.particle_p_W;
   hinge_before_ = world.hinge_angle;
   view_.resize(rig.objects.size());
+  gone_.resize(rig.objects.size());
   for (uint32_t i = 0; i < rig.objects.size(); ++i) {
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
@@ -102,8 +104,10 @@ void Objects::reset(uint32_t object) noexcept {
 
 void Objects::begin() noexcept {
   scene::World& world = rig_.world;
-  for (uint32_t i = 0; i < view_.size(); ++i)
+  for (uint32_t i = 0; i < view_.size(); ++i) {
     view_[i] = scene::view(world, slices(rig_.objects[i]), hands_.input(i));
+    gone_[i] = left_room(i) ? 1 : 0;
+  }
   X_WB_before_ = world.X_WB;
   particle_before_ = world.particle_p_W;
   hinge_before_ = world.hinge_angle;
@@ -194,7 +198,22 @@ void Objects::freeze() noexcept {
     if (frozen(i)) freeze(i);
 }
 
-// finite and in the room; quarantined otherwise
+bool Objects::left_room(uint32_t object) const noexcept {
+  const scene::World& world = rig_.world;
+  const host::ObjectSlot& slot = rig_.objects[object];
+  const double room = scene::room(world);
+  for (uint32_t b = slot.body.first; b < slot.body.first + slot.body.count; ++b) {
+    const int32_t motion = world.body[b].motion;
+    if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_SELF) continue;
+    if (toolkit::vec(world.X_WB[b].p).squaredNorm() > room * room) return true;
+  }
+  for (uint32_t p = slot.particle.first; p < slot.particle.first + slot.particle.count; ++p)
+    if (Eigen::Map<const toolkit::Vec3>(&world.particle_p_W[3 * std::size_t{p}]).squaredNorm() > room * room)
+      return true;
+  return false;
+}
+
+// finite and near; quarantined otherwise
 bool Objects::sound(uint32_t object, host::Call call) noexcept {
   host::Instance& instance = *rig_.objects[object].instance;
   const swage_object_step& view = view_[object];

@@ -34,11 +34,14 @@ class Objects {
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
   std::span<dynamics::FlexibleBody* const> self() noexcept;  // own mechanics that are not in quarantine
+  /// In quarantine, or out of the room (scene/room.hpp): it stands where it stood.
   bool frozen(uint32_t object) const noexcept {
-    return rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;
+    return gone_[object] != 0 ||
+           rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;
   }
 
  private:
+  bool left_room(uint32_t object) const noexcept;
   void put_back(uint32_t object) noexcept;
   void freeze(uint32_t object) noexcept;
   bool sound(uint32_t object, host::Call call) noexcept;
@@ -47,6 +50,7 @@ class Objects {
   const Hands& hands_;
   WriteGuard& writes_;
   std::vector<swage_object_step> view_;
+  std::vector<uint8_t> gone_;  // by what the state says at the beginning of the step
   std::vector<std::unique_ptr<FlexibleBodyAdapter>> self_;
   std::vector<dynamics::FlexibleBody*> self_now_;
 

@@ -41,6 +41,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   failure(End::kDeflected, "failed.deflected", "The tissue refused the point too often.");
   failure(End::kOutOfTime, "failed.out_of_time",
           "Time ran out before the needle was where it should be.");
+  failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
 }
 
 void InsertionLesson::bind(const Scene& scene, Binder& binder) {
@@ -119,6 +120,7 @@ void InsertionLesson::activate(double dt_s) {
   rules.max_drops = p.max_drops;
   rules.max_deflections = p.max_deflections;
   rules.drop_distance = p.drop_distance;
+  rules.lost_distance = p.lost_distance;
   rules.stitches = p.stitches;
   rules.exit_mark = has_exit();
   judge_ = Judge(rules, dt_s);

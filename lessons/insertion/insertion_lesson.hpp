@@ -32,6 +32,7 @@ struct InsertionParams {
   int max_drops = Rules{}.max_drops;
   int max_deflections = Rules{}.max_deflections;
   double drop_distance = Rules{}.drop_distance;  // m
+  double lost_distance = Rules{}.lost_distance;  // m
   int stitches = 1;
   double spacing = 1e-3;                   // m
   std::array<double, 3> exit = {0, 0, 0};  // m, from the mark, in the tissue's frame; 0: no such mark
@@ -98,6 +99,11 @@ class InsertionLesson final : public Lesson<InsertionParams> {
           "The needle has dropped when it is further than this from where it was left.")
           .group("Limits")
           .hidden(),
+      real<&InsertionParams::lost_distance>("lost_distance", "Lost distance", "m", "mm", 1e-3, 1,
+                                            "The attempt fails when the needle lies free and further than this "
+                                            "from the mark: nobody can reach it.")
+          .group("Limits")
+          .hidden(),
       integer<&InsertionParams::stitches>("stitches", "Stitches", 1, 8,
                                           "How many are asked for, one beside the other along the edge.")
           .group("Stitch"),
@@ -156,7 +162,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];                      // by Stage
-  Event dropped_, missed_, failed_[7];  // by End
+  Event dropped_, missed_, failed_[8];  // by End
 };
 
 }  // namespace swage::lesson_insertion

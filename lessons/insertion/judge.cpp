@@ -127,6 +127,8 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
     finding.end = End::kDropped;
   else if (memory.deflections > rules_.max_deflections)
     finding.end = End::kDeflected;
+  else if (!look.held && !look.in_tissue && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
+    finding.end = End::kLost;
   else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;
   if (finding.end == End::kRunning) return;

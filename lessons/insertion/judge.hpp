@@ -39,7 +39,8 @@ struct Rules {
   double max_time = 300;           // s
   int max_drops = 2;
   int max_deflections = 5;
-  double drop_distance = 3e-3;  // m
+  double drop_distance = 3e-3;   // m
+  double lost_distance = 30e-3;  // m, from the mark
   int stitches = 1;             // that are asked for
   bool exit_mark = false;       // there is a mark where it should come out
   bool ends = true;             // the time limit ends the attempt
@@ -91,7 +92,7 @@ struct Memory {
 };
 
 enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
-enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime };
+enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost };
 
 /// Points of 100 that were lost.
 struct Points {

@@ -172,6 +172,21 @@ TEST(InsertionJudge, EachWayToFail) {
   EXPECT_EQ(Attempt(rules).go(100).end, End::kOutOfTime);
 }
 
+TEST(InsertionJudge, WhatNobodyCanReachIsLost) {
+  Attempt held;
+  held.hold();
+  held.now.needle_W = Vec3(0, 0, 31e-3);
+  EXPECT_EQ(held.go(10).end, End::kRunning) << "in the jaws it may be carried anywhere";
+  held.now.held = false;
+  EXPECT_EQ(held.go().end, End::kLost);
+
+  Attempt beside;  // a drop beyond the tray: it falls and falls
+  beside.now.needle_W = Vec3(20e-3, 0, -20e-3);
+  EXPECT_EQ(beside.go().end, End::kRunning);
+  beside.now.needle_W = Vec3(20e-3, 0, -30e-3);
+  EXPECT_EQ(beside.go().end, End::kLost);
+}
+
 TEST(InsertionJudge, WhatSticksInTheTissueIsNotDropped) {
   Attempt a;
   a.hold();
