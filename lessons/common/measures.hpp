@@ -26,7 +26,8 @@ inline void spread(SpreadState& state, double x, double dt) noexcept {
   state.m2 += dt * d * (x - state.mean);
 }
 inline double deviation(const SpreadState& state) {
-  return state.weight > 0 ? std::sqrt(state.m2 / state.weight) : 0;
+  // one sample divided by its own weight may round past itself: a square of -1e-17, whose root is no number
+  return state.weight > 0 ? std::sqrt(std::max(0.0, state.m2) / state.weight) : 0;
 }
 
 /// Quantile of a value over time from a histogram: kBins equal bins from 0 to `top`, the last takes what is above.
