@@ -2,6 +2,7 @@
 //
 // swage: one program with verbs. Its window is swage-console.
 #include <fcntl.h>
+#include <locale.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -279,6 +280,8 @@ int main(int argc, char** argv) {
   occupy_standard_streams();
   // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
   signal(SIGXFSZ, SIG_IGN);
+  // numbers are written with a point, whatever a plugin makes of the locale of the process
+  uselocale(newlocale(LC_ALL_MASK, "C", nullptr));
   try {
     return swage::session::end_program(parse_and_run(argc, argv));
   } catch (const std::exception& error) {
