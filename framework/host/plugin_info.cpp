@@ -71,7 +71,8 @@ void text_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
     for (const std::string& choice : p.choices) look("Parameter \"" + p.id + "\"", {&choice});
   }
   for (const MetricInfo& m : plugin.metrics)
-    look("Metric \"" + m.id + "\"", {&m.id, &m.unit, &m.doc, &m.formula, &m.code});
+    look("Metric \"" + m.id + "\"", {&m.id, &m.unit, &m.doc, &m.formula, &m.code, &m.title});
+  for (const CriterionInfo& c : plugin.criteria) look("A criterion", {&c.text, &c.when});
   for (const CueInfo& c : plugin.cues) look("Cue \"" + c.id + "\"", {&c.id, &c.doc});
 }
 
