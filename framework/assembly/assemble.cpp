@@ -218,7 +218,9 @@ void Assembler::add_objects() {
     slot.state = builder->state;
     slot.signal = builder->signal;
     slot.object = table<swage_object>(*slot.instance, SWAGE_EXT_OBJECT, use);
-    slot.solver = table<swage_solver>(*slot.instance, SWAGE_EXT_SOLVER, use, false);
+    slot.solver_2 = table<swage_solver_2>(*slot.instance, SWAGE_EXT_SOLVER_2, use, false);
+    if (slot.solver_2 == nullptr)
+      slot.solver = table<swage_solver>(*slot.instance, SWAGE_EXT_SOLVER, use, false);
     slot.surface = table<swage_surface>(*slot.instance, SWAGE_EXT_SURFACE, use, false);
     slot.dents = table<swage_dents>(*slot.instance, SWAGE_EXT_DENTS, use, false);
     bool moves_itself = false;
@@ -226,12 +228,12 @@ void Assembler::add_objects() {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + i];
       if (body.motion != SWAGE_MOTION_SELF) continue;
       moves_itself = true;
-      if (slot.solver == nullptr)
+      if (!slot.moves_itself())
         error(use.pointer, "Body \"" + body.name + "\" moves itself, but " + slot.instance->plugin_id +
-                               " does not offer " SWAGE_EXT_SOLVER ".");
+                               " does not offer " SWAGE_EXT_SOLVER " nor " SWAGE_EXT_SOLVER_2 ".");
     }
     // an object may have a level without mechanics of its own
-    if (!moves_itself) slot.solver = nullptr;
+    if (!moves_itself) slot.solver = nullptr, slot.solver_2 = nullptr;
   }
 }
 

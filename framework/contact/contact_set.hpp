@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/candidate.hpp"
+#include "scene/chain.hpp"
 #include "scene/world.hpp"
 #include "toolkit/math.hpp"
 
@@ -28,6 +29,8 @@ struct Pair {
   Law law;
 };
 
+using scene::ChainPlace;
+
 /// One contact point between surface a and surface b.
 struct Contact {
   uint32_t pair = 0;
@@ -35,6 +38,7 @@ struct Contact {
   uint32_t body_a = 0, body_b = 0;    // global
   /// A particle instead of a body and its shape (then kNone): global. Its candidate's frame is the particle, unturned.
   uint32_t particle_a = scene::kNone, particle_b = scene::kNone;
+  ChainPlace place_a, place_b;  // on shape a and b, where those are chains
   uint64_t feature = 0;      // which features and which quadrature point; equal while the touch lasts
   Vec3 p_W = Vec3::Zero();   // m, midway between the surfaces
   Vec3 n_W = Vec3::UnitZ();  // unit, from b into a

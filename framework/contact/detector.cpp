@@ -15,14 +15,6 @@ namespace {
 /// normal is alike: a touch that slides from a face to its edge, or spreads into a line, goes on sticking.
 constexpr double kInheritReach = 0.2, kInheritCosine = 0.7;
 
-/// Bodies that move less than the thickness of their wires, or than this share of the scene's length (20 um for a 1 mm
-/// scene) when they have sharp edges, cannot come out on the far side of each other and are not swept.
-constexpr double kSweepFrom = 0.02;
-
-/// Swept bodies touch when their gap is below this share of the scene's length (1 um for a 1 mm scene): the pose only
-/// serves to find out which features meet, so a wire's fiftieth is near enough.
-constexpr double kTouchGap = 1e-3;
-
 /// Motion of a body over the step that is predicted to end at its pose.
 Motion motion_of(const scene::World& world, uint32_t body) {
   const swage_twist& V = world.V_WB[body];
@@ -60,10 +52,17 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
       X_WB_(world.body.size()),
       motion_(world.body.size()),
       ball_(world.shape.size()),
-      sphere_(make_ball(0)) {
+      sphere_(make_ball(0)),
+      tree_of_(world.shape.size(), scene::kNone),
+      piece_a_(make_capsule()),
+      piece_b_(make_capsule()) {
   check(options_);
   for (uint32_t i = 0; i < world.shape.size(); ++i) {
     solids_.push_back(make_solid(world, i));
+    if (world.shape[i].kind == SWAGE_SHAPE_CHAIN) {
+      tree_of_[i] = static_cast<uint32_t>(tree_.size());
+      tree_.emplace_back(world, i);
+    }
     body_.push_back(world.shape[i].body);
     const bool chained = in_chain(world, i);
     goes_on_.push_back(chained && i > 0 && in_chain(world, i - 1) &&
@@ -76,7 +75,11 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
       for (uint32_t b = 0; b < world.shape.size(); ++b) {
         const scene::Shape &shape_a = world.shape[a], &shape_b = world.shape[b];
         if (shape_a.object != pairs_[p].object_a || shape_b.object != pairs_[p].object_b) continue;
-        if (!collides(shape_a) || !collides(shape_b) || shape_a.body == shape_b.body) continue;
+        if (!collides(shape_a) || !collides(shape_b)) continue;
+        if (shape_a.body == shape_b.body && shape_a.kind != SWAGE_SHAPE_CHAIN && shape_b.kind != SWAGE_SHAPE_CHAIN)
+          continue;
+        // only a chain touches itself
+        if (a == b && shape_a.kind != SWAGE_SHAPE_CHAIN) continue;
         // an object against itself: each two shapes once
         if (shape_a.object == shape_b.object && a > b) continue;
         shape_pairs_.push_back({p, a, b, group_of(p, a, b), {}});
@@ -84,7 +87,8 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
         bodies_.push_back(shape_b.body);
       }
   // what was last found apart saves time where polyhedra say so themselves
-  for (ShapePair& pair : shape_pairs_) pair.remembers = pair.group == kNoGroup;
+  for (ShapePair& pair : shape_pairs_)
+    pair.remembers = pair.group == kNoGroup && !is_chain(pair.shape_a) && !is_chain(pair.shape_b);
   std::sort(bodies_.begin(), bodies_.end());
   bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
 
@@ -155,6 +159,10 @@ void Detector::look_around(const scene::World& world) noexcept {
     motion_[body].known = false;
   }
   for (uint32_t i = 0; i < solids_.size(); ++i) {
+    if (is_chain(i)) {
+      refit_chain(world, i);
+      continue;
+    }
     if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
     // the ball in which the shape is at the end of the step, and how far any point of it has come
     const swage_twist& V = world.V_WB[body_[i]];
@@ -206,6 +214,11 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
 
   const double margin = options_.margin * world.length;
   if (pair.group != kNoGroup && group_[pair.group].far) return;
+  if (is_chain(pair.shape_a) || is_chain(pair.shape_b)) {
+    const size_t first = set.contact.size();
+    detect_with_chain(world, pair, set);
+    return share_near(world, set, first);
+  }
   const bool faces = b.kind == SWAGE_SHAPE_CONVEX;
   if (far_apart(ball_[faces ? pair.shape_a : pair.shape_b], faces ? pair.shape_b : pair.shape_a, margin))
     return;
@@ -271,30 +284,35 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
 void Detector::append(const scene::World& world, const ShapePair& pair, uint64_t part,
                       ContactSet& set) noexcept {
   set.dropped += static_cast<uint64_t>(manifold_.dropped);
-  for (int i = 0; i < manifold_.count; ++i) {
-    if (set.contact.size() >= options_.capacity) {
-      ++set.dropped;
-      continue;
-    }
-    const Candidate& found = manifold_.candidate[static_cast<size_t>(i)];
-    Contact c;
-    c.pair = pair.pair;
-    c.shape_a = pair.shape_a, c.shape_b = pair.shape_b;
-    c.body_a = world.shape[pair.shape_a].body, c.body_b = world.shape[pair.shape_b].body;
-    c.feature = found.feature | part << 44;
-    c.p_W = found.touch.p_W, c.n_W = found.touch.n_W, c.gap = found.touch.gap;
-    c.weight = found.weight;
-    c.law = pairs_[pair.pair].law;
-    inherit(world, c);
-    set.contact.push_back(c);
-    set.candidate.push_back(found);
-    set.candidate.back().feature = c.feature;
+  for (int i = 0; i < manifold_.count; ++i)
+    keep(world, pair, manifold_.candidate[static_cast<size_t>(i)], part, {}, set);
+}
+
+/// Adds a contact, of which the caller has told where it is on chains.
+void Detector::keep(const scene::World& world, const ShapePair& pair, const Candidate& found, uint64_t part,
+                    Contact c, ContactSet& set) noexcept {
+  if (set.contact.size() >= options_.capacity) {
+    ++set.dropped;
+    return;
   }
+  c.pair = pair.pair;
+  c.shape_a = pair.shape_a, c.shape_b = pair.shape_b;
+  c.body_a = world.shape[pair.shape_a].body, c.body_b = world.shape[pair.shape_b].body;
+  c.feature = found.feature | part << 44;
+  c.p_W = found.touch.p_W, c.n_W = found.touch.n_W, c.gap = found.touch.gap;
+  c.weight = found.weight;
+  c.law = pairs_[pair.pair].law;
+  inherit(world, c);
+  set.contact.push_back(c);
+  set.candidate.push_back(found);
+  set.candidate.back().feature = c.feature;
 }
 
 void Detector::inherit(const scene::World& world, Contact& contact) const noexcept {
   if (contact.pair >= last_of_pair_.size()) return;
   const scene::Range range = last_of_pair_[contact.pair];
+  if (contact.place_a.segment != scene::kNone || contact.place_b.segment != scene::kNone)
+    return inherit_along(world, contact, range);
   const swage_twist& V = world.V_WB[contact.body_b];
   const Vec3 v = toolkit::vec(V.v), w = toolkit::vec(V.w), x = toolkit::vec(world.X_WB[contact.body_b].p);
   double nearest = kInheritReach * world.length;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/chain.hpp"
 #include "contact/contact_set.hpp"
 #include "contact/narrow_phase.hpp"
 #include "contact/solid.hpp"
@@ -64,6 +65,14 @@ class Detector {
  private:
   static constexpr uint32_t kNoGroup = UINT32_MAX;
 
+  /// Bodies that move less than the thickness of their wires, or than this share of the scene's length (20 um for a 1 mm
+  /// scene) when they have sharp edges, cannot come out on the far side of each other and are not swept.
+  static constexpr double kSweepFrom = 0.02;
+
+  /// Swept bodies touch when their gap is below this share of the scene's length (1 um for a 1 mm scene): the pose only
+  /// serves to find out which features meet, so a wire's fiftieth is near enough.
+  static constexpr double kTouchGap = 1e-3;
+
   /// Two shapes that may touch.
   struct ShapePair {
     uint32_t pair = 0, shape_a = 0, shape_b = 0, group = kNoGroup;
@@ -99,6 +108,23 @@ class Detector {
   void detect_chain(const scene::World& world, const ShapePair& pair, const Query& query,
                     ContactSet& set) noexcept;
   void append(const scene::World& world, const ShapePair& pair, uint64_t part, ContactSet& set) noexcept;
+  void keep(const scene::World& world, const ShapePair& pair, const Candidate& found, uint64_t part,
+            Contact contact, ContactSet& set) noexcept;
+
+  // chains: detector_chain.cpp
+  struct Part;
+  bool is_chain(uint32_t shape) const noexcept { return tree_of_[shape] != scene::kNone; }
+  void refit_chain(const scene::World& world, uint32_t shape) noexcept;
+  Part whole(const scene::World& world, uint32_t shape) noexcept;
+  Part piece(const scene::World& world, uint32_t shape, uint32_t segment, Solid& solid) const noexcept;
+  void detect_with_chain(const scene::World& world, const ShapePair& pair, ContactSet& set) noexcept;
+  void detect_parts(const scene::World& world, const ShapePair& pair, const Part& a, const Part& b,
+                    ContactSet& set) noexcept;
+  bool collide_parts(const Part& a, const Part& b, double moves, const Query& query, double length) noexcept;
+  void weigh_lines(double radius) noexcept;
+  void share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept;
+  void inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept;
+  static double way_along(const Contact& a, const Contact& b) noexcept;
   void inherit(const scene::World& world, Contact& contact) const noexcept;
 
   std::vector<Pair> pairs_;
@@ -118,6 +144,9 @@ class Detector {
   std::vector<scene::Range> last_of_pair_;
   Manifold manifold_;
   Solid sphere_;  // one sphere of a chain
+  std::vector<ChainTree> tree_;    // one per shape of kind CHAIN
+  std::vector<uint32_t> tree_of_;  // per shape: index into tree_, or kNone
+  Solid piece_a_, piece_b_;        // one piece of a chain each
 };
 
 }  // namespace swage::contact

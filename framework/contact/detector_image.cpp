@@ -45,6 +45,14 @@ Contact contact(const Record& r) {
   return c;
 }
 
+/// Where on a chain, kept for contacts of chains alone.
+struct PlaceRecord {
+  uint64_t segment;
+  double share, s;
+};
+PlaceRecord record(const ChainPlace& p) { return {p.segment, p.share, p.s}; }
+ChainPlace place(const PlaceRecord& r) { return {static_cast<uint32_t>(r.segment), r.share, r.s}; }
+
 }  // namespace
 
 void Detector::save(const ContactSet& set, scene::Writer& out) const noexcept {
@@ -52,7 +60,11 @@ void Detector::save(const ContactSet& set, scene::Writer& out) const noexcept {
   for (const ShapePair& pair : shape_pairs_)
     if (pair.remembers) out.put(toolkit::raw(pair.memory.n_B));
   out.put(uint64_t{set.contact.size()});
-  for (const Contact& c : set.contact) out.put(record(c));
+  for (const Contact& c : set.contact) {
+    out.put(record(c));
+    if (is_chain(c.shape_a)) out.put(record(c.place_a));
+    if (is_chain(c.shape_b)) out.put(record(c.place_b));
+  }
   out.put(uint64_t{set.of_pair.size()});
   for (const scene::Range& range : set.of_pair) out.put(range);
 }
@@ -75,7 +87,14 @@ bool Detector::restore(ContactSet& set, scene::Reader& in) noexcept {
     Record r{};
     in.get(r);
     if (r.pair >= pairs_.size() || r.shape_a >= solids_.size() || r.shape_b >= solids_.size()) return false;
-    set.contact.push_back(contact(r));
+    Contact c = contact(r);
+    for (const bool is_a : {true, false}) {
+      if (!is_chain(is_a ? c.shape_a : c.shape_b)) continue;
+      PlaceRecord found{};
+      in.get(found);
+      (is_a ? c.place_a : c.place_b) = place(found);
+    }
+    set.contact.push_back(c);
     set.candidate.emplace_back();
   }
   in.get(n);
@@ -91,7 +110,7 @@ bool Detector::restore(ContactSet& set, scene::Reader& in) noexcept {
 
 size_t Detector::image_size() const {
   return 3 * sizeof(uint64_t) + shape_pairs_.size() * sizeof(swage_vec3) +
-         options_.capacity * sizeof(Record) + pairs_.size() * sizeof(scene::Range);
+         options_.capacity * (sizeof(Record) + 2 * sizeof(PlaceRecord)) + pairs_.size() * sizeof(scene::Range);
 }
 
 }  // namespace swage::contact

@@ -106,6 +106,14 @@ Solid make_ball(double radius) {
   return make_solid(shape, {});
 }
 
+Solid make_capsule() {
+  scene::Shape shape;
+  shape.kind = SWAGE_SHAPE_CAPSULE;
+  shape.X_BS = Pose().abi();
+  shape.radius = shape.half_length = 1;
+  return make_solid(shape, {});
+}
+
 Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& convexes) {
   const Pose X_BS(shape.X_BS);
   Solid s;
@@ -130,6 +138,11 @@ Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& 
 
 Solid make_solid(const scene::World& world, uint32_t shape) {
   const scene::Shape& it = world.shape[shape];
+  if (it.kind == SWAGE_SHAPE_CHAIN) {  // chain.hpp
+    Solid chain;
+    chain.kind = it.kind, chain.radius = it.radius;
+    return chain;
+  }
   if (it.kind != SWAGE_SHAPE_HEIGHT_FIELD) return make_solid(it, world.convex);
   const scene::HeightFieldInfo& info = world.field[it.field];
   Solid s;

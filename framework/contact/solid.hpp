@@ -54,6 +54,9 @@ double support(const Solid& solid, const Vec3& n) noexcept;
 /// [main] A ball about the origin.
 Solid make_ball(double radius);
 
+/// [main] A capsule of any size, to be written over.
+Solid make_capsule();
+
 /// [main] The solid of a shape; `convexes` is World::convex.
 Solid make_solid(const scene::Shape& shape, const std::vector<toolkit::Convex>& convexes);
 

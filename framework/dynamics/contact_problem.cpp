@@ -28,8 +28,8 @@ void ContactProblem::begin(scene::World& world, Motion& motion, const contact::C
   for (uint32_t i = 0; i < n; ++i) {
     const contact::Contact& c = contacts.contact[i];
     ContactWorkspace& k = contact[i];
-    k.a = place.side(c.body_a, c.particle_a);
-    k.b = place.side(c.body_b, c.particle_b);
+    k.a = place.side(c.body_a, c.particle_a, c.shape_a, c.place_a);
+    k.b = place.side(c.body_b, c.particle_b, c.shape_b, c.place_b);
     k.active = overlaps(c);
     k.dropped = false;
     k.constraint = kNone;

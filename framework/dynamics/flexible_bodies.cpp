@@ -25,7 +25,7 @@ FlexibleBodies::FlexibleBodies(const scene::World& world) : room_(world.capacity
   object_.resize(objects.size());
   const size_t n = size_t{3} * room_;
   for (Object& o : object_) {
-    o.point.resize(room_);
+    o.point.resize(room_), o.place.resize(room_);
     for (std::vector<double>* v : {&o.v_free, &o.u, &o.expected, &o.extra, &o.force, &o.to, &o.impulse})
       v->resize(n);
     o.W.resize(n * n);
@@ -44,9 +44,10 @@ uint32_t FlexibleBodies::slot(uint32_t object) const noexcept {
 }
 
 uint32_t FlexibleBodies::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
-                                   const Vec3& into) noexcept {
+                                   const Vec3& into, const contact::ChainPlace& place) noexcept {
   Object& o = object_[slot];
   if (o.points == room_) return scene::kNone;
+  o.place[o.points] = {place.segment, 0, place.share, place.s};
   o.point[o.points] = {body, shape, toolkit::raw(p_W), toolkit::raw(into)};
   return o.points++;
 }
@@ -74,6 +75,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
     std::fill_n(o.W.begin(), n * n, 0.0);
     for (std::vector<double>* v : {&o.expected, &o.extra, &o.force}) std::fill_n(v->begin(), n, 0.0);
     const std::span<const swage_contact_point> points(o.point.data(), o.points);
+    flexible_[i]->locate({o.place.data(), o.points});
     const bool answered = flexible_[i]->mobility(points, o.v_free.data(), o.W.data()) &&
                           flexible_[i]->displacement(points, o.u.data());
 

@@ -27,8 +27,8 @@ class FlexibleBodies {
   /// Place of the object among the blocks of this step, or kNone when nobody answers for it.
   uint32_t slot(uint32_t object) const noexcept;
   /// Adds a touch; returns its point, or kNone beyond the capacity. `into`: unit normal into the object.
-  uint32_t add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
-                     const Vec3& into) noexcept;
+  uint32_t add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W, const Vec3& into,
+                     const contact::ChainPlace& place = {}) noexcept;
   /// The point nearest to p_W; kNone where there is none.
   uint32_t nearest(uint32_t slot, const Vec3& p_W) const noexcept;
   /// Asks every object with points for its compliance. h: s. Returns the number of points without a usable answer.
@@ -75,6 +75,7 @@ class FlexibleBodies {
   struct Object {
     uint32_t points = 0;
     std::vector<swage_contact_point> point;
+    std::vector<swage_chain_place> place;
     std::vector<double> v_free, u, W;
     std::vector<double> expected, extra;  // m, beyond the free displacement; expected, and as it stands
     std::vector<double> force, to;        // N, that bring it there; and those of the pass

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // An object with mechanics of its own, as the contact solve sees it. The step implements it on top of the
-// plugin extension swage.object.solver/1; tests implement it directly.
+// plugin extension swage.object.solver/1 or /2; tests implement it directly.
 #pragma once
 
 #include <swage/abi/object.h>
@@ -23,6 +23,9 @@ class FlexibleBody {
 
   /// Its surface is where its shapes are: contacts that those do not reach need not be asked about.
   virtual bool surface_is_shape() const noexcept { return false; }
+
+  /// Where on its chains the points of the next calls are; stays valid until the next call of this.
+  virtual void locate(std::span<const swage_chain_place> /*place*/) noexcept {}
 
   /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, constraint-major, symmetric, positive
   /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be

@@ -61,7 +61,8 @@ void FlexiblePoints::add(const contact::Contact& c, ContactWorkspace& k) noexcep
     Side& s = is_a ? k.a : k.b;
     if (!p_.place.is_flexible(s.block) || s.shares) continue;
     s.point = p_.place.flexible().add_point(p_.place.block(s.block).index, s.body,
-                                            is_a ? c.shape_a : c.shape_b, c.p_W, is_a ? c.n_W : Vec3(-c.n_W));
+                                            is_a ? c.shape_a : c.shape_b, c.p_W, is_a ? c.n_W : Vec3(-c.n_W),
+                                            s.place);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/chain.hpp"
 #include "scene/kinematics.hpp"
 
 namespace swage::dynamics {
@@ -19,6 +20,10 @@ Placement::Placement(const scene::World& world) : flexible_(world) {
   trial_.resize(bodies);
   p_.assign(particles, Vec3::Zero());
   block_of_body_.assign(bodies, kNone), block_of_particle_.assign(particles, kNone);
+
+  chain_of_body_.assign(bodies, kNone);
+  for (const scene::Shape& shape : world.shape)
+    if (shape.kind == SWAGE_SHAPE_CHAIN) chain_of_body_[shape.body] = shape.chain;
 
   auto add = [this](DofBlock::Kind kind, size_t index, uint32_t size) {
     DofBlock m;
@@ -68,6 +73,22 @@ Side Placement::side(uint32_t body, uint32_t particle) noexcept {
     }
   }
   if (s.block != kNone && block_step_[s.block] != step_) prepare_block(s.block);
+  return s;
+}
+
+Side Placement::side(uint32_t body, uint32_t particle, uint32_t shape,
+                     const contact::ChainPlace& place) noexcept {
+  Side s = side(body, particle);
+  if (place.segment != kNone) s.chain = world_->shape[shape].chain, s.place = place;
+  return s;
+}
+
+Side Placement::tied_side(uint32_t body, const Vec3& p_W) noexcept {
+  Side s = side(body, kNone);
+  s.chain = chain_of_body_[body];
+  if (s.chain == kNone) return s;
+  s.place = scene::nearest_place(scene::ChainView(*world_, world_->chain[s.chain]), p_W);
+  if (s.place.segment == kNone) s.chain = kNone;
   return s;
 }
 
@@ -160,7 +181,7 @@ Vec3 Placement::displacement(const Side& side, const Vec3& p_W) const noexcept {
   if (side.particle != kNone) return p_[side.particle] - motion_->p0[side.particle];
   if (is_flexible(side.block) && side.point != kNone)
     return flexible_.displacement(side.block - first_flexible_, side.point);
-  return carried(trial_[side.body], p_W);
+  return carried(side, p_W);
 }
 
 /// Displacement of a point of a body from the start of the step to its pose.
@@ -170,16 +191,27 @@ Vec3 Placement::carried(const Trial& t, const Vec3& p_W) noexcept {
   return (t.X.p - t.X0.p) + (r - t.back * r);
 }
 
+/// The same of a place on a body's surface; a chain goes as its vertices do, and turns across itself with them.
+Vec3 Placement::carried(const Side& side, const Vec3& p_W) const noexcept {
+  if (side.chain == kNone) return carried(trial_[side.body], p_W);
+  const scene::ChainView chain(*world_, world_->chain[side.chain]);
+  const uint32_t i = side.place.segment;
+  const double t = side.place.share;
+  const Vec3 p0 = chain.p(i), p1 = chain.p(i + 1), v0 = chain.v(i), v1 = chain.v(i + 1);
+  const Vec3 u = p1 - p0, turn = u.cross(v1 - v0) / u.squaredNorm();
+  return h_ * ((1 - t) * v0 + t * v1 + turn.cross(p_W - (p0 + t * u)));
+}
+
 void Placement::expect(const Side& side, const Vec3& p_W) noexcept {
-  flexible_.expect(side.block - first_flexible_, side.point, carried(trial_[side.body], p_W));
+  flexible_.expect(side.block - first_flexible_, side.point, carried(side, p_W));
 }
 
 Vec3 Placement::prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
-  return flexible_.displacement(side.block - first_flexible_, side.point) - carried(trial_[side.body], p_W);
+  return flexible_.displacement(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
 Vec3 Placement::free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
-  return flexible_.u_free(side.block - first_flexible_, side.point) - carried(trial_[side.body], p_W);
+  return flexible_.u_free(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_set.hpp"
 #include "dynamics/dof_block.hpp"
 #include "dynamics/flexible_bodies.hpp"
 #include "dynamics/motion.hpp"
@@ -22,6 +23,8 @@ struct Side {
   uint32_t body = scene::kNone, particle = scene::kNone;
   uint32_t block = scene::kNone;  // index into Placement, or kNone: cannot be moved
   uint32_t point = scene::kNone;  // flexible bodies: among the points of their block
+  uint32_t chain = scene::kNone;  // of the world, where the body's surface is one there
+  contact::ChainPlace place;      // on it
   bool shares = false;            // it is the nearest point of another contact: there is no room for its own
 };
 
@@ -33,6 +36,11 @@ class Placement {
   void begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept;
   /// The side of a contact, its block ready at the predicted pose.
   Side side(uint32_t body, uint32_t particle) noexcept;
+  /// The same of a place on a chain.
+  Side side(uint32_t body, uint32_t particle, uint32_t shape, const contact::ChainPlace& place) noexcept;
+
+  /// The side of a tie at p_W; on a body with a chain, the nearest place of that.
+  Side tied_side(uint32_t body, const Vec3& p_W) noexcept;
 
   FlexibleBodies& flexible() noexcept { return flexible_; }
   const FlexibleBodies& flexible() const noexcept { return flexible_; }
@@ -96,6 +104,7 @@ class Placement {
   void prepare_block(uint32_t block) noexcept;
   void turn_inertia(DofBlock& m) noexcept;
   static Vec3 carried(const Trial& trial, const Vec3& p_W) noexcept;
+  Vec3 carried(const Side& side, const Vec3& p_W) const noexcept;
   void set_pose(Trial& trial, const Pose& X) noexcept;
   void write_body(const DofBlock& m, bool solved) noexcept;
   void write_hinge(const DofBlock& m, bool solved) noexcept;
@@ -110,6 +119,7 @@ class Placement {
   std::vector<DofBlock> block_;  // per dynamic body, hinge, particle, object with flexible bodies
   std::vector<uint64_t> block_step_;
   std::vector<uint32_t> block_of_body_, block_of_particle_;
+  std::vector<uint32_t> chain_of_body_;  // of the world, or kNone
   uint32_t first_flexible_ = 0;
   FlexibleBodies flexible_;
 };

@@ -26,13 +26,13 @@ void TieConstraints::begin(std::span<Tie> ties) noexcept {
       const uint32_t body = is_a ? tie.body_a : tie.body_b;
       Side& side = is_a ? k.a : k.b;
       if (body == kNone) continue;
-      side = p_.place.side(body, kNone);
-      if (!p_.place.is_flexible(side.block)) continue;
       const Vec3 across = tie.offset_W - tie.axis_W.dot(tie.offset_W) * tie.axis_W;
       const Vec3 at =
           is_a ? tie.p_W : tie.p_W - across;  // b gives where it is held, wherever a has been pulled to
-      side.point =
-          p_.place.flexible().add_point(p_.place.block(side.block).index, body, kNone, at, tie.axis_W);
+      side = p_.place.tied_side(body, at);
+      if (!p_.place.is_flexible(side.block)) continue;
+      side.point = p_.place.flexible().add_point(p_.place.block(side.block).index, body, kNone, at,
+                                                 tie.axis_W, side.place);
       if (side.point != kNone) continue;
       ++p_.health.shared_points;
       side.shares = true;

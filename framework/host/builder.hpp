@@ -43,6 +43,7 @@ class Builder {
   friend struct BuilderCalls;
   friend struct HeightFieldCalls;
   friend struct CapacityCalls;
+  friend struct ChainCalls;
   uint32_t refuse(const std::string& message, const std::string& param_id = "");
   bool may(bool allowed, const char* what);  // does this kind of plugin declare such things?
   bool fits(std::size_t n, uint32_t capacity, const char* what);
@@ -64,5 +65,7 @@ const swage_host_height_field& height_field_table();
 /// Behind SWAGE_HOST_CAPACITIES: asks for room in the world; `of`: the capacities of a scene as plugins see them.
 uint32_t reserve_points(swage_builder* builder, uint32_t points);
 swage_capacities capacities_of(const scene::World& world);
+/// The table behind SWAGE_HOST_CHAIN.
+const swage_host_chain& chain_table();
 
 }  // namespace swage::host

@@ -35,11 +35,14 @@ struct ObjectSlot {
   std::unique_ptr<Instance> instance;
   const swage_object* object = nullptr;
   const swage_solver* solver = nullptr;    // own mechanics, or nullptr
+  const swage_solver_2* solver_2 = nullptr;  // the same of an object with chains, instead
   const swage_surface* surface = nullptr;  // where its free surface is, or nullptr
   const swage_dents* dents = nullptr;      // what is drawn of it, or nullptr
   Range body, particle, shape, hinge, state, signal;
   Follow follow;
   swage_pose X_WO{};  // where the lesson placed the object's frame
+
+  bool moves_itself() const { return solver != nullptr || solver_2 != nullptr; }
 };
 
 struct CouplingSlot {

@@ -85,6 +85,7 @@ const void* Services::get_extension(const swage_host*, const char* id) {
   if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
   if (std::strcmp(id, SWAGE_HOST_ATTEMPT) == 0) return &attempt;
   if (std::strcmp(id, SWAGE_HOST_CAPACITIES) == 0) return &capacities;
+  if (std::strcmp(id, SWAGE_HOST_CHAIN) == 0) return &chain_table();
   return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
 }
 

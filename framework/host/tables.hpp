@@ -16,6 +16,7 @@ namespace swage::host {
 
 inline bool complete(const swage_object& t) { return t.forces && t.finish && t.reset; }
 inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
+inline bool complete(const swage_solver_2& t) { return t.advance && t.compliance && t.yield; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
 inline bool complete(const swage_surface& t) { return t.displacement; }
 inline bool complete(const swage_dents& t) { return t.dents; }

@@ -7,6 +7,7 @@
 #include "base/hash.hpp"
 #include "host/malloc_guard.hpp"
 #include "host/tables.hpp"
+#include "scene/chain.hpp"
 #include "scene/kinematics.hpp"
 #include "scene/view.hpp"
 
@@ -34,6 +35,7 @@ Trial::Trial(const Library& library, const PluginInfo& plugin, ParamValues value
   random_start_ = world_.random[0];
   if (!configured_ || !instance_->activate(world_.dt, error_)) return;
   if (plugin.kind == SWAGE_KIND_OBJECT) {
+    solver_2_ = find_table<swage_solver_2>(*instance_, SWAGE_EXT_SOLVER_2, false, error_);
     solver_ = find_table<swage_solver>(*instance_, SWAGE_EXT_SOLVER, false, error_);
     object_ = find_table<swage_object>(*instance_, SWAGE_EXT_OBJECT, true, error_);
   }
@@ -121,13 +123,31 @@ bool Trial::step_object() {
               sound(Call::kForces, view.F_B_W, 6 * view.n_body, kMaxForce) &&
               sound(Call::kForces, view.particle_f_W, 3 * view.n_particle, kMaxForce) &&
               sound(Call::kForces, view.drive, 4 * view.n_hinge, kAnyNumber);
-  if (solver_ != nullptr)
-    good = call(Call::kAdvance, [&] { return solver_->advance(instance_->raw, &view); }) &&
+  const auto advance = solver_2_ != nullptr ? solver_2_->advance : solver_ != nullptr ? solver_->advance : nullptr;
+  chain_before_ = world_.plugin_state;
+  if (advance != nullptr)
+    good = call(Call::kAdvance, [&] { return advance(instance_->raw, &view); }) &&
            sound(Call::kAdvance, view.X_WB, 7 * view.n_body, kAnyNumber) &&
            sound(Call::kAdvance, view.V_WB, 6 * view.n_body, kAnyNumber) && good;
   return call(Call::kFinish, [&] { return object_->finish(instance_->raw, &view); }) &&
          sound(Call::kFinish, view.signal, view.n_signal, kAnyNumber) &&
          sound(Call::kFinish, view.state, view.n_state, kAnyNumber) && good;
+}
+
+std::string Trial::chain_fault() const {
+  for (const scene::ChainInfo& info : world_.chain) {
+    const scene::ChainView now(world_, info), before(chain_before_.data(), info);
+    for (uint32_t i = 0; i < now.vertices(); ++i) {
+      const std::string vertex = "vertex " + std::to_string(i) + " of a chain";
+      if (i > 0 && !(now.s(i) > now.s(i - 1))) return vertex + " has an arc length that does not rise.";
+      if (!(now.radius(i) >= 0)) return vertex + " begins a piece with a radius below 0.";
+      // what is moved along the material, or turned further than a velocity says, is off by a share of the way
+      const toolkit::Vec3 way = now.p(i) - before.p(i), led = world_.dt * now.v(i);
+      if (now.s(i) == before.s(i) && (way - led).norm() > 1e-3 * way.norm() + 1e-9 * world_.length)
+        return vertex + " is not where its velocity leads.";
+    }
+  }
+  return "";
 }
 
 bool Trial::step_device() {
@@ -151,6 +171,8 @@ void Trial::reset() {
   world_.V_WB.assign(world_.V_WB.size(), {});
   world_.plugin_state.assign(world_.plugin_state.size(), 0);
   world_.signal.assign(world_.signal.size(), 0);
+  for (const scene::Shape& shape : world_.shape)
+    if (shape.kind == SWAGE_SHAPE_CHAIN) scene::place_chain(world_, shape);
   if (object_ == nullptr) return;
   const swage_object_step view = scene::view(world_,
                                              {builder_->body, builder_->particle, builder_->shape,

@@ -44,6 +44,8 @@ class Trial {
   /// Heap allocations inside the plugin's [rt] functions so far, when the program counts them.
   uint64_t allocations() const { return allocations_; }
 
+  /// What is wrong with its chains after the last step, or nothing.
+  std::string chain_fault() const;
   /// Hash of what it wrote in the last step and of its state.
   uint64_t hash() const;
   /// The whole state, for rewinding.
@@ -66,9 +68,11 @@ class Trial {
   std::unique_ptr<Builder> builder_;
   const swage_object* object_ = nullptr;
   const swage_solver* solver_ = nullptr;
+  const swage_solver_2* solver_2_ = nullptr;
   const swage_device* device_ = nullptr;
   swage_input input_{};
   swage_sample sample_{};
+  std::vector<double> chain_before_;  // private doubles before advance()
   bool configured_ = false, ready_ = false;
   uint64_t allocations_ = 0, random_start_ = 0;
 };

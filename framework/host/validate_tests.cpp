@@ -175,6 +175,7 @@ std::string tables_of(Instance& instance, int32_t kind) {
   std::string error;
   if (kind == SWAGE_KIND_OBJECT) {
     find_table<swage_solver>(instance, SWAGE_EXT_SOLVER, false, error);
+    find_table<swage_solver_2>(instance, SWAGE_EXT_SOLVER_2, false, error);
     find_table<swage_object>(instance, SWAGE_EXT_OBJECT, true, error);
   }
   if (kind == SWAGE_KIND_COUPLING) find_table<swage_coupling>(instance, SWAGE_EXT_COUPLING, true, error);
@@ -334,6 +335,17 @@ Finding test_bounds(const Subject& subject) {
   return f.take();
 }
 
+Finding test_chains(const Subject& subject) {
+  Findings f;
+  each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library&) {
+    trial.reset();
+    for (uint64_t i = 0; i < kSteps && trial.step(); ++i)
+      if (const std::string fault = trial.chain_fault(); !fault.empty())
+        return f.fail(plugin.id + ", step " + std::to_string(i + 1) + ": " + fault);
+  });
+  return f.take();
+}
+
 Finding test_real_time(const Subject& subject) {
   Findings f;
   if (!counts_allocations()) return {Mark::kSkipped, "This program does not count allocations."};
@@ -362,6 +374,8 @@ std::vector<ValidateTest> host_tests() {
       {5, "state", "The same results after a rewind, a reset, and in a second instance.", test_state,
        kObjects},
       {6, "bounds", "Every parameter at its ends and 200 random sets: an error or a good run.", test_bounds},
+      {6, "chains", "Arc lengths of chains rise, and their velocities lead where their vertices stand.",
+       test_chains, kObjects},
       {7, "real_time", "No allocation in the step.", test_real_time, kObjects | kDevices},
   };
 }

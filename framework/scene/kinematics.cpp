@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/kinematics.hpp"
 
+#include "scene/chain.hpp"
+
 #include <algorithm>
 
 namespace swage::scene {
@@ -28,6 +30,8 @@ void reset(World& world) {
     const HingeInfo& hinge = world.hinge[i];
     world.X_WB[hinge.child] = hinged(hinge, toolkit::Pose(world.X_WB[hinge.parent]), 0.0).abi();
   }
+  for (const Shape& shape : world.shape)
+    if (shape.kind == SWAGE_SHAPE_CHAIN) place_chain(world, shape);
 }
 
 }  // namespace swage::scene

@@ -38,6 +38,7 @@ struct BodyInfo {
 ///   ARC       radius (of the wire), arc_radius, sweep, about S.z from S.x
 ///   CONVEX    convex, an index into World::convex, in S
 ///   HEIGHT_FIELD  field, an index into World::field, in S
+///   CHAIN     chain, an index into World::chain, in W
 struct Shape {
   int32_t kind = SWAGE_SHAPE_SPHERE;
   uint32_t body = kNone;
@@ -50,6 +51,7 @@ struct Shape {
   double sweep = 0;        // rad
   uint32_t convex = kNone;
   uint32_t field = kNone;
+  uint32_t chain = kNone;
   double bounding_radius = 0;  // m, about S's origin
 };
 
@@ -60,6 +62,15 @@ struct HeightFieldInfo {
   double below = 0;            // m, how far the solid reaches under the surface
   std::vector<double> height;  // m, nx ny; as declared
   uint32_t state = kNone;      // first of nx ny in World::plugin_state that hold the heights instead
+};
+
+/// A flexible wire (chain.hpp); how it stands is in the object's private doubles.
+struct ChainInfo {
+  std::vector<swage_vec3> start;  // m, vertices as declared, in B
+  std::vector<double> s;          // m, arc length of each vertex, rising
+  std::vector<double> radius;     // m, of the piece that begins at each vertex; 0: none, as at the last
+  double bend_radius = 0;         // m, least radius of curvature
+  uint32_t state = kNone;         // first of 8 n in World::plugin_state
 };
 
 /// One angle between a HINGED body and its parent.
@@ -84,6 +95,7 @@ struct World {
   std::vector<Shape> shape;
   std::vector<toolkit::Convex> convex;
   std::vector<HeightFieldInfo> field;
+  std::vector<ChainInfo> chain;
   std::vector<HingeInfo> hinge;
   std::vector<double> particle_mass;    // kg
   std::vector<double> particle_radius;  // m

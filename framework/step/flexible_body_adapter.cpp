@@ -26,11 +26,13 @@ uint32_t FlexibleBodyAdapter::local(std::span<const swage_contact_point> point) 
 bool FlexibleBodyAdapter::mobility(std::span<const swage_contact_point> point, double* v_free,
                                    double* W) noexcept {
   const uint32_t n = local(point);
-  if (n != point.size()) return false;
+  if (n != point.size() || (slot_.solver_2 != nullptr && n != place_.size())) return false;
   host::Instance& instance = *slot_.instance;
   const uint64_t step = view_.step;
   const bool given = host::guarded(instance, host::Call::kCompliance, step, [&] {
-    return slot_.solver->compliance(instance.raw, &view_, n, local_.data(), v_free, W);
+    if (slot_.solver_2 == nullptr)
+      return slot_.solver->compliance(instance.raw, &view_, n, local_.data(), v_free, W);
+    return slot_.solver_2->compliance(instance.raw, &view_, n, local_.data(), place_.data(), v_free, W);
   });
   return given && host::accept(instance, host::Call::kCompliance, step, v_free, 3 * n, kMaxSpeed) &&
          host::accept(instance, host::Call::kCompliance, step, W, std::size_t{9} * n * n, kMaxMobility);
@@ -50,8 +52,11 @@ void FlexibleBodyAdapter::apply_impulses(std::span<const swage_contact_point> po
                                          const double* impulse) noexcept {
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;
-  host::guarded(instance, host::Call::kYield, view_.step,
-                [&] { return slot_.solver->yield(instance.raw, &view_, n, local_.data(), impulse); });
+  host::guarded(instance, host::Call::kYield, view_.step, [&] {
+    if (slot_.solver_2 == nullptr)
+      return slot_.solver->yield(instance.raw, &view_, n, local_.data(), impulse);
+    return slot_.solver_2->yield(instance.raw, &view_, n, local_.data(), place_.data(), impulse);
+  });
 }
 
 }  // namespace swage::step

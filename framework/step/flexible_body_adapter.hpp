@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object with mechanics of its own as the contact solve sees it: the plugin's swage.object.solver/1 behind the guard.
+// An object with mechanics of its own as the contact solve sees it: the plugin's swage.object.solver/1 or /2 behind the guard.
 #pragma once
 
 #include <vector>
@@ -19,6 +19,7 @@ class FlexibleBodyAdapter final : public dynamics::FlexibleBody {
   uint32_t object() const noexcept override { return object_; }
   bool surface_is_shape() const noexcept override { return slot_.surface == nullptr; }
   bool displaces() const noexcept override { return slot_.surface != nullptr; }
+  void locate(std::span<const swage_chain_place> place) noexcept override { place_ = place; }
   bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override;
   bool displacement(std::span<const swage_contact_point> point, double* u_W) noexcept override;
   void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept override;
@@ -30,6 +31,7 @@ class FlexibleBodyAdapter final : public dynamics::FlexibleBody {
   const uint32_t object_;
   const swage_object_step& view_;
   std::vector<swage_contact_point> local_;  // the points in the object's own indices
+  std::span<const swage_chain_place> place_;  // where on a chain they are
 };
 
 }  // namespace swage::step

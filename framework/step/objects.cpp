@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/guard.hpp"
+#include "scene/chain.hpp"
 #include "scene/kinematics.hpp"
 #include "scene/room.hpp"
 #include "scene/view.hpp"
@@ -45,6 +46,26 @@ bool moves_itself(const scene::World& world, const scene::Range& body) {
 
 }  // namespace
 
+template <class F>
+void Objects::for_chains(const host::ObjectSlot& slot, const F& each) noexcept {
+  for (uint32_t i = slot.shape.first; i < slot.shape.first + slot.shape.count; ++i)
+    if (rig_.world.shape[i].kind == SWAGE_SHAPE_CHAIN) each(rig_.world.shape[i]);
+}
+
+/// Their doubles lie one after the other (scene/chain.hpp).
+template <class Accept>
+bool Objects::sound_chains(uint32_t object, const Accept& accept) noexcept {
+  bool all = true;
+  for_chains(rig_.objects[object], [&](const scene::Shape& shape) {
+    const scene::ChainInfo& info = rig_.world.chain[shape.chain];
+    const std::size_t n = info.start.size();
+    const double* at = rig_.world.plugin_state.data() + info.state;
+    all = all && accept(at, 3 * n, kMaxPosition) && accept(at + 3 * n, 3 * n, kAnyNumber) &&
+          accept(at + 6 * n, 2 * n, kMaxPosition);
+  });
+  return all;
+}
+
 Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteGuard& writes)
     : rig_(rig), hands_(hands), writes_(writes) {
   scene::World& world = rig.world;
@@ -54,12 +75,15 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteG
   X_WB_before_ = world.X_WB;
   particle_before_ = world.particle_p_W;
   hinge_before_ = world.hinge_angle;
+  for (const scene::ChainInfo& chain : world.chain)
+    chain_before_.emplace_back(scene::chain_doubles(static_cast<uint32_t>(chain.start.size())));
+  keep_chains();
   view_.resize(rig.objects.size());
   gone_.resize(rig.objects.size());
   for (uint32_t i = 0; i < rig.objects.size(); ++i) {
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
-    if (slot.solver && moves_itself(world, slot.body))
+    if (slot.moves_itself() && moves_itself(world, slot.body))
       self_.push_back(std::make_unique<FlexibleBodyAdapter>(slot, i, view_[i], max_points));
   }
   self_now_.reserve(self_.size());
@@ -97,6 +121,7 @@ void Objects::reset(uint32_t object) noexcept {
   clear(world.hinge_torque, slot.hinge);
   clear(world.plugin_state, slot.state);
   clear(world.signal, slot.signal);
+  for_chains(slot, [&](const scene::Shape& shape) { scene::place_chain(world, shape); });
   host::guarded(*slot.instance, host::Call::kReset, world.step,
                 [&] { slot.object->reset(slot.instance->raw, &view_[object]); });
   begin();
@@ -111,6 +136,13 @@ void Objects::begin() noexcept {
   X_WB_before_ = world.X_WB;
   particle_before_ = world.particle_p_W;
   hinge_before_ = world.hinge_angle;
+  keep_chains();
+}
+
+void Objects::keep_chains() noexcept {
+  for (std::size_t i = 0; i < chain_before_.size(); ++i)
+    std::copy_n(rig_.world.plugin_state.data() + rig_.world.chain[i].state, chain_before_[i].size(),
+                chain_before_[i].begin());
 }
 
 void Objects::forces() noexcept {
@@ -138,10 +170,12 @@ void Objects::forces() noexcept {
 void Objects::advance() noexcept {
   for (uint32_t i = 0; i < view_.size(); ++i) {
     const host::ObjectSlot& slot = rig_.objects[i];
-    if (!slot.solver || frozen(i)) continue;
+    if (!slot.moves_itself() || frozen(i)) continue;
     host::Instance& instance = *slot.instance;
-    host::guarded(instance, host::Call::kAdvance, rig_.world.step,
-                  [&] { return slot.solver->advance(instance.raw, &view_[i]); });
+    host::guarded(instance, host::Call::kAdvance, rig_.world.step, [&] {
+      return slot.solver_2 != nullptr ? slot.solver_2->advance(instance.raw, &view_[i])
+                                      : slot.solver->advance(instance.raw, &view_[i]);
+    });
     if (!sound(i, host::Call::kAdvance)) put_back(i);
   }
 }
@@ -188,7 +222,7 @@ std::span<dynamics::FlexibleBody* const> Objects::self() noexcept {
 
 void Objects::guard() noexcept {
   for (uint32_t i = 0; i < view_.size(); ++i) {
-    if (!frozen(i)) sound(i, rig_.objects[i].solver ? host::Call::kYield : host::Call::kForces);
+    if (!frozen(i)) sound(i, rig_.objects[i].moves_itself() ? host::Call::kYield : host::Call::kForces);
     if (frozen(i)) freeze(i);
   }
 }
@@ -225,7 +259,7 @@ bool Objects::sound(uint32_t object, host::Call call) noexcept {
          accept(view.particle_p_W, 3 * view.n_particle, kMaxPosition) &&
          accept(view.particle_v_W, 3 * view.n_particle, kAnyNumber) &&
          accept(view.hinge_angle, view.n_hinge, kAnyNumber) &&
-         accept(view.hinge_rate, view.n_hinge, kAnyNumber);
+         accept(view.hinge_rate, view.n_hinge, kAnyNumber) && sound_chains(object, accept);
 }
 
 void Objects::put_back(uint32_t object) noexcept {
@@ -233,6 +267,13 @@ void Objects::put_back(uint32_t object) noexcept {
   copy(rig_.world.X_WB, X_WB_before_, slot.body);
   copy(rig_.world.particle_p_W, particle_before_, slot.particle, 3);
   copy(rig_.world.hinge_angle, hinge_before_, slot.hinge);
+  for_chains(slot, [&](const scene::Shape& shape) {
+    const scene::ChainInfo& info = rig_.world.chain[shape.chain];
+    const std::size_t n = info.start.size();
+    double* at = rig_.world.plugin_state.data() + info.state;
+    std::copy(chain_before_[shape.chain].begin(), chain_before_[shape.chain].end(), at);
+    std::fill_n(at + 3 * n, 3 * n, 0.0);
+  });
 }
 
 void Objects::freeze(uint32_t object) noexcept {

@@ -45,6 +45,11 @@ class Objects {
   void put_back(uint32_t object) noexcept;
   void freeze(uint32_t object) noexcept;
   bool sound(uint32_t object, host::Call call) noexcept;
+  template <class F>
+  void for_chains(const host::ObjectSlot& slot, const F& each) noexcept;
+  template <class Accept>
+  bool sound_chains(uint32_t object, const Accept& accept) noexcept;
+  void keep_chains() noexcept;
 
   host::Rig& rig_;
   const Hands& hands_;
@@ -57,6 +62,7 @@ class Objects {
   // where everything was before this step
   std::vector<swage_pose> X_WB_before_;
   std::vector<double> particle_before_, hinge_before_;
+  std::vector<std::vector<double>> chain_before_;  // per chain of the world
   // the start
   std::vector<double> particle_start_;
   std::vector<uint64_t> random_start_;

@@ -315,3 +315,48 @@ TEST(Builder, StateAndErrorsOfTheAuthor) {
   EXPECT_EQ(b.problems[0].where, "thing");
   EXPECT_EQ(b.problems[0].message, "too thin");
 }
+
+TEST(Builder, TakesAChainThatItsObjectMoves) {
+  Bench b;
+  b.raw->state(b.raw, 3);
+  const double p_B[] = {0, 0, 0, 3, 0, 0, 3, 4, 0}, radius[] = {0.5, 0.25};
+  swage_chain chain{SWAGE_CHAIN_SEGMENTS, 3, p_B, nullptr, radius, 1, 3, 0};
+  const auto declare = chain_table().declare;
+  EXPECT_EQ(declare(b.raw, 0, &chain, SWAGE_SHAPE_USUAL), kNone) << "no such body";
+  b.body();
+  EXPECT_EQ(declare(b.raw, 0, &chain, SWAGE_SHAPE_USUAL), kNone) << "a body that does not move itself";
+  b.body(SWAGE_MOTION_SELF);
+  EXPECT_EQ(declare(b.raw, 1, &chain, SWAGE_SHAPE_USUAL), kNone) << "no doubles for it";
+  b.raw->state(b.raw, 24);
+  EXPECT_EQ(declare(b.raw, 1, &chain, SWAGE_SHAPE_USUAL), 0u);
+  const auto& info = b.world.chain.at(0);
+  EXPECT_THAT(info.s, ElementsAre(0, 3, 7));
+  EXPECT_THAT(info.radius, ElementsAre(0.5, 0.25, 0));
+  EXPECT_EQ(info.state, 3u);
+  EXPECT_EQ(b.world.shape.at(0).radius, 0.5);
+
+  const double falls[] = {0, 2, 1}, same[] = {0, 0, 0, 0, 0, 0, 3, 4, 0}, negative[] = {0.5, -1};
+  const auto refused = [&](auto&& change) {
+    swage_chain bad = chain;
+    change(bad);
+    return declare(b.raw, 1, &bad, SWAGE_SHAPE_USUAL) == kNone;
+  };
+  EXPECT_TRUE(refused([](swage_chain& c) { c.kind = 2; }));
+  EXPECT_TRUE(refused([](swage_chain& c) { c.n_vertex = 1; }));
+  EXPECT_TRUE(refused([&](swage_chain& c) { c.s = falls; }));
+  EXPECT_TRUE(refused([&](swage_chain& c) { c.p_B = same; }));
+  EXPECT_TRUE(refused([&](swage_chain& c) { c.radius = negative; }));
+  EXPECT_TRUE(refused([](swage_chain& c) { c.bend_radius = 0; }));
+  EXPECT_TRUE(refused([](swage_chain& c) { c.state = 4; }));
+  EXPECT_THAT(b.said(),
+              ElementsAre("A chain is fixed to body 0, which was not declared.",
+                          "A chain is on a body that its object moves itself.",
+                          "A chain names 24 private doubles that were not declared.",
+                          "A chain has pieces of kind 1, straight ones.",
+                          "A chain has 2 to 513 vertices, not 1.",
+                          "Vertex 2 of a chain has an arc length that is not finite or not above the one before it.",
+                          "Vertex 1 of a chain is where the one before it is.",
+                          "Piece 1 of a chain needs a radius >= 0 m.",
+                          "A chain needs a least radius of curvature > 0 m.",
+                          "A chain names 24 private doubles that were not declared."));
+}

@@ -152,6 +152,17 @@ class ObjectBuilder : public Builder {
     return table->reserve_points(raw(), points);
   }
 
+  /// A flexible wire on an own_body(), with the first of the 8 n private doubles (ChainState in step.hpp) that hold its shape.
+  /// `table`: host_extension<swage_host_chain>(SWAGE_HOST_CHAIN).
+  Shape chain(const swage_host_chain* table, Body body, const swage_chain& chain,
+              uint32_t flags = SWAGE_SHAPE_USUAL) {
+    if (table == nullptr) {
+      error("", "this host knows no chains");
+      return Shape();
+    }
+    return Shape(checked(table->declare(raw(), body, &chain, flags)));
+  }
+
   Hinge hinge(const swage_hinge& hinge) { return Hinge(checked(raw()->hinge(raw(), &hinge))); }
 
  private:

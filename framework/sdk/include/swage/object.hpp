@@ -54,6 +54,17 @@ class Solver {
                      const double* impulse) SWAGE_RT = 0;
 };
 
+/// The same for an object with chains: place[i] says where on its chain points[i] is.
+class ChainSolver {
+ public:
+  virtual ~ChainSolver() = default;
+  virtual void advance(const Step& step) SWAGE_RT = 0;
+  virtual void compliance(const Step& step, std::span<const swage_contact_point> points,
+                          std::span<const swage_chain_place> place, double* v_free, double* W) SWAGE_RT = 0;
+  virtual void yield(const Step& step, std::span<const swage_contact_point> points,
+                     std::span<const swage_chain_place> place, const double* impulse) SWAGE_RT = 0;
+};
+
 /// Beside a Solver: the free surface is not where the shapes are.
 class Surface {
  public:
@@ -132,6 +143,7 @@ template <class T>
 struct ObjectTables {
   using Raw = const swage_object_step*;
   static constexpr bool kSolves = std::is_base_of_v<Solver, T>;
+  static constexpr bool kSolvesChain = std::is_base_of_v<ChainSolver, T>;
   static constexpr bool kSolid = std::is_base_of_v<Solid, T>;
   static constexpr bool kGraspable = std::is_base_of_v<Graspable, T>;
   static constexpr bool kGripper = std::is_base_of_v<Gripper, T>;
@@ -160,6 +172,22 @@ struct ObjectTables {
                             const double* impulse) noexcept {
     return guarded<T>(i, kYield, [&](auto&, Holder<T>& h) {
       part<Solver>(h).yield(Step(s), {point, n}, impulse);
+    });
+  }
+  static swage_result advance_chain(swage_instance* i, Raw s) noexcept {
+    return guarded<T>(i, kAdvance, [&](auto&, Holder<T>& h) { part<ChainSolver>(h).advance(Step(s)); });
+  }
+  static swage_result compliance_of_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+                                          const swage_chain_place* place, double* v_free,
+                                          double* W) noexcept {
+    return guarded<T>(i, kCompliance, [&](auto&, Holder<T>& h) {
+      part<ChainSolver>(h).compliance(Step(s), {point, n}, {place, n}, v_free, W);
+    });
+  }
+  static swage_result yield_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+                                  const swage_chain_place* place, const double* impulse) noexcept {
+    return guarded<T>(i, kYield, [&](auto&, Holder<T>& h) {
+      part<ChainSolver>(h).yield(Step(s), {point, n}, {place, n}, impulse);
     });
   }
   static swage_result locate(swage_instance* i, Raw s, swage_vec3 p_W, swage_graspable_place* out) noexcept {
@@ -206,6 +234,11 @@ struct ObjectTables {
       static constexpr swage_solver solver{advance, compliance, yield};
       if (same(id, SWAGE_EXT_SOLVER)) return &solver;
     }
+    if constexpr (kSolvesChain) {
+      static_assert(!kSolves, "an object has one solver");
+      static constexpr swage_solver_2 solver{advance_chain, compliance_of_chain, yield_chain};
+      if (same(id, SWAGE_EXT_SOLVER_2)) return &solver;
+    }
     if constexpr (kGraspable) {
       static constexpr swage_graspable graspable{locate};
       if (same(id, SWAGE_TRAIT_GRASPABLE)) return &graspable;
@@ -215,7 +248,7 @@ struct ObjectTables {
       if (same(id, SWAGE_TRAIT_GRIPPER)) return &gripper;
     }
     if constexpr (std::is_base_of_v<Surface, T>) {
-      static_assert(kSolves, "a Surface stands beside a Solver");
+      static_assert(kSolves || kSolvesChain, "a Surface stands beside a Solver");
       static constexpr swage_surface surface{displacement};
       if (same(id, SWAGE_EXT_SURFACE)) return &surface;
     }

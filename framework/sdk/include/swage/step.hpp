@@ -11,6 +11,14 @@
 
 namespace swage {
 
+/// The shape of a chain of n vertices (swage_chain) among the private doubles, for its object to write.
+struct ChainState {
+  std::span<double> p_W, v_W;  // 3 n, m and m/s
+  std::span<double> s;         // n, m, arc lengths
+  std::span<double> radius;    // n, m, of the piece that begins at each vertex; 0: none
+  static constexpr uint32_t doubles(uint32_t n_vertex) { return 8 * n_vertex; }
+};
+
 /// View of a swage_object_step; `step->time_s` reaches the plain struct, the functions below its arrays.
 class Step {
  public:
@@ -62,6 +70,13 @@ class Step {
     return *static_cast<T*>(static_cast<void*>(raw_->state));
   }
   std::span<double> state() const { return {raw_->state, raw_->n_state}; }
+  /// The chain whose declaration named `first` among the private doubles.
+  ChainState chain(uint32_t first, uint32_t n_vertex) const {
+    assert(first + ChainState::doubles(n_vertex) <= raw_->n_state);
+    const size_t n = n_vertex;
+    double* at = raw_->state + first;
+    return {{at, 3 * n}, {at + 3 * n, 3 * n}, {at + 6 * n, n}, {at + 7 * n, n}};
+  }
 
  private:
   static uint32_t checked(uint32_t index, [[maybe_unused]] uint32_t count) {

@@ -38,6 +38,7 @@
 #define SWAGE_SHAPE_CONVEX 4 /* convex polyhedron given by vertices and planar faces */
 #define SWAGE_SHAPE_CYLINDER 5 /* flat ends */
 #define SWAGE_SHAPE_HEIGHT_FIELD 6 /* a surface over a grid; see SWAGE_HOST_HEIGHT_FIELD */
+#define SWAGE_SHAPE_CHAIN 7 /* a wire of many pieces that its object bends; see SWAGE_HOST_CHAIN */
 
 /* Mass of a dynamic body. Its frame B must sit at the centre of mass with axes along the principal axes of inertia. */
 typedef struct swage_mass {
@@ -137,6 +138,34 @@ typedef struct swage_host_capacities {
 
 SWAGE_STATIC_ASSERT(sizeof(swage_capacities) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_host_capacities) == 16, "frozen layout");
+/* A flexible wire (thread, rubber band): pieces between neighbouring vertices, thickened, with round joints and ends.
+ *
+ * Its shape of the moment is 8 n_vertex of the instance's private doubles, declared with state(); the first is named here:
+ *   [3 n] positions in W, m        [3 n] velocities in W, m/s        [n] arc lengths s, m        [n] radii, m
+ * reset finds them as declared, at rest; the object writes them in its solver calls. A velocity leads a vertex, over the step,
+ * from where it stood to where it stands. s is the material coordinate: it rises along the chain, names the material that is at a
+ * vertex, and may change where an object moves its vertices along its material; friction remembers places by it. The radius is
+ * that of the piece that begins at the vertex; 0: no piece is there, as where a thread is cut. */
+#define SWAGE_CHAIN_SEGMENTS 1 /* straight pieces; circular arcs will be another kind */
+typedef struct swage_chain {
+  uint32_t kind;          /* SWAGE_CHAIN_SEGMENTS */
+  uint32_t n_vertex;      /* 2 to 513 */
+  const double* p_B;      /* 3 n_vertex, m: where they start, in B; no two neighbours at one place */
+  const double* s;        /* n_vertex, m, rising; NULL: the way along p_B */
+  const double* radius;   /* n_vertex - 1, m, >= 0: of each piece */
+  double bend_radius;     /* m, > 0: the least radius of curvature that it takes. Places nearer to each other along the chain than half
+                           * a circle of it, or of the wire's own radius, do not touch each other */
+  uint32_t state;         /* first of 8 n_vertex private doubles */
+  uint32_t reserved;
+} swage_chain;
+
+/* Declares chains. A table that the host offers, see swage_host.get_extension. The body is one with SWAGE_MOTION_SELF. A chain
+ * also touches itself, where a coupling joins the object with itself. */
+#define SWAGE_HOST_CHAIN "swage.host.chain/1"
+typedef struct swage_host_chain {
+  uint32_t (*declare)(swage_builder*, uint32_t body, const swage_chain*, uint32_t flags); /* [main] in configure */
+} swage_host_chain;
+
 SWAGE_STATIC_ASSERT(sizeof(swage_mass) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_arc) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_convex) == 32, "frozen layout");
@@ -144,5 +173,7 @@ SWAGE_STATIC_ASSERT(sizeof(swage_hinge) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_builder) == 104, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_height_field) == 104, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_host_height_field) == 8, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_chain) == 48, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_host_chain) == 8, "frozen layout");
 
 #endif

@@ -78,6 +78,26 @@ typedef struct swage_solver {
                         const double* impulse); /* [rt] 3n, N s on the object; write final SELF poses and twists */
 } swage_solver;
 
+/* Where on a chain (SWAGE_HOST_CHAIN) a contact point is: on the centre line at (1 - share) p[segment] + share p[segment + 1].
+ * Those are the weights with which the two vertices move it; p_W - centre line is its arm about the wire. */
+typedef struct swage_chain_place {
+  uint32_t segment;  /* of the chain, from 0; SWAGE_NONE: the point is on no chain */
+  uint32_t reserved;
+  double share;      /* 0..1 */
+  double s;          /* m, arc length */
+} swage_chain_place;
+
+/* The solver of an object with chains: the same functions, told for each point where on its chain it is. An object that offers
+ * this one is not asked for swage.object.solver/1. */
+#define SWAGE_EXT_SOLVER_2 "swage.object.solver/2"
+typedef struct swage_solver_2 {
+  swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] */
+  swage_result (*compliance)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                             const swage_chain_place* place, double* v_free, double* W); /* [rt] */
+  swage_result (*yield)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                        const swage_chain_place* place, const double* impulse); /* [rt] */
+} swage_solver_2;
+
 /* Beside a solver: an object whose surface is not where its shapes say, as tissue that still bears the mark of an earlier touch.
  * Asked together with compliance, for the same points: 3n [m], by how much the free surface at each point is displaced from the
  * shape. Contacts take its part along their normal as gap; v_free is the motion of the point over this step, as ever. */
@@ -172,6 +192,7 @@ SWAGE_STATIC_ASSERT(sizeof(swage_input) == 80, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_drive) == 32, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_object_step) == 192, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_contact_point) == 56, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_chain_place) == 24, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_graspable_place) == 88, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_gripper_state) == 96, "frozen layout");
 SWAGE_STATIC_ASSERT(sizeof(swage_dent) == 56, "frozen layout");

@@ -149,6 +149,9 @@ struct Declared {
   static uint32_t add_height_field(swage_builder* b, uint32_t, const swage_height_field*, uint32_t) {
     return shape(b, SWAGE_SHAPE_HEIGHT_FIELD);
   }
+  static uint32_t add_chain(swage_builder* b, uint32_t, const swage_chain*, uint32_t) {
+    return shape(b, SWAGE_SHAPE_CHAIN);
+  }
   static uint32_t add_hinge(swage_builder* b, const swage_hinge* hinge) {
     of(b).hinges.push_back(*hinge);
     return static_cast<uint32_t>(of(b).hinges.size() - 1);
@@ -179,6 +182,8 @@ inline const void* host_table(const char* id) {
         *out = {sizeof(swage_capacities), 1024, 64, 256, 512, 256};  // the most that a host has
       }};
   if (std::string_view(id) == SWAGE_HOST_CAPACITIES) return &capacities;
+  static constexpr swage_host_chain chain{Declared::add_chain};
+  if (std::string_view(id) == SWAGE_HOST_CHAIN) return &chain;
   return std::string_view(id) == SWAGE_HOST_HEIGHT_FIELD ? &height_field : nullptr;
 }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "host/builder.hpp"
+#include "scene/chain.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::host {
+namespace {
+
+using toolkit::Vec3;
+
+// 513 vertices: 30 mm of thread at 60 um; contacts name pieces in nine bits
+constexpr uint32_t kMost = 513;
+
+bool positive(double a) { return std::isfinite(a) && a > 0; }
+
+Vec3 vertex(const swage_chain& c, uint32_t i) {
+  return {c.p_B[3 * i], c.p_B[3 * i + 1], c.p_B[3 * i + 2]};
+}
+
+/// What is wrong with a chain, or nothing. `states`: private doubles of the instance.
+std::string problem_of(const swage_chain* c, uint32_t states) {
+  if (c == nullptr || c->kind != SWAGE_CHAIN_SEGMENTS) return "A chain has pieces of kind 1, straight ones.";
+  if (c->n_vertex < 2 || c->n_vertex > kMost)
+    return "A chain has 2 to " + std::to_string(kMost) + " vertices, not " + std::to_string(c->n_vertex) +
+           ".";
+  if (c->p_B == nullptr || c->radius == nullptr) return "A chain needs vertices and radii.";
+  for (uint32_t i = 0; i < c->n_vertex; ++i) {
+    const std::string which = "Vertex " + std::to_string(i) + " of a chain";
+    if (!vertex(*c, i).allFinite()) return which + " is not finite.";
+    if (i > 0 && vertex(*c, i) == vertex(*c, i - 1)) return which + " is where the one before it is.";
+    if (c->s != nullptr && (!std::isfinite(c->s[i]) || (i > 0 && !(c->s[i] > c->s[i - 1]))))
+      return which + " has an arc length that is not finite or not above the one before it.";
+  }
+  for (uint32_t i = 0; i + 1 < c->n_vertex; ++i)
+    if (!std::isfinite(c->radius[i]) || c->radius[i] < 0)
+      return "Piece " + std::to_string(i) + " of a chain needs a radius >= 0 m.";
+  if (!positive(c->bend_radius)) return "A chain needs a least radius of curvature > 0 m.";
+  const uint32_t n = scene::chain_doubles(c->n_vertex);
+  if (c->state > states || n > states - c->state)
+    return "A chain names " + std::to_string(n) + " private doubles that were not declared.";
+  return "";
+}
+
+scene::ChainInfo info_of(const swage_chain& c) {
+  scene::ChainInfo info;
+  info.bend_radius = c.bend_radius;
+  info.radius.assign(c.radius, c.radius + c.n_vertex - 1);
+  info.radius.push_back(0);
+  double s = 0;
+  for (uint32_t i = 0; i < c.n_vertex; ++i) {
+    const Vec3 p = vertex(c, i);
+    if (i > 0) s += (p - vertex(c, i - 1)).norm();
+    info.start.push_back(toolkit::raw(p));
+    info.s.push_back(c.s != nullptr ? c.s[i] : s);
+  }
+  return info;
+}
+
+}  // namespace
+
+struct ChainCalls {
+  static uint32_t declare(swage_builder* raw, uint32_t body, const swage_chain* chain, uint32_t flags) {
+    Builder& b = *static_cast<Builder*>(raw->host_data);
+    if (!b.owns_body(body, "A chain")) return scene::kNone;
+    if (b.world_.body[b.body.first + body].motion != SWAGE_MOTION_SELF)
+      return b.refuse("A chain is on a body that its object moves itself.");
+    if (const std::string wrong = problem_of(chain, b.state.count); !wrong.empty()) return b.refuse(wrong);
+
+    scene::ChainInfo info = info_of(*chain);
+    info.state = b.state.first + chain->state;
+    scene::Shape shape;
+    shape.kind = SWAGE_SHAPE_CHAIN;
+    shape.X_BS = toolkit::Pose().abi();
+    shape.radius = *std::max_element(info.radius.begin(), info.radius.end());
+    shape.chain = static_cast<uint32_t>(b.world_.chain.size());
+    for (const swage_vec3& p : info.start)
+      shape.bounding_radius = std::max(shape.bounding_radius, toolkit::vec(p).norm() + shape.radius);
+    const uint32_t index = b.add_shape(body, shape, flags);
+    if (index != scene::kNone) b.world_.chain.push_back(std::move(info));
+    return index;
+  }
+};
+
+const swage_host_chain& chain_table() {
+  static constexpr swage_host_chain table{ChainCalls::declare};
+  return table;
+}
+
+}  // namespace swage::host

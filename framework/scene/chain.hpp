@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A chain as it stands: the 8 n private doubles in which its object keeps vertices, velocities, arc lengths and radii
+// (swage/abi/builder.h).
+//
+// Units: SI. Frame: W. Threads: [rt].
+#pragma once
+
+#include "scene/world.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::scene {
+
+/// A place on a chain: on the centre line, `share` of the way from vertex `segment` to the next.
+struct ChainPlace {
+  uint32_t segment = kNone;  // kNone: on no chain
+  double share = 0;          // 0..1
+  double s = 0;              // m, arc length
+};
+
+/// Reads the chain; valid while the world lives.
+class ChainView {
+ public:
+  ChainView(const World& world, const ChainInfo& info) noexcept
+      : ChainView(world.plugin_state.data(), info) {}
+  /// `state`: all private doubles of a world.
+  ChainView(const double* state, const ChainInfo& info) noexcept
+      : n_(info.start.size()), at_(state + info.state) {}
+
+  uint32_t vertices() const noexcept { return static_cast<uint32_t>(n_); }
+  uint32_t segments() const noexcept { return static_cast<uint32_t>(n_ - 1); }
+  /// m
+  toolkit::Vec3 p(size_t i) const noexcept { return {at_[3 * i], at_[3 * i + 1], at_[3 * i + 2]}; }
+  /// m/s, over the step that ended where the vertex stands.
+  toolkit::Vec3 v(size_t i) const noexcept {
+    const double* v = at_ + 3 * (n_ + i);
+    return {v[0], v[1], v[2]};
+  }
+  /// m, arc length.
+  double s(size_t i) const noexcept { return at_[6 * n_ + i]; }
+  /// m, of the piece from vertex i on; 0: there is none.
+  double radius(size_t i) const noexcept { return at_[7 * n_ + i]; }
+
+ private:
+  size_t n_;
+  const double* at_;
+};
+
+/// Private doubles of a chain of n vertices.
+inline constexpr uint32_t chain_doubles(uint32_t n) { return 8 * n; }
+
+/// The place of one piece, or of a whole chain, that is nearest to p_W; on no piece where none is left.
+ChainPlace place_on(const ChainView& chain, uint32_t segment, const toolkit::Vec3& p_W) noexcept;
+ChainPlace nearest_place(const ChainView& chain, const toolkit::Vec3& p_W) noexcept;
+
+/// [rt] Puts a chain back to where it was declared on its body, at rest.
+void place_chain(World& world, const Shape& shape) noexcept;
+
+}  // namespace swage::scene
