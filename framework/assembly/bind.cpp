@@ -55,8 +55,7 @@ void Assembler::find_pairs() {
     for (std::size_t i = 0; i < rig_->couplings.size(); ++i) {
       host::CouplingSlot& slot = rig_->couplings[i];
       const LessonCoupling& use = file_.couplings[i];
-      if (slot.coupling == nullptr || slot.object_a == kNone || slot.object_b == kNone || use.a == use.b)
-        continue;
+      if (slot.coupling == nullptr || slot.object_a == kNone || slot.object_b == kNone) continue;
       if ((slot.coupling->detects != 0) != detects) continue;
       const auto found = std::find_if(rig_->pairs.begin(), rig_->pairs.end(),
                                       [&](const contact::Pair& p) { return same_two(slot, p); });
@@ -88,7 +87,7 @@ void Assembler::bind_couplings() {
       continue;
     const ObjectSlot& a = rig_->objects[slot.object_a];
     const ObjectSlot& b = rig_->objects[slot.object_b];
-    if (!a.instance || !b.instance || use.a == use.b) continue;
+    if (!a.instance || !b.instance) continue;
     const bool good_a = offers(use, a, slot.coupling->needs_a, "0");
     const bool good_b = offers(use, b, slot.coupling->needs_b, "1");
     if (!good_a || !good_b) continue;

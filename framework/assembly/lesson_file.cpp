@@ -196,9 +196,6 @@ class LessonParser {
     for (const LessonCoupling& c : out_.couplings) {
       check_reference(c.a, objects, "object", c.pointer + "/between/0");
       check_reference(c.b, objects, "object", c.pointer + "/between/1");
-      if (!c.a.empty() && c.a == c.b)
-        teller_.error(c.pointer + "/between",
-                      "A coupling joins two different objects, not \"" + c.a + "\" with itself.");
     }
   }
 
