@@ -193,7 +193,7 @@ void Objects::finish() noexcept {
     if (!whole) clear(world.signal, slot.signal);
     // what it keeps is saved, hashed and given back to it: a number that is none stays for ever
     if (!host::accept(instance, host::Call::kFinish, world.step, view_[i].state, slot.state.count, kAnyNumber))
-      clear(world.plugin_state, slot.state);
+      clear(world.plugin_state, slot.state), put_back_chains(slot);
   }
 }
 
@@ -267,6 +267,10 @@ void Objects::put_back(uint32_t object) noexcept {
   copy(rig_.world.X_WB, X_WB_before_, slot.body);
   copy(rig_.world.particle_p_W, particle_before_, slot.particle, 3);
   copy(rig_.world.hinge_angle, hinge_before_, slot.hinge);
+  put_back_chains(slot);
+}
+
+void Objects::put_back_chains(const host::ObjectSlot& slot) noexcept {
   for_chains(slot, [&](const scene::Shape& shape) {
     const scene::ChainInfo& info = rig_.world.chain[shape.chain];
     const std::size_t n = info.start.size();

@@ -50,6 +50,7 @@ class Objects {
   template <class Accept>
   bool sound_chains(uint32_t object, const Accept& accept) noexcept;
   void keep_chains() noexcept;
+  void put_back_chains(const host::ObjectSlot& slot) noexcept;
 
   host::Rig& rig_;
   const Hands& hands_;
