@@ -96,9 +96,6 @@ TEST(PierceScene, WhatATrackBearsIsContinuous) {
           const double force = s.signal("pierce.force");
           if (s.signal("pierce.state") == 2 && s.signal("pierce.depth") > 0.3e-3 && before > 0) {
             const double jump = std::abs(force - before) / before;
-            if (getenv("DBG") && jump > 0.02)
-              printf("  %.3f mm: %.3f -> %.3f mN\n", 1e3 * s.signal("pierce.depth"), 1e3 * before,
-                     1e3 * force);
             if (jump > worst) worst = jump, at = s.signal("pierce.depth");
           }
           before = s.signal("pierce.depth") > 0.3e-3 ? force : 0;
