@@ -57,10 +57,17 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
   progress_ = new ProgressPage(std::move(doors.open_store), pages_);
   pages_->addWidget(run_);
+  const auto add_page = [this](QWidget* page) {
+    // a page that is larger than the window scrolls
+    QScrollArea* scroll = make_scroll(pages_);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    scroll->setWidget(page);
+    pages_->addWidget(scroll);
+  };
   review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
   review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
-  pages_->addWidget(progress_);
-  pages_->addWidget(review_);
+  add_page(progress_);
+  add_page(review_);
   column->addWidget(pages_, 1);
   column->addWidget(strip_);
   setCentralWidget(middle);
@@ -178,7 +185,7 @@ void MainWindow::add_actions() {
 }
 
 const SceneView* MainWindow::shown_view() const {
-  return pages_->currentWidget() == review_ ? review_->view() : run_->view();
+  return pages_->currentIndex() == 2 ? review_->view() : run_->view();
 }
 
 void MainWindow::show_page(int page) {

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLocale>
 #include <algorithm>
 
 #include "assembly/lesson_text.hpp"
@@ -63,10 +64,16 @@ std::optional<double> limit(const Judged& lesson, const std::string& id, size_t 
   return value->number[p->dimension == 2 ? end : 0];
 }
 
+// A value as somebody would write it: 3 s, 50 %, 0.3 mm.
+QString number_words(const host::Param& p, double value) {
+  const QString unit = p.display_unit == "%" ? QStringLiteral("%") : QString::fromStdString(p.unit);
+  const QString number = QLocale().toString(value * display_factor(unit), 'g', 4), suffix = display_unit(unit);
+  if (suffix.isEmpty()) return number;
+  return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
+}
+
 QString value_words(const host::Param& p, const swage_value& value, const std::string& text) {
-  const auto number = [&](size_t i) {
-    return quantity_text(value.number[i], p.display_unit == "%" ? QStringLiteral("%") : QString::fromStdString(p.unit));
-  };
+  const auto number = [&](size_t i) { return number_words(p, value.number[i]); };
   switch (p.type) {
     case SWAGE_PARAM_BOOL:
       return value.number[0] != 0 ? tr("yes") : tr("no");

@@ -17,7 +17,7 @@ constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
 // On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
 constexpr int kNarrow_px = 1180, kLow_px = 700;
 constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
-constexpr int kLessons_px = 290, kSlimLessons_px = 220;  // and the titles of the lessons fit the list
+constexpr int kLessons_px = 290, kSlimLessons_px = 256;  // and the titles of the lessons fit the list
 
 // a button that stays as it was pressed
 QPushButton* add_toggle(QHBoxLayout* row, QWidget* bar, const QString& text, const char* name,

@@ -52,6 +52,7 @@ constexpr std::array kUnits = {
     Unit{"N*m2", 1, "N*m2", "a bending stiffness"},
     Unit{"kg*m2", 1, "kg*m2", "a moment of inertia"},
     Unit{"kg/m3", 1, "kg/m3", "a density"},
+    Unit{"1/m", 1, "1/m", "a curvature"},
     Unit{"1", 1, "1", "a pure number"},
     Unit{"%", 1e-2, "1", "a pure number"},
 };

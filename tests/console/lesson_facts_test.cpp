@@ -138,7 +138,7 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   all.add(plugin);
   const QTemporaryDir dir;
   const Criteria usual = read_criteria(lesson(dir, "{}", "org.example.asks"), all);
-  EXPECT_EQ(usual.pass, QStringList({QStringLiteral("Hold it for 3.00%1s.").arg(QChar(0x202f))}));
+  EXPECT_EQ(usual.pass, QStringList({QStringLiteral("Hold it for 3%1s.").arg(QChar(0x202f))}));
   EXPECT_EQ(usual.limits, QStringList({"Stay."}));
   EXPECT_EQ(usual.points, QStringList({"Slowness costs points."}));
   EXPECT_FALSE(usual.show);

@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
       {[&](const session::Options& o, base::Problems& p) { return test::open_fake(o, p, {}, log); },
        {},
        {},
+       {},
+       {},
        {}},
       launch);
   const QStringList args = app.arguments();

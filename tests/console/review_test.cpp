@@ -55,8 +55,8 @@ TEST(ReviewModel, TheLessonsCardKnowsBetterThanANameWhichWayIsBetter) {
   const record::Recording recording = test::fake_recording(10);
   snapshot::SceneCard card;
   card.script = recording.info.script;
-  card.metrics = {{SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C, "M15", "max(f)"},
-                  {SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_D, "", "n"}};
+  card.metrics = {{SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C, "M15", "max(f)", "Force", 0, 0},
+                  {SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_D, "", "n", "", 0, 0}};
   Review review = make_review(test::fake_attempt(), recording, {}, &card);
   EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_INSIDE);
   EXPECT_TRUE(review.metrics[0].doc.contains("max(f)"));

@@ -90,8 +90,8 @@ TEST(Engine, TheLessonHearsOfAQuarantine) {
   EXPECT_EQ(heard[0], host_event(s, judge::kInstanceQuarantined));
 }
 
-// the guard's own findings come after the lesson has looked: it sees them one step later, once
-TEST(Engine, TheLessonHearsOfLateFindingsInTheNextStep) {
+// what an object writes is looked at before the lesson looks: it hears of nonsense in the same step, once
+TEST(Engine, TheLessonHearsOfNonsenseInTheStepInWhichItIsWritten) {
   FakeScene s;
   s.rig.world.body[1].motion = SWAGE_MOTION_SELF;
   s.rig.objects[1].solver = &s.ball_.solver;
@@ -105,7 +105,7 @@ TEST(Engine, TheLessonHearsOfLateFindingsInTheNextStep) {
     return swage_result{SWAGE_OK};
   };
   s.run(6);
-  EXPECT_EQ(when, std::vector<uint64_t>{3});
+  EXPECT_EQ(when, std::vector<uint64_t>{2});
 }
 
 TEST(Engine, ALessonThatMisusesItsWordsIsQuarantined) {
