@@ -142,7 +142,7 @@ QWidget* MainWindow::make_top_bar() {
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
   connect(trainee, &QPushButton::clicked, this, &MainWindow::toggle_trainee);
   row->addWidget(trainee);
-  auto* eyes = make_button(tr("…"), {}, QStringLiteral("trainee_settings"), bar);
+  auto* eyes = make_button(tr("…"), {}, QStringLiteral("trainee_options"), bar);
   eyes->setAccessibleName(tr("Settings of the trainee view"));
   eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
   connect(eyes, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);

@@ -192,7 +192,7 @@ void RunPage::update_second() {
 }
 
 void RunPage::update_cues() {
-  // a test is taken without help: the picture shows none, the instructor's strip does
+  // a test is taken without help: only the instructor's window shows cues
   cues_button_->setEnabled(!cues_hidden());
   const bool shown = !cues_hidden() && cues_button_->isChecked();
   for (SceneView* view : views_) view->set_cues_shown(shown);

@@ -122,7 +122,7 @@ void CueLegend::set_active(const QStringList& meanings) {
 
 void CueLegend::set_in_picture(bool shown) {
   heading_->setText(
-      (shown ? tr("Cues") : tr("Cues — not in the picture, for the instructor only")).toUpper());
+      (shown ? tr("Cues") : tr("Cues — not shown in the picture")).toUpper());
 }
 
 }  // namespace swage::console

@@ -10,8 +10,7 @@
 
 namespace swage::console {
 
-/// What the cues of this lesson mean: colour, shape and word of each. What is on now is framed and bold; that is the
-/// instructor's strip in a Test, when the picture itself shows no cues.
+/// What the cues of this lesson mean: colour, shape and word of each. What is on now is framed and bold.
 class CueLegend : public QFrame {
   Q_OBJECT
  public:

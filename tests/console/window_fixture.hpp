@@ -60,6 +60,7 @@ class WindowTest : public testing::Test {
     };
     launch.settings_file = dir.filePath("settings.ini");
     launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
+    if (!first_start) launch.size = QSize(1440, 900);
     window = std::make_unique<console::MainWindow>(std::move(doors), launch);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatience_ms));
@@ -104,6 +105,7 @@ class WindowTest : public testing::Test {
   QTemporaryDir dir;
   FakeScript script;
   bool with_store = true;
+  bool first_start = false;  // no size is given or remembered
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
   size_t recorded_steps = 2000;  // of whatever attempt is opened for review; 0: it cannot be read
