@@ -113,7 +113,7 @@ class Traits {
     if (t == nullptr) return "";
     if (t->place == nullptr || t->nearest == nullptr) return "The table of " SWAGE_TRAIT_PIERCING " has gaps.";
     for (int i = 0; i < 200; ++i) {
-      const double s = random_.uniform(-0.5, 1.5);
+      const double s = random_.uniform(0, 1);
       const swage_vec3 p = somewhere();
       swage_piercing_place place[2];
       std::string wrong =

@@ -295,7 +295,7 @@ TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
 
 TEST_F(Pages, TheTraineesViewIsSetUpAndRemembered) {
   open();
-  click("trainee_button");
+  click("trainee_options");
   auto* form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
   ASSERT_NE(form, nullptr);
   EXPECT_EQ(window->trainee(), nullptr) << "settings come first";

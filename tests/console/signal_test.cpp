@@ -14,15 +14,13 @@
 #include "record/recorder.hpp"
 #include "record/store.hpp"
 #include "temp_folder.hpp"
+#include "test_places.hpp"
 
 namespace swage::test {
 namespace {
 
-constexpr const char* kLesson = R"({
-  "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",
-  "requires": { "swage.object.solids": "^1", "swage.lesson.look": "^1" },
-  "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
-  "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1000 s" } } })";
+// an attempt by mouse, which nobody moves: it ends by the signal alone
+const std::string kLesson = SWAGE_SOURCE_DIR "/lessons/series/020_grasp_basic.json";
 
 std::vector<record::AttemptRow> kept(const std::string& store) {
   std::string error;
@@ -33,8 +31,7 @@ std::vector<record::AttemptRow> kept(const std::string& store) {
 
 TEST(Signal, EndsTheConsolesAttemptAsStopDoes) {
   const TempFolder folder;
-  const std::string lesson = folder.path() + "/drop.json", store = folder.path() + "/a.db";
-  std::ofstream(lesson) << kLesson;
+  const std::string store = folder.path() + "/a.db";
   const pid_t child = fork();
   if (child == 0) {
     setenv("HOME", folder.path().c_str(), 1);
@@ -42,7 +39,7 @@ TEST(Signal, EndsTheConsolesAttemptAsStopDoes) {
     const int log = open((folder.path() + "/log").c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
-    execl(SWAGE_CONSOLE_PROGRAM, SWAGE_CONSOLE_PROGRAM, lesson.c_str(), "--store", store.c_str(), "--start", nullptr);
+    execl(SWAGE_CONSOLE_PROGRAM, SWAGE_CONSOLE_PROGRAM, kLesson.c_str(), "--store", store.c_str(), "--start", nullptr);
     _exit(127);
   }
   // 90 s: only so that a failure ends

@@ -90,7 +90,7 @@ TEST_F(LocaleProgram, SaysTheSameInEveryLanguage) {
   EXPECT_THAT(out, testing::HasSubstr("after 0.500 s"));
 }
 
-TEST_F(LocaleProgram, APluginThatSetsItChangesNothing) {
+TEST_F(LocaleProgram, APluginThatSetsItIsRefusedAndChangesNothing) {
   write("lesson.json", R"({ "format": "swage-lesson/1", "id": "test.locale", "title": "Locale", "scene_length": "2.5 mm",
     "devices": [ { "name": "hand", "as": "expert", "plugin": "swage.device.scripted", "params": { "file": ")" SWAGE_SOURCE_DIR
                        R"(/lessons/hands/020_expert.json", "tremor": "0.5 um" } } ],
@@ -99,7 +99,7 @@ TEST_F(LocaleProgram, APluginThatSetsItChangesNothing) {
   const tools::test::Said said =
       in("de_DE.UTF-8", {"run", path("lesson.json"), "--headless", "--as-fast-as-possible", "--store", ":none:", "--max-time",
                          "0.25", "--plugin-dir", SWAGE_BINARY_DIR "/tests/locale_plugins"});
-  EXPECT_EQ(said.code, 1) << said.err;  // nobody passes by looking
-  EXPECT_THAT(said.out, testing::HasSubstr("after 0.250 s"));
-  EXPECT_THAT(said.out, testing::Not(testing::ContainsRegex("[0-9],[0-9]")));
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.err, testing::HasSubstr("changes the language of the program (setlocale)"));
+  EXPECT_THAT(said.err, testing::Not(testing::ContainsRegex("[0-9],[0-9]")));
 }

@@ -151,10 +151,11 @@ std::string run_child(const std::string& arguments) {
   return out;
 }
 
-// the number behind a word of what the child printed
+// the number behind the word that a line of what the child printed begins with
 int64_t number(const std::string& out, const std::string& word) {
-  const auto at = out.find(word + " ");
-  return at == std::string::npos ? -1 : std::atoll(out.c_str() + at + word.size());
+  const std::string lines = "\n" + out, wanted = "\n" + word + " ";
+  const auto at = lines.find(wanted);
+  return at == std::string::npos ? -1 : std::atoll(lines.c_str() + at + wanted.size());
 }
 
 void expect_accounted(const std::string& out) {
