@@ -35,6 +35,8 @@ QComboBox* add_choice(QHBoxLayout* row, QWidget* bar, const QString& label, cons
   auto* choice = new QComboBox(bar);
   choice->setObjectName(QString::fromLatin1(name));
   choice->setToolTip(tip);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice->setMinimumContentsLength(8);
   row->addWidget(choice);
   row->addSpacing(8);
   return choice;

@@ -13,7 +13,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kBottom_px = 156;  // five events, or ten cues in two columns
+constexpr int kBottom_px = 140;  // four events, or eight cues in two columns
 // On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
 constexpr int kNarrow_px = 1180, kLow_px = 700;
 constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
@@ -71,7 +71,7 @@ void RunPage::resizeEvent(QResizeEvent* event) {
 void RunPage::fold_view_bar() {
   int wanted = 0;
   for (const QPushButton* b : folding_) wanted += b->sizeHint().width() + 6;
-  constexpr int kTitle_px = 160, kSound_px = 170;
+  constexpr int kTitle_px = 100, kSound_px = 140;
   const int sides = setup_->maximumWidth() + right_box_->maximumWidth();
   const bool fold = width() - sides < wanted + kTitle_px + kSound_px;
   for (QPushButton* b : folding_) b->setVisible(!fold);

@@ -8,8 +8,9 @@
 
 namespace swage::dynamics {
 
-/// Length of a scene over the retardation time of its surfaces [m/s].
-inline constexpr double kRetardation = 1;
+/// Retardation time of surfaces that do not rebound [s]. At 1e6 N/m it damps a jaw of 0.25 kg critically, the heaviest of a trainer.
+/// Shorter: a heavy jaw throws the needle that it closes on. Longer: a jaw that opens lets go late.
+inline constexpr double kRetardation = 1e-3;
 
 struct Scales {
   double converged = 1e-10;   // m, last correction of a solve
@@ -23,12 +24,9 @@ struct Scales {
   ///              Larger: they are asked about more points
   ///   lost       0.1 mm, a tenth of the scene: nothing that is held or slides goes so far in one step. Smaller: what slides fast
   ///              keeps the friction limits of the step before. Larger: a light body slides out of a wedge without friction
-  /// A mass m on surfaces of stiffness k is critically damped where its retardation time is 2 sqrt(m / k). Of one material
-  /// k goes with the length L and m with its cube, so that time goes with L:
-  ///   retardation  1 ms: a jaw of 0.25 kg, the heaviest that closes in such a scene, on 1e6 N/m. Shorter: a heavy jaw throws the
-  ///                needle that it closes on. Longer: a jaw that opens lets go late
+  ///   retardation  a time: it stays what it is where lengths are scaled and times are not (catalogue S01)
   static Scales of(const scene::World& world, double tolerance) {
-    return {tolerance * world.length, 2e-4 * world.length, 0.1 * world.length, world.length / kRetardation};
+    return {tolerance * world.length, 2e-4 * world.length, 0.1 * world.length, kRetardation};
   }
 };
 

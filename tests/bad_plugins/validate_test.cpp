@@ -107,9 +107,9 @@ TEST(Validate, WhatCannotBeLoaded) {
             "program's SDK.");
   EXPECT_EQ(says(wrong, "state"), "skipped: The library cannot be loaded.");
   EXPECT_EQ(says("org.example.bad.crashes_on_load", "load"),
-            "crashed: It crashed: signal 11 (Segmentation fault).");
+            "crashed: It crashed in load() of org.example.bad.crashes_on_load at step 0: signal 11 (Segmentation fault).");
   EXPECT_EQ(says(results("../bundles_hanging/org.example.bad.hangs_on_load", 0.5), "load"),
-            "crashed: It was not done within 0.5 s.");
+            "crashed: It was not done within 0.5 s in load() of org.example.bad.hangs_on_load at step 0.");
 #if defined(__x86_64__)
   EXPECT_THAT(says("org.example.bad.fast_math", "load"), HasSubstr("linked with -ffast-math?"));
 #endif
@@ -136,7 +136,7 @@ TEST(Validate, FactoriesAndTables) {
   EXPECT_EQ(says("org.example.bad.silent", "lifecycle"),
             "failed: org.example.bad.silent refuses its own defaults and does not say why.");
   EXPECT_THAT(says("org.example.bad.silent", "bounds"), HasSubstr("refuses without a reason."));
-  EXPECT_THAT(says("org.example.bad.greedy", "threads"), HasSubstr("there is room for 64."));
+  EXPECT_THAT(says("org.example.bad.greedy", "threads"), HasSubstr("state() of 2147483647 numbers is too large."));
 }
 
 TEST(Validate, LevelsAndNamesChooseTests) {

@@ -42,7 +42,7 @@ class Scripted : public ::testing::Test {
 TEST_F(Scripted, FollowsTheFileAndSaysWhenItIsDone) {
   const auto stage = make({});
   const auto& device = stage->table<swage_device>(SWAGE_EXT_DEVICE);
-  EXPECT_EQ(device.flags, SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD);
+  EXPECT_EQ(device.flags, SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED);
   const swage_sample middle = at(*stage, 1);
   EXPECT_NEAR(middle.pose.p.x, 4e-3, 1e-15);
   EXPECT_NEAR(middle.closure, 0.5, 1e-12);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What somebody meets who sees the window for the first time: it fits the screen, tells its controls and what is asked, and a test
+// shows no answers. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
+#include <QAbstractButton>
+#include <QTableView>
+#include <algorithm>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class FirstSight : public WindowTest {};
+
+TEST_F(FirstSight, ASmallScreenHasRoomForEverything) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  // 1280 x 800, and 1920 x 1080 at twice the size
+  EXPECT_LE(window->minimumSizeHint().width(), 960);
+  EXPECT_LE(window->minimumSizeHint().height(), 540);
+  window->resize(960, 540);
+  ASSERT_TRUE(eventually([&] { return child<QPushButton>("view_menu")->isVisible(); }));
+  for (const char* name : {"start", "pause", "stop", "help_button", "view_menu", "sound"}) {
+    const auto* button = child<QPushButton>(name);
+    const QRect at(button->mapTo(window.get(), QPoint()), button->size());
+    EXPECT_TRUE(window->rect().contains(at)) << name;
+  }
+  // what does not fit beside each other is in the menu, and does the same
+  EXPECT_FALSE(child<QPushButton>("cues")->isVisible());
+  window->resize(1440, 900);
+  EXPECT_TRUE(eventually([&] { return child<QPushButton>("cues")->isVisible(); }));
+}
+
+TEST_F(FirstSight, TheFirstStartStaysOnTheScreen) {
+  first_start = true;
+  open();
+  // the screen of the offscreen platform is smaller than any window of ours may be
+  const QSize screen = window->screen()->availableGeometry().size(), least = window->minimumSizeHint();
+  EXPECT_LE(window->width(), std::max(screen.width(), least.width())) << "or START lies outside";
+  EXPECT_LE(window->height(), std::max(screen.height(), least.height()));
+}
+
+TEST_F(FirstSight, AVerdictGoesWithItsLesson) {
+  script.rate = 100;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_GT(page()->events()->rowCount(), 0);
+  child<QListView>("lessons")->setCurrentIndex(child<QListView>("lessons")->model()->index(1, 0));
+  EXPECT_EQ(page()->events()->rowCount(), 0);
+  EXPECT_FALSE(page()->result()->isVisible());
+}
+
+TEST_F(FirstSight, AResultLeadsToTheReviewAndTheNextLesson) {
+  script.rate = 100;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  const QString before = page()->setup()->lesson();
+  click("next_lesson");
+  EXPECT_NE(page()->setup()->lesson(), before);
+  EXPECT_FALSE(page()->result()->isVisible());
+}
+
+TEST_F(FirstSight, StartSaysThatAnAttemptWaits) {
+  run_to(0.5);
+  EXPECT_EQ(child<QPushButton>("start")->text(), "Running…");
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  EXPECT_EQ(child<QPushButton>("start")->text(), "Paused");
+}
+
+TEST_F(FirstSight, ATestShowsNoAnswersButInTheInstructorsWindow) {
+  script.rate = 20;
+  script.end_s = 0;
+  open();
+  child<QAbstractButton>("test")->click();
+  click("start");
+  ASSERT_TRUE(wait_for_time(6));
+  EXPECT_FALSE(child<console::ForceMeter>("force_meter")->isVisible());
+  EXPECT_FALSE(child<QTableView>("events")->isVisible());
+  EXPECT_TRUE(page()->legend()->active().isEmpty());
+  QTest::keyClick(window.get(), Qt::Key_F10);
+  auto* own = window->findChild<console::InstructorWindow*>();
+  ASSERT_NE(own, nullptr);
+  EXPECT_TRUE(own->isVisible());
+  EXPECT_TRUE(eventually([&] { return !own->legend()->active().isEmpty(); }));
+  EXPECT_TRUE(eventually([&] { return own->now()->meter()->value().value_or(0) > 0.1; }));
+  click("stop");
+  EXPECT_TRUE(child<QTableView>("events")->isVisible()) << "afterwards all is told";
+}
+
+TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
+  run_to(0.2);
+  QTest::keyClick(page()->view(), Qt::Key_Space);
+  EXPECT_TRUE(page()->used_controls().contains("close"));
+  EXPECT_FALSE(page()->used_controls().contains("drag"));
+  window->close();
+  window.reset();
+  open();
+  EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
+}
+
+}  // namespace
+}  // namespace swage::test
