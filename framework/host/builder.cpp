@@ -59,13 +59,6 @@ Pose axis_pose(const Vec3& a, const Vec3& b) {
   return {0.5 * (a + b), Quat::FromTwoVectors(Vec3::UnitZ(), b - a)};
 }
 
-bool is_name(const std::string& id) {
-  const auto good = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
-  };
-  return !id.empty() && id[0] >= 'a' && id[0] <= 'z' && std::all_of(id.begin(), id.end(), good);
-}
-
 std::string article(int32_t kind) {
   return (kind == SWAGE_KIND_OBJECT ? "An " : "A ") + std::string(kind_text(kind));
 }
@@ -392,26 +385,6 @@ uint32_t Builder::add_shape(uint32_t body_index, scene::Shape s, uint32_t flags)
   s.flags = flags;
   world_.shape.push_back(s);
   return shape.count++;
-}
-
-uint32_t Builder::add_name(std::vector<judge::Name>& list, Range& range, judge::Name name) {
-  const std::string quoted = "\"" + name.id + "\"";
-  if (!is_name(name.id)) return refuse(quoted + " is not a name such as \"grasp.force\".");
-  if (name.doc.empty()) return refuse(quoted + " has no doc.");
-  if (const Unit* u = find_unit(name.unit); u == nullptr || u->si != name.unit)
-    return refuse(quoted + ": \"" + name.unit + "\" is not an SI unit of the table (" + unit_list() + ").");
-  for (uint32_t i = 0; i < range.count; ++i)
-    if (list[range.first + i].id == name.id) return refuse(quoted + " is declared twice.");
-  list.push_back(std::move(name));
-  return range.count++;
-}
-
-void Builder::finish() {
-  for (uint32_t i = 0; i < body.count; ++i) {
-    const scene::BodyInfo& info = world_.body[body.first + i];
-    if (info.motion == SWAGE_MOTION_HINGED && info.hinge == kNone)
-      refuse("Body \"" + info.name + "\" is hinged, but no hinge names it as its child.");
-  }
 }
 
 }  // namespace swage::host

@@ -37,37 +37,11 @@ constexpr double kBudget = 20e-3;  // s
 constexpr double kMarkBack = 2.0;  // s
 // bytes of files that an attempt carries along; hands on file have some thousand, meshes some million
 constexpr std::size_t kMostLuggage = std::size_t{16} << 20;
-// exit status when a plugin does not come back (sysexits: internal software error)
-constexpr int kExitHung = 70;
-
-const char* text(Ending ending) {
-  switch (ending) {
-    case Ending::kStopped:
-      return "stopped";
-    case Ending::kTimeLimit:
-    case Ending::kLessonTimeLimit:
-      return "time.limit";
-    case Ending::kHandEnded:
-      return "hand.ended";
-    case Ending::kVoid:
-      return "host.quarantined";
-    case Ending::kImpossible:
-      return "host.impossible";
-    default:
-      return "";
-  }
-}
 
 std::string lost_text(const host::Instance& device, const char* call, double limit_s) {
   return "The device (" + device.plugin_id + " " + device.plugin_version + ") has not come back from " + call + "() for " +
          host::format_number(limit_s) +
          " s and is left behind. Restart the program before you use it again.";
-}
-
-std::string impossible_text(double force) {
-  return "Two surfaces pressed on each other with " + host::format_quantity(std::round(force), "N") +
-         ", more than any hand can (" + host::format_quantity(step::kMaxContactForce, "N") +
-         "): the attempt is void. A stiffness, a density or the rate of this lesson does not fit its scene.";
 }
 
 // what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
@@ -347,115 +321,6 @@ void Run::collect_reports() {
     if (instance->quarantined.load() != 0)
       problems_.push_back({Severity::kError, instance->name, host::quarantine_text(*instance)});
   }
-}
-
-Result Run::make_result(Ending ending) const {
-  Result out;
-  if (recorder_) out.attempt_id = recorder_->attempt_id();
-  out.problems = problems_;
-  if (ending == Ending::kNone) return out;
-
-  const judge::Verdict& verdict = engine_->verdict();
-  out.outcome = verdict.outcome;
-  if (ending == Ending::kVerdict && verdict.reason < rig_->script.events.size())
-    out.reason = rig_->script.events[verdict.reason].id;
-  if (ending != Ending::kVerdict) {
-    out.outcome = ending == Ending::kLessonTimeLimit ? judge::Outcome::kFailed : judge::Outcome::kAborted;
-    out.reason = text(ending);
-  }
-  if (engine_->quarantined() > 0) {
-    out.outcome = judge::Outcome::kVoid;
-    out.reason = text(Ending::kVoid);
-  }
-  if (ending == Ending::kImpossible) {
-    out.outcome = judge::Outcome::kVoid;
-    out.problems.push_back({Severity::kError, rig_->descriptor_path, impossible_text(loop_->hardest())});
-  }
-  out.score = out.outcome == judge::Outcome::kVoid ? 0 : verdict.score;
-  out.steps = engine_->world().step;
-  out.simulated_s = engine_->world().time();
-  out.hash = engine_->hash();
-  for (std::size_t i = 0; i < rig_->script.metrics.size(); ++i) {
-    const judge::Name& name = rig_->script.metrics[i];
-    out.metrics.push_back({name.id, name.unit, name.doc, verdict.metric[i]});
-  }
-  out.health = loop_->health();
-  tell_circumstances(out);
-  return out;
-}
-
-// What a person must know before believing the numbers: the time was not the hand's, or nothing was felt.
-void Run::tell_circumstances(Result& out) const {
-  // one step in twenty is noticed by nobody and comes with every busy machine
-  constexpr double kSlow = 0.95;
-  const double made = static_cast<double>(out.health.executed), lost = static_cast<double>(out.health.dropped);
-  if (made + lost > 0) out.speed = made / (made + lost);
-  out.forces_off_s = loop_->forces_off_s();
-  char text[256];
-  if (realtime() && out.speed < kSlow) {
-    std::snprintf(text, sizeof text,
-                  "The attempt ran at %.0f %% of real speed, because the machine could not keep up: %.1f s were left "
-                  "out. Its times and speeds are not those of the hand.",
-                  1e2 * out.speed, lost * rig_->world.dt);
-    out.problems.push_back({Severity::kWarning, "loop", text});
-  }
-  if (out.forces_off_s > 0) {
-    std::snprintf(text, sizeof text,
-                  "For %.1f s of this attempt no force was given: the force guard had switched off after a fault. "
-                  "Pause and resume to switch it on again.",
-                  out.forces_off_s);
-    out.problems.push_back({Severity::kWarning, "forces", text});
-  }
-}
-
-record::AttemptEnd Run::make_end(const Result& result) const {
-  record::AttemptEnd end;
-  end.outcome = result.outcome;
-  end.reason = result.reason;
-  end.score = result.score;
-  end.simulated_s = result.simulated_s;
-  end.is_void = result.outcome == judge::Outcome::kVoid;
-  for (const Result::Metric& m : result.metrics) end.metric.push_back(m.value);
-  end.health = result.health;
-  end.forces_off_s = result.forces_off_s;
-  return end;
-}
-
-void Run::save_void(const char* reason) {
-  if (!recorder_) return;
-  record::AttemptEnd end;
-  end.outcome = judge::Outcome::kVoid;
-  end.reason = reason;
-  end.is_void = true;
-  end.simulated_s = static_cast<double>(loop_->steps()) * rig_->world.dt;
-  end.metric.assign(rig_->script.metrics.size(), std::nan(""));
-  recorder_->finish(end);
-}
-
-void Run::ended_by_plugin(const host::LastCall& call, const char* cause) {
-  Sentinel::write(call, cause);
-  if (Run* run = current_.exchange(nullptr)) run->save_void("host.ended");
-}
-
-// On the watchdog's thread, while the step thread is lost in a call: what there is, is saved, and the program ends with the
-// name of the culprit. A slow disk or a machine that was held up is nobody's hang.
-void Run::hung() {
-  const host::LastCall* last = last_call_.load();
-  const host::Instance* culprit = last ? last->instance.load(std::memory_order_acquire) : nullptr;
-  if (!culprit && !realtime()) return;
-  if (last) Sentinel::write(*last, "hang");
-  const std::string who = culprit ? std::string(host::text(last->call.load())) + "() of \"" + culprit->name +
-                                        "\" (" + culprit->plugin_id + " " + culprit->plugin_version + ")"
-                                  : "the step itself";
-  const uint64_t step = loop_->steps();
-  save_void("host.hung");
-  std::fprintf(stderr,
-               "swage: step %llu has not come back for half a second: %s. The attempt was saved. Start in "
-               "safe mode to "
-               "leave out every plugin that did not come with Swage.\n",
-               static_cast<unsigned long long>(step), who.c_str());
-  std::fflush(stderr);
-  _exit(kExitHung);
 }
 
 }  // namespace swage::session

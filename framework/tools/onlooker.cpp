@@ -58,8 +58,7 @@ class Lesson final : public Onlooker {
     };
     verdict_.finish = [](const swage_verdict* v, int32_t passed, double score, uint32_t reason) {
       self(v).say("reason", reason, self(v).slot_.event.count, score, true);
-      if (!(score >= 0 && score <= 100))
-        self(v).accuse(format("gave a score of %g; it goes from 0 to 100", score));
+      if (!(score >= 0 && score <= 100)) self(v).accuse(format("gave a score of %g; it goes from 0 to 100", score));
       if (passed == 0 && reason == SWAGE_NONE) self(v).accuse("failed an attempt without a reason");
     };
   }
@@ -75,8 +74,7 @@ class Lesson final : public Onlooker {
     for (uint64_t n = known > 0 ? random() % 4 : 0; n > 0; --n)
       events.push_back({static_cast<uint32_t>(random() % known), 0, wild(random)});
     const swage_view view = scene::view(world_, view_, events);
-    call(host::Call::kObserve,
-         [&] { return slot_.lesson->observe(slot_.instance->raw, &view, &verdict_, state()); });
+    call(host::Call::kObserve, [&] { return slot_.lesson->observe(slot_.instance->raw, &view, &verdict_, state()); });
     said_.add(state(), slot_.state.count * sizeof(double));
   }
 
@@ -126,13 +124,12 @@ class Coupling final : public Onlooker {
     contact_.resize(kContacts[random() % std::size(kContacts)]);
     for (swage_contact& c : contact_) c = touch(random, poisoned);
     place();
-    const bool resolved =
-        call(host::Call::kResolve, [&] { return slot_.coupling->resolve(slot_.instance->raw, &step_); });
+    const bool resolved = call(host::Call::kResolve, [&] { return slot_.coupling->resolve(slot_.instance->raw, &step_); });
     for (const swage_contact& c : contact_) {
       said_.add(c.friction).add(c.stiffness).add(c.restitution);
       if (!poisoned && resolved && !sensible(c))
-        accuse(format("left a contact with friction %g, stiffness %g N/m, restitution %g", c.friction,
-                      c.stiffness, c.restitution));
+        accuse(format("left a contact with friction %g, stiffness %g N/m, restitution %g", c.friction, c.stiffness,
+                      c.restitution));
     }
     for (swage_contact& c : contact_) push(c, random, poisoned);
     ties(random, poisoned);
@@ -153,9 +150,8 @@ class Coupling final : public Onlooker {
     if (slot_.ties == nullptr) return;
     std::vector<swage_tie> tie(kRoom + 1);
     uint32_t n = 0;
-    const bool given = call(host::Call::kTies, [&] {
-      return slot_.ties->ties(slot_.instance->raw, &step_, kRoom, tie.data(), &n);
-    });
+    const bool given =
+        call(host::Call::kTies, [&] { return slot_.ties->ties(slot_.instance->raw, &step_, kRoom, tie.data(), &n); });
     if (n > kRoom) accuse(format("gave %u ties where there is room for %u", n, kRoom));
     n = given ? std::min(n, kRoom) : 0;
     for (uint32_t i = 0; i < n && !poisoned; ++i) check(tie[i]);
@@ -173,7 +169,8 @@ class Coupling final : public Onlooker {
     const auto body = [&](uint32_t index, uint32_t object) {
       return index == SWAGE_NONE || index < rig().objects[object].body.count;
     };
-    if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3)) accuse("gave a tie with a place or axis that is none");
+    if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3))
+      accuse("gave a tie with a place or axis that is none");
     if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) accuse("gave a tie to a body that is not there");
     for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back})
       if (!(x >= 0)) accuse(format("gave a tie with a stiffness or strength of %g", x));
@@ -221,9 +218,7 @@ class Coupling final : public Onlooker {
 
   swage_contact touch(base::Xoshiro256& random, bool poisoned) const {
     const host::ObjectSlot &a = rig().objects[slot_.object_a], &b = rig().objects[slot_.object_b];
-    const auto one_of = [&random](uint32_t count) {
-      return count > 0 ? static_cast<uint32_t>(random() % count) : SWAGE_NONE;
-    };
+    const auto one_of = [&random](uint32_t count) { return count > 0 ? static_cast<uint32_t>(random() % count) : SWAGE_NONE; };
     swage_contact c{};
     c.body_a = one_of(a.body.count);
     c.shape_a = one_of(a.shape.count);
@@ -277,8 +272,7 @@ bool Onlooker::call(host::Call which, F&& f) {
 
 void Onlooker::accuse(const std::string& what) {
   if (fault_.empty())
-    fault_ = instance_.plugin_id + " " + what +
-             format(" in step %llu.", static_cast<unsigned long long>(world_.step));
+    fault_ = instance_.plugin_id + " " + what + format(" in step %llu.", static_cast<unsigned long long>(world_.step));
 }
 
 double Onlooker::wild(base::Xoshiro256& random) {
@@ -372,8 +366,7 @@ bool rewinds(Onlooker& onlooker, const std::vector<uint64_t>& first) {
 
 host::Finding nonsense(const TestScene& scene, uint64_t seed) {
   const auto failed = [seed](const std::string& text) {
-    return host::Finding{host::Mark::kFailed,
-                         text + format(" Seed: %llu.", static_cast<unsigned long long>(seed))};
+    return host::Finding{host::Mark::kFailed, text + format(" Seed: %llu.", static_cast<unsigned long long>(seed))};
   };
   std::string error;
   const auto one = make_onlooker(scene, seed, error), other = make_onlooker(scene, seed, error);
@@ -383,16 +376,13 @@ host::Finding nonsense(const TestScene& scene, uint64_t seed) {
   if (!one->fault().empty()) return failed(one->fault());
   if (one->allocations() > 0)
     return failed(format("It allocated memory %llu times in %llu steps; nothing on [rt] may.",
-                         static_cast<unsigned long long>(one->allocations()),
-                         static_cast<unsigned long long>(kSteps)));
+                         static_cast<unsigned long long>(one->allocations()), static_cast<unsigned long long>(kSteps)));
   one->reset();
   if (look(*one, 0, kSteps) != first)
-    return failed(
-        "After a reset it says other things about the same steps: it remembers what reset() must forget.");
+    return failed("After a reset it says other things about the same steps: it remembers what reset() must forget.");
   other->reset();
   if (look(*other, 0, kSteps) != first)
-    return failed(
-        "A second instance says other things about the same steps: it depends on more than it is shown.");
+    return failed("A second instance says other things about the same steps: it depends on more than it is shown.");
   if (!rewinds(*one, first))
     return failed(
         "After restoring its state it says other things about the same steps: it remembers something outside "

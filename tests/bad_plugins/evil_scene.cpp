@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Evil objects, couplings and lessons: org.example.bad.object.<fault>, .coupling.<fault>, .lesson.<fault>. Each behaves for kGood
-// steps before it does in the step what its name says.
+// Evil objects, couplings and lessons: org.example.bad.object.<fault>, .coupling.<fault>, .lesson.<fault>. Each behaves for
+// kGood steps before it does in the step what its name says.
 #include <swage/abi/builder.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/lesson.h>
@@ -12,6 +12,7 @@
 #include <new>
 
 #include "evil.hpp"
+#include "evil_object_faults.hpp"
 
 namespace {
 
@@ -19,57 +20,6 @@ constexpr uint64_t kGood = 10;  // steps
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr swage_pose kHere{{0, 0, 0}, {1, 0, 0, 0}};
 
-const std::vector<evil::Fault> kObjectFaults = {
-    {"good", "Does nothing wrong."},
-    {"force_nan", "Pushes with a force that is no number."},
-    {"force_infinite", "Pushes with an infinite force."},
-    {"force_huge", "Pushes with 1e9 N."},
-    {"torque_nan", "Turns with a torque that is no number."},
-    {"signal_nan", "Writes a signal that is no number."},
-    {"state_nan", "Keeps a number that is none."},
-    {"state_infinite", "Keeps an infinite number."},
-    {"neighbour_pose", "Moves its neighbour."},
-    {"neighbour_twist", "Gives its neighbour a speed."},
-    {"neighbour_late", "Moves its neighbour in finish()."},
-    {"forces_refuses", "Answers forces() with an error."},
-    {"finish_refuses", "Answers finish() with an error."},
-    {"sleeps", "Sleeps 2 ms in each step."},
-    {"sleeps_long", "Sleeps 300 ms in each step."},
-    {"burns", "Needs 2 ms of a processor in each step."},
-    {"create_null", "Creates nothing."},
-    {"create_bare", "Creates an instance without functions."},
-    {"no_table", "Has no table of an object."},
-    {"table_gaps", "Has a table of an object without finish."},
-    {"no_trait", "Does not offer the trait that it lists."},
-    {"configure_refuses", "Refuses its parameters and does not say why."},
-    {"activate_refuses", "Refuses to start and does not say why."},
-    {"bodies_many", "Declares a thousand bodies."},
-    {"shapes_many", "Declares a million shapes."},
-    {"state_much", "Asks for 2^30 private numbers in pieces."},
-    {"signals_many", "Declares a thousand signals."},
-    {"particles_many", "Declares a million particles."},
-    {"pose_nan", "Starts at a pose that is no number."},
-    {"mass_zero", "Has a dynamic body without mass."},
-    {"mass_nan", "Has a mass that is no number."},
-    {"inertia_impossible", "Has moments of inertia that no body has."},
-    {"radius_negative", "Has a sphere of a negative radius."},
-    {"radius_infinite", "Has an infinite sphere."},
-    {"centre_far", "Has a sphere 1e300 m away from its body."},
-    {"shape_of_nobody", "Fixes a shape to a body that it has not declared."},
-    {"flags_unknown", "Has a shape with flags that nobody knows."},
-    {"motion_unknown", "Has a body that moves in no known way."},
-    {"hinge_of_itself", "Hinges a body to itself."},
-    {"hinge_missing", "Has a hinged body without a hinge."},
-    {"convex_huge", "Has a polyhedron that claims four milliards of vertices."},
-    {"convex_wild", "Has a polyhedron whose faces name vertices that it has not."},
-    {"metric_declared", "Declares what belongs to lessons."},
-    {"declares_unknown", "Declares what nobody knows."},
-    {"signal_unnamed", "Declares a signal without a name."},
-    {"signal_twice", "Declares one signal twice."},
-    {"doc_endless", "Describes its signal in 64 MB."},
-    {"self_alone", "Wants to move by itself and has no solver."},
-    {"talks_endlessly", "Reports a million times."},
-};
 const std::vector<evil::Fault> kCouplingFaults = {
     {"good", "Does nothing wrong."},
     {"signal_nan", "Writes a signal that is no number."},
@@ -109,10 +59,9 @@ const std::vector<evil::Fault> kLessonFaults = {
 const char* const kSolid[] = {SWAGE_TRAIT_SOLID, nullptr};
 const char* const kNone[] = {nullptr};
 const evil::Catalogue& objects() {
-  static const evil::Catalogue all(SWAGE_KIND_OBJECT, "org.example.bad.object.", kObjectFaults,
-                                   {"create", "configure", "activate", "extension", "reset", "forces", "finish",
-                                    "deactivate", "destroy"},
-                                   kSolid);
+  static const evil::Catalogue all(
+      SWAGE_KIND_OBJECT, "org.example.bad.object.", kObjectFaults,
+      {"create", "configure", "activate", "extension", "reset", "forces", "finish", "deactivate", "destroy"}, kSolid);
   return all;
 }
 const evil::Catalogue& couplings() {
@@ -157,9 +106,7 @@ void build_many(swage_builder* b, const std::string& f) {
   if (f == "shapes_many") again(1'000'000, [&](int) { b->sphere(b, 0, {0, 0, 0}, 1e-3, SWAGE_SHAPE_USUAL); });
   if (f == "state_much") again(1024, [&](int) { b->state(b, 1u << 20); });
   if (f == "signals_many")
-    again(1000, [&](int i) {
-      b->declare(b, SWAGE_DECLARE_SIGNAL, ("s" + std::to_string(i)).c_str(), "m", "One of many.");
-    });
+    again(1000, [&](int i) { b->declare(b, SWAGE_DECLARE_SIGNAL, ("s" + std::to_string(i)).c_str(), "m", "One of many."); });
   if (f == "particles_many") {
     const std::vector<double> p(3'000'000, 0.0), m(1'000'000, 1e-6);
     b->particles(b, 1'000'000, p.data(), m.data(), 1e-4);
@@ -201,8 +148,7 @@ void build_names(swage_builder* b, const std::string& f) {
   if (f == "declares_unknown") b->declare(b, 99, "thing", "1", "Of no kind.");
   if (f == "signal_unnamed") b->declare(b, SWAGE_DECLARE_SIGNAL, nullptr, nullptr, nullptr);
   if (f == "signal_twice") b->declare(b, SWAGE_DECLARE_SIGNAL, "height", "m", "Again.");
-  if (f == "doc_endless")
-    b->declare(b, SWAGE_DECLARE_SIGNAL, "long", "m", std::string(std::size_t{64} << 20, 'x').c_str());
+  if (f == "doc_endless") b->declare(b, SWAGE_DECLARE_SIGNAL, "long", "m", std::string(std::size_t{64} << 20, 'x').c_str());
 }
 
 swage_result configure(swage_instance* raw, const swage_values*, swage_builder* b) {
@@ -381,12 +327,17 @@ swage_instance* create(const swage_host* host, const char* id) {
   };
   t->raw.get_extension = get_extension;
   const bool gaps = fault == "table_gaps";
-  t->object = {object_forces, gaps ? nullptr : object_finish, [](swage_instance* raw, const swage_object_step*) {
-                 evil::misbehave_in("reset", of(raw).fault);
-               }};
+  t->object = {object_forces, gaps ? nullptr : object_finish,
+               [](swage_instance* raw, const swage_object_step*) { evil::misbehave_in("reset", of(raw).fault); }};
   static const char* const kWild[] = {"\x01\xff", "", nullptr};
   const char* const* needs = fault == "needs_endless" ? kWild : kNone;
-  t->coupling = {needs, needs, 1, 0, coupling_bind, coupling_resolve, gaps ? nullptr : coupling_finish,
+  t->coupling = {needs,
+                 needs,
+                 1,
+                 0,
+                 coupling_bind,
+                 coupling_resolve,
+                 gaps ? nullptr : coupling_finish,
                  [](swage_instance*, const swage_coupling_step*) {}};
   t->lesson = {lesson_bind, lesson_observe, [](swage_instance*, double*) {}, 0};
   return &t->raw;
@@ -408,5 +359,5 @@ const void* get_factory(const char* id) {
 extern "C" {
 __attribute__((visibility("default"))) extern const swage_entry swage_plugin_entry;
 }
-const swage_entry swage_plugin_entry = {sizeof(swage_entry), SWAGE_ABI_MAJOR, SWAGE_ABI_MINOR, 0, "plain C++",
-                                        nullptr,             nullptr,         get_factory};
+const swage_entry swage_plugin_entry = {sizeof(swage_entry), SWAGE_ABI_MAJOR, SWAGE_ABI_MINOR, 0,
+                                        "plain C++",         nullptr,         nullptr,         get_factory};

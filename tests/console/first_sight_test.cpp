@@ -3,6 +3,8 @@
 // What somebody meets who sees the window for the first time: it fits the screen, tells its controls and what is asked, and a test
 // shows no answers. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
 #include <QAbstractButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QTableView>
 #include <algorithm>
 
@@ -99,6 +101,36 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
   window.reset();
   open();
   EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
+}
+
+TEST_F(FirstSight, TheTraineesViewIsSetUpAndRemembered) {
+  open();
+  click("trainee_options");
+  auto* form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
+  ASSERT_NE(form, nullptr);
+  EXPECT_EQ(window->trainee(), nullptr) << "settings come first";
+  QTest::mouseClick(form->findChild<QPushButton*>(QStringLiteral("trainee_toggle")), Qt::LeftButton);
+  ASSERT_NE(window->trainee(), nullptr);
+  EXPECT_TRUE(window->trainee()->isVisible());
+  form->findChild<QComboBox*>(QStringLiteral("trainee_layout"))->setCurrentIndex(1);
+  form->findChild<QDoubleSpinBox*>(QStringLiteral("trainee_eyes"))->setValue(30);
+  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
+  // it gets what the instructor's view gets, and the keys of the window hold there, too
+  QTest::keyClick(window.get(), Qt::Key_F5);
+  EXPECT_TRUE(window->trainee()->view()->instrument());
+  QTest::keyClick(window.get(), Qt::Key_F9);
+  EXPECT_EQ(window->trainee(), nullptr);
+  window->close();
+  window.reset();
+  open();
+  click("trainee_button");
+  ASSERT_NE(window->trainee(), nullptr) << "the button does what F9 does";
+  click("trainee_button");
+  EXPECT_EQ(window->trainee(), nullptr);
+  click("trainee_options");
+  form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
+  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
+  EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ TEST_F(Pages, TwoClicksChooseAndStart) {
 TEST_F(Pages, KeysPauseResetMarkAndStop) {
   script.end_s = 0;
   open();
-  for (const char* name : {"pause", "reset", "mark", "stop"})
-    EXPECT_FALSE(child<QPushButton>(name)->isEnabled());
+  for (const char* name : {"pause", "reset", "mark", "stop"}) EXPECT_FALSE(child<QPushButton>(name)->isEnabled());
   QTest::keyClick(window.get(), Qt::Key_F5);
   ASSERT_TRUE(wait_for_time(0.1));
   QTest::keyClick(window.get(), Qt::Key_F6);
@@ -70,7 +69,8 @@ TEST_F(Pages, KeysPauseResetMarkAndStop) {
   EXPECT_TRUE(child<QPushButton>("start")->isEnabled());
 }
 
-// the needle of the fake scene is an arc of 1.9 mm about the z axis through (0, -1.9) mm, a wire's radius high until it is lifted
+// the needle of the fake scene is an arc of 1.9 mm about the z axis through (0, -1.9) mm, a wire's radius high until it is
+// lifted
 TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
   run_to(4.2);
   ASSERT_EQ(log->changed.size(), 0U);
@@ -92,8 +92,7 @@ TEST_F(Pages, ADriveTellsTheMouseTheNeedlesCircleFirst) {
 
 TEST_F(Pages, NumbersArrive) {
   run_to(6);
-  ASSERT_TRUE(
-      eventually([&] { return child<console::ForceMeter>("force_meter")->value().value_or(0) > 0.4; }));
+  ASSERT_TRUE(eventually([&] { return child<console::ForceMeter>("force_meter")->value().value_or(0) > 0.4; }));
   EXPECT_NEAR(child<console::ForceMeter>("force_meter")->value().value_or(0), 0.6, 0.2);
 }
 
@@ -220,16 +219,14 @@ TEST_F(Pages, EveryControlHasANameAndTheKeyboardReachesAll) {
   open();
   int controls = 0;
   for (QWidget* w : window->findChildren<QWidget*>()) {
-    const bool control = qobject_cast<QAbstractButton*>(w) || qobject_cast<QComboBox*>(w) ||
-                         qobject_cast<QListView*>(w) || qobject_cast<QTableView*>(w) ||
-                         qobject_cast<console::SceneView*>(w);
+    const bool control = qobject_cast<QAbstractButton*>(w) || qobject_cast<QComboBox*>(w) || qobject_cast<QListView*>(w) ||
+                         qobject_cast<QTableView*>(w) || qobject_cast<console::SceneView*>(w);
     if (!control || w->objectName().startsWith("qt_") || !qobject_cast<QWidget*>(w->parent())) continue;
     if (w->inherits("QTableCornerButton") || w->inherits("QComboBoxListView")) continue;
     ++controls;
     QAccessibleInterface* a = QAccessible::queryAccessibleInterface(w);
     ASSERT_NE(a, nullptr);
-    EXPECT_FALSE(a->text(QAccessible::Name).isEmpty())
-        << w->metaObject()->className() << " " << w->objectName().toStdString();
+    EXPECT_FALSE(a->text(QAccessible::Name).isEmpty()) << w->metaObject()->className() << " " << w->objectName().toStdString();
   }
   EXPECT_GT(controls, 15);
 
@@ -242,8 +239,7 @@ TEST_F(Pages, EveryControlHasANameAndTheKeyboardReachesAll) {
     at = at->nextInFocusChain();
     if (at->isVisible() && at->isEnabled() && (at->focusPolicy() & Qt::TabFocus)) reached += at;
   }
-  for (const char* name :
-       {"lessons", "start", "device", "view_side", "cues", "scene_view", "page_0", "theme"}) {
+  for (const char* name : {"lessons", "start", "device", "view_side", "cues", "scene_view", "page_0", "theme"}) {
     EXPECT_TRUE(reached.contains(child<QWidget>(name))) << name;
   }
 }
@@ -270,8 +266,7 @@ TEST_F(Pages, HelpPausesTheRunAndListsTheKeys) {
 TEST_F(Pages, AfterACrashItSaysWhatWasKept) {
   to_recover = 1;
   open();
-  EXPECT_TRUE(child<QLabel>("loop_health")->text().contains("1 attempt"))
-      << child<QLabel>("loop_health")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("loop_health")->text().contains("1 attempt")) << child<QLabel>("loop_health")->text().toStdString();
 }
 
 TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
@@ -291,36 +286,6 @@ TEST_F(Pages, TheLeftHandGetsEveryLessonMirroredAndItIsRemembered) {
   window.reset();
   open();
   EXPECT_TRUE(page()->setup()->left_handed());
-}
-
-TEST_F(Pages, TheTraineesViewIsSetUpAndRemembered) {
-  open();
-  click("trainee_options");
-  auto* form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
-  ASSERT_NE(form, nullptr);
-  EXPECT_EQ(window->trainee(), nullptr) << "settings come first";
-  QTest::mouseClick(form->findChild<QPushButton*>(QStringLiteral("trainee_toggle")), Qt::LeftButton);
-  ASSERT_NE(window->trainee(), nullptr);
-  EXPECT_TRUE(window->trainee()->isVisible());
-  form->findChild<QComboBox*>(QStringLiteral("trainee_layout"))->setCurrentIndex(1);
-  form->findChild<QDoubleSpinBox*>(QStringLiteral("trainee_eyes"))->setValue(30);
-  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
-  // it gets what the instructor's view gets, and the keys of the window hold there, too
-  QTest::keyClick(window.get(), Qt::Key_F5);
-  EXPECT_TRUE(window->trainee()->view()->instrument());
-  QTest::keyClick(window.get(), Qt::Key_F9);
-  EXPECT_EQ(window->trainee(), nullptr);
-  window->close();
-  window.reset();
-  open();
-  click("trainee_button");
-  ASSERT_NE(window->trainee(), nullptr) << "the button does what F9 does";
-  click("trainee_button");
-  EXPECT_EQ(window->trainee(), nullptr);
-  click("trainee_options");
-  form = window->findChild<console::TraineeSettings*>(QStringLiteral("trainee_settings"));
-  EXPECT_EQ(form->look().stereo.layout, console::StereoLayout::kOverUnder);
-  EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
 }
 
 TEST_F(Pages, ALongTitleEndsInAnEllipsis) {
@@ -361,8 +326,8 @@ TEST_F(Pages, TheLegendNamesEveryCueAndShowsWhatIsOn) {
   open();
   ASSERT_TRUE(wait_for_preview());
   console::CueLegend* legend = page()->legend();
-  EXPECT_EQ(legend->meanings(), QStringList({"grasp.wrong", "grasp.tips_only", "grasp.point_only",
-                                             "grasp.good", "grip.too_hard", "region.target"}));
+  EXPECT_EQ(legend->meanings(), QStringList({"grasp.wrong", "grasp.tips_only", "grasp.point_only", "grasp.good",
+                                             "grip.too_hard", "region.target"}));
   click("start");
   ASSERT_TRUE(eventually([&] { return legend->active() == QStringList{"grasp.good"}; }));
   click("stop");

@@ -17,7 +17,7 @@ LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrid
   for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
 }
 
-LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrides,
+LessonRun::LessonRun(const std::string& path, const std::string& device,
                      const std::vector<std::string>& settings) {
   base::Problems problems;
   assembly::LessonFile file;
@@ -26,7 +26,8 @@ LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrid
   for (size_t i = 0; i < all.size(); ++i)
     understood = understood && assembly::parse_setting(settings[i], all[i]);
   if (!understood) problems_ += "a setting is not object.parameter=value\n";
-  if (understood && assembly::read_lesson_file(path, all, file, problems)) begin(file, overrides, problems);
+  if (understood && assembly::read_lesson_file(path, all, file, problems))
+    begin(file, {device, ""}, problems);
   for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Builder: names of signals, metrics, cues, events and phases; what only the whole declaration shows.
+#include <algorithm>
+
+#include "host/builder.hpp"
+#include "host/units.hpp"
+
+namespace swage::host {
+
+using scene::kNone;
+using scene::Range;
+
+namespace {
+
+bool is_name(const std::string& id) {
+  const auto good = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+  };
+  return !id.empty() && id[0] >= 'a' && id[0] <= 'z' && std::all_of(id.begin(), id.end(), good);
+}
+
+}  // namespace
+
+uint32_t Builder::add_name(std::vector<judge::Name>& list, Range& range, judge::Name name) {
+  const std::string quoted = "\"" + name.id + "\"";
+  if (!is_name(name.id)) return refuse(quoted + " is not a name such as \"grasp.force\".");
+  if (name.doc.empty()) return refuse(quoted + " has no doc.");
+  if (const Unit* u = find_unit(name.unit); u == nullptr || u->si != name.unit)
+    return refuse(quoted + ": \"" + name.unit + "\" is not an SI unit of the table (" + unit_list() + ").");
+  for (uint32_t i = 0; i < range.count; ++i)
+    if (list[range.first + i].id == name.id) return refuse(quoted + " is declared twice.");
+  list.push_back(std::move(name));
+  return range.count++;
+}
+
+void Builder::finish() {
+  for (uint32_t i = 0; i < body.count; ++i) {
+    const scene::BodyInfo& info = world_.body[body.first + i];
+    if (info.motion == SWAGE_MOTION_HINGED && info.hinge == kNone)
+      refuse("Body \"" + info.name + "\" is hinged, but no hinge names it as its child.");
+  }
+}
+
+}  // namespace swage::host
