@@ -106,6 +106,8 @@ QWidget* RunPage::make_bottom() {
 
 QWidget* RunPage::make_view_bar() {
   auto* bar = new QWidget(this);
+  // it never keeps the window wide: what does not fit goes into the menu
+  bar->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   title_ = new ElidedLabel(bar);

@@ -146,7 +146,7 @@ Finding moved(const TestScene& scene, uint64_t) {
   const scene::World &a = here.engine->world(), &b = there.engine->world();
   for (std::size_t i = 0; i < a.X_WB.size(); ++i) {
     const swage_vec3 &p = a.X_WB[i].p, &q = b.X_WB[i].p;
-    const double off = std::max({std::abs(q.x - p.x - 1), std::abs(q.y - p.y + 1), std::abs(q.z - p.z - 1)});
+    const double off = std::max({std::abs(q.x - p.x - 0.1), std::abs(q.y - p.y + 0.1), std::abs(q.z - p.z - 0.1)});
     if (!(off < tolerance))
       return failed(
           format("Body \"%s\" ends %.3g m elsewhere when the scene stands 0.1 m away: a frame is mixed up.",
