@@ -5,7 +5,7 @@ namespace swage::test {
 
 // the table is static, and its functions find the object behind the instance that they are given
 const void* Pad::extension(std::string_view wanted) {
-  static constexpr sticky_table table{[](swage_instance* raw, const swage_object_step*, double temperature, double* out) {
+  static constexpr sticky_table table{[] (swage_instance* raw, const swage_object_step*, double temperature, double* out) {
     *out = self<Pad>(raw).strength(temperature);
     return swage_result{SWAGE_OK};
   }};
