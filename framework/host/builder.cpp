@@ -352,7 +352,9 @@ Builder::Builder(Owner owner, scene::World& world, judge::Script& script, base::
 
 uint32_t Builder::refuse(const std::string& message, const std::string& param_id) {
   const std::string where = owner_.where ? owner_.where(param_id) : owner_.name;
-  if (++refusals_ <= kMostRefusals) problems_.push_back({base::Severity::kError, where, message});
+  // A refusal in a loop is told once.
+  const bool told = !problems_.empty() && problems_.back().where == where && problems_.back().message == message;
+  if (!told && ++refusals_ <= kMostRefusals) problems_.push_back({base::Severity::kError, where, message});
   failed_ = true;
   return kNone;
 }

@@ -7,6 +7,7 @@
 //   contained  the attempt is void; a sentence names the plugin
 //   left       the result is kept; a sentence names the device that was left behind
 //   named      the program ends, and not as if all were well; the next start names the plugin, and the record is whole
+//   judged     the lesson ends the attempt with its verdict; the score stays within 0 and 100
 //   harmless   nothing comes of it: the same bits as with the good one
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -76,6 +77,14 @@ bool clocked(const host::PluginInfo& p) {
   return p.kind == SWAGE_KIND_DEVICE || p.id.find("sleeps") != std::string::npos || p.id.ends_with("burns");
 }
 
+std::string outcome_of(const Result& result) {
+  const bool passed = result.outcome == judge::Outcome::kPassed, failed = result.outcome == judge::Outcome::kFailed;
+  if (result.outcome == judge::Outcome::kVoid) return "contained";
+  if (left_behind() > 0) return "left";
+  if (!passed && !failed) return "harmless";
+  return result.score >= 0 && result.score <= 100 ? "judged" : "a score of " + std::to_string(result.score);
+}
+
 // in a process of its own: opens, runs, writes what it heard
 [[noreturn]] void attempt(const std::string& folder, const host::PluginInfo& p) {
   if (!freopen((folder + "/stderr").c_str(), "w", stderr)) _exit(99);
@@ -102,7 +111,7 @@ bool clocked(const host::PluginInfo& p) {
       session->stop();
       const Result result = session->result();
       problems.insert(problems.end(), result.problems.begin(), result.problems.end());
-      outcome = result.outcome == judge::Outcome::kVoid ? "contained" : left_behind() > 0 ? "left" : "harmless";
+      outcome = outcome_of(result);
       hash = result.hash;
     }
   }
@@ -185,6 +194,8 @@ std::map<std::string, std::string> expected() {
     if (cells.size() < 2 || cells[0].starts_with("---")) continue;
     if (columns.empty()) {
       columns = cells;
+    } else if (columns[0] == "word") {
+      continue;  // the table that says what the words mean
     } else if (columns[0] == "function") {
       for (std::size_t i = 1; i < std::min(cells.size(), columns.size()); ++i) out[cells[0] + "_" + columns[i]] = cells[i];
     } else {
@@ -216,7 +227,7 @@ TEST_F(EvilPlugins, EachEndsAsTheGuideSays) {
       if (!clocked(p)) {
         EXPECT_EQ(fate.hash, good[p.kind]) << name;
       }
-    } else {
+    } else if (fate.outcome != "judged") {
       EXPECT_NE(fate.said.find(p.id), std::string::npos) << name << ": " << fate.said;
     }
   }

@@ -90,12 +90,13 @@ swage_str text(const std::string& s) { return {s.data(), s.size()}; }
 
 // --- what an object declares
 
-void build_usual(swage_builder* b) {
+void build_usual(swage_builder* b, const std::string& f) {
+  const std::string endless(f == "doc_endless" ? std::size_t{64} << 20 : 0, 'x');
   const swage_mass mass{1e-3, {1e-9, 1e-9, 1e-9}};
   const uint32_t body = b->body(b, SWAGE_MOTION_DYNAMIC, &kHere, &mass, "ball");
   b->sphere(b, body, {0, 0, 0}, 1e-3, SWAGE_SHAPE_USUAL);
   b->state(b, 1);
-  b->declare(b, SWAGE_DECLARE_SIGNAL, "height", "m", "Of the ball.");
+  b->declare(b, SWAGE_DECLARE_SIGNAL, "height", "m", endless.empty() ? "Of the ball." : endless.c_str());
 }
 
 void build_many(swage_builder* b, const std::string& f) {
@@ -148,7 +149,6 @@ void build_names(swage_builder* b, const std::string& f) {
   if (f == "declares_unknown") b->declare(b, 99, "thing", "1", "Of no kind.");
   if (f == "signal_unnamed") b->declare(b, SWAGE_DECLARE_SIGNAL, nullptr, nullptr, nullptr);
   if (f == "signal_twice") b->declare(b, SWAGE_DECLARE_SIGNAL, "height", "m", "Again.");
-  if (f == "doc_endless") b->declare(b, SWAGE_DECLARE_SIGNAL, "long", "m", std::string(std::size_t{64} << 20, 'x').c_str());
 }
 
 swage_result configure(swage_instance* raw, const swage_values*, swage_builder* b) {
@@ -159,7 +159,7 @@ swage_result configure(swage_instance* raw, const swage_values*, swage_builder* 
     for (int i = 0; i < 1'000'000; ++i) t.host->report(t.host, SWAGE_WARNING, {nullptr, 0}, text("Once more."));
   if (t.fault == "body_declared") b->body(b, SWAGE_MOTION_FIXED, &kHere, nullptr, "mine");
   if (t.kind == SWAGE_KIND_OBJECT) {
-    build_usual(b);
+    build_usual(b, t.fault);
     build_many(b, t.fault);
     build_wrong(b, t.fault);
     build_names(b, t.fault);
