@@ -152,7 +152,8 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   Signal state_, angle_, cosine_, force_, lateral_signal_, pull_signal_, peak_entry_, peak_exit_, s_, depth_,
       below_;
   Signal at_[3], entry_[3], exit_[3];
-  Signal wound_, area_, area_ratio_, exit_wound_, exit_area_, swept_, entries_, deflections_, law_signal_;
+  Signal wound_, area_, area_ratio_, exit_wound_, exit_area_, swept_, entries_, deflections_, law_signal_,
+      wound_wide_, exit_wide_;
   Event touched_, entered_, exited_, back_out_, passed_, deflected_, torn_, cut_out_;
 };
 

@@ -44,6 +44,10 @@ void Pierce::declare(CouplingBuilder& builder) {
   entries_ = builder.signal("pierce.entries", "1", "How often the point went in so far.");
   deflections_ = builder.signal("pierce.deflections", "1", "How often it was deflected so far.");
   law_signal_ = builder.signal("pierce.law", "1", "Index of the reaction law.");
+  wound_wide_ =
+      builder.signal("pierce.wound_wide", "1",
+                     "Edge of the entry wound from its own centre over the wire's radius: 1 is perfect.");
+  exit_wide_ = builder.signal("pierce.exit_wide", "1", "The same of the exit wound, 0 before.");
   declare_events(builder);
 }
 
@@ -113,12 +117,14 @@ void Pierce::tell_wounds(const CouplingStep& step, const PierceState& state) con
   if (state.last_entry >= 0) {
     const Wound& wound = state.wound[static_cast<uint32_t>(state.last_entry)];
     step.signal(wound_, wound.reach / wound.radius);
+    step.signal(wound_wide_, wound.wide / wound.radius);
     step.signal(area_, wound.area);
     step.signal(area_ratio_, wound.area / (std::numbers::pi * wound.radius * wound.radius));
   }
   const bool out = state.last_exit >= 0;
   const Wound& exit = state.wound[out ? static_cast<uint32_t>(state.last_exit) : 0];
   step.signal(exit_wound_, out ? exit.reach / exit.radius : 0);
+  step.signal(exit_wide_, out ? exit.wide / exit.radius : 0);
   step.signal(exit_area_, out ? exit.area : 0);
   step.signal(swept_, state.swept);
   step.signal(entries_, state.entries);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "circle.hpp"
+
 namespace swage::coupling_pierce {
 namespace {
 
@@ -90,6 +92,15 @@ bool lengthen(Wound& w, const Vec2& a, const Vec2& b) {
   return true;
 }
 
+/// From the centre of the smallest circle around it to its edge.
+double half_width(const Wound& w) {
+  Vec2 end[2 * Wound::kCapsules];
+  uint32_t n = 0;
+  for (uint32_t i = 0; i < static_cast<uint32_t>(w.count); ++i)
+    end[n++] = vec2(w.capsule[i].a), end[n++] = vec2(w.capsule[i].b);
+  return smallest_circle(end, n).radius + w.radius;
+}
+
 /// Adds the capsule from a to b; `goes_on`: a path that may lengthen the last one.
 void cover(Wound& w, Outline& settled, const Vec2& a, const Vec2& b, bool goes_on) {
   const double fine = kFine * w.radius;
@@ -108,6 +119,7 @@ void cover(Wound& w, Outline& settled, const Vec2& a, const Vec2& b, bool goes_o
   settled.follow(w.capsule, before, w.radius);
   w.area = std::max(w.area, settled.area() + settled.added(w.capsule[before], w.radius));
   w.reach = std::max({w.reach, a.norm() + w.radius, b.norm() + w.radius});
+  w.wide = std::max(w.wide, half_width(w));
 }
 
 /// The way into the tissue: along the needle, whichever of its ends is inside.

@@ -22,6 +22,7 @@ struct Wound {
   double count;                           // of capsules
   double area;                            // m2
   double reach;                           // m, greatest distance of the edge from the origin
+  double wide;       // m, greatest distance of the edge from the wound's centre (thesis D4)
   double bend;       // m, by how much the last capsule cuts the corners of what it stands for
   double centre[2];  // where the section was last
   double inward[3];  // O, unit: the way into the tissue along the needle there

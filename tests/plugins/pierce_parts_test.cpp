@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "plugins/coupling_pierce/circle.hpp"
 #include "plugins/coupling_pierce/reaction.hpp"
 #include "plugins/coupling_pierce/wound.hpp"
 
@@ -50,6 +51,39 @@ TEST_F(Wounds, APerfectPassIsOneSection) {
   EXPECT_NEAR(w.area, M_PI * kR * kR, 1e-12 * w.area);
   EXPECT_EQ(w.reach, kR);
   EXPECT_EQ(w.count, 1);
+}
+
+// a tear of 7 radii to one side: 8 radii from the first puncture, 4.5 from its own centre (thesis D4)
+TEST_F(Wounds, FromItsOwnCentreATearIsHalfAsWide) {
+  Wound w = fresh(settled);
+  EXPECT_EQ(w.wide, kR);
+  for (int i = 0; i <= 500; ++i) sweep(w, settled, Vec3(0, 7 * kR * i / 500, 0), 1, Vec3::Zero());
+  EXPECT_NEAR(w.reach, 8 * kR, 0.03 * kR);
+  EXPECT_NEAR(w.wide, 4.5 * kR, 0.03 * kR);
+}
+
+// by brute force: of all circles through two or three of the points, the smallest that leaves none out
+TEST(SmallestCircle, IsTheSmallestOfAll) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Vec2> p(2 + static_cast<size_t>(trial) % 7);
+    for (Vec2& q : p) q = Vec2(any(random), trial % 5 == 0 ? 0 : any(random));
+    double least = HUGE_VAL;
+    const auto look = [&](const Circle& circle) {
+      for (const Vec2& q : p)
+        if ((q - circle.centre).norm() > circle.radius * (1 + 1e-9)) return;
+      least = std::min(least, circle.radius);
+    };
+    for (const Vec2& a : p)
+      for (const Vec2& b : p) {
+        look(circle_through(a, b));
+        for (const Vec2& c : p) look(circle_through(a, b, c));
+      }
+    const Circle found = smallest_circle(p.data(), static_cast<uint32_t>(p.size()));
+    EXPECT_NEAR(found.radius, least, 1e-9);
+    for (const Vec2& q : p) EXPECT_LE((q - found.centre).norm(), found.radius * (1 + 1e-8));
+  }
 }
 
 TEST_F(Wounds, AStraightTearIsACapsule) {
