@@ -19,7 +19,7 @@
 //          centre leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
 //          turned back along the arc by the hover, and straight out of the tissue by `above`; `inside` of the mark, towards the
 //          needle's centre, by as much as the point will slide away from there while it presses and the needle bends
-//   drive  angle, time: along its own arc, about its centre
+//   drive  angle, time: along its own arc, about its centre; meanwhile down by `above` where the act before it was such an aim
 //   show   mark, at, with, across, time: waits until the mark moves, then holds the needle (or the jaws: `with`) up at `at`, pointing
 //          to the mark, `across` being the normal of the needle's plane (or the closing direction)
 //   answer mark, other, of, time: waits until the two marks part, then goes to the one to which the needle, or the shaft of the

@@ -179,6 +179,7 @@ void Skilled::restart() {
   from_closure_ = closure_ = plan_.closure;
   fresh_ = true;
   shown_W_.setZero();
+  lift_W_.setZero();
   if (drawn_) return;
   tremor_.draw(params_.tremor, params_.tremor_band.low, params_.tremor_band.high,
                [this] { return random(); });
@@ -192,6 +193,7 @@ double Skilled::normal() {
 }
 
 void Skilled::begin_act(double time_s) {
+  if (act_ == 0 || plan_.acts[act_ - 1].verb != Verb::kAim) lift_W_.setZero();
   from_ = goal_ = now_;
   from_closure_ = closure_;
   act_began_s_ = time_s;
@@ -277,6 +279,7 @@ void Skilled::set_goal(const Act& act) {
       if (seen_.wire_good)
         goal_ =
             lead(act, seen_.mark_W + missed_W_ - missed_W_.dot(seen_.into_W) * seen_.into_W, seen_.into_W);
+      lift_W_ = -act.above * seen_.into_W;
       break;
     case Verb::kShow:
       shown_W_ = seen_.mark_W;
@@ -290,6 +293,10 @@ void Skilled::set_goal(const Act& act) {
       const Vec3 out = (wire.place(0).p_W - wire.centre_W).normalized();
       turn_centre_W_ = wire.centre_W - params_.pivot_error * out;
       turn_W_ = -act.angle * wire.axis_W;  // the axis leads to the swage, the point goes the other way
+      // about a lifted centre the point would lean: the lift goes while the point turns by as much, so that the other end of half a
+      // circle stays as high as it is
+      const double arc = std::abs(act.angle) / wire.curvature;  // m, way of the point
+      lowered_ = arc > 0 ? std::min(1.0, lift_W_.norm() / arc) : 0;
       break;
     }
     case Verb::kWait:
@@ -300,11 +307,18 @@ void Skilled::set_goal(const Act& act) {
   }
 }
 
+/// A share of the way of a drive: along the arc, and down from where the aim was lifted.
+Pose Skilled::driven(double u) const {
+  Pose X = turned(from_, turn_centre_W_, u * turn_W_);
+  X.p -= (u < lowered_ ? u / lowered_ : 1) * lift_W_;
+  return X;
+}
+
 void Skilled::follow_act(const Act& act, double share, double rate, double dt) {
   if (fresh_ || act.verb == Verb::kReach) set_goal(act);
   fresh_ = false;
   const double u = least_jerk(share);
-  now_ = act.verb == Verb::kDrive ? turned(from_, turn_centre_W_, u * turn_W_) : between(from_, goal_, u);
+  now_ = act.verb == Verb::kDrive ? driven(u) : between(from_, goal_, u);
   if (act.verb == Verb::kDrive && hole_.valid()) {
     brought_W_ -= std::min(1.0, dt / params_.steady) * seen_.aside_W;
     now_.p += brought_W_;

@@ -123,6 +123,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose reach_goal(const Act& act) const;
   Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W) const;
   Pose show_goal(const Act& act) const;
+  Pose driven(double u) const;
   uint32_t find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const;
   bool find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where);
   bool find_things(const Scene& scene, size_t i, const std::string& where);
@@ -150,6 +151,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose from_, goal_, now_;                // X_WT
   double from_closure_ = 0, closure_ = 0;
   Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
+  Vec3 lift_W_ = Vec3::Zero();     // m, by which the aim just done is straight above its mark
+  double lowered_ = 0;             // share of a drive's way after which it is not any more
   Vec3 brought_W_ = Vec3::Zero();  // m, by what this drive has brought the needle back
   Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
   double missed_m_ = 0;            // along the needle, of this reach

@@ -17,7 +17,7 @@ LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrid
   for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
 }
 
-LessonRun::LessonRun(const std::string& path, const std::string& device,
+LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrides,
                      const std::vector<std::string>& settings) {
   base::Problems problems;
   assembly::LessonFile file;
@@ -26,8 +26,7 @@ LessonRun::LessonRun(const std::string& path, const std::string& device,
   for (size_t i = 0; i < all.size(); ++i)
     understood = understood && assembly::parse_setting(settings[i], all[i]);
   if (!understood) problems_ += "a setting is not object.parameter=value\n";
-  if (understood && assembly::read_lesson_file(path, all, file, problems))
-    begin(file, {device, ""}, problems);
+  if (understood && assembly::read_lesson_file(path, all, file, problems)) begin(file, overrides, problems);
   for (const base::Problem& p : problems) problems_ += p.where + ": " + p.message + "\n";
 }
 

@@ -26,7 +26,10 @@ class LessonRun {
             const std::function<void(assembly::LessonFile&)>& change = {});
 
   /// `settings`: as after --set, "needle.level=bending".
-  LessonRun(const std::string& path, const std::string& device, const std::vector<std::string>& settings);
+  LessonRun(const std::string& path, const std::string& device, const std::vector<std::string>& settings)
+      : LessonRun(path, assembly::Overrides{device, ""}, settings) {}
+  LessonRun(const std::string& path, const assembly::Overrides& overrides,
+            const std::vector<std::string>& settings);
 
   bool ready() const { return engine_ != nullptr; }
   const std::string& problems() const { return problems_; }  // what was wrong, line by line

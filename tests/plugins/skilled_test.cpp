@@ -256,6 +256,25 @@ TEST_F(SkilledHand, AimsAndDrivesTheNeedleThroughTheMarkAlongItself) {
   EXPECT_NEAR(std::abs(needle_at(0).normal_W.x()), 1, 1e-9);
 }
 
+// Lifted, it comes down by as much as it begins to turn: about a lifted centre the needle would cross the surface at 0.06/2 rad
+TEST_F(SkilledHand, FromAboveItComesDownAsItTurns) {
+  for (const double lean : {0.0, 0.2, -0.2}) {
+    make(
+        kGrasp +
+            R"(, {"act": "aim", "mark": "target.point", "into": [0, 0.6, -0.8], "across": [1, 0, 0], "above": "0.06 mm",
+                      "time": "1 s"}, {"act": "drive", "angle": "60 deg", "time": "1 s"})",
+        {{"lean", lean}});
+    held_ = false;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    run();
+    // the circle crosses the plane through the mark at an angle whose cosine is its centre's height over the radius
+    const Vec3 to_centre = X_WN_ * Vec3::Zero() - vec(mark_), into(0, 0.6, -0.8);
+    EXPECT_NEAR(std::abs(to_centre.dot(into)), Half::kRadius * std::sin(std::abs(lean)), 1e-8) << lean;
+    EXPECT_NEAR(to_centre.norm(), Half::kRadius, 1e-8) << "and at the mark";
+  }
+}
+
 TEST_F(SkilledHand, AimsByWhereThePointIsAndNotByWhatTheJawsHold) {
   make(
       kGrasp +
