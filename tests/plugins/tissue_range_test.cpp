@@ -39,7 +39,7 @@ std::string text(const TissueParams& params) {
 TissueParams with(Level level, const Field& field, double value) {
   TissueParams params;
   params.level = level;
-  params.cells = 8;  // of a mesh: the fewest, the quickest built
+  params.cells = 8, params.refinement = 3;  // of a mesh: the fewest, the quickest built
   const swage_value to{{value, value, value, value}, {}};
   field.assign(&params, to);
   return params;
@@ -100,8 +100,8 @@ void sweep(Level level) {
       const TissueParams params = with(level, field, value);
       // a table needs a file; into the left slope, the right one's mirror image, the needle's other end would go as well
       if (params.form == tissue::Form::kTable || params.form == tissue::Form::kLeftSlope) continue;
-      const std::string what = std::string(Tissue::kLevels[static_cast<int>(level)]) + ", " + p.id + " = " +
-                               std::to_string(value);
+      const std::string what =
+          std::string(Tissue::kLevels[static_cast<int>(level)]) + ", " + p.id + " = " + std::to_string(value);
       ++(hold(params, what) ? made : refused);
     }
   }
@@ -119,7 +119,8 @@ TEST(TissueRange, ElasticTissueHoldsItsForce) {
       TissueParams params;
       params.level = level, params.cells = 8, params.relaxed = relaxed;
       char what[80];
-      std::snprintf(what, sizeof what, "%s, relaxed = %.15g", Tissue::kLevels[static_cast<int>(level)], relaxed);
+      std::snprintf(what, sizeof what, "%s, relaxed = %.15g", Tissue::kLevels[static_cast<int>(level)],
+                    relaxed);
       EXPECT_TRUE(hold(params, what));
     }
 }
