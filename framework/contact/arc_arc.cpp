@@ -40,16 +40,18 @@ class ArcPairSearch {
     const double spacing = kSpacing * std::min(a_.radius, b_.radius);
     const int last = std::max(2, static_cast<int>(arc_.length() / spacing) + 1);
     const double way = arc_.length() / last;
+    // the least distance is by half a step at most below that of the sample beside it
+    const double near = reach_ + 0.5 * way;
     Sample before, middle;
     for (int i = 0; i <= last;) {
       const Sample now = sample(static_cast<double>(i) / last);
-      if (middle.d < reach_ && middle.d <= now.d && middle.d < before.d) refine(middle.at);
-      const int skip = now.d > reach_ ? static_cast<int>((now.d - reach_) / way) : 0;
+      if (middle.d < near && middle.d <= now.d && middle.d < before.d) refine(middle.at);
+      const int skip = now.d > near ? static_cast<int>((now.d - near) / way) : 0;
       before = skip > 0 ? Sample{} : middle;
       middle = skip > 0 ? Sample{} : now;
       i += std::max(1, skip);
     }
-    if (middle.d < reach_ && middle.d < before.d) refine(middle.at);
+    if (middle.d < near && middle.d < before.d) refine(middle.at);
   }
 
  private:
@@ -71,7 +73,7 @@ class ArcPairSearch {
     found.feature = (uint64_t{8} << 40) | static_cast<uint64_t>(out_.count);  // counted along a
     found.touch = reevaluate(found, X_WA_, X_WB_);
     if (!(found.touch.gap <= query_.margin)) return;
-    if (Candidate* c = out_.add()) *c = found;
+    if (Candidate* c = out_.add(found.touch.gap)) *c = found;
   }
 
   const Solid &a_, &b_;

@@ -34,7 +34,7 @@ inline void spread_caps(const Solid& a, const Frame& X_BA, const Frame& X_WB, Ma
     const double s = 0.5 * std::numbers::sqrt3;
     const Vec3 place_B[3] = {ring * t1, ring * (-0.5 * t1 + s * t2), ring * (-0.5 * t1 - s * t2)};
     for (int k = 0; k < 3; ++k) {
-      Candidate* c = k == 0 ? &out.candidate[static_cast<size_t>(i)] : out.add();
+      Candidate* c = k == 0 ? &out.candidate[static_cast<size_t>(i)] : out.add(HUGE_VAL);
       if (!c) break;
       *c = middle;
       c->a.p += X_BA.turn_back(place_B[k]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/narrow_phase.hpp"
 
+#include <algorithm>
+
 #include "contact/arc_arc.hpp"
 #include "contact/convex_convex.hpp"
 #include "contact/wire_convex.hpp"
@@ -20,6 +22,19 @@ void swap_sides(Manifold& out, const Frame& X_WB) {
 }
 
 }  // namespace
+
+Candidate* Manifold::add(double gap) {
+  if (count == kCapacity) {
+    ++dropped;
+    const auto shallower = [](const Candidate& x, const Candidate& y) { return x.touch.gap < y.touch.gap; };
+    const auto last = std::max_element(candidate.begin(), candidate.end(), shallower);
+    if (!(gap < last->touch.gap)) return nullptr;
+    std::move(last + 1, candidate.end(), last);
+    --count;
+    candidate.back() = Candidate{};
+  }
+  return &candidate[static_cast<size_t>(count++)];
+}
 
 int collide(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB, const Query& query,
             Separation& memory, Manifold& out) noexcept {

@@ -40,11 +40,8 @@ struct Manifold {
   int dropped = 0;  // found beyond the capacity
 
   void clear() { count = dropped = 0; }
-  Candidate* add() {
-    if (count < kCapacity) return &candidate[static_cast<size_t>(count++)];
-    ++dropped;
-    return nullptr;
-  }
+  /// Room for a candidate of this gap [m], in the order of adding; null when there is none. Beyond the capacity the deepest stay.
+  Candidate* add(double gap);
 };
 
 /// What is remembered between two calls for the same pair: a direction along which they were apart. Saves

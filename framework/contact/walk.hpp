@@ -68,6 +68,7 @@ class RegionDistance {
   void split(Place from, Place to, double slope_from, double slope_to, double level, List& out) const {
     if (on_edge()) Curve::split(line_, from, to, slope_from, slope_to, level, out);
   }
+  Place middle(Place from, Place to) const { return curve_.middle(from, to); }
   int branch(Place e) const { return on_edge() ? Curve::branch(line_, e) : 0; }
 
  private:
@@ -90,9 +91,16 @@ void for_each_dip(const RegionDistance<Curve>& distance, typename Curve::Place f
   const double slope_from = distance.slope(from), slope_to = distance.slope(to);
   toolkit::FixedVector<typename Curve::Place, 8> cut;
   distance.split(from, to, slope_from, slope_to, level, cut);
-  // at the start of a piece a kink, or the end of the curve, may be the minimum
-  if (falling && slope_from >= -level) visit(from);
-  falling = slope_from < -level;
+  // at the start of a piece a kink, or the end of the curve, may be the minimum. Where the curve is tangent there, what follows says
+  // whether it sinks: a sixteenth of the way on
+  double slope_on = slope_from;
+  if (falling && std::abs(slope_from) <= level) {
+    typename Curve::Place on = cut.empty() ? to : cut[0];
+    for (int k = 0; k < 4; ++k) on = distance.middle(from, on);
+    slope_on = distance.slope(on);
+  }
+  if (falling && slope_on >= -level) visit(from);
+  falling = slope_on < -level;
   typename Curve::Place a = from;
   double slope_a = slope_from;
   for (int i = 0; i <= cut.size(); ++i) {
@@ -130,7 +138,9 @@ class Walk {
  public:
   using Place = typename Curve::Place;
   using Distance = RegionDistance<Curve>;
-  using Pieces = toolkit::FixedVector<Piece<Place>, 48>;
+  /// A wire round a cylinder of 48 sides passes 96 regions.
+  static constexpr int kPieces = 128;
+  using Pieces = toolkit::FixedVector<Piece<Place>, kPieces>;
   using Dips = toolkit::FixedVector<Dip<Place>, 24>;
 
   /// Looks along `stretch` for places of the curve nearer than `reach`. goes_on: the wire goes on before the curve's start.
@@ -155,6 +165,8 @@ class Walk {
 
   const Pieces& pieces() const { return piece_; }
   const Dips& dips() const { return dip_; }
+  /// Minima beyond the table.
+  int dropped() const { return dropped_; }
 
  private:
   void cross_regions(const Stretch<Place>& s) {
@@ -172,7 +184,7 @@ class Walk {
         if (leaves(curve_.height(n, d), from, to)) next = beyond;
       });
       add_piece(from, to, joined);
-      // a full table ends the walk: 48 regions on one wire are beyond any sane polyhedron
+      // a full table ends the walk: so many regions on one wire are beyond any sane polyhedron
       if (next == region_ || piece_.full()) return;
       region_ = next;
       from = to;
@@ -208,7 +220,20 @@ class Walk {
 
   void add_dip(const Distance& distance, Place place) {
     const double d = distance.at(place);
-    if (d < reach_) dip_.add({piece_.size() - 1, distance.branch(place), place, d});
+    if (!(d < reach_)) return;
+    if (dip_.full() && !drop_farthest(d)) return;
+    dip_.add({piece_.size() - 1, distance.branch(place), place, d});
+  }
+  /// Of more minima than there is room for, the nearest stay. False when none is farther than `d`.
+  bool drop_farthest(double d) {
+    ++dropped_;
+    int far = 0;
+    for (int i = 1; i < dip_.size(); ++i)
+      if (dip_[i].distance > dip_[far].distance) far = i;
+    if (!(d < dip_[far].distance)) return false;
+    for (int i = far; i + 1 < dip_.size(); ++i) dip_[i] = dip_[i + 1];
+    dip_.shrink(dip_.size() - 1);
+    return true;
   }
 
   const Curve& curve_;
@@ -218,6 +243,7 @@ class Walk {
   bool goes_on_;
   Region region_;
   bool falling_ = false;
+  int dropped_ = 0;
   Pieces piece_;
   Dips dip_;
 };

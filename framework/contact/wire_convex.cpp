@@ -34,6 +34,7 @@ class Writer {
       : walk_(walk), curve_(curve), a_(a), b_(b), X_WB_(X_WB), query_(query), out_(out) {}
 
   void write() {
+    out_.dropped += walk_.dropped();
     judge();
     int dip = 0;
     for (int k = 0; k < walk_.pieces().size(); ++k) {
@@ -165,7 +166,7 @@ class Writer {
     const Vec3 p = curve_.point(place);
     Touch touch_B = touch(region, p);
     if (touch_B.gap > query_.margin) return nullptr;
-    Candidate* c = out_.add();
+    Candidate* c = out_.add(touch_B.gap);
     if (!c) return nullptr;
     set_convex_feature(b_, region, c->b);
     c->n_B = touch_B.n_W;
@@ -191,7 +192,7 @@ class Writer {
   const Frame& X_WB_;
   const Query& query_;
   Manifold& out_;
-  std::array<double, 48> sharp_, line_weight_;
+  std::array<double, Walk<Curve>::kPieces> sharp_, line_weight_;
 };
 
 /// Flattened: the walk is made of many small functions with arguments in memory; inlined it takes a third less time.

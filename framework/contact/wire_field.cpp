@@ -63,7 +63,7 @@ class FieldWriter {
     touch.p_W = X_WH_ * Vec3(p - (a_.radius + 0.5 * touch.gap) * n);
     if (is_there(touch)) return nullptr;
 
-    Candidate* c = out_.add();
+    Candidate* c = out_.add(touch.gap);
     if (!c) return nullptr;
     const Vec3 p_B = b_.X_BH * f.p, u_B = b_.X_BH.turn(f.u);
     c->b.kind = f.kind == Region::kFace   ? Feature::kPlane

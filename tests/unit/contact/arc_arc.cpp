@@ -53,7 +53,7 @@ TEST(ArcArc, LeastGapAgreesWithASearch) {
     Separation none;
     const Pose X_WA = X_WB * X_BA;
     collide(a, Frame(X_WA), a, Frame(X_WB), query, none, m);
-    if (exact > 99e-6 || exact < -90e-6) continue;
+    if (exact > 100e-6 - 1e-9 || exact < -90e-6) continue;
     ++near;
     double least = 1;
     for (int i = 0; i < m.count; ++i) {
