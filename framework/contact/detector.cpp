@@ -98,7 +98,9 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
         chains_[i] =
             build_sphere_tree(sphere_chain(solids_[i].arc, options_.chain_spheres), solids_[i].radius);
   last_.reserve(options_.capacity);
+  last_candidate_.reserve(options_.capacity);
   last_of_pair_.reserve(pairs_.size());
+  find_swept(world);
 }
 
 /// The group of a shape pair: all pieces of one chain against one shape of another pair; kNoGroup where neither is a chain.
@@ -236,7 +238,7 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
     return detect_chain(world, pair, query, set);
 
   // whoever moves farther than the wires are thick may have passed through: touch where the bodies first touched
-  const double thickness = std::max(a.radius + b.radius, kSweepFrom * world.length);
+  const double thickness = swept_from(a, b, world.length);
   if (moves > thickness) {
     const double tolerance = kTouchGap * world.length;
     const FirstTouch touch = first_touch(a, motion_a, b, motion_b, tolerance, memory, manifold_);

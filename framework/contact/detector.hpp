@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/chain.hpp"
@@ -62,16 +63,41 @@ class Detector {
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
+  // --- queries within the step, for what flies and rebounds in it (dynamics/rebound.hpp): detector_swept.cpp
+
+  /// Two shapes of which one may fly: a DYNAMIC body, and nothing that its object moves itself. Numbered 0 to swept_pairs().
+  struct Shapes {
+    uint32_t pair = 0, shape_a = 0, shape_b = 0;  // the object pair; global
+    uint32_t body_a = 0, body_b = 0;              // global
+  };
+  /// A touch that must stay in the set, because an impulse passed there.
+  struct Struck {
+    uint32_t swept = 0;  // number of the shapes
+    Candidate candidate;
+  };
+  enum class Reach : uint8_t {
+    kFar,   // cannot meet in this step
+    kNear,  // may meet
+    kFast,  // may meet, and move so far that one may come out on the far side of the other
+  };
+  size_t swept_pairs() const { return swept_.size(); }
+  const Shapes& swept(uint32_t i) const { return swept_[i]; }
+  /// [rt] Whether two shapes may meet while their bodies move so.
+  Reach reach(const scene::World& world, uint32_t i, const Motion& a, const Motion& b) const noexcept;
+  /// [rt] When they first overlap by more than `sunk` [m] and a little, which grows with the number of touches before: what
+  /// touches already is not found again at once. Polyhedra, which cannot be made thinner, are found a little before they touch.
+  FirstTouch first_overlap(const scene::World& world, uint32_t i, const Motion& a, const Motion& b, double sunk,
+                         uint32_t touches) noexcept;
+  /// [rt] Their contacts at these poses with gaps up to `margin`; valid until the next query.
+  const Manifold& touches(const scene::World& world, uint32_t i, const Frame& X_WA, const Frame& X_WB,
+                          double margin) noexcept;
+  /// [rt] Finds the contacts of the bodies marked in `moved` anew, at their poses of now; the others stay. Laws, bristles and
+  /// forces of what lasts are carried over; what was struck is there in any case, room permitting.
+  void look_again(const scene::World& world, ContactSet& set, std::span<const uint8_t> moved,
+                  std::span<const Struck> struck) noexcept;
+
  private:
   static constexpr uint32_t kNoGroup = UINT32_MAX;
-
-  /// Bodies that move less than the thickness of their wires, or than this share of the scene's length (20 um for a 1 mm
-  /// scene) when they have sharp edges, cannot come out on the far side of each other and are not swept.
-  static constexpr double kSweepFrom = 0.02;
-
-  /// Swept bodies touch when their gap is below this share of the scene's length (1 um for a 1 mm scene): the pose only
-  /// serves to find out which features meet, so a wire's fiftieth is near enough.
-  static constexpr double kTouchGap = 1e-3;
 
   /// Two shapes that may touch.
   struct ShapePair {
@@ -126,6 +152,13 @@ class Detector {
   void inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept;
   static double way_along(const Contact& a, const Contact& b) noexcept;
   void inherit(const scene::World& world, Contact& contact) const noexcept;
+  void find_swept(const scene::World& world);
+  void look_again(const scene::World& world, ShapePair& pair, ContactSet& set, std::span<const uint8_t> moved,
+                  std::span<const Struck> struck) noexcept;
+  void keep(const scene::World& world, const ShapePair& pair, ContactSet& set, bool moved) noexcept;
+  void add_struck(const scene::World& world, const ShapePair& pair, ContactSet& set,
+                  std::span<const Struck> struck) noexcept;
+  void take_laws(ContactSet& set, size_t first) const noexcept;
 
   std::vector<Pair> pairs_;
   Options options_;
@@ -142,6 +175,8 @@ class Detector {
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation
   std::vector<Contact> last_;           // last step's contacts while detect() writes the new ones
   std::vector<scene::Range> last_of_pair_;
+  std::vector<Candidate> last_candidate_;  // while look_again() writes the new ones
+  std::vector<Shapes> swept_;
   Manifold manifold_;
   Solid sphere_;  // one sphere of a chain
   std::vector<ChainTree> tree_;    // one per shape of kind CHAIN

@@ -62,20 +62,28 @@ void Dynamics::free_motion(scene::World& world) noexcept {
 }
 
 void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
-                     std::span<Tie> ties) noexcept {
+                     std::span<Tie> ties, contact::Detector* detector) noexcept {
   std::fill(world.hinge_torque.begin(), world.hinge_torque.end(), 0.0);
-  if (contacts.contact.empty() && ties.empty()) return core_->motion.go_free(world);
-  if (core_->options.response == Response::kImpulse) {
-    respond_by_impulses(world, core_->motion, contacts);
+  const Options& options = core_->options;
+  const bool compliant = options.response == Response::kCompliant;
+  const uint64_t short_steps = core_->stats.health.steps;
+  const bool ended = !(compliant && detector) ||
+                     core_->rebound.fly(world, core_->motion, contacts, *detector, options.free_motion,
+                                        kTouch * options.tolerance * world.length);
+  if (contacts.contact.empty() && ties.empty()) {
+    core_->motion.go_free(world);
   } else {
-    const Options& options = core_->options;
-    core_->rebound.fly(world, core_->motion, contacts, options.free_motion,
-                       kTouch * options.tolerance * world.length);
-    core_->contact_solve.solve(world, core_->motion, contacts, ties, self, core_->stats);
-    core_->rebound.report(contacts, world.dt);
+    if (compliant)
+      core_->contact_solve.solve(world, core_->motion, contacts, ties, self, core_->stats);
+    else
+      respond_by_impulses(world, core_->motion, contacts);
+    if (compliant && detector) core_->rebound.report(contacts, world.dt);
+    add_hinge_torques(world, contacts, ties);
   }
-
-  add_hinge_torques(world, contacts, ties);
+  if (ended) return;
+  // the touches of this step did not end within its budget of looks
+  ++core_->stats.health.over_budget;
+  core_->stats.health.steps = short_steps + 1;
 }
 
 void Dynamics::finish(scene::World& world) noexcept {
@@ -84,6 +92,7 @@ void Dynamics::finish(scene::World& world) noexcept {
 }
 
 const Stats& Dynamics::stats() const noexcept { return core_->stats; }
+std::span<const Waypoint> Dynamics::waypoints() const noexcept { return core_->rebound.waypoints(); }
 const Options& Dynamics::options() const noexcept { return core_->options; }
 
 void Dynamics::save(scene::Writer& out) const noexcept {

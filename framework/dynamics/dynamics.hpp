@@ -23,7 +23,13 @@
 #include "scene/state_image.hpp"
 #include "scene/world.hpp"
 
+namespace swage::contact {
+class Detector;
+}
+
 namespace swage::dynamics {
+
+struct Waypoint;
 
 /// Moves one scene. Built on [main]; afterwards [rt] alone, nothing allocates or throws.
 class Dynamics {
@@ -41,14 +47,17 @@ class Dynamics {
   void free_motion(scene::World& world) noexcept;
 
   /// [rt] Solves the contacts and writes final poses, twists and the results in `contacts` (bristle, force,
-  /// slip) and in `ties`. `self`: objects with own mechanics, in the order of their objects; may be empty.
+  /// slip) and in `ties`. `self`: objects with own mechanics, in the order of their objects; may be empty. `detector`: finds what
+  /// flies fast or rebounds again within the step (rebound.hpp); without one nothing does.
   void solve(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
-             std::span<Tie> ties = {}) noexcept;
+             std::span<Tie> ties = {}, contact::Detector* detector = nullptr) noexcept;
 
   /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.
   void finish(scene::World& world) noexcept;
 
   const Stats& stats() const noexcept;
+  /// Poses within the last step at which something that flew was pushed or looked at anew.
+  std::span<const Waypoint> waypoints() const noexcept;
   const Options& options() const noexcept;
 
   /// [rt] What the next step needs beyond the world: which bodies are held.

@@ -38,7 +38,7 @@ Motion::Motion(const scene::World& world) {
 
   X0.resize(bodies), X_free.resize(bodies);
   v_free.assign(bodies, Vec3::Zero()), w_free.assign(bodies, Vec3::Zero()), w0 = w_free;
-  held_body.assign(bodies, 0);
+  held_body.assign(bodies, 0), flown.assign(bodies, 0);
   q0.assign(hinges, 0), q_free.assign(hinges, 0);
   drive.resize(hinges);
   held_hinge.assign(hinges, 0);

@@ -32,6 +32,9 @@ struct Motion {
   // which bodies, hinges, particles had a contact force in the last step: they are predicted to go on as they went
   std::vector<uint64_t> held_body, held_hinge, held_particle;
 
+  // which bodies were pushed within this step before the contact solve (rebound.hpp): their X0 is not where they came from
+  std::vector<uint8_t> flown;
+
   explicit Motion(const scene::World& world);
   /// Predicts all of the above and writes the predicted poses to the world. [rt]
   void predict(scene::World& world, FreeMotion method) noexcept;

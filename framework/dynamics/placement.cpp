@@ -311,6 +311,8 @@ void Placement::slow_down(uint32_t block, double speed) noexcept {
   DofBlock& m = block_[block];
   if (m.kind == DofBlock::Kind::kRigid) {
     Trial& t = trial_[m.index];
+    // what flew has had its pushes: it stays where it landed
+    if (motion_->flown[m.index]) return set_pose(t, motion_->X_free[m.index]);
     const Vec3 way = t.X.p - t.X0.p;
     const double far = way.norm();
     if (far <= h_ * speed) return;

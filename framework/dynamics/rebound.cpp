@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/candidate.hpp"
 #include "dynamics/rotation.hpp"
 
 namespace swage::dynamics {
 
+using contact::Detector;
 using scene::kNone;
 using toolkit::Frame;
 using toolkit::raw;
@@ -16,206 +16,296 @@ using toolkit::vec;
 
 namespace {
 
-constexpr uint32_t kPushes = 16;  // of one thing in one step; normal: one per point of a line that touches
-constexpr uint32_t kSecants = 40;
-constexpr double kNever = HUGE_VAL;
+constexpr uint32_t kLooks = 64;        // ahead in one step; normal: two for each touch. A step that needs more is counted over budget
+constexpr size_t kMeetings = 1 << 14;  // pairs of shapes with something that flies
+constexpr int kRounds = 4;             // of lifting at the end of the step
 
 }  // namespace
 
 Rebound::Rebound(const scene::World& world, uint32_t max_contacts)
-    : flown_body_(world.body.size(), UINT64_MAX), flown_particle_(world.particle_mass.size(), UINT64_MAX) {
+    : path_(world.body.size()), flyer_of_(world.body.size(), kNone), moved_(world.body.size(), 0) {
+  flyer_.reserve(world.body.size());
+  meeting_.reserve(std::min(world.shape.size() * world.shape.size(), kMeetings));
   impulse_.reserve(size_t{max_contacts} * 2);
+  struck_.reserve(max_contacts);
+  waypoint_.reserve(size_t{kLooks} * world.body.size());
 }
 
-void Rebound::fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, FreeMotion method,
-                  double tolerance) noexcept {
-  impulse_.clear();
-  world_ = &world, method_ = method, tolerance_ = tolerance;
-  for (const contact::Contact& c : contacts.contact) {
-    if (!(c.law.restitution > 0) || !(c.gap < 0)) continue;
-    Flight flight;
-    if (immovable(c.body_b, c.particle_b) && take_off(motion, c.body_a, c.particle_a, flight))
-      fly_one(motion, contacts, flight);
-    else if (immovable(c.body_a, c.particle_a) && take_off(motion, c.body_b, c.particle_b, flight))
-      fly_one(motion, contacts, flight);
-  }
+bool Rebound::fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, Detector& detector,
+                  FreeMotion method, double tolerance) noexcept {
+  impulse_.clear(), struck_.clear(), waypoint_.clear();
+  std::fill(motion.flown.begin(), motion.flown.end(), uint8_t{0});
+  if (detector.swept_pairs() == 0) return true;
+  world_ = &world, motion_ = &motion, detector_ = &detector;
+  method_ = method, tolerance_ = tolerance;
+  find_paths();
+  if (!find_flyers(contacts)) return true;
+  find_meetings(contacts);
+  at_ = 0;
+  uint32_t looks = 0;
+  while (looks < kLooks && fly_to_next()) ++looks;
+  const bool ended = looks < kLooks;
+  // what flies fast has met all that it meets, also where that needed no push: contacts of the whole way mean nothing any more
+  bool fast = false;
+  for (const Flyer& f : flyer_)
+    if (f.fast && !motion.held_body[f.body]) moved_[f.body] = 1, fast = true;
+  if (impulse_.empty() && ended && !fast) return true;
+  if (ended)
+    settle();
+  else
+    carry_along();
+  land(contacts);
+  return ended;
 }
 
 void Rebound::report(contact::ContactSet& contacts, double h) const noexcept {
-  for (const Impulse& j : impulse_) contacts.contact[j.contact].f_a_W += j.on_a_W / h;
-}
-
-bool Rebound::immovable(uint32_t body, uint32_t particle) const noexcept {
-  if (particle != kNone) return false;
-  const int32_t motion = world_->body[body].motion;
-  return motion == SWAGE_MOTION_FIXED || motion == SWAGE_MOTION_FOLLOWS;
-}
-
-/// The start of the step of something that can rebound; once a step.
-bool Rebound::take_off(const Motion& motion, uint32_t body, uint32_t particle,
-                       Flight& flight) const noexcept {
-  const double h = world_->dt;
-  flight.body = body, flight.particle = particle;
-  if (particle != kNone) {
-    const double* f = &world_->particle_f_W[3 * particle];
-    flight.mass.mass = world_->particle_mass[particle];
-    flight.mass.inv_I.setZero();
-    flight.f_W = Vec3(f[0], f[1], f[2]) + flight.mass.mass * vec(world_->gravity);
-    flight.s = {motion.p0[particle], Quat::Identity(),
-                motion.v_free_p[particle] - h / flight.mass.mass * flight.f_W, Vec3::Zero()};
-    return !motion.held_particle[particle] && flown_particle_[particle] != world_->step;
-  }
-  if (world_->body[body].motion != SWAGE_MOTION_DYNAMIC) return false;
-  flight.mass = motion.mass[body];
-  flight.f_W = vec(world_->F_B_W[body].f) + flight.mass.mass * vec(world_->gravity);
-  flight.t_W = vec(world_->F_B_W[body].t);
-  flight.s = {motion.X0[body].p, motion.X0[body].q, motion.v_free[body] - h / flight.mass.mass * flight.f_W,
-              motion.w0[body]};
-  return !motion.held_body[body] && flown_body_[body] != world_->step;
-}
-
-/// From touch to touch, the earliest first, to the end of the step.
-void Rebound::fly_one(Motion& motion, contact::ContactSet& contacts, Flight& flight) noexcept {
-  (flight.particle != kNone ? flown_particle_[flight.particle] : flown_body_[flight.body]) = world_->step;
-  uint32_t pushes = 0;
-  for (; pushes < kPushes; ++pushes) {
-    double first = kNever;
-    uint32_t hit = kNone;
-    for (uint32_t i = 0; i < contacts.contact.size(); ++i) {
-      const double t = time_of_touch(contacts, i, flight);
-      if (t < first) first = t, hit = i;
+  for (const Impulse& j : impulse_) {
+    contact::Contact* best = nullptr;
+    for (contact::Contact& c : contacts.contact) {
+      if (c.shape_a != j.shape_a || c.shape_b != j.shape_b) continue;
+      if (!best || c.feature == j.feature) best = &c;
+      if (c.feature == j.feature) break;
     }
-    if (hit == kNone) break;
-    flight.s = after(flight, first);
-    flight.at = first;
-    if (!push(contacts, hit, flight)) break;
+    if (best) best->f_a_W += j.on_a_W / h;
   }
-  if (pushes > 0) land(motion, contacts, flight);
 }
 
-RigidState Rebound::after(const Flight& flight, double t) const noexcept {
-  RigidState s = flight.s;
-  const double dt = t - flight.at;
-  if (flight.particle == kNone) {
-    move_free(method_, flight.mass, flight.f_W, flight.t_W, dt, s);
-  } else {
-    s.p_W += dt * s.v_W + 0.5 * dt * dt / flight.mass.mass * flight.f_W;
-    s.v_W += dt / flight.mass.mass * flight.f_W;
+// --- who flies
+
+/// How every body moves as it is predicted: from its pose at the start of the step to that of now.
+void Rebound::find_paths() noexcept {
+  const double h = world_->dt;
+  for (uint32_t b = 0; b < path_.size(); ++b) {
+    flyer_of_[b] = kNone, moved_[b] = 0;
+    const int32_t kind = world_->body[b].motion;
+    const Pose X(world_->X_WB[b]);
+    contact::Motion& path = path_[b];
+    if (kind == SWAGE_MOTION_DYNAMIC || kind == SWAGE_MOTION_HINGED) {
+      path.X0 = motion_->X0[b];
+      path.d = X.p - path.X0.p;
+      path.turn = rotation_vector(X.q * path.X0.q.conjugate());
+    } else {
+      path.d = h * vec(world_->V_WB[b].v), path.turn = h * vec(world_->V_WB[b].w);
+      path.X0 = Pose(X.p - path.d, dynamics::turn(-path.turn) * X.q);
+    }
   }
+  flyer_.clear(), meeting_.clear();
+}
+
+contact::Law Rebound::law_of(const contact::ContactSet& contacts, uint32_t swept) const noexcept {
+  const Detector::Shapes& s = detector_->swept(swept);
+  const contact::Law* law = &detector_->pairs()[s.pair].law;
+  if (s.pair >= contacts.of_pair.size()) return *law;
+  const scene::Range range = contacts.of_pair[s.pair];
+  for (uint32_t i = range.first; i < range.first + range.count; ++i) {
+    const contact::Contact& c = contacts.contact[i];
+    law = &c.law;
+    if (c.shape_a == s.shape_a && c.shape_b == s.shape_b) break;
+  }
+  return *law;
+}
+
+/// True when there are some.
+bool Rebound::find_flyers(const contact::ContactSet& contacts) noexcept {
+  find_rebounding(contacts);
+  find_fast(contacts);
+  join_met();
+  return !flyer_.empty();
+}
+
+/// What is free and overlaps something with a restitution above 0.
+void Rebound::find_rebounding(const contact::ContactSet& contacts) noexcept {
+  for (const contact::Contact& c : contacts.contact) {
+    if (!(c.law.restitution > 0) || !(c.gap < 0) || !(c.law.stiffness > 0)) continue;
+    if (c.particle_a != kNone || c.particle_b != kNone) continue;
+    const auto held = [&](uint32_t body) {
+      return world_->body[body].motion == SWAGE_MOTION_SELF ||
+             (world_->body[body].motion == SWAGE_MOTION_DYNAMIC && motion_->held_body[body]);
+    };
+    if (!held(c.body_a) && !held(c.body_b)) join(c.body_a), join(c.body_b);
+  }
+}
+
+/// What may come out on the far side of something.
+void Rebound::find_fast(const contact::ContactSet& contacts) noexcept {
+  for (uint32_t i = 0; i < detector_->swept_pairs(); ++i) {
+    const Detector::Shapes& s = detector_->swept(i);
+    const contact::Motion &a = path_[s.body_a], &b = path_[s.body_b];
+    if (detector_->reach(*world_, i, a, b) != Detector::Reach::kFast) continue;
+    if (!(law_of(contacts, i).stiffness > 0)) continue;
+    // what spins fast goes on another path than that of a constant twist
+    const bool spins = std::max(a.turn.squaredNorm(), b.turn.squaredNorm()) > kTurn * kTurn;
+    if (!spins && !detector_->first_overlap(*world_, i, a, b, 0, 0).hit) continue;
+    for (const uint32_t body : {s.body_a, s.body_b}) {
+      join(body);
+      if (Flyer* f = flyer(body)) f->fast = true;
+    }
+  }
+}
+
+/// What a flyer may meet, and can move, flies too.
+void Rebound::join_met() noexcept {
+  for (bool more = !flyer_.empty(); more;) {
+    more = false;
+    for (uint32_t i = 0; i < detector_->swept_pairs(); ++i) {
+      const Detector::Shapes& s = detector_->swept(i);
+      if ((flyer_of_[s.body_a] == kNone) == (flyer_of_[s.body_b] == kNone)) continue;
+      if (detector_->reach(*world_, i, path_[s.body_a], path_[s.body_b]) == Detector::Reach::kFar) continue;
+      const size_t before = flyer_.size();
+      join(s.body_a), join(s.body_b);
+      more = more || flyer_.size() > before;
+    }
+  }
+}
+
+/// Makes a body a flyer from the start of the step on, if it is one that can fly.
+void Rebound::join(uint32_t body) noexcept {
+  if (world_->body[body].motion != SWAGE_MOTION_DYNAMIC || flyer_of_[body] != kNone) return;
+  flyer_of_[body] = static_cast<uint32_t>(flyer_.size());
+  Flyer f;
+  f.body = body;
+  const double mass = motion_->mass[body].mass;
+  f.f_W = vec(world_->F_B_W[body].f) + mass * vec(world_->gravity);
+  f.t_W = vec(world_->F_B_W[body].t);
+  f.s = {motion_->X0[body].p, motion_->X0[body].q, motion_->v_free[body] - world_->dt / mass * f.f_W,
+         motion_->w0[body]};
+  f.end = f.s;
+  flyer_.push_back(f);
+}
+
+void Rebound::find_meetings(const contact::ContactSet& contacts) noexcept {
+  const auto pairs = static_cast<uint32_t>(detector_->swept_pairs());
+  for (uint32_t i = 0; i < pairs && meeting_.size() < meeting_.capacity(); ++i) {
+    const Detector::Shapes& s = detector_->swept(i);
+    if (flyer_of_[s.body_a] == kNone && flyer_of_[s.body_b] == kNone) continue;
+    Meeting m;
+    m.swept = i, m.body_a = s.body_a, m.body_b = s.body_b;
+    m.law = law_of(contacts, i);
+    if (!(m.law.stiffness > 0)) continue;
+    const auto& found =
+        detector_->touches(*world_, i, Frame(path_[s.body_a].X0), Frame(path_[s.body_b].X0), 0);
+    for (int k = 0; k < found.count; ++k)
+      m.sunk = std::max(m.sunk, -found.candidate[static_cast<size_t>(k)].touch.gap);
+    meeting_.push_back(m);
+  }
+}
+
+// --- the end of the step
+
+/// The end of the step, without what slow touches sank in by: where nothing overlaps the contact solve has nothing to add.
+void Rebound::settle() noexcept {
+  advance(world_->dt);
+  for (int round = 0; round < kRounds; ++round) {
+    ahead_ = at_, hit_ = kNone;
+    gather();
+    for (const Touching& t : touching_) {
+      const Meeting& m = meeting_[t.meeting];
+      if (!moved_[m.body_a] && !moved_[m.body_b]) continue;
+      const Sides s = sides(t, at_);
+      // what leaves comes out by itself: lifted, it would gain height
+      if (s.coming < -kResting * world_->length / world_->dt) continue;
+      if (comes(s)) push(t, s, 0);
+      lift(t);
+    }
+  }
+}
+
+/// The end of a step whose touches do not end: what flies goes on with what it touched last, as if it stuck to it.
+void Rebound::carry_along() noexcept {
+  const double now = at_;
+  for (Flyer& f : flyer_) {
+    moved_[f.body] = 1;
+    for (const Meeting& m : meeting_) {
+      if (!m.pushed || (m.body_a != f.body && m.body_b != f.body)) continue;
+      const uint32_t other = m.body_a == f.body ? m.body_b : m.body_a;
+      if (flyer_of_[other] != kNone) continue;
+      const Pose X = pose(other, world_->dt) * pose(other, now).inverse() * Pose(f.s.p_W, f.s.q_WB);
+      f.s.p_W = X.p, f.s.q_WB = X.q;
+      break;
+    }
+    f.end = f.s;
+  }
+}
+
+/// Hands over what flew to the contact solve: at its end of the step, as if it had come there by the motion that it now has.
+void Rebound::land(contact::ContactSet& contacts) noexcept {
+  const double h = world_->dt;
+  for (Flyer& f : flyer_) {
+    if (!moved_[f.body]) continue;
+    const RigidState& s = f.s;
+    const RigidMass& mass = motion_->mass[f.body];
+    motion_->X_free[f.body] = {s.p_W, s.q_WB};
+    motion_->v_free[f.body] = s.v_W, motion_->w_free[f.body] = s.w_W;
+    // a start of the step from which that motion, with its angular momentum, leads there
+    const Quat q0 = dynamics::turn(-h * s.w_W) * s.q_WB;
+    const Vec3 L = s.q_WB * mass.I.cwiseProduct(s.q_WB.conjugate() * s.w_W);
+    motion_->X0[f.body] = Pose(s.p_W - h * s.v_W, q0);
+    motion_->w0[f.body] = turned_by(mass, q0, L - h * f.t_W);
+    motion_->flown[f.body] = 1;
+    world_->X_WB[f.body] = motion_->X_free[f.body].abi();
+    world_->V_WB[f.body] = {raw(s.v_W), raw(s.w_W)};
+    if (waypoint_.size() < waypoint_.capacity()) waypoint_.push_back({f.body, h, motion_->X_free[f.body]});
+  }
+  detector_->look_again(*world_, contacts, moved_, struck_);
+}
+
+// --- poses and speeds within the step
+
+Rebound::Flyer* Rebound::flyer(uint32_t body) noexcept {
+  return flyer_of_[body] == kNone ? nullptr : &flyer_[flyer_of_[body]];
+}
+
+/// How a body moves from now to the end of the look.
+contact::Motion Rebound::path(uint32_t body) const noexcept {
+  contact::Motion m;
+  m.X0 = pose(body, at_);
+  if (flyer_of_[body] != kNone) {
+    const Flyer& f = flyer_[flyer_of_[body]];
+    m.d = f.end.p_W - f.s.p_W, m.turn = f.turn;
+  } else {
+    const double rest = (until_ - at_) / world_->dt;
+    m.d = rest * path_[body].d, m.turn = rest * path_[body].turn;
+  }
+  return m;
+}
+
+/// A flyer at the time t, from now on.
+RigidState Rebound::state(const Flyer& f, double t) const noexcept {
+  if (!(t > at_)) return f.s;
+  if (t == until_) return f.end;
+  RigidState s = f.s;
+  move_free(method_, motion_->mass[f.body], f.f_W, f.t_W, t - at_, s);
   return s;
 }
 
-/// Where an immovable body is at the time t of the step that ends at its pose in the world.
-Frame Rebound::frame(uint32_t body, double t) const noexcept {
-  const double back = world_->dt - t;
-  const Pose X(world_->X_WB[body]);
-  return Frame(Pose(X.p - back * vec(world_->V_WB[body].v), turn(-back * vec(world_->V_WB[body].w)) * X.q));
+Pose Rebound::pose(uint32_t body, double t) const noexcept {
+  if (flyer_of_[body] == kNone) return path_[body].at(t / world_->dt);
+  const RigidState s = state(flyer_[flyer_of_[body]], t);
+  return {s.p_W, s.q_WB};
 }
 
-contact::Touch Rebound::touch(const contact::ContactSet& contacts, uint32_t i, const Flight& flight,
-                              const RigidState& s, double t) const noexcept {
-  const contact::Contact& c = contacts.contact[i];
-  const Frame own(Pose(s.p_W, s.q_WB));
-  return flight.is_a(c) ? reevaluate(contacts.candidate[i], own, frame(c.body_b, t))
-                        : reevaluate(contacts.candidate[i], frame(c.body_a, t), own);
+contact::Touch Rebound::touch(const Touching& touching, double t) const noexcept {
+  const Meeting& m = meeting_[touching.meeting];
+  return reevaluate(touching.candidate, Frame(pose(m.body_a, t)), Frame(pose(m.body_b, t)));
 }
 
-/// Velocity of the flying point against the other, at the touch [m/s].
-Vec3 Rebound::approach(const contact::Contact& c, const contact::Touch& touch, const Flight& flight,
-                       const RigidState& s) const noexcept {
-  const uint32_t other = flight.is_a(c) ? c.body_b : c.body_a;
-  const swage_twist& V = world_->V_WB[other];
-  return s.v_W + s.w_W.cross(touch.p_W - s.p_W) - vec(V.v) -
-         vec(V.w).cross(touch.p_W - vec(world_->X_WB[other].p));
-}
-
-/// When its surface comes to the other's, from flight.at on; never within the step: infinite.
-double Rebound::time_of_touch(const contact::ContactSet& contacts, uint32_t i,
-                              const Flight& flight) const noexcept {
-  const contact::Contact& c = contacts.contact[i];
-  const bool a = flight.is_a(c);
-  if (!(c.law.restitution > 0) || !(a || flight.is_b(c))) return kNever;
-  if (!immovable(a ? c.body_b : c.body_a, a ? c.particle_b : c.particle_a)) return kNever;
-
-  const contact::Touch now = touch(contacts, i, flight, flight.s, flight.at);
-  if (now.gap <= tolerance_)
-    return (a ? 1 : -1) * now.n_W.dot(approach(c, now, flight, flight.s)) < 0 ? flight.at : kNever;
-  double low = flight.at, high = world_->dt, at_low = now.gap;
-  double at_high = touch(contacts, i, flight, after(flight, high), high).gap;
-  if (!(at_high < 0)) return kNever;
-
-  // Illinois: regula falsi that halves what stands still
-  for (uint32_t k = 0; k < kSecants; ++k) {
-    const double t = low + (high - low) * at_low / (at_low - at_high);
-    const double gap = touch(contacts, i, flight, after(flight, t), t).gap;
-    if (std::abs(gap) <= tolerance_) return t;
-    if (gap < 0) {
-      high = t, at_high = gap;
-      at_low *= 0.5;
-    } else {
-      low = t, at_low = gap;
-      at_high *= 0.5;
+Rebound::Sides Rebound::sides(const Touching& touching, double t) noexcept {
+  const Meeting& m = meeting_[touching.meeting];
+  const contact::Touch at = touch(touching, t);
+  Sides s;
+  s.gap = at.gap, s.n = at.n_W, s.p = at.p_W;
+  s.a = flyer(m.body_a), s.b = flyer(m.body_b);
+  const auto velocity = [&](uint32_t body, const Flyer* f) -> Vec3 {
+    if (f) {
+      const RigidState now = state(*f, t);
+      return now.v_W + now.w_W.cross(s.p - now.p_W);
     }
-  }
-  return low;
-}
-
-/// Newton's impulse where it touches; false, and none, where it comes to rest.
-bool Rebound::push(contact::ContactSet& contacts, uint32_t i, Flight& flight) noexcept {
-  const contact::Contact& c = contacts.contact[i];
-  const double side = flight.is_a(c) ? 1 : -1;
-  const contact::Touch at = touch(contacts, i, flight, flight.s, flight.at);
-  const Vec3 n = side * at.n_W, r = at.p_W - flight.s.p_W, v = approach(c, at, flight, flight.s);
-  const double coming = -n.dot(v), leaving = c.law.restitution * coming;
-  if (2 * leaving < -world_->dt / flight.mass.mass * n.dot(flight.f_W)) return false;
-
-  // what a unit impulse along e does to the touching point
-  const auto turned = [&](const Vec3& j) -> Vec3 {
-    const Quat& q = flight.s.q_WB;
-    return q * flight.mass.inv_I.cwiseProduct(q.conjugate() * r.cross(j));
+    const contact::Motion& path = path_[body];
+    return (path.d + path.turn.cross(s.p - path.at(t / world_->dt).p)) / world_->dt;
   };
-  const auto given = [&](const Vec3& j) -> Vec3 { return j / flight.mass.mass + turned(j).cross(r); };
-  Vec3 j = (coming + leaving) / n.dot(given(n)) * n;
-
-  // friction, where it takes energy: against what would slide after j, up to mu j
-  const Vec3 slides = v + given(j), across = slides - n.dot(slides) * n;
-  const double speed = across.norm();
-  if (speed > 0) {
-    const Vec3 e = across / speed;
-    const double stop = speed / e.dot(given(e)), most = c.law.friction * n.dot(j);
-    const Vec3 with = j - std::min(stop, most) * e;
-    // work of the impulse on the point: j . (v- + v+) / 2
-    if (with.dot(2 * v + given(with)) <= j.dot(2 * v + given(j))) j = with;
-  }
-  flight.s.v_W += j / flight.mass.mass;
-  flight.s.w_W += turned(j);
-  if (impulse_.size() < impulse_.capacity()) impulse_.push_back({i, side * j});
-  return true;
-}
-
-void Rebound::land(Motion& motion, contact::ContactSet& contacts, const Flight& flight) noexcept {
-  const RigidState s = after(flight, world_->dt);
-  if (flight.particle != kNone) {
-    const uint32_t p = flight.particle;
-    motion.p_free[p] = s.p_W, motion.v_free_p[p] = s.v_W;
-    for (uint32_t k = 0; k < 3; ++k) {
-      world_->particle_p_W[3 * p + k] = s.p_W[k];
-      world_->particle_v_W[3 * p + k] = s.v_W[k];
-    }
-  } else {
-    motion.X_free[flight.body] = {s.p_W, s.q_WB};
-    motion.v_free[flight.body] = s.v_W, motion.w_free[flight.body] = s.w_W;
-    world_->X_WB[flight.body] = motion.X_free[flight.body].abi();
-    world_->V_WB[flight.body] = {raw(s.v_W), raw(s.w_W)};
-  }
-  for (uint32_t i = 0; i < contacts.contact.size(); ++i) {
-    contact::Contact& c = contacts.contact[i];
-    const bool a = flight.is_a(c);
-    if (!(a || flight.is_b(c)) || !immovable(a ? c.body_b : c.body_a, a ? c.particle_b : c.particle_a))
-      continue;
-    const contact::Touch t = touch(contacts, i, flight, s, world_->dt);
-    c.gap = t.gap, c.p_W = t.p_W, c.n_W = t.n_W;
-  }
+  s.v = velocity(m.body_a, s.a) - velocity(m.body_b, s.b);
+  s.coming = -s.n.dot(s.v);
+  return s;
 }
 
 }  // namespace swage::dynamics

@@ -1,74 +1,158 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Restitution of what flies free. A body or particle that nothing held in the last step and that meets something immovable with
-// a restitution above 0 flies to the time of the touch, takes Newton's impulse there, and flies on:
+// What flies within a step: from touch to touch, each found anew where the bodies then are. A DYNAMIC body flies when it moves so far
+// in the step that it may come out on the far side of something, or when nothing held it in the last step and it meets something
+// with a restitution above 0. At a touch it takes Newton's impulse and flies on with what that made of its motion:
 //
 //     n . v+ = -e n . v-       |j_t| <= mu j_n, which stops the point that touches if it can
 //
-// It rests, and is left to the contact solve, when its rebound would not last a step: 2 e |n . v-| < h |n . a|. So the end of a
-// row of bounces, infinitely many in finite time, is cut off where the bounces are 1 um high. Equations: README.md.
+// A touch is slow, and is left to the contact solve, when its rebound would not last a step: 2 e |n . v-| < h |n . a|. So the end of
+// a row of bounces, infinitely many in finite time, is cut off where the bounces are 1 um high. Where a body flies fast, only what
+// comes nearer by less than 2.5 um in a step (for a 1 mm scene) is slow; having sunk in by as much, it is stopped, and lifted
+// back. No path is left unswept: a body whose touches do not end within the step goes on as if it stuck to what it touches.
+// Equations: README.md.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/contact_set.hpp"
+#include "contact/detector.hpp"
 #include "dynamics/motion.hpp"
 #include "scene/world.hpp"
+#include "toolkit/fixed_vector.hpp"
 
 namespace swage::dynamics {
 
+/// Where a body was within the step when something flew there: between two of them it moved by a constant twist.
+struct Waypoint {
+  uint32_t body;
+  double t;  // s, since the start of the step
+  Pose X_WB;
+};
+
 class Rebound {
+  /// A look ahead ends where something has turned by this [rad]: the path that is swept, a constant twist, is then by 4 um at most
+  /// off that of a needle of 2.5 mm. Larger: it is off by more, with the square. Smaller: more looks.
+  static constexpr double kTurn = 0.12;
+  static constexpr double kResting = 1e-9;  // of the scene's length, per step: slower is at rest against each other
+
  public:
   Rebound(const scene::World& world, uint32_t max_contacts);
 
-  /// Flies everything that rebounds in this step: its end of the step in `motion` and `world`, gaps there in `contacts`. tolerance:
-  /// m, of the gap at which it touches.
-  void fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, FreeMotion method,
-           double tolerance) noexcept;
+  /// Flies everything that flies in this step: its end of the step in `motion` and `world`, its contacts there in `contacts`.
+  /// tolerance: m, of the gap at which it touches.
+  /// False where the touches did not end within the budget of looks.
+  bool fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,
+           FreeMotion method, double tolerance) noexcept;
   /// After the contact solve: adds what was pushed, over the step, to the forces of the contacts.
   void report(contact::ContactSet& contacts, double h) const noexcept;
 
+  /// Of the last step, body by body in the order of time.
+  std::span<const Waypoint> waypoints() const { return waypoint_; }
+
  private:
-  /// One thing in flight.
-  struct Flight {
-    uint32_t body = scene::kNone, particle = scene::kNone;
-    RigidMass mass;
+  /// One body in flight.
+  struct Flyer {
+    uint32_t body = scene::kNone;
+    bool fast = false;  // might come out on the far side of something
     Vec3 f_W = Vec3::Zero(), t_W = Vec3::Zero();  // loads
-    RigidState s;
-    double at = 0;  // s, since the start of the step
-    bool is_a(const contact::Contact& c) const {
-      return particle != scene::kNone ? c.particle_a == particle : c.body_a == body;
-    }
-    bool is_b(const contact::Contact& c) const {
-      return particle != scene::kNone ? c.particle_b == particle : c.body_b == body;
-    }
+    RigidState s, end;                            // now, and at the end of the look when nothing is met
+    Vec3 turn = Vec3::Zero();                     // rad, from now to then
+  };
+  /// Two shapes of which one flies.
+  struct Meeting {
+    uint32_t swept = 0;  // number of the shapes with the detector
+    uint32_t body_a = 0, body_b = 0;
+    contact::Law law;
+    double sunk = 0;       // m, by which they overlapped when the step began
+    uint32_t touches = 0;  // in this step, that needed no push
+    bool pushed = false;
+  };
+  struct Touching {
+    uint32_t meeting = 0;
+    contact::Candidate candidate;
+  };
+  /// What of a touch a push needs.
+  struct Sides {
+    Vec3 n, p;                         // from b to a; where
+    Flyer *a = nullptr, *b = nullptr;  // null: does not fly
+    Vec3 v;                            // m/s, of a against b
+    double gap = 0, coming = 0;  // m, m/s
   };
   struct Impulse {
-    uint32_t contact;
+    uint32_t shape_a, shape_b;
+    uint64_t feature;
     Vec3 on_a_W;  // N s
   };
 
-  bool take_off(const Motion& motion, uint32_t body, uint32_t particle, Flight& flight) const noexcept;
-  void fly_one(Motion& motion, contact::ContactSet& contacts, Flight& flight) noexcept;
-  bool immovable(uint32_t body, uint32_t particle) const noexcept;
-  RigidState after(const Flight& flight, double t) const noexcept;
-  contact::Touch touch(const contact::ContactSet& contacts, uint32_t i, const Flight& flight,
-                       const RigidState& s, double t) const noexcept;
-  toolkit::Frame frame(uint32_t body, double t) const noexcept;
-  Vec3 approach(const contact::Contact& c, const contact::Touch& touch, const Flight& flight,
-                const RigidState& s) const noexcept;
-  double time_of_touch(const contact::ContactSet& contacts, uint32_t i, const Flight& flight) const noexcept;
-  bool push(contact::ContactSet& contacts, uint32_t i, Flight& flight) noexcept;
-  void land(Motion& motion, contact::ContactSet& contacts, const Flight& flight) noexcept;
+  /// I^-1 m, in W.
+  static Vec3 turned_by(const RigidMass& mass, const Quat& q, const Vec3& moment) {
+    return q * mass.inv_I.cwiseProduct(q.conjugate() * moment);
+  }
+
+  // who flies
+  void find_paths() noexcept;
+  bool find_flyers(const contact::ContactSet& contacts) noexcept;
+  void find_rebounding(const contact::ContactSet& contacts) noexcept;
+  void find_fast(const contact::ContactSet& contacts) noexcept;
+  void join_met() noexcept;
+  void find_meetings(const contact::ContactSet& contacts) noexcept;
+  void join(uint32_t body) noexcept;
+  contact::Law law_of(const contact::ContactSet& contacts, uint32_t swept) const noexcept;
+
+  // from touch to touch: rebound_touches.cpp
+  bool fly_to_next() noexcept;
+  void look_ahead() noexcept;
+  void gather() noexcept;
+  double time_of(const Touching& touching, bool& sinks) noexcept;
+  double time_of_gap(const Touching& touching, double gap, double least) const noexcept;
+  void advance(double t) noexcept;
+  void push_all(const Touching* sunk) noexcept;
+  void push(const Touching& touching, const Sides& sides, double restitution) noexcept;
+  Vec3 added(const Sides& sides, const Vec3& j) const noexcept;
+  Vec3 impulse(const Sides& sides, double restitution, double friction) const noexcept;
+  bool fast(const Meeting& meeting) const noexcept;
+  void lift(const Touching& touching) noexcept;
+  bool comes(const Sides& sides) const noexcept;
+  bool slow(const Meeting& meeting, const Sides& sides) const noexcept;
+
+  // the end of the step
+  void settle() noexcept;
+  void carry_along() noexcept;
+  void land(contact::ContactSet& contacts) noexcept;
+
+  // poses and speeds within the step
+  contact::Motion path(uint32_t body) const noexcept;
+  RigidState state(const Flyer& flyer, double t) const noexcept;
+  Pose pose(uint32_t body, double t) const noexcept;
+  contact::Touch touch(const Touching& touching, double t) const noexcept;
+  Sides sides(const Touching& touching, double t) noexcept;
+  Flyer* flyer(uint32_t body) noexcept;
 
   scene::World* world_ = nullptr;
+  Motion* motion_ = nullptr;
+  contact::Detector* detector_ = nullptr;
   FreeMotion method_ = FreeMotion::kElliptic;
-  double tolerance_ = 0;
-  std::vector<uint64_t> flown_body_, flown_particle_;  // step in which it was looked at
+  double tolerance_ = 0, at_ = 0;  // m, s
+
+  std::vector<contact::Motion> path_;  // of every body over the step, as predicted
+  std::vector<uint32_t> flyer_of_;     // per body
+  std::vector<Flyer> flyer_;
+  std::vector<Meeting> meeting_;
+  std::vector<uint8_t> moved_;  // per body
   std::vector<Impulse> impulse_;
+  std::vector<contact::Detector::Struck> struck_;
+  std::vector<Waypoint> waypoint_;
+
+  // of one look ahead
+  double until_ = 0;             // s, its end
+  double ahead_ = 0;             // s, as far as nothing passes through anything
+  uint32_t hit_ = scene::kNone;  // meeting that ends there
+  toolkit::FixedVector<Touching, 64> touching_;
 };
 
 }  // namespace swage::dynamics

@@ -138,7 +138,7 @@ void Engine::couple() noexcept {
 }
 
 void Engine::solve() noexcept {
-  dynamics_.solve(rig_.world, contacts_, objects_.self(), couplings_.ties());
+  dynamics_.solve(rig_.world, contacts_, objects_.self(), couplings_.ties(), &detector_);
   dynamics_.finish(rig_.world);
   objects_.freeze();
   tell_shortfall();

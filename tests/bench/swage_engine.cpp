@@ -79,7 +79,8 @@ class Swage final : public Engine {
     dynamics_.free_motion(world_);
     detect();
     dynamics::FlexibleBody* const self[] = {bending_.get()};
-    dynamics_.solve(world_, contacts_, {self, bending_ ? 1u : 0u});
+    dynamics_.solve(world_, contacts_, {self, bending_ ? 1u : 0u}, {},
+                    swept_ ? &detector_ : nullptr);
     dynamics_.finish(world_);
     ++world_.step;
     torque_ = 0, force_.setZero(), couple_.setZero();

@@ -36,7 +36,7 @@ class PinchedWire {
     world_.F_B_W[0] = load;
     dynamics_.free_motion(world_);
     detector_.detect(world_, contacts_);
-    dynamics_.solve(world_, contacts_, {});
+    dynamics_.solve(world_, contacts_, {}, {}, &detector_);
     dynamics_.finish(world_);
     ++world_.step;
   }

@@ -88,5 +88,21 @@ TEST(Rebound, NoneWithoutRestitution) {
   EXPECT_LT(std::abs(s.height()), 1e-9);
 }
 
+// between plates 4 um farther apart than it is thick, an elastic ball of 1 m/s touches 250 times in a millisecond: that is more than a
+// step looks for, and said
+TEST(Rebound, WhatTouchesTooOftenIsCounted) {
+  BallOverPlate s(kRadius, {0.0, 1e6, 1.0}, 2 * kRadius + 4e-6);
+  s.world.gravity = {0, 0, 0};
+  s.world.X_WB[0].p.z = kRadius + 1e-6;
+  s.world.V_WB[0].v.z = 1;
+  for (uint64_t i = 1; i <= 5; ++i) {
+    s.step();
+    EXPECT_EQ(s.dynamics.stats().health.over_budget, i);
+    EXPECT_EQ(s.dynamics.stats().health.steps, i);
+    EXPECT_GT(s.height(), -5e-6);
+    EXPECT_LT(s.height(), 9e-6);
+  }
+}
+
 }  // namespace
 }  // namespace swage::physics

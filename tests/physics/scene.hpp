@@ -19,18 +19,18 @@ using toolkit::Vec3;
 
 constexpr double kGravity = 9.81;  // m/s2
 
-/// Ball: body 0 of object 0. Plate: body 1 of object 1, moved by hand.
+/// Ball: body 0 of object 0. Plate: body 1 of object 1, moved by hand; `ceiling` [m]: where a second plate of it begins.
 class BallOverPlate {
  public:
-  BallOverPlate(double radius, const contact::Law& law)
-      : world(make(radius)), detector_(world, {contact::Pair{0, 1, law}}, {}), dynamics(world, {}) {
+  BallOverPlate(double radius, const contact::Law& law, double ceiling = 0)
+      : world(make(radius, ceiling)), detector_(world, {contact::Pair{0, 1, law}}, {}), dynamics(world, {}) {
     detector_.reserve(contacts);
   }
 
   void step() {
     dynamics.free_motion(world);
     detector_.detect(world, contacts);
-    dynamics.solve(world, contacts, {});
+    dynamics.solve(world, contacts, {}, {}, &detector_);
     dynamics.finish(world);
     ++world.step;
   }
@@ -43,7 +43,7 @@ class BallOverPlate {
   }
 
  private:
-  static scene::World make(double radius) {
+  static scene::World make(double radius, double ceiling) {
     scene::World w;
     w.length = 1e-3, w.dt = 1e-3;
     w.gravity = {0, 0, -kGravity};
@@ -76,6 +76,10 @@ class BallOverPlate {
     w.convex.resize(1);
     EXPECT_EQ(toolkit::build_convex(vertex, start, index, w.convex[0]), "");
     w.shape = {ball, plate};
+    if (ceiling > 0) {
+      plate.X_BS = Pose(Vec3(0, 0, ceiling + 1e-3), Quat::Identity()).abi();
+      w.shape.push_back(plate);
+    }
     scene::reset(w);
     return w;
   }
