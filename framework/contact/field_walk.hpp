@@ -30,6 +30,7 @@ struct FieldPiece {
   typename Curve::Height height;  // of the curve over the triangle's plane
   int next = -1;           // piece that continues this one over a neighbour that is hardly tilted against it
   bool continues = false;  // ... and whether it continues one
+  bool under = false;      // under the surface
 };
 
 /// Calls dip(feature, place, range, branch) at each local minimum nearer than `reach` and flat_end(feature, place, run) at the
@@ -67,6 +68,9 @@ class FieldWalk {
   static constexpr double kSmooth = 0.03;
   /// Regions are this much larger than they are, in sides of a cell: a wire along an edge lies in one of them.
   static constexpr double kOverlap = 1e-9;
+
+  static constexpr uint32_t kNone = 0xFFFFFFFFu;
+  using Corners = toolkit::HeightField::Corners;
 
   struct Span {
     double low = 1e300, high = -1e300;
@@ -131,28 +135,73 @@ class FieldWalk {
 
   // --- faces
 
+  /// Above the surface a face has what is nearest to it, under it what is straight below it.
   void add_faces(uint32_t i, uint32_t j) {
     if (!has_cell(i, j)) return;
     for (uint32_t half = 0; half < 2; ++half) {
-      const auto c = field_.corners(triangle(i, j, half));
-      const Vec3 n = c.normal().normalized();
-      const Height height = curve_.height(n, n.dot(c.a));
-      Stretches<Curve> over = near_;
-      const double overlap = kOverlap * field_.dx;
-      const Vec3* corner[3] = {&c.a, &c.b, &c.c};
-      for (int k = 0; k < 3 && !over.empty(); ++k) {
-        const Vec3 side = (*corner[(k + 1) % 3] - *corner[k]).normalized().cross(n);
-        clip<Curve>(over, curve_.height(side, side.dot(*corner[k]) + overlap), Border::kJoined);
-      }
-      clip<Curve>(over, curve_.height(n, n.dot(c.a) + reach_));
-      clip<Curve>(over, curve_.height(-n, -n.dot(c.a) + below_));
-      for (const auto& s : over) {
-        Piece p;
-        p.from = s.from, p.to = s.to, p.at_from = s.at_from, p.at_to = s.at_to;
-        p.triangle = triangle(i, j, half), p.n = n, p.corner = c.a, p.height = height;
-        dropped_ += !piece_.add(p);
-      }
+      Piece p;
+      p.triangle = triangle(i, j, half);
+      const auto c = field_.corners(p.triangle);
+      p.n = c.normal().normalized(), p.corner = c.a;
+      p.height = curve_.height(p.n, p.n.dot(c.a));
+      add_above(c, p);
+      add_under(c, p);
     }
+  }
+  void add_above(const Corners& c, Piece& p) {
+    Stretches<Curve> over = near_;
+    clip<Curve>(over, curve_.height(p.n, p.n.dot(c.a) + reach_));
+    if (over.empty()) return;
+    const Vec3* corner[3] = {&c.a, &c.b, &c.c};
+    for (uint32_t k = 0; k < 3 && !over.empty(); ++k) {
+      const Vec3 side = border(*corner[(k + 1) % 3] - *corner[k], p, k);
+      clip<Curve>(over, curve_.height(side, side.dot(*corner[k]) + kOverlap * field_.dx), Border::kJoined);
+    }
+    clip<Curve>(over, curve_.height(-p.n, -p.n.dot(c.a)), Border::kJoined);
+    p.under = false;
+    add_pieces(over, p);
+  }
+  void add_under(const Corners& c, Piece& p) {
+    Stretches<Curve> under = near_;
+    clip<Curve>(under, curve_.height(p.n, p.n.dot(c.a)), Border::kJoined);
+    if (under.empty()) return;
+    const Vec3* corner[3] = {&c.a, &c.b, &c.c};
+    for (int k = 0; k < 3 && !under.empty(); ++k) {
+      const Vec3 side = (*corner[(k + 1) % 3] - *corner[k]).cross(Vec3::UnitZ()).normalized();
+      clip<Curve>(under, curve_.height(side, side.dot(*corner[k]) + kOverlap * field_.dx), Border::kJoined);
+    }
+    clip<Curve>(under, curve_.height(-p.n, -p.n.dot(c.a) + below_));
+    p.under = true;
+    add_pieces(under, p);
+  }
+  void add_pieces(const Stretches<Curve>& list, Piece& p) {
+    for (const auto& s : list) {
+      p.from = s.from, p.to = s.to, p.at_from = s.at_from, p.at_to = s.at_to;
+      dropped_ += !piece_.add(p);
+    }
+  }
+  /// Normal of the plane that ends a face above its side k, `along`: square to the face; at a ridge that is no feature, midway between
+  /// the two faces, where both are equally far.
+  Vec3 border(const Vec3& along, const Piece& p, uint32_t k) const {
+    const Vec3 side = along.cross(p.n).normalized();
+    const uint32_t other = neighbour(p.triangle, k);
+    if (other == kNone) return side;
+    const Vec3 m = normal(other);
+    if (side.dot(m) <= 0 || !smooth(p.n, m)) return side;
+    return along.cross(p.n + m).normalized();
+  }
+  static bool smooth(const Vec3& n, const Vec3& m) { return (n - m).squaredNorm() < kSmooth * kSmooth; }
+  /// The triangle beyond side k, from corner k to the next; kNone at the border of the field.
+  uint32_t neighbour(uint32_t t, uint32_t k) const {
+    const uint32_t i = t / 2 % field_.nx, j = t / 2 / field_.nx;
+    if (t % 2 == 0) {
+      if (k == 0) return j > 0 ? triangle(i, j - 1, 1) : kNone;
+      if (k == 1) return i + 2 < field_.nx ? triangle(i + 1, j, 1) : kNone;
+      return triangle(i, j, 1);
+    }
+    if (k == 0) return triangle(i, j, 0);
+    if (k == 1) return j + 2 < field_.ny ? triangle(i, j + 1, 0) : kNone;
+    return i > 0 ? triangle(i - 1, j, 0) : kNone;
   }
 
   /// Orders the pieces along the curve and finds which continue which.
@@ -169,10 +218,11 @@ class FieldWalk {
         }
   }
   bool follows(const Piece& a, const Piece& b) const {
-    if (a.at_to != Border::kJoined || b.at_from != Border::kJoined) return false;
-    const double apart = 2 * kSmooth * (radius_ + reach_) + 1e-6 * field_.dx;
-    return (a.n - b.n).squaredNorm() < kSmooth * kSmooth && touch(a.triangle, b.triangle) &&
-           (curve_.point(a.to) - curve_.point(b.from)).squaredNorm() < apart * apart;
+    if (a.at_to != Border::kJoined || b.at_from != Border::kJoined || !touch(a.triangle, b.triangle)) return false;
+    const bool under = a.under && b.under;
+    if (!under && !smooth(a.n, b.n)) return false;
+    const double apart = (under ? 0 : 2 * kSmooth * (radius_ + reach_)) + 1e-6 * field_.dx;
+    return (curve_.point(a.to) - curve_.point(b.from)).squaredNorm() < apart * apart;
   }
   /// Whether the cells of two triangles are the same or neighbours.
   bool touch(uint32_t a, uint32_t b) const {
@@ -192,6 +242,9 @@ class FieldWalk {
       };
       for_each_dip(distance, p.from, p.to, distance.level(radius_), falling, visit);
       if (p.next < 0 && p.at_to == Border::kEnd && falling) visit(p.to);
+      const double step = step_after(p);
+      if (step > 0 && falling) visit(p.to);
+      falling = step < 0 || (falling && step == 0);
       tail = k;
     }
     const Piece &first = piece_[head], &last = piece_[tail];
@@ -204,6 +257,12 @@ class FieldWalk {
     if (first.at_from != Border::kClipped) flat_end(face(first), first.from, run);
     if (last.at_to != Border::kClipped) flat_end(face(last), last.to, run);
   }
+  /// Straight under a fold the distance steps from one face's to the next's: by how much [m].
+  double step_after(const Piece& p) const {
+    if (p.next < 0 || !p.under || smooth(p.n, piece_[p.next].n)) return 0;
+    const double step = piece_[p.next].height.at(piece_[p.next].from) - p.height.at(p.to);
+    return std::abs(step) > kOverlap * field_.dx ? step : 0;
+  }
   static FieldFeature face(const Piece& p) { return {Region::kFace, p.triangle, p.corner, p.n}; }
 
   // --- edges and vertices, where they stand out
@@ -213,7 +272,6 @@ class FieldWalk {
     const uint32_t i1 = i + (k != 1), j1 = j + (k != 0);
     if (i1 >= field_.nx || j1 >= field_.ny) return;
     // the triangles beside it, as sides of a cell: 0 along x, 1 along y, 2 the diagonal
-    constexpr uint32_t kNone = 0xFFFFFFFFu;
     uint32_t beside[2] = {kNone, kNone};
     if (k == 0 && j + 1 < field_.ny) beside[0] = triangle(i, j, 0);
     if (k == 0 && j > 0) beside[1] = triangle(i, j - 1, 1);
@@ -239,14 +297,16 @@ class FieldWalk {
       clip<Curve>(part, curve_.height(-n[s], -n[s].dot(v0)));
     }
     const bool border = beside[0] == kNone || beside[1] == kNone;
-    if (part.empty() || (!border && (n[0] - n[1]).squaredNorm() < kSmooth * kSmooth)) return;
+    if (part.empty() || (!border && smooth(n[0], n[1]))) return;
     const FieldFeature feature{Region::kEdge, 3 * (j * field_.nx + i) + k, v0, d};
     visit_dips(RegionDistance<Curve>(curve_, v0, u), part, feature, dip);
   }
 
+  /// From a vertex to those around it.
+  static constexpr int kAround[6][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}};
+
   template <class Dip>
   void walk_vertex(uint32_t i, uint32_t j, Dip& dip) {
-    constexpr int kAround[6][2] = {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}};
     const Vec3 v = field_.vertex(i, j);
     Stretches<Curve> part = near_;
     for (const auto& step : kAround) {
@@ -257,8 +317,23 @@ class FieldWalk {
       if (part.empty()) return;
     }
     clip<Curve>(part, curve_.height(-Vec3::UnitZ(), -v.z()));
+    if (part.empty() || is_round(i, j)) return;
     const FieldFeature feature{Region::kVertex, j * field_.nx + i, v, Vec3::Zero()};
     visit_dips(RegionDistance<Curve>(curve_, v, Vec3::Zero()), part, feature, dip);
+  }
+
+  /// Whether only ridges that are no features meet at a vertex: the faces beside them have all that is nearest to it.
+  bool is_round(uint32_t i, uint32_t j) const {
+    if (i == 0 || j == 0 || !has_cell(i, j)) return false;
+    const uint32_t around[6] = {triangle(i, j, 0),         triangle(i, j, 1),         triangle(i - 1, j, 0),
+                                triangle(i - 1, j - 1, 1), triangle(i - 1, j - 1, 0), triangle(i, j - 1, 1)};
+    for (uint32_t k = 0; k < 6; ++k) {
+      const Vec3 n = normal(around[(k + 5) % 6]), m = normal(around[k]);
+      const Vec3 u = field_.vertex(i + static_cast<uint32_t>(kAround[k][0]), j + static_cast<uint32_t>(kAround[k][1])) -
+                     field_.vertex(i, j);
+      if (!smooth(n, m) || n.cross(m).dot(u) > 0) return false;
+    }
+    return true;
   }
 
   template <class Dip>
