@@ -144,18 +144,23 @@ bool Hands::see() const noexcept {
                      [](const host::DeviceSlot& slot) { return slot.sight != nullptr; });
 }
 
-void Hands::look(const swage_sight& sight) noexcept {
-  for (uint32_t i = 0; i < port_.size(); ++i)
-    if (usable(i)) port_[i]->look(rig_.world.step, sight);
+void Hands::look(const swage_sight& sight, WriteGuard& writes) noexcept {
+  for (uint32_t i = 0; i < port_.size(); ++i) {
+    if (rig_.devices[i].sight == nullptr || !usable(i)) continue;
+    port_[i]->look(rig_.world.step, sight);
+    writes.check(*rig_.devices[i].instance, host::Call::kExchange);
+  }
 }
 
-void Hands::read() noexcept {
+void Hands::read(WriteGuard& writes) noexcept {
   scene::World& world = rig_.world;
   rig_.seen = rig_.mirror ? other_hand(rig_.pointer) : rig_.pointer;
   for (uint32_t i = 0; i < sample_.size(); ++i) {
     if (!usable(i)) continue;
     const swage_sample last = sample_[i];
     port_[i]->read(world.step, world.time(), sample_[i]);
+    // what it was shown lies where it lay
+    if (rig_.devices[i].sight != nullptr) writes.check(*rig_.devices[i].instance, host::Call::kExchange);
 
     // what is not a number costs the device, not the scene
     host::Instance& instance = *rig_.devices[i].instance;

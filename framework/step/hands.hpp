@@ -12,6 +12,7 @@
 #include "scene/state_image.hpp"
 #include "step/device_port.hpp"
 #include "step/tool_proxy.hpp"
+#include "step/write_guard.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::step {
@@ -23,8 +24,9 @@ class Hands {
 
   void reset() noexcept;                                    // [rt]
   bool see() const noexcept;                                // a device sees the scene
-  void look(const swage_sight& sight) noexcept;             // [rt] shows it to those
-  void read() noexcept;                                     // [rt] newest sample of every device
+  /// Shows it to those, and holds them to looking: `writes` has just been taken. [rt]
+  void look(const swage_sight& sight, WriteGuard& writes) noexcept;
+  void read(WriteGuard& writes) noexcept;  // [rt] newest sample of every device
   void follow() noexcept;                                   // [rt] tools after their hands
   void send(const contact::ContactSet& contacts) noexcept;  // [rt] what the tools feel
 

@@ -101,8 +101,11 @@ void Engine::done(Phase phase) noexcept {
 
 void Engine::read() noexcept {
   objects_.begin();
-  if (hands_.see()) hands_.look(judging_.sight());
-  hands_.read();
+  if (hands_.see()) {
+    writes_.take();
+    hands_.look(judging_.sight(), writes_);
+  }
+  hands_.read(writes_);
   done(Phase::kRead);
 }
 
