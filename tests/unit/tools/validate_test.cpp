@@ -69,6 +69,35 @@ TEST_F(Validate, SteppingTestsFindWhatTheyAskFor) {
   expect("crashes_in_step", "stepping", "signal 11");
 }
 
+// a solver that lies has finite numbers: nobody notices while it runs, so that it is asked
+TEST_F(Validate, SolversThatLieAreTold) {
+  const auto validate = [&](const std::string& name, const std::string& test) {
+    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_solvers/org.example.bad.solver." + name;
+    return swage({"validate", bundle, "--only", test, "--strictness", "10"});
+  };
+  for (const char* test : {"solver", "traits"}) {
+    const Said said = validate("good", test);
+    EXPECT_EQ(said.code, 0) << said.out << said.err;
+    EXPECT_THAT(said.out, testing::Not(HasSubstr("skipped  "))) << said.out;
+  }
+  const auto expect = [&](const std::string& name, const std::string& text, const std::string& test = "solver") {
+    const Said said = validate(name, test);
+    EXPECT_EQ(said.code, 1) << name << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << name;
+  };
+  expect("skew", "compliance() is not symmetric");
+  expect("pulls", "compliance() is not positive semi-definite");
+  expect("unsteady", "compliance() gives other bits when it is asked the same again.");
+  expect("part", "compliance() of some points differs when more points are asked for.");
+  expect("unwritten", "leaves a number unwritten, or writes one that is not finite.");
+  expect("forgets", "After yield() the points do not move as v_free + W j says");
+  expect("doubles", "After yield() the points do not move as v_free + W j says");
+  expect("stands", "After yield() without impulses the points do not move as v_free says");
+  expect("aborts", "It crashed in compliance() of org.example.bad.solver.aborts");
+  expect("dents", "dents() gives a dent that is no number, or no radius.");
+  expect("nearest", "locate() gives a tangent and a normal that are not unit and square to each other.", "traits");
+}
+
 TEST_F(Validate, SeveralPathsAndJson) {
   const Said said =
       swage({"validate", stock("swage.object.jaws"), bad("nan"), "--only", "stepping", "--json"});
