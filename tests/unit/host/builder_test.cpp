@@ -106,7 +106,7 @@ TEST(Builder, RefusesBodiesThatCannotBe) {
   const swage_pose skewed{{0, 0, 0}, {1, 1, 0, 0}}, far{{INFINITY, 0, 0}, {1, 0, 0, 0}};
   const swage_mass none{0, {1, 1, 1}}, flat{1, {1, 1, 2.1}}, hollow{1, {0, 1, 1}};
   EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_FIXED, &skewed, nullptr, "b"), kNone);
-  EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_FIXED, &far, nullptr, "b"), kNone);
+  EXPECT_EQ(b.raw->body(b.raw, SWAGE_MOTION_FIXED, &far, nullptr, "c"), kNone);
   EXPECT_EQ(b.body(9), kNone);
   EXPECT_EQ(b.body(SWAGE_MOTION_FIXED, &kMass), kNone);
   EXPECT_EQ(b.body(SWAGE_MOTION_DYNAMIC), kNone);
@@ -117,10 +117,9 @@ TEST(Builder, RefusesBodiesThatCannotBe) {
   EXPECT_THAT(
       b.said(),
       ElementsAre("Body \"b\": the start pose is not a position and a unit quaternion.",
-                  "Body \"b\": the start pose is not a position and a unit quaternion.",
+                  "Body \"c\": the start pose is not a position and a unit quaternion.",
                   "Body \"b\": motion 9 is unknown.", "Body \"b\": only dynamic bodies have a mass.",
-                  "Body \"b\": a dynamic body needs a mass > 0 kg.",
-                  "Body \"b\": a dynamic body needs a mass > 0 kg.",
+                  "Body \"b\": a dynamic body needs a mass > 0 kg.",  // twice in a row, told once
                   "Body \"b\": no body has these moments of inertia: one exceeds the sum of the others.",
                   "Body \"b\": a dynamic body needs moments of inertia > 0 kg m2."));
 }
