@@ -3,6 +3,10 @@
 // Whole attempts with the stock plugins: threads, record, ends.
 #include "session/session.hpp"
 
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -170,6 +174,29 @@ TEST_F(SessionTest, RunsAtTheRateOfTheClock) {
   snapshot::Snapshot s;
   ASSERT_TRUE(session->latest(s));
   EXPECT_EQ(s.step, 500u);
+}
+
+// the whole program stands still for a while, as on a machine that cannot keep up: what was left out is told with the result
+TEST_F(SessionTest, AnAttemptThatCouldNotKeepUpSaysSo) {
+  options.pace = Pace::kRealtime;
+  options.max_time_s = 1;
+  auto session = open();
+  session->start();
+  snapshot::Snapshot s;
+  until([&] { return session->latest(s) && s.step > 100; });
+  const pid_t child = fork();
+  if (child == 0) {
+    kill(getppid(), SIGSTOP);
+    usleep(500'000);
+    kill(getppid(), SIGCONT);
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  session->wait();
+  const Result result = session->result();
+  EXPECT_LT(result.speed, 0.8);
+  EXPECT_GT(result.speed, 0);
+  EXPECT_NE(told(result.problems).find("because the machine could not keep up"), std::string::npos) << told(result.problems);
 }
 
 TEST_F(SessionTest, PausedTimeStandsStill) {

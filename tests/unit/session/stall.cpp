@@ -71,6 +71,7 @@ class Stalled {
     thread_->join();
     dog->stop();
     fault = port->fault();
+    forces_off_s = loop.forces_off_s();
     port->stop();
     judge::Event e;
     while (loop.next_event(e)) {
@@ -96,6 +97,7 @@ class Stalled {
   std::unique_ptr<IoPort> port;
   ForceFault fault = ForceFault::kNone;
   double lost = 0;
+  double forces_off_s = 0;  // as a result tells it
   int stopped = 0, ticks_after = 0;
 
  private:
@@ -158,6 +160,7 @@ TEST(Stall, OfHalfASecondDisarmsAndIsCalledAHang) {
   for (const Felt& f : s.felt(s.ended, INT64_MAX)) EXPECT_EQ(f.force, 0);  // a person has to arm it again
   EXPECT_EQ(s.fault, ForceFault::kLost);
   EXPECT_GE(s.stopped, 1);
+  EXPECT_GE(s.forces_off_s, 0.25) << "of 300 steps";
 }
 
 }  // namespace
