@@ -35,8 +35,7 @@ QComboBox* add_choice(QHBoxLayout* row, QWidget* bar, const QString& label, cons
   auto* choice = new QComboBox(bar);
   choice->setObjectName(QString::fromLatin1(name));
   choice->setToolTip(tip);
-  choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice->setMinimumContentsLength(8);
+  choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   row->addWidget(choice);
   row->addSpacing(8);
   return choice;
@@ -167,7 +166,7 @@ void MainWindow::add_actions() {
   RunControl* control = run_->control();
   add(tr("Start"), Qt::Key_F5, [this] { show_page(0), run_->start(); });
   add(tr("Pause"), Qt::Key_F6, [control] { control->toggle_pause(); });
-  add(tr("Reset needle"), Qt::Key_F7, [control] { control->reset_work(); });
+  add(tr("Put back"), Qt::Key_F7, [control] { control->reset_work(); });
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
   add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
   add(tr("Instructor"), Qt::Key_F10, [this] { run_->show_instructor(!run_->instructor_shown()); });
@@ -228,7 +227,8 @@ void MainWindow::show_help() {
   RunControl* control = run_->control();
   const bool ran = control->state() == RunControl::State::kRunning;
   if (ran) control->toggle_pause();
-  HelpDialog(CueTheme::stock(cues_id_), this).exec();
+  const CueTheme cues = CueTheme::stock(cues_id_);
+  HelpDialog(UiTheme::stock(ui_id_).dark() ? cues.on_dark() : cues, this).exec();
   if (ran && control->state() == RunControl::State::kPaused) control->toggle_pause();
 }
 
@@ -267,7 +267,7 @@ void MainWindow::show_trainee_settings() {
 
 void MainWindow::set_theme(const QString& ui, const QString& cues) {
   const UiTheme theme = UiTheme::stock(ui);
-  const CueTheme cue_theme = CueTheme::stock(cues);
+  const CueTheme cue_theme = theme.dark() ? CueTheme::stock(cues).on_dark() : CueTheme::stock(cues);
   ui_id_ = theme.id();
   cues_id_ = cue_theme.id();
   qApp->setPalette(theme.palette());

@@ -147,6 +147,10 @@ CueTheme CueTheme::load(const QString& path, QString* error) {
               .arg(kMostLength_s));
     theme.order_.append(meaning);
     theme.styles_.insert(meaning, style);
+    if (!cue.contains(QStringLiteral("colour_on_dark"))) continue;
+    const QColor dark(cue[QStringLiteral("colour_on_dark")].toString());
+    if (!dark.isValid()) return fail(QStringLiteral("cue \"%1\": colour_on_dark is no colour").arg(meaning));
+    theme.on_dark_.insert(meaning, dark);
   }
   return theme;
 }
@@ -155,6 +159,12 @@ QStringList CueTheme::stock() { return {QStringLiteral("thesis"), QStringLiteral
 
 CueTheme CueTheme::stock(const QString& id) {
   return load(QStringLiteral(":/themes/cues_%1.json").arg(stock().contains(id) ? id : stock().first()));
+}
+
+CueTheme CueTheme::on_dark() const {
+  CueTheme out = *this;
+  for (auto it = on_dark_.begin(); it != on_dark_.end(); ++it) out.styles_[it.key()].colour = it.value();
+  return out;
 }
 
 CueStyle CueTheme::style(const QString& meaning) const {

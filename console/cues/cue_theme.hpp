@@ -41,6 +41,8 @@ class CueTheme {
   const QString& title() const { return title_; }
   /// Every meaning has a style: unknown ones get a neutral diamond and their own name as the text.
   CueStyle style(const QString& meaning) const;
+  /// The same theme for a dark window: colours that a dark background would swallow are replaced ("colour_on_dark").
+  CueTheme on_dark() const;
   bool knows(const QString& meaning) const { return styles_.contains(meaning); }
   const QStringList& meanings() const { return order_; }
 
@@ -48,6 +50,7 @@ class CueTheme {
   QString id_, title_;
   QStringList order_;
   QHash<QString, CueStyle> styles_;
+  QHash<QString, QColor> on_dark_;  // of meanings that have another colour there
 };
 
 /// Draws the row of signs of a cue, one square of `size` px each, light outline included. Returns the width

@@ -21,6 +21,8 @@ class UiTheme {
   /// Roles are the keys of the file; an unknown role is magenta, so that it is seen.
   QColor colour(const QString& role) const { return colours_.value(role, Qt::magenta); }
   QColor operator[](const char* role) const { return colour(QString::fromLatin1(role)); }
+  /// Whether text is light and backgrounds dark.
+  bool dark() const { return colour(QStringLiteral("window")).lightness() < 128; }
   QPalette palette() const;
   QString style_sheet() const;
 

@@ -194,7 +194,8 @@ QWidget* RunPage::make_actions() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   pause_ = make_button(tr("Pause"), QStringLiteral("F6"), QStringLiteral("pause"), bar);
-  reset_ = make_button(tr("Reset needle"), QStringLiteral("F7"), QStringLiteral("reset"), bar);
+  reset_ = make_button(tr("Put back"), QStringLiteral("F7"), QStringLiteral("reset"), bar);
+  reset_->setToolTip(tr("Put what the lesson works on back to where it started (F7)"));
   mark_ = make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), bar);
   mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
   stop_ = make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), bar);

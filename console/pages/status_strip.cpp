@@ -54,7 +54,8 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
                      .arg(steps_per_s, 0, 'f', 0)
                      .arg(h.worst_step_s * 1e3, 0, 'f', 2)
                      .arg(h.late);
-  if (h.solver.steps > 0) loop += tr(", solver short in %1 steps").arg(h.solver.steps);
+  if (h.solver.steps == 1) loop += tr(", solver short in 1 step");
+  if (h.solver.steps > 1) loop += tr(", solver short in %1 steps").arg(h.solver.steps);
   loop_->setText(loop);
   QStringList hints;
   if (h.quarantined) hints += tr("%1 of the lesson's parts stopped.").arg(h.quarantined);

@@ -71,7 +71,9 @@ void Overlay::scale_bar(double mm_per_pixel, double left) {
     p_.drawLine(QPointF(x, y - 5), QPointF(x, y + 1));
     p_.drawLine(QPointF(x + px, y - 5), QPointF(x + px, y + 1));
   }
-  p_.drawText(QRectF(x, y - 26, std::max(px, 60.0), 18), Qt::AlignCenter, length_text(mm));
+  const QRectF words(x, y - 26, std::max(px, 60.0), 18);
+  p_.drawText(words, Qt::AlignCenter, length_text(mm));
+  keep_clear(words.united(QRectF(x, y - 5, px, 6)));
 }
 
 void Overlay::cue(const QPointF& at, const CueStyle& style, int slot, double clear_px) {

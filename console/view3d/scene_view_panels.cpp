@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/view3d/corner.hpp"
 #include "console/view3d/scene_view.hpp"
 
 namespace swage::console {
@@ -20,7 +21,7 @@ constexpr float kLeastLoupe_mm =
 constexpr float kLoupeRoom = 1.5F;  // around the wound
 constexpr float kLoupeStep = 1.5F;
 constexpr int kGap_px = 2;          // between panels in the picture: the renderer rounds to whole pixels
-constexpr double kClear_px = 16;    // between it and what it must not cover
+constexpr double kClear_px = 24;    // between it and what it must not cover
 constexpr float kAround_mm = 0.9F;  // shown around the tips and what they are to take
 constexpr float kFurthest_mm = 6;   // from the tips: what is further off is not shown, the tips are
 constexpr double kGlide_s = 0.15;   // time constant with which the second view follows
@@ -108,19 +109,18 @@ QRectF SceneView::corner_at(int corner, double shape) const {
   return {x, corner == 2 ? kMargin_px : height() - h - kMargin_px, w, h};
 }
 
-// never over the tips, nor over what they go for
+// never over the tips, nor over what they go for; nor over other things that can be taken, where another corner is free of them
 void SceneView::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(camera_, shape(size()));
-  const auto covers = [&](int corner) {
-    const QRectF at = corner_at(corner, kSecondShape).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
-    return at.contains(eye.project(tips, size())) || at.contains(eye.project(aim, size()));
-  };
-  if (!covers(corner_)) return;
-  for (int corner = 0; corner < 3; ++corner) {
-    if (covers(corner)) continue;
-    corner_ = corner;
-    return touch();
-  }
+  std::array<QRectF, 3> corners;
+  for (int i = 0; i < 3; ++i)
+    corners[static_cast<size_t>(i)] = corner_at(i, kSecondShape).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
+  std::vector<QPointF> rather;
+  for (const Spot& s : parts_.aim) rather.push_back(eye.project(place_of(s), size()));
+  const int best = least_covered(corners, corner_, {eye.project(tips, size()), eye.project(aim, size())}, rather);
+  if (best == corner_) return;
+  corner_ = best;
+  touch();
 }
 
 // nor the loupe over the tips, the wound or the second view

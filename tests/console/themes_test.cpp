@@ -54,10 +54,31 @@ TEST(ColourDifference, AgreesWithPublishedPairs) {
 
 TEST(CueThemes, SafeOneIsSafeInEveryVision) { EXPECT_GE(worst_pair(CueTheme::stock("safe")), 20); }
 
-// every pair of cues: where the colours are not the very same one, nobody may take one for the other; where they are, the
-// shape must differ
-TEST(CueThemes, SafeOneTellsEveryPairOfCuesApart) {
-  const CueTheme theme = CueTheme::stock("safe");
+// WCAG 2.1: relative luminance, and contrast of text on its ground
+double luminance(const QColor& c) {
+  return 0.2126 * test::to_linear(c.redF()) + 0.7152 * test::to_linear(c.greenF()) +
+         0.0722 * test::to_linear(c.blueF());
+}
+double contrast(const QColor& p, const QColor& q) {
+  const double a = luminance(p), b = luminance(q);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+// 3:1 is what WCAG 2.1 asks of graphical objects (1.4.11)
+TEST(CueThemes, SafeOneIsSeenInDarkWindowsAndSafeThereToo) {
+  const CueTheme theme = CueTheme::stock("safe").on_dark();
+  EXPECT_GE(worst_pair(theme), 20);
+  for (const QString& name : UiTheme::names()) {
+    const UiTheme ui = UiTheme::stock(name);
+    if (!ui.dark()) continue;
+    for (const QString& meaning : theme.meanings())
+      for (const char* ground : {"window", "card", "floor", "view_bottom"})
+        EXPECT_GE(contrast(theme.style(meaning).colour, ui[ground]), 3)
+            << name.toStdString() << " " << ground << " " << meaning.toStdString();
+  }
+}
+
+void expect_all_apart(const CueTheme& theme) {
   const QStringList all = theme.meanings();
   ASSERT_GT(all.size(), 8);
   for (int i = 0; i < all.size(); ++i) {
@@ -73,6 +94,11 @@ TEST(CueThemes, SafeOneTellsEveryPairOfCuesApart) {
       }
     }
   }
+}
+
+TEST(CueThemes, SafeOneTellsEveryPairOfCuesApart) {
+  expect_all_apart(CueTheme::stock("safe"));
+  expect_all_apart(CueTheme::stock("safe").on_dark());
 }
 
 TEST(CueThemes, ThesisOneHasTheThesisColours) {
@@ -163,16 +189,6 @@ TEST(CueThemes, AFaultyFileSaysWhichCue) {
   EXPECT_TRUE(error.contains("none.json"));
 }
 
-// WCAG 2.1: contrast of text on its ground
-double luminance(const QColor& c) {
-  return 0.2126 * test::to_linear(c.redF()) + 0.7152 * test::to_linear(c.greenF()) +
-         0.0722 * test::to_linear(c.blueF());
-}
-double contrast(const QColor& p, const QColor& q) {
-  const double a = luminance(p), b = luminance(q);
-  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
-}
-
 TEST(UiThemes, TextIsReadable) {
   for (const QString& name : UiTheme::names()) {
     const UiTheme t = UiTheme::stock(name);
@@ -182,6 +198,7 @@ TEST(UiThemes, TextIsReadable) {
     }
     EXPECT_GE(contrast(t["accent_text"], t["accent"]), 4.5) << name.toStdString();
     EXPECT_GE(contrast(t["muted"], t["window"]), 4.5) << name.toStdString();
+    EXPECT_GE(contrast(t["muted"], t["raised"]), 4.5) << name.toStdString() << ": START while an attempt runs";
   }
 }
 
