@@ -29,6 +29,12 @@ uint64_t count(uint64_t some, uint64_t all) {
   return all_night() ? all : some;
 }
 
+/// SWAGE_FUZZ_FIRST: where to begin, so that a night may be cut into parts.
+uint64_t first() {
+  const char* given = std::getenv("SWAGE_FUZZ_FIRST");
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : 0;
+}
+
 const host::Catalogue& catalogue() {
   static const host::Catalogue& found = [&]() -> const host::Catalogue& {
     const host::Catalogue& made = test::make_catalogue(SWAGE_BINARY_DIR "/plugins");
@@ -107,6 +113,6 @@ TEST(FuzzLessons, ParametersAtTheirBoundsInPairs) {
 }
 
 TEST(FuzzLessons, MixedMutants) {
-  const auto make = [](uint64_t trial) { return mutants().mixed(trial); };
+  const auto make = [](uint64_t trial) { return mutants().mixed(first() + trial); };
   report("mixed", fuzz::run_trials(count(2000, 1'000'000), [&](uint64_t trial) { return attempt(make(trial)); }), make);
 }
