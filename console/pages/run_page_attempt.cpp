@@ -14,6 +14,9 @@ namespace {
 // the thesis: 0.6 N holds a needle well
 constexpr double kThesisLow_N = 0.4, kThesisHigh_N = 0.9;
 
+// Problems told at once, of two lines each or more: with more the picture has no room at 800 pixels of height.
+constexpr qsizetype kMostProblems = 5;
+
 constexpr int kMostSeed = 1000000;  // six digits can be read out and typed again
 
 }  // namespace
@@ -137,6 +140,10 @@ void RunPage::show_problems(const base::Problems& problems) {
   }
   unrecorded_->setVisible(only_record);
   for (const base::Problem& p : problems) lines += QString::fromStdString(p.where + "\n    " + p.message);
+  problem_->setToolTip(lines.join(QLatin1Char('\n')));
+  const qsizetype more = lines.size() - kMostProblems;
+  lines = lines.first(std::min(lines.size(), kMostProblems));
+  if (more > 0) lines += more == 1 ? tr("… and one more.") : tr("… and %1 more.").arg(more);
   problem_->setText(tr("This lesson cannot run:") + QLatin1Char('\n') + lines.join(QLatin1Char('\n')));
   problem_->show();
 }

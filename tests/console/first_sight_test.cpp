@@ -3,6 +3,7 @@
 // What somebody meets who sees the window for the first time: it fits the screen, tells its controls and what is asked, and a test
 // shows no answers. Runs on the offscreen platform without OpenGL, and under Xvfb with it.
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QScreen>
@@ -41,6 +42,26 @@ TEST_F(FirstSight, TheFirstStartStaysOnTheScreen) {
   const QSize screen = window->screen()->availableGeometry().size();
   EXPECT_LE(window->width(), std::max(screen.width(), window->minimumSizeHint().width())) << "or START lies outside";
   EXPECT_LE(window->height(), std::max(screen.height(), window->minimumSizeHint().height()));
+}
+
+// the row of what is chosen shows its words: there are pixels that contrast with its ground
+TEST_F(FirstSight, AnOpenedChoiceShowsWhatIsChosen) {
+  open();
+  for (const char* name : {"theme", "cue_theme"}) {
+    auto* choice = child<QComboBox>(name);
+    choice->showPopup();
+    QTest::qWait(50);
+    auto* list = choice->view();
+    const QRect row = list->visualRect(list->model()->index(choice->currentIndex(), 0));
+    ASSERT_TRUE(list->viewport()->rect().contains(row)) << name << ": every row is seen without scrolling";
+    const QImage picture = list->viewport()->grab(row).toImage();
+    const int ground = qGray(picture.pixel(2, picture.height() / 2));
+    int words = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) words += std::abs(qGray(picture.pixel(x, y)) - ground) > 60;
+    EXPECT_GT(words, 40) << name;
+    choice->hidePopup();
+  }
 }
 
 TEST_F(FirstSight, AVerdictGoesWithItsLesson) {
