@@ -7,7 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "attempt.hpp"
@@ -53,7 +55,7 @@ uint64_t kept_so_far(const std::string& store) {
 }
 
 struct Killed {
-  uint64_t handed = 0;  // steps that the child had given to the recorder
+  uint64_t handed = 0;  // steps that the child said it had given to the recorder; it may have died between the last one and saying so
   uint64_t seen = 0;    // of them in the store just before the end
 };
 
@@ -88,6 +90,7 @@ void kill_again_and_again(const std::string& store) {
   base::Xoshiro256 random(2024);
   uint64_t worst = 0;
   for (int trial = 0; trial < trials(); ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
     const uint64_t seed = 100 + static_cast<uint64_t>(trial);
     const auto [handed, seen] = kill_after(start(store, seed), store, 100 + random() % 900,
                                            static_cast<int64_t>(random() % 1'000'000));
@@ -104,12 +107,12 @@ void kill_again_and_again(const std::string& store) {
     ASSERT_TRUE(read_recording(store, attempts[0].id, recording, error)) << error;
     const uint64_t kept = recording.step.size();
     expect_exact(recording, kept, seed);
-    ASSERT_LE(kept, handed);
+    ASSERT_LE(kept, handed + 1);
     EXPECT_GE(kept, seen);
     if (is_soak()) {
-      EXPECT_LE(handed - kept, 1000u);
+      EXPECT_LE(handed, kept + 1000);
     }
-    worst = std::max(worst, handed - kept);
+    worst = std::max(worst, handed - std::min(handed, kept));
 
     if (is_postgres(store)) continue;
     const auto db = open_for_reading(store, error);
