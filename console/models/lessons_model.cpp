@@ -91,6 +91,17 @@ int LessonsModel::add_file(const QString& path) {
   return 0;
 }
 
+void LessonsModel::read_again(int row) {
+  entries_[row] = read_lesson(entries_[row].path);
+  Q_EMIT dataChanged(index(row), index(row));
+}
+
+void LessonsModel::remove(int row) {
+  beginRemoveRows({}, row, row);
+  entries_.removeAt(row);
+  endRemoveRows();
+}
+
 int LessonsModel::row_of(const QString& key) const {
   const auto it = std::find_if(entries_.begin(), entries_.end(), [&](const LessonEntry& e) {
     return e.path == key || (!e.id.isEmpty() && e.id == key);

@@ -33,6 +33,10 @@ class LessonsModel : public QAbstractListModel {
   void set_folders(const QStringList& folders);
   /// Adds one file in front unless it is already there. Returns its row.
   int add_file(const QString& path);
+  /// Reads a file again that has changed.
+  void read_again(int row);
+  /// The list without one: its file is not touched.
+  void remove(int row);
   int row_of(const QString& path_or_id) const;
   const LessonEntry& at(int row) const { return entries_[row]; }
 

@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 #include <QVector>
 #include <string>
 #include <utility>
@@ -31,5 +32,18 @@ struct Saved {
   QString path, problem;
 };
 Saved save_variant(const Variant& variant, const QString& folder);
+
+/// Whether a lesson is one of one's own: a file in that folder, which may be edited and deleted.
+bool is_own_lesson(const QString& path, const QString& folder = own_lessons_folder());
+
+/// Writes title, task, goal and values into a lesson of one's own, whole or not at all; `base` is not looked at. The id and all
+/// else of the file stay: attempts refer to the id. Returns why not, or "".
+QString update_variant(const QString& path, const Variant& changed);
+
+/// The titles of lessons in a folder that are based on this one, and could not run without it.
+QStringList based_on_it(const QString& path, const QString& folder = own_lessons_folder());
+
+/// Puts a lesson of one's own into the desktop's bin, from which it can be taken back. Returns why not, or "".
+QString delete_lesson(const QString& path);
 
 }  // namespace swage::console

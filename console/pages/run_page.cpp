@@ -46,6 +46,8 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   });
   connect(setup_, &SetupPanel::start, this, &RunPage::start);
   connect(setup_, &SetupPanel::make_variant, this, &RunPage::make_variant);
+  connect(setup_, &SetupPanel::edit_lesson, this, &RunPage::edit_lesson);
+  connect(setup_, &SetupPanel::delete_lesson, this, &RunPage::delete_lesson);
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
   connect(control_, &RunControl::failed, this, &RunPage::show_problems);
   connect(control_, &RunControl::told, this, &RunPage::show_record_warning);

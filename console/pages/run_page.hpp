@@ -67,6 +67,10 @@ class RunPage : public QWidget {
   void start_unrecorded();
   /// A lesson of the instructor's own, based on the chosen one.
   void make_variant();
+  /// Title, task, goal and values of a lesson of the instructor's own.
+  void edit_lesson();
+  /// Into the bin with a lesson of the instructor's own, when nothing is based on it, after a question.
+  void delete_lesson();
   /// Readings, cues and events in a window of their own, for a second screen.
   void show_instructor(bool on);
 

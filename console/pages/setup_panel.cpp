@@ -6,6 +6,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include "console/models/variant.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -79,6 +80,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
   connect(variant_, &QPushButton::clicked, this, &SetupPanel::make_variant);
   card.body->addWidget(variant_);
+  card.body->addLayout(make_own(card.frame));
   no_lessons_->setVisible(lessons->rowCount() == 0);
   lessons_->setVisible(lessons->rowCount() > 0);
   connect(lessons_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
@@ -88,6 +90,21 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
   });
   connect(lessons_, &QListView::activated, this, &SetupPanel::start);
   return card.frame;
+}
+
+// what can be done with a lesson of one's own
+QHBoxLayout* SetupPanel::make_own(QWidget* parent) {
+  auto* row = new QHBoxLayout;
+  edit_ = make_button(tr("Edit…"), QStringLiteral("Ctrl+E"), QStringLiteral("edit_lesson"), parent);
+  edit_->setToolTip(tr("Title, task, goal and values of this lesson of your own (Ctrl+E)"));
+  edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+  delete_ = make_button(tr("Delete…"), {}, QStringLiteral("delete_lesson"), parent);
+  delete_->setToolTip(tr("Put this lesson of your own into the bin; attempts at it stay"));
+  connect(edit_, &QPushButton::clicked, this, &SetupPanel::edit_lesson);
+  connect(delete_, &QPushButton::clicked, this, &SetupPanel::delete_lesson);
+  row->addWidget(edit_, 1);
+  row->addWidget(delete_, 1);
+  return row;
 }
 
 QWidget* SetupPanel::make_mode() {
@@ -240,6 +257,11 @@ void SetupPanel::update_start() {
   start_->setToolTip(startable_ ? QString() : tr("This lesson cannot run; the picture says why."));
   variant_->setEnabled(!running_ && startable_ && lessons_->currentIndex().isValid() &&
                        lessons_->currentIndex().data(LessonsModel::kProblem).toString().isEmpty());
+  const bool own = is_own_lesson(lesson());
+  for (QPushButton* button : {edit_, delete_}) {
+    button->setVisible(own);
+    button->setEnabled(!running_);
+  }
   start_->setText(!running_ ? tr("START   F5") : paused_ ? tr("Paused") : tr("Running…"));
 }
 

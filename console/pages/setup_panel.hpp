@@ -6,6 +6,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
@@ -47,10 +48,13 @@ class SetupPanel : public QWidget {
   void lesson_changed();
   void mode_changed();
   void make_variant();
+  void edit_lesson();
+  void delete_lesson();
 
  private:
   QWidget* make_who();
   QWidget* make_lessons(LessonsModel* lessons);
+  QHBoxLayout* make_own(QWidget* parent);
   QWidget* make_mode();
   void fill_devices();
   void update_start();
@@ -60,7 +64,7 @@ class SetupPanel : public QWidget {
   QListView* lessons_;
   QLabel* no_lessons_;
   QButtonGroup* modes_;
-  QPushButton *start_ = nullptr, *variant_ = nullptr;
+  QPushButton *start_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
   QString wanted_device_ = QStringLiteral("mouse");
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
   QLabel* explain_ = nullptr;

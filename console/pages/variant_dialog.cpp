@@ -10,13 +10,16 @@
 
 namespace swage::console {
 
-VariantDialog::VariantDialog(const LessonEntry& base, const QVector<LiveParam>& params, Check check,
+VariantDialog::VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check, QWidget* parent)
+    : VariantDialog(lesson, params, std::move(check), {}, parent) {}
+
+VariantDialog::VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check,
                              const QString& folder, QWidget* parent)
-    : QDialog(parent), base_(base.path), folder_(folder), check_(std::move(check)) {
+    : QDialog(parent), lesson_(lesson), folder_(folder), check_(std::move(check)) {
   setObjectName(QStringLiteral("variant"));
-  setWindowTitle(tr("New lesson"));
+  setWindowTitle(folder.isEmpty() ? tr("Edit lesson") : tr("New lesson"));
   auto* column = new QVBoxLayout(this);
-  column->addWidget(make_words(base));
+  column->addWidget(make_words(lesson));
   column->addWidget(make_values(params), 1);
   column->addWidget(make_buttons());
   resize(560, 760);
@@ -26,9 +29,10 @@ VariantDialog::VariantDialog(const LessonEntry& base, const QVector<LiveParam>& 
 }
 
 QWidget* VariantDialog::make_words(const LessonEntry& base) {
-  Card card = make_card(tr("Based on %1").arg(base.title), this);
+  const bool edits = folder_.isEmpty();
+  Card card = make_card(edits ? tr("Lesson of your own") : tr("Based on %1").arg(base.title), this);
   auto* form = new QFormLayout;
-  title_ = new QLineEdit(tr("%1, adapted").arg(base.title), card.frame);
+  title_ = new QLineEdit(edits ? base.title : tr("%1, adapted").arg(base.title), card.frame);
   title_->setObjectName(QStringLiteral("variant_title"));
   summary_ = new QLineEdit(base.summary, card.frame);
   summary_->setObjectName(QStringLiteral("variant_summary"));
@@ -41,7 +45,9 @@ QWidget* VariantDialog::make_words(const LessonEntry& base) {
   form->addRow(tr("Tas&k"), summary_);
   form->addRow(tr("&Learning goal"), goal_);
   card.body->addLayout(form);
-  connect(title_, &QLineEdit::textChanged, this, &VariantDialog::update_state);
+  for (const QLineEdit* line : {title_, summary_})
+    connect(line, &QLineEdit::textChanged, this, &VariantDialog::update_state);
+  connect(goal_, &QPlainTextEdit::textChanged, this, &VariantDialog::update_state);
   return card.frame;
 }
 
@@ -62,8 +68,16 @@ QWidget* VariantDialog::make_values(const QVector<LiveParam>& params) {
   scroll->setWidget(form_);
   scroll->viewport()->setAutoFillBackground(false);
   form_->setAutoFillBackground(false);
+  none_ = make_muted({}, card.frame);
+  none_->setObjectName(QStringLiteral("variant_none"));
+  none_->hide();
+  card.body->addWidget(none_);
   card.body->addWidget(scroll, 1);
-  connect(find_, &QLineEdit::textChanged, form_, &LiveForm::find);
+  connect(find_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    const bool any = form_->find(text);
+    none_->setText(tr("No value is called \"%1\".").arg(text));
+    none_->setVisible(!any && !text.isEmpty());
+  });
   connect(form_, &LiveForm::changed, this, &VariantDialog::update_state);
   return card.frame;
 }
@@ -88,25 +102,42 @@ QWidget* VariantDialog::make_buttons() {
   return bar;
 }
 
+void VariantDialog::preset(const QVector<LiveForm::Change>& values) {
+  preset_ = form_->preset(values);
+  update_state();
+}
+
 void VariantDialog::update_state() {
   if (!save_) return;
   const auto changes = form_->changes().size();
-  save_->setEnabled(changes > 0 && !title_->text().trimmed().isEmpty());  // a copy that changes nothing is no lesson
-  problem_->setText(title_->text().trimmed().isEmpty() ? tr("A lesson has a title.")
-                    : changes == 0                     ? tr("No value is changed yet.")
-                    : changes == 1                     ? tr("One value is changed.")
-                                                       : tr("%1 values are changed.").arg(changes));
+  const bool edits = folder_.isEmpty(), named = !title_->text().trimmed().isEmpty();
+  const bool words = edits && (title_->text() != lesson_.title || summary_->text() != lesson_.summary ||
+                               goal_->toPlainText() != lesson_.goal);
+  save_->setEnabled((changes > 0 || words) && named);  // a copy that changes nothing is no lesson
+  QString text = !named         ? tr("A lesson has a title.")
+                 : changes == 1 ? tr("One value is changed.")
+                 : changes > 1  ? tr("%1 values are changed.").arg(changes)
+                 : words        ? tr("The words are changed.")
+                                : tr("No value is changed yet.");
+  if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("The last attempt's are kept.");
+  problem_->setText(text);
+}
+
+QString VariantDialog::write(const QVector<std::pair<std::string, std::string>>& set) {
+  const Variant variant{lesson_.path, title_->text(), summary_->text(), goal_->toPlainText(), set};
+  if (folder_.isEmpty()) {
+    saved_ = lesson_.path;
+    return update_variant(lesson_.path, variant);
+  }
+  const Saved saved = save_variant(variant, folder_);
+  saved_ = saved.path;
+  return saved.problem;
 }
 
 void VariantDialog::save() {
   const auto set = form_->changes();
   QString problem = check_(set);
-  if (problem.isEmpty()) {
-    const Saved saved =
-        save_variant({base_, title_->text(), summary_->text(), goal_->toPlainText(), set}, folder_);
-    problem = saved.problem;
-    saved_ = saved.path;
-  }
+  if (problem.isEmpty()) problem = write(set);
   if (problem.isEmpty()) return accept();
   problem_->setText(problem);
 }

@@ -22,9 +22,14 @@ class VariantDialog : public QDialog {
   /// Builds the lesson with values; "" when it can be practised, else why not.
   using Check = std::function<QString(const QVector<std::pair<std::string, std::string>>& set)>;
 
-  VariantDialog(const LessonEntry& base, const QVector<LiveParam>& params, Check check, const QString& folder,
+  /// A new lesson below `folder`, based on `lesson`.
+  VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check, const QString& folder,
                 QWidget* parent);
-  /// After Save: the new file.
+  /// Edits `lesson` itself, one of one's own.
+  VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check, QWidget* parent);
+  /// Values that an attempt was adjusted to are in the form from the start.
+  void preset(const QVector<LiveForm::Change>& values);
+  /// After Save: the file.
   QString saved() const { return saved_; }
 
  private:
@@ -34,12 +39,16 @@ class VariantDialog : public QDialog {
   void update_state();
   void save();
 
-  QString base_, folder_, saved_;
+  QString write(const QVector<std::pair<std::string, std::string>>& set);  // "" or why not
+
+  LessonEntry lesson_;
+  QString folder_, saved_;  // no folder: the lesson itself is edited
+  int preset_ = 0;
   Check check_;
   QLineEdit *title_ = nullptr, *summary_ = nullptr, *find_ = nullptr;
   QPlainTextEdit* goal_ = nullptr;
   LiveForm* form_ = nullptr;
-  QLabel* problem_ = nullptr;
+  QLabel *problem_ = nullptr, *none_ = nullptr;
   QPushButton* save_ = nullptr;
 };
 

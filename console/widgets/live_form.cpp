@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QLocale>
 #include <QToolButton>
+#include <algorithm>
 
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
@@ -172,7 +173,7 @@ void LiveForm::set_running(bool running) {
   }
   if (of_ == Of::kVariant)
     return explain_->setText(
-        tr("What you change here is written into the new lesson; all else stays as it is."));
+        tr("What you change here is written into the lesson; all else stays as it is."));
   explain_->setText(fields_.isEmpty() ? tr("Nothing of this lesson may be changed while it runs.")
                     : running         ? tr("A change acts at once and is recorded.")
                                       : tr("Can be changed while the lesson runs."));
@@ -190,7 +191,25 @@ QVector<std::pair<std::string, std::string>> LiveForm::changes() const {
   return out;
 }
 
-void LiveForm::find(const QString& text) {
+QVector<LiveForm::Change> LiveForm::changed_values() const {
+  QVector<Change> out;
+  for (const Field& field : fields_)
+    if (field.value != field.param.start) out.append({field.param.instance, field.param.param.id, field.value});
+  return out;
+}
+
+int LiveForm::preset(const QVector<Change>& values) {
+  int taken = 0;
+  for (const Change& change : values)
+    for (int i = 0; i < fields_.size(); ++i) {
+      if (fields_[i].param.instance != change.instance || fields_[i].param.param.id != change.id) continue;
+      put(i, change.value);
+      ++taken;
+    }
+  return taken;
+}
+
+bool LiveForm::find(const QString& text) {
   QHash<QLabel*, bool> any;
   for (const Field& field : fields_) {
     const bool shown = text.isEmpty() || field.label->text().contains(text, Qt::CaseInsensitive) ||
@@ -201,6 +220,7 @@ void LiveForm::find(const QString& text) {
     any[field.heading] = any[field.heading] || shown;
   }
   for (auto it = any.begin(); it != any.end(); ++it) it.key()->setVisible(it.value());
+  return std::any_of(any.begin(), any.end(), [](bool shown) { return shown; });
 }
 
 }  // namespace swage::console

@@ -30,8 +30,16 @@ class LiveForm : public QFrame {
   int count() const { return static_cast<int>(fields_.size()); }
   /// What differs from the lesson: "needle.arc" and JSON.
   QVector<std::pair<std::string, std::string>> changes() const;
-  /// Shows the lines in whose name, or whose part's name, the text is; all for "".
-  void find(const QString& text);
+  /// The same with SI values, for another form of the same lesson.
+  struct Change {
+    std::string instance, id;
+    std::array<double, 4> value;
+  };
+  QVector<Change> changed_values() const;
+  /// Puts values in as if they had been typed; those of parameters that this form has not are left out. Returns how many it took.
+  int preset(const QVector<Change>& values);
+  /// Shows the lines in whose name, or whose part's name, the text is; all for "". Returns whether there are any.
+  bool find(const QString& text);
 
  Q_SIGNALS:
   void changed(const QString& instance, const QString& json, const QString& words);

@@ -61,6 +61,52 @@ TEST(Variants, AreNotWrittenOverOneAnother) {
   EXPECT_FALSE(save_variant({"/a/base.json", "Mine", "", "", {}}, "/proc/no/such").problem.isEmpty());
 }
 
+TEST(OwnLessons, AreThoseInTheirFolder) {
+  QTemporaryDir dir;
+  const QString own = dir.filePath("own");
+  const Saved mine = save_variant({"/a/base.json", "Mine", "", "", {}}, own);
+  EXPECT_TRUE(is_own_lesson(mine.path, own));
+  EXPECT_FALSE(is_own_lesson(own + "/../other.json", own));
+  EXPECT_FALSE(is_own_lesson("/a/base.json", own));
+  EXPECT_FALSE(is_own_lesson(mine.path, dir.filePath("none")));
+}
+
+TEST(OwnLessons, AreEditedInPlaceAndKeepTheirIdAndAllElse) {
+  QTemporaryDir dir;
+  const QString path = dir.filePath("mine.json");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(R"({ "format": "swage-lesson/1", "based_on": "b.json", "id": "own.mine", "title": "Mine", "author": "A. B.",
+    "set": { "needle.size": "4 mm", "tissue.thickness": "2 mm" } })");
+  file.close();
+  ASSERT_EQ(update_variant(path, {"", " Yours ", "Task", "", {{"needle.size", "\"3 mm\""}}}), "");
+  const auto json = nlohmann::json::parse(read(path).toStdString());
+  EXPECT_EQ(json["title"], "Yours");
+  EXPECT_EQ(json["summary"], "Task");
+  EXPECT_FALSE(json.contains("goal"));
+  EXPECT_EQ(json["id"], "own.mine");
+  EXPECT_EQ(json["author"], "A. B.");
+  EXPECT_EQ(json["set"]["needle.size"], "3 mm");
+  EXPECT_EQ(json["set"]["tissue.thickness"], "2 mm");
+  EXPECT_NE(update_variant(path, {"", "  ", "", "", {}}), "");
+  EXPECT_NE(update_variant(dir.filePath("none.json"), {"", "T", "", "", {}}), "");
+  QFile broken(dir.filePath("broken.json"));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("{ \"set\": 3 }");
+  broken.close();
+  EXPECT_NE(update_variant(broken.fileName(), {"", "T", "", "", {}}), "");
+  EXPECT_EQ(read(broken.fileName()), "{ \"set\": 3 }") << "what cannot be edited stays as it was";
+}
+
+TEST(OwnLessons, TellWhatIsBasedOnThem) {
+  QTemporaryDir dir;
+  const QString own = dir.filePath("own");
+  const Saved first = save_variant({"/a/base.json", "First", "", "", {}}, own);
+  const Saved second = save_variant({first.path, "Second", "", "", {}}, own);
+  EXPECT_EQ(based_on_it(first.path, own), QStringList{"Second"});
+  EXPECT_TRUE(based_on_it(second.path, own).isEmpty());
+}
+
 class VariantDialogs : public ::testing::Test {
  protected:
   VariantDialogs() {
@@ -110,6 +156,40 @@ TEST_F(VariantDialogs, WriteWhatWasChangedAndItReadsBack) {
   EXPECT_EQ(lesson["goal"], "To learn.");
   EXPECT_EQ(lesson["objects"][1]["params"]["thickness"], "1.5 mm");
   EXPECT_FALSE(lesson["objects"][0].contains("params"));
+}
+
+TEST_F(VariantDialogs, StartWithWhatAnAttemptWasAdjustedTo) {
+  dialog->preset({{"tissue", "thickness", {2e-3}}, {"nobody", "size", {1}}});
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 2);
+  EXPECT_EQ(child<QLabel>("variant_problem")->text(), "One value is changed. The last attempt's are kept.");
+  save();
+  ASSERT_EQ(checked.size(), 1);
+  EXPECT_EQ(checked[0].first, "tissue.thickness");
+}
+
+TEST_F(VariantDialogs, SayWhenNothingIsCalledSo) {
+  child<QLineEdit>("variant_find")->setText("tiss");
+  EXPECT_FALSE(child<QLabel>("variant_none")->isVisible());
+  child<QLineEdit>("variant_find")->setText("xyz");
+  EXPECT_TRUE(child<QLabel>("variant_none")->isVisible());
+  EXPECT_TRUE(child<QLabel>("variant_none")->text().contains("xyz"));
+}
+
+TEST_F(VariantDialogs, EditALessonOfOnesOwn) {
+  child<QLineEdit>("variant_title")->setText("Own");
+  set("live_needle_size_0", 4);
+  save();
+  const LessonEntry own = read_lesson(dialog->saved());
+  VariantDialog edits(own, kParams, [](const auto&) { return QString(); }, nullptr);
+  edits.show();
+  auto* save_button = edits.findChild<QPushButton*>("variant_save");
+  EXPECT_FALSE(save_button->isEnabled()) << "nothing is changed yet";
+  edits.findChild<QLineEdit*>("variant_title")->setText("Renamed");
+  ASSERT_TRUE(save_button->isEnabled()) << "words alone can be changed";
+  QTest::mouseClick(save_button, Qt::LeftButton);
+  EXPECT_EQ(edits.saved(), own.path);
+  EXPECT_EQ(read_lesson(own.path).title, "Renamed");
+  EXPECT_EQ(read_lesson(own.path).id, own.id);
 }
 
 TEST_F(VariantDialogs, WriteNothingThatCannotBePractised) {
