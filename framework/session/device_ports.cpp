@@ -21,6 +21,9 @@ namespace {
 constexpr int kReaderPriority = 60;
 // s without a new sample after which a device counts as silent; normal gaps are one to ten milliseconds
 constexpr double kSilence = 0.1;
+// s without a valid sample that the step sees after a pause. Above 0.1 it meets the hand again as after a clutch (step/hands.cpp);
+// longer is felt
+constexpr double kRest = 0.11;
 // what a hand is lost without, once it has given it
 constexpr uint32_t kWhole = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
 
@@ -146,12 +149,21 @@ swage_command IoPort::command(const Given& last, double dt, int64_t now) noexcep
   return out;
 }
 
-void IoPort::read(uint64_t, double, swage_sample& sample) noexcept {
+void IoPort::read(uint64_t, double time_s, swage_sample& sample) noexcept {
   Given given;
   if (given_.latest(given) == 0) return;
   sample = given.sample;
   // what is old is not valid any more: the step holds, and so does a replay, which sees the same samples
-  if (seconds(base::wall_ns() - given.wall_ns) > kSilence) sample.valid = 0;
+  if (seconds(base::wall_ns() - given.wall_ns) > kSilence || resting(time_s)) sample.valid = 0;
+}
+
+// A hand goes on moving while the scene is paused, for another hand that was lost or for its person. Afterwards it is met again where
+// its tool stands: without that the tool would leap after it.
+bool IoPort::resting(double time_s) noexcept {
+  const uint32_t now = armed();
+  if (now != armed_seen_ && armed_seen_ != 0) rest_until_ = time_s + kRest;
+  armed_seen_ = now;
+  return time_s < rest_until_;
 }
 
 double IoPort::lost_s() const noexcept {

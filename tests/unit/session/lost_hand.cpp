@@ -68,5 +68,44 @@ TEST(LostHand, TheLessonWaitsAndGoesOn) {
   EXPECT_GT(waited, 0.7);
 }
 
+TEST(LostHand, AHandThatMovedWhileTheSceneWasPausedIsMetWhereItsToolStands) {
+  step::FakeScene s;
+  std::atomic<double> place{0};
+  s.device_.device.flags = 0;
+  s.device_.device.rate_hz = 1000;
+  s.device_.exchange = [&](const swage_command*, swage_sample* out) {
+    ++out->sequence;
+    out->pose = {{place, 0, 0}, {1, 0, 0, 0}};
+    out->valid = SWAGE_VALID_POSE;
+    return swage_result{SWAGE_OK};
+  };
+  IoPort port(s.rig.devices[0], nullptr);
+  step::Engine engine(s.rig, step::Options(), {&port});
+  Loop loop(s.rig, engine, {&port}, nullptr, {});
+  std::unique_ptr<RtThread> thread;
+  thread = std::make_unique<RtThread>(Lateness::kCatchUp, 1e-3,
+                                      [&](const RtThread::Tick& t) { return loop.tick(t, thread->stats()); });
+  port.start();
+  thread->start([](const RtGrant&) {});
+  snapshot::Snapshot shown;
+  const auto after = [&](uint64_t steps) {
+    for (const uint64_t then = loop.steps() + steps; loop.steps() < then || !loop.latest(shown) || shown.step < then;)
+      base::sleep_until_ns(base::wall_ns() + 1'000'000);
+    return shown.device[0].X_WD.p.x;
+  };
+  const double scale = 1 / s.rig.devices[0].motion_scale, start = after(200);
+  loop.pause(true);
+  base::sleep_until_ns(base::wall_ns() + 50'000'000);
+  place = 5e-3;
+  base::sleep_until_ns(base::wall_ns() + 50'000'000);
+  loop.pause(false);
+  EXPECT_NEAR(after(300), start, 1e-9) << "the tool does not leap after its hand";
+  place = 6e-3;
+  EXPECT_NEAR(after(300), start + 1e-3 * scale, 1e-9) << "and follows it from there";
+  loop.stop();
+  thread->join();
+  port.stop();
+}
+
 }  // namespace
 }  // namespace swage::session
