@@ -18,6 +18,7 @@
 #include "host/nearest.hpp"
 #include "record/address.hpp"
 #include "record/store.hpp"
+#include "tools/doctor_devices.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/verbs.hpp"
@@ -125,6 +126,8 @@ std::vector<Finding> plugins(const DoctorOptions& o) {
   for (const auto& s : catalogue.shadowed())
     out.push_back({"plugin " + s.id, State::kPoor, s.path + " (" + s.version + ") is hidden by " + s.by,
                    "Take one of the two out of its folder."});
+  for (const DeviceState& d : ask_devices(catalogue))
+    out.push_back({"device " + d.id, d.ready ? State::kGood : State::kPoor, d.text, d.remedy});
   return out;
 }
 

@@ -15,6 +15,7 @@
 #include "host/nearest.hpp"
 #include "session/bounded_call.hpp"
 #include "tools/print.hpp"
+#include "tools/sensor_verbs.hpp"
 #include "tools/verbs.hpp"
 
 namespace {
@@ -34,6 +35,8 @@ struct Arguments {
   BenchOptions bench;
   AttemptsOptions attempts;
   NeedleOptions needle;
+  SimulateSensorOptions simulate_sensor;
+  CalibrateOptions calibrate;
   std::function<int()> chosen;
 };
 
@@ -227,6 +230,61 @@ void add_needle(CLI::App& app, Arguments& a) {
   common(bench, bench_needle);
 }
 
+void add_simulate_sensor(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("simulate-sensor", "A jaw sensor on a pseudo terminal, until Ctrl-C; says its port first");
+  SimulateSensorOptions& o = a.simulate_sensor;
+  verb->add_option("--link", o.link, "Name at which the port can be found");
+  verb->add_option("--script", o.script, "breathe, or a table of rows \"s, V\"")->capture_default_str();
+  verb->add_option("--serial", o.serial, "Serial number that it says")->capture_default_str();
+  verb->add_option("--rate", o.rate_hz, "Measurements per second")->check(CLI::Range(1.0, 2000.0))->capture_default_str();
+  verb->add_option("--seconds", o.seconds, "How long; 0: until Ctrl-C")->check(CLI::NonNegativeNumber);
+  verb->add_option("--drift", o.drift, "Relative error of its clock")->check(CLI::Range(-0.01, 0.01));
+  verb->add_option("--burst", o.burst_s, "s for which an adapter keeps bytes back; FTDI: 0.016")->check(CLI::Range(0.0, 1.0));
+  verb->add_option("--corrupt-each", o.corrupt_each, "Every n-th message has a wrong bit");
+  verb->add_option("--lose-each", o.lose_each, "Every n-th message is not sent");
+  verb->add_option("--unplug-each", o.unplug_each_s, "s after which it is unplugged for a second, again and again")->check(CLI::NonNegativeNumber);
+  verb->add_flag("--grip", o.grip, "Has a strain gauge, too");
+  verb->final_callback([&] { a.chosen = [&] { return simulate_sensor(a.simulate_sensor); }; });
+}
+
+void add_calibrate(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("calibrate", "Say what a jaw sensor's volts mean");
+  CalibrateOptions& o = a.calibrate;
+  verb->require_subcommand(1);
+  const auto common = [&](CLI::App* sub, int (*what)(const CalibrateOptions&)) {
+    sub->add_option("--serial", o.serial, "Serial number of the sensor; it says it itself when it is plugged in");
+    sub->final_callback([&a, what] { a.chosen = [&a, what] { return what(a.calibrate); }; });
+  };
+  const auto sensor = [&](CLI::App* sub) {
+    sub->add_option("--port", o.port, "Port of the sensor; the only serial adapter unless given");
+    sub->add_option("--bits-per-s", o.bits_per_s, "Of the port")->capture_default_str();
+    sub->add_option("--seconds", o.seconds, "For which one value is averaged")->check(CLI::Range(0.05, 60.0))->capture_default_str();
+    sub->add_option("--file", o.file, "Kept there instead of among the stored ones");
+  };
+  CLI::App* displacement = verb->add_subcommand("displacement", "Volts to millimetres: 13 points over 6 mm, once");
+  displacement->add_option("--nominal", o.nominal_mm_per_v, "mm/V of the data sheet; 0: not known")->capture_default_str();
+  displacement->add_option("--valid-days", o.valid_days, "After which it expires")->check(CLI::Range(1, 3650))->capture_default_str();
+  CLI::App* force = verb->add_subcommand("force", "Travel to force at the handle: 5 to 11 points, once");
+  for (CLI::App* sub : {displacement, force}) {
+    sub->add_option("--table", o.table, "Rows \"mm, V\" or \"mm, N\" of a bench, instead of a sensor");
+    sub->add_option("--by", o.by, "Who calibrates");
+    sub->add_option("--name", o.name, "Of the sensor");
+    sensor(sub);
+  }
+  CLI::App* poses = verb->add_subcommand("poses", "Open, just closed, squeezed: 20 s, each session");
+  poses->add_option("--a", o.a_mm, "mm from the pivot to one swivel");
+  poses->add_option("--b", o.b_mm, "mm from the pivot to the other");
+  poses->add_option("--gap", o.gap_mm, "mm between the swivels when the jaws just meet");
+  poses->add_flag("--another-needleholder", o.force_anyway, "The ways may differ from those of before");
+  sensor(poses);
+  CLI::App* show = verb->add_subcommand("show", "What is stored");
+  show->add_flag("--json", o.json, "As JSON");
+  common(displacement, calibrate_displacement);
+  common(force, calibrate_force);
+  common(poses, calibrate_poses);
+  common(show, calibrate_show);
+}
+
 // CLI11 calls a wrong verb an unexpected argument; say what was meant instead
 bool wrong_verb(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> verbs;
@@ -253,7 +311,7 @@ int parse_and_run(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments a;
   for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_new,
-                         add_doctor, add_bench, add_attempts, add_needle})
+                         add_doctor, add_bench, add_attempts, add_needle, add_simulate_sensor, add_calibrate})
     add(app, a);
   if (wrong_verb(app, argc, argv)) return kProblem;
   try {

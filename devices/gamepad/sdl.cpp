@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sdl.hpp"
+
+#include <dlfcn.h>
+
+namespace swage::gamepad {
+
+namespace {
+
+constexpr uint32_t kInitGameController = 0x2000;  // SDL_INIT_GAMECONTROLLER
+constexpr const char* kLibrary = "libSDL2-2.0.so.0";
+
+template <class Function>
+bool find(void* library, const char* name, Function& out, std::string& why) {
+  out = reinterpret_cast<Function>(dlsym(library, name));
+  if (out == nullptr) why = std::string(kLibrary) + " has no " + name + ". Install the package libsdl2-2.0-0 of Debian 12 or newer.";
+  return out != nullptr;
+}
+
+bool find_all(void* library, Sdl& s, std::string& why) {
+  return find(library, "SDL_InitSubSystem", s.InitSubSystem, why) && find(library, "SDL_SetHint", s.SetHint, why) &&
+         find(library, "SDL_GetError", s.GetError, why) && find(library, "SDL_NumJoysticks", s.NumJoysticks, why) &&
+         find(library, "SDL_IsGameController", s.IsGameController, why) &&
+         find(library, "SDL_GameControllerOpen", s.GameControllerOpen, why) &&
+         find(library, "SDL_GameControllerClose", s.GameControllerClose, why) &&
+         find(library, "SDL_GameControllerGetAttached", s.GameControllerGetAttached, why) &&
+         find(library, "SDL_GameControllerGetAxis", s.GameControllerGetAxis, why) &&
+         find(library, "SDL_GameControllerGetButton", s.GameControllerGetButton, why) &&
+         find(library, "SDL_GameControllerName", s.GameControllerName, why) &&
+         find(library, "SDL_GameControllerNameForIndex", s.GameControllerNameForIndex, why) &&
+         find(library, "SDL_GameControllerEventState", s.GameControllerEventState, why) &&
+         find(library, "SDL_GameControllerUpdate", s.GameControllerUpdate, why);
+}
+
+}  // namespace
+
+const Sdl* load_sdl(std::string& why) {
+  static Sdl sdl{};
+  static bool ready = false;
+  if (ready) return &sdl;
+  void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    why = std::string(kLibrary) + " is not installed. Install the package libsdl2-2.0-0 (sudo apt install libsdl2-2.0-0).";
+    return nullptr;
+  }
+  if (!find_all(library, sdl, why)) return nullptr;
+  // no window of SDL is ever in front, Ctrl-C stays ours, and nobody empties its queue of events
+  sdl.SetHint("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1");
+  sdl.SetHint("SDL_NO_SIGNAL_HANDLERS", "1");
+  if (sdl.InitSubSystem(kInitGameController) != 0) {
+    why = std::string("SDL does not start: ") + sdl.GetError() + ".";
+    return nullptr;
+  }
+  sdl.GameControllerEventState(0);
+  ready = true;
+  return &sdl;
+}
+
+}  // namespace swage::gamepad

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "jaw_sensor.hpp"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sensor/calibration_file.hpp"
+
+namespace swage::jaw_sensor {
+
+using sensor::Calibration;
+using sensor::Measurement;
+using sensor::now_s;
+using sensor::Reading;
+
+namespace {
+
+// s in which a sensor has to say something: boards that restart when their port is opened need two
+constexpr double kPatience = 4;
+
+}  // namespace
+
+void JawSensor::build(const P& p, DeviceBuilder& builder) {
+  settings_.port = p.port;
+  settings_.bits_per_s = sensor::SerialPort::rates()[static_cast<std::size_t>(p.bits_per_s)];
+  settings_.binary = p.dialect == Dialect::kBinary;
+  settings_.foreign = p.dialect == Dialect::kForeign;
+  settings_.rate_hz = p.rate;
+  settings_.table = {p.format, sensor::unescaped(p.poll), sensor::unescaped(p.end), p.length, p.at, p.scale, p.offset};
+  if (settings_.foreign)
+    if (const std::string wrong = sensor::check_table(settings_.table); !wrong.empty()) builder.error("format", wrong);
+  if (const std::string wrong = sensor::check_poses({p.volts[0], p.volts[1], p.volts[2]}, {}); !wrong.empty())
+    builder.error("volts", "open, just closed and squeezed lie in this order, up or down");
+  given_ = !p.calibration.empty();
+  if (!given_) return;
+  if (const std::string wrong = sensor::load_calibration(p.calibration, calibration_); !wrong.empty())
+    builder.error("calibration", wrong);
+}
+
+bool JawSensor::choose_port(sensor::LinkSettings& settings) {
+  if (!settings.port.empty()) return true;
+  const std::vector<std::string> all = sensor::serial_adapters();
+  if (all.size() == 1) {
+    settings.port = all[0];
+    return true;
+  }
+  std::string list;
+  for (const std::string& one : all) list += " " + one;
+  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."
+                     : "There are several serial adapters; name the port of the sensor, one of:" + list);
+  return false;
+}
+
+// until the sensor has said who it is, or at least something
+bool JawSensor::hear_it() {
+  Measurement m;
+  bool heard = false;
+  for (const double until = now_s() + kPatience; now_s() < until;) {
+    while (link_.next(now_s(), m)) heard = true;
+    const bool named = !link_.info("serial").empty();
+    if (heard && (named || settings_.foreign)) return true;
+    if (!link_.plugged()) break;
+    const timespec pause{0, 2'000'000};
+    nanosleep(&pause, nullptr);
+  }
+  if (heard) return true;
+  const std::string rate = std::to_string(settings_.bits_per_s);
+  refuse(link_.bad() > 0 ? settings_.port + " sends what is no message of this dialect at " + rate +
+                               " bit/s. Is its dialect right, and its bits_per_s?"
+                         : settings_.port + " is there and says nothing at " + rate +
+                               " bit/s. Is the sensor powered, and is bits_per_s right?");
+  return false;
+}
+
+void JawSensor::open() {
+  filled_ = measured_ = warned_ = gauge_ = false;
+  sensor::LinkSettings settings = settings_;
+  if (!choose_port(settings)) return;
+  if (const std::string why = link_.open(settings); !why.empty()) return refuse(why);
+  if (!hear_it()) return link_.close();
+  serial_ = link_.info("serial");
+  connection_ = link_.connections();
+  calibrate();
+}
+
+void JawSensor::calibrate() {
+  const std::string path = sensor::calibration_path(serial_);
+  if (!given_ && !path.empty() && access(path.c_str(), R_OK) == 0)
+    if (const std::string wrong = sensor::load_calibration(path, calibration_); !wrong.empty()) warn(wrong);
+  Calibration use_this = calibration_;
+  if (use_this.displacement.valid() && !use_this.poses.known())
+    warn("The calibration has no poses of this needleholder; it is not used. Make them: swage calibrate poses.");
+  if (!use_this.displacement.valid() || !use_this.poses.known()) {
+    if (!use_this.displacement.valid())
+      note("Sensor " + (serial_.empty() ? "without a serial number" : serial_) + ": not calibrated. Its volts are taken as they are.");
+    use_this = {};
+    use_this.displacement.slope = 1;
+    const auto& v = params().volts;
+    use_this.poses = {v[0], v[1], v[2]};
+    return use(use_this);
+  }
+  if (const std::string trouble = sensor::calibration_trouble(use_this, serial_, sensor::today()); !trouble.empty()) warn(trouble);
+  char said[256];
+  std::snprintf(said, sizeof said, "Sensor %s: calibrated on %s by %s, residuals up to %.0f um; poses of %s; %s.",
+                use_this.serial.c_str(), use_this.date.c_str(), use_this.by.c_str(), 1e6 * use_this.displacement.worst,
+                use_this.poses_date.c_str(), use_this.force.empty() ? "no table of forces" : "force by travel");
+  note(said);
+  use(use_this);
+}
+
+void JawSensor::use(const Calibration& calibration) {
+  displacement_ = calibration.displacement;
+  force_known_ = params().force == Force::kTravel && !calibration.force.empty();
+  handle_.set(calibration, params().meets, {params().held, params().held_at});
+}
+
+// Another sensor would be read with the wrong calibration: it stays unheard.
+bool JawSensor::is_the_one() {
+  if (connection_ != link_.connections()) {
+    connection_ = link_.connections();
+    filled_ = false;
+    warned_ = false;
+  }
+  if (serial_.empty() || settings_.foreign) return true;
+  const std::string& now = link_.info("serial");
+  if (now == serial_) return true;
+  if (!now.empty() && !warned_) {
+    warned_ = true;
+    warn("The sensor " + now + " is plugged in in place of " + serial_ + ", with which the lesson began. It is not used.");
+  }
+  return false;
+}
+
+void JawSensor::take(const Measurement& m) {
+  if (m.kind == Reading::kGrip) {
+    gauge_ = (m.status & sensor::kNoMeasurement) == 0;
+    if (gauge_) force_ = std::max(0.0, m.value);
+    return;
+  }
+  // no sensor of this kind gives more than 20 V
+  measured_ = (m.status & sensor::kNoMeasurement) == 0 && std::abs(m.value) <= 20;
+  if (!measured_) {
+    filled_ = false;
+    return;
+  }
+  const double length = displacement_.length(m.value), dt = m.time_s - last_s_;
+  const double share = filled_ && params().smoothing > 0 ? 1 - std::exp(-std::max(0.0, dt) / params().smoothing) : 1;
+  length_ = filled_ ? length_ + share * (length - length_) : length;
+  last_s_ = m.time_s;
+  filled_ = true;
+}
+
+void JawSensor::exchange(const swage_command&, swage_sample& sample) {
+  Measurement m;
+  bool came = false;
+  double when = 0;
+  while (link_.next(now_s(), m)) {
+    if (!is_the_one()) continue;
+    take(m);
+    came |= m.kind == Reading::kJaw;
+    when = m.time_s;
+  }
+  if (!came) return;
+  sample.sequence += 1;
+  sample.time_s = std::max(sample.time_s, when);
+  sample.valid = 0;
+  if (!measured_) return;
+  const sensor::Handle::Grip grip = handle_.at(length_);
+  sample.closure = grip.closure;
+  sample.valid |= SWAGE_VALID_CLOSURE;
+  const bool gauge = params().force == Force::kGauge && gauge_;
+  if (!gauge && !force_known_) return;
+  sample.grip_force = gauge ? force_ : grip.force;
+  sample.valid |= SWAGE_VALID_GRIP;
+}
+
+}  // namespace swage::jaw_sensor
+
+SWAGE_EXPORT(swage::jaw_sensor::JawSensor)

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/doctor_devices.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "host/child.hpp"
+#include "host/guard.hpp"
+#include "tools/test_scene.hpp"
+
+namespace swage::tools {
+namespace {
+
+constexpr double kLimit = 12;  // s: a session waits ten for a device to open
+
+// "" for a device that needs no hardware, else what it says, as JSON
+std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) {
+  const TestScene scene(info, catalogue);
+  if (!scene.skipped().empty() || !scene.on_thread()) return "";
+  Stepped made;
+  std::string why;
+  if (!scene.make({}, made, why)) return nlohmann::json{{"ready", false}, {"said", why}}.dump();
+  host::DeviceSlot& slot = made.rig->devices[0];
+  host::Instance& instance = *slot.instance;
+  swage_result result = SWAGE_ERROR;
+  host::guarded(instance, host::Call::kOpen, 0, [&] { return result = slot.device->open(instance.raw); });
+  std::string said;
+  for (const base::Problem& p : instance.services->take_reports()) said += (said.empty() ? "" : " ") + p.message;
+  if (result >= 0) host::detail::contained(instance, host::Call::kClose, 0, [&] { slot.device->close(instance.raw); });
+  return nlohmann::json{{"ready", result >= 0}, {"said", said}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// what is missing is the first sentence, what to do about it are the others
+void split(const std::string& said, DeviceState& out) {
+  const std::size_t end = said.find(". ");
+  out.text = said.substr(0, end);
+  out.remedy = end == std::string::npos ? "Its page in the documentation says how it is set up." : said.substr(end + 2);
+}
+
+}  // namespace
+
+std::vector<DeviceState> ask_devices(const host::Catalogue& catalogue) {
+  std::vector<DeviceState> out;
+  for (const host::PluginInfo* info : catalogue.of_kind(SWAGE_KIND_DEVICE)) {
+    const host::ChildResult child = host::run_forked([&] { return ask(*info, catalogue); }, kLimit);
+    if (child.ok() && child.out.empty()) continue;
+    DeviceState& state = out.emplace_back();
+    state.id = info->id;
+    const auto answer = nlohmann::json::parse(child.out, nullptr, false);
+    if (!child.ok() || !answer.is_object()) {
+      state.text = child.timed_out ? "it does not come back from open()" : "it ends the process in which it is opened";
+      state.remedy = "Unplug what it drives, and tell its author.";
+      continue;
+    }
+    state.ready = answer.value("ready", false);
+    const std::string said = answer.value("said", "");
+    if (!state.ready) {
+      split(said.empty() ? "It could not be opened" : said, state);
+      continue;
+    }
+    state.text = said.empty() ? "ready" : "ready. " + said;
+  }
+  return out;
+}
+
+}  // namespace swage::tools

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The 3D mouse's driver against a daemon of a few lines on a socket of its own.
+#include "spacemouse/spacemouse.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <swage/testbed.hpp>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "temp_folder.hpp"
+
+namespace swage::spacemouse {
+namespace {
+
+using testing::HasSubstr;
+using toolkit::Vec3;
+using Bench = testbed::DeviceBench<Spacemouse>;
+
+double now_s() {
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void nap(double seconds) {
+  const timespec pause{0, static_cast<long>(1e9 * seconds)};
+  nanosleep(&pause, nullptr);
+}
+
+/// Listens like spacenavd; tells whoever has come.
+class Daemon {
+ public:
+  explicit Daemon(std::string path) : path_(std::move(path)) { start(); }
+  ~Daemon() { stop(); }
+  void start() {
+    listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::memcpy(address.sun_path, path_.c_str(), path_.size());
+    ::unlink(path_.c_str());
+    EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    EXPECT_EQ(listen(listener_, 4), 0);
+  }
+  void stop() {
+    if (client_ >= 0) ::close(client_);
+    if (listener_ >= 0) ::close(listener_);
+    client_ = listener_ = -1;
+    ::unlink(path_.c_str());
+  }
+  void tell(int32_t type, std::initializer_list<int32_t> data, std::size_t bytes = sizeof(SpnavEvent)) {
+    SpnavEvent e;
+    e.type = type;
+    std::copy(data.begin(), data.end(), e.data);
+    send(&e, bytes);
+  }
+  void send(const void* data, std::size_t bytes) {
+    if (const int next = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC); next >= 0) {
+      if (client_ >= 0) ::close(client_);
+      client_ = next;
+    }
+    EXPECT_TRUE(client_ < 0 || ::send(client_, data, bytes, MSG_NOSIGNAL) == static_cast<ssize_t>(bytes));
+  }
+
+ private:
+  const std::string path_;
+  int listener_ = -1, client_ = -1;
+};
+
+class Cap : public testing::Test {
+ protected:
+  Cap() : daemon_(folder_ / "spnav.sock") {}
+  void start(Bench& bench) {
+    bench.set_text("socket", folder_ / "spnav.sock");
+    bench.set("start_closing", 0, 0, 1);
+    bench.set("smoothing", 0);
+    ASSERT_TRUE(bench.start()) << (bench.host.reports.empty() ? "" : bench.host.reports[0]);
+  }
+  static int ask(Bench& bench, double seconds) {
+    int came = 0;
+    for (const double until = now_s() + seconds; now_s() < until; nap(2e-3)) {
+      const swage_sample last = bench.sample;
+      EXPECT_GE(bench.exchange(now_s()), 0);
+      came += bench.sample.sequence != last.sequence;
+      EXPECT_TRUE(p(bench).allFinite());
+      EXPECT_LE((p(bench) - toolkit::vec(last.pose.p)).norm(), 0.05 * 20e-3 * std::sqrt(3.0) + 1e-12);
+    }
+    return came;
+  }
+  static Vec3 p(const Bench& bench) { return toolkit::vec(bench.sample.pose.p); }
+
+  test::TempFolder folder_;
+  Daemon daemon_;
+};
+
+TEST_F(Cap, NoDaemonIsToldWithTheRemedy) {
+  daemon_.stop();
+  Bench bench;
+  bench.set_text("socket", folder_ / "spnav.sock");
+  EXPECT_FALSE(bench.start());
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("spacenavd does not answer at"));
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("sudo apt install spacenavd"));
+}
+
+TEST_F(Cap, SixAxesGoTheirWaysAndStandWhenTheCapIsLetGo) {
+  for (int axis = 0; axis < 6; ++axis) {
+    Bench bench;
+    start(bench);
+    int32_t data[7]{};
+    data[axis] = 350;
+    daemon_.tell(0, {data[0], data[1], data[2], data[3], data[4], data[5], 16});
+    ask(bench, 0.05);
+    const Vec3 v = toolkit::vec(bench.sample.twist.v), w = toolkit::vec(bench.sample.twist.w);
+    const double sign = axis % 3 == 2 ? -1 : 1;  // their z goes away from the user
+    const Vec3 wanted = sign * Vec3::Unit(axis % 3);
+    EXPECT_LT((v - (axis < 3 ? Vec3(20e-3 * wanted) : Vec3(Vec3::Zero()))).norm(), 1e-12) << axis;
+    EXPECT_LT((w - (axis < 3 ? Vec3(Vec3::Zero()) : Vec3(1.2 * wanted))).norm(), 1e-12) << axis;
+    daemon_.tell(0, {0, 0, 0, 0, 0, 0, 16});
+    ask(bench, 0.02);
+    const Vec3 at = p(bench);
+    ask(bench, 0.05);
+    EXPECT_EQ(p(bench), at);
+  }
+}
+
+TEST_F(Cap, ButtonsCloseAndOpenTheJawsUnlessTheyAreAnotherDevices) {
+  Bench bench;
+  bench.set("close_time", 0.2);
+  start(bench);
+  daemon_.tell(1, {0});
+  ask(bench, 0.3);
+  EXPECT_EQ(bench.sample.closure, 1);
+  EXPECT_EQ(bench.sample.buttons, 1u);
+  daemon_.tell(2, {0});
+  daemon_.tell(1, {1});
+  ask(bench, 0.3);
+  EXPECT_EQ(bench.sample.closure, 0);
+  Bench other;
+  other.set("jaws", 0);
+  start(other);
+  ask(other, 0.02);
+  EXPECT_EQ(other.sample.valid, SWAGE_VALID_POSE | SWAGE_VALID_TWIST | SWAGE_VALID_BUTTONS);
+}
+
+TEST_F(Cap, AMouseThatFallsSilentWhilePushedStands) {
+  Bench bench;
+  start(bench);
+  daemon_.tell(0, {350, 0, 0, 0, 0, 0, 16});
+  ask(bench, 0.6);
+  const Vec3 at = p(bench);
+  EXPECT_GT(at.x(), 4e-3);
+  EXPECT_LT(at.x(), 10e-3) << "0.3 s at 20 mm/s, and then nothing";
+  ask(bench, 0.1);
+  EXPECT_EQ(p(bench), at);
+}
+
+TEST_F(Cap, EventsInPiecesAndRubbishAreNoLeap) {
+  Bench bench;
+  start(bench);
+  daemon_.tell(0, {350, 0, 0, 0, 0, 0, 16}, 13);
+  ask(bench, 0.03);
+  EXPECT_EQ(p(bench), Vec3::Zero()) << "half an event is none";
+  const char rest[19]{};
+  daemon_.send(rest, sizeof rest);
+  ask(bench, 0.03);
+  EXPECT_GT(p(bench).x(), 0) << "its other half makes it one";
+  std::mt19937 random(9);
+  for (int i = 0; i < 200; ++i) {
+    SpnavEvent e;
+    e.type = static_cast<int32_t>(random() % 6) - 1;
+    for (int32_t& d : e.data) d = static_cast<int32_t>(random());
+    daemon_.send(&e, sizeof e);
+    ask(bench, 2e-3);
+  }
+}
+
+TEST_F(Cap, ADaemonThatIsRestartedAHundredTimesIsFoundAgainWithoutALeap) {
+  Bench bench;
+  start(bench);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> moment(0.002, 0.06);
+  for (int round = 0; round < 100; ++round) {
+    daemon_.tell(0, {350, 0, 0, 0, 0, 0, 16});
+    ask(bench, moment(random));
+    daemon_.stop();
+    ask(bench, 3e-3);
+    const swage_sample held = bench.sample;
+    EXPECT_EQ(ask(bench, moment(random)), 0) << "round " << round;
+    daemon_.start();
+    const double until = now_s() + 5;
+    while (bench.sample.sequence == held.sequence && now_s() < until) ask(bench, 2e-3);
+    ASSERT_LT(now_s(), until) << "round " << round;
+    EXPECT_EQ(p(bench), toolkit::vec(held.pose.p)) << "the cap is at rest until it says otherwise";
+  }
+}
+
+}  // namespace
+}  // namespace swage::spacemouse
