@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage calibrate and swage simulate-sensor as a person uses them, and what validator and doctor say of drivers with their fakes.
+#include <stdio.h>
+
+#include <atomic>
+#include <fstream>
+
+#include "program.hpp"
+#include "sensor/calibration_file.hpp"
+#include "sensor_thread.hpp"
+#include "test_places.hpp"
+
+namespace swage::tools::test {
+namespace {
+
+using sensor::SimulatedSensor;
+using swage::test::nap;
+using swage::test::SensorThread;
+using testing::HasSubstr;
+
+class Calibrate : public Program {
+ protected:
+  std::unique_ptr<SensorThread> plug() {
+    SimulatedSensor::Options options;
+    options.serial = "B7";
+    return std::make_unique<SensorThread>(
+        options, [this](double) { return SimulatedSensor::Measured{volts_, 0, 0}; }, path("port"));
+  }
+  /// Answers a verb step by step: before each line of text the sensor is brought to its volts.
+  int answer(const std::string& arguments, const std::vector<std::pair<double, std::string>>& lines) {
+    const std::string command = std::string(SWAGE_PROGRAM) + " " + arguments + " > " + path("said") + " 2>&1";
+    FILE* in = popen(command.c_str(), "w");
+    for (const auto& [volts, text] : lines) {
+      volts_ = volts;
+      nap(0.1);
+      fprintf(in, "%s\n", text.c_str());
+      fflush(in);
+      // it has measured when it asks the next question
+      const std::size_t questions = asked();
+      for (int i = 0; i < 300 && asked() == questions; ++i) nap(0.01);
+    }
+    const int code = pclose(in);
+    return WEXITSTATUS(code);
+  }
+  std::string said() const {
+    std::ifstream in(path("said"));
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  std::size_t asked() const { return said().size(); }
+
+  std::atomic<double> volts_{0};
+};
+
+TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
+  auto sensor = plug();
+  const std::string port = " --port " + path("port") + " --seconds 0.1";
+  std::vector<std::pair<double, std::string>> points;
+  for (int i = 0; i <= 12; ++i) points.emplace_back(-3 + 0.5 * i, std::to_string(0.5 * i));
+  points.emplace_back(0, "");
+  ASSERT_EQ(answer("calibrate displacement --by Ada" + port, points), 0) << said();
+  EXPECT_THAT(said(), HasSubstr("1.00000 mm/V, 3.0000 mm at 0 V"));
+
+  points = {{-1, ""}, {-1, "0.2"}, {-1.5, "1"}, {-2, "4"}, {-2.5, "10"}, {0, ""}};
+  ASSERT_EQ(answer("calibrate force --by Ada" + port, points), 0) << said();
+  ASSERT_EQ(answer("calibrate poses --a 40 --b 40 --gap 10" + port, {{2, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
+
+  sensor::Calibration c;
+  ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), c), "");
+  EXPECT_EQ(c.by, "Ada");
+  EXPECT_EQ(c.date, sensor::today());
+  EXPECT_EQ(c.expires, sensor::days_after(sensor::today(), 365));
+  EXPECT_NEAR(c.force.value(0.5e-3), 1, 1e-6);
+  EXPECT_NEAR(c.poses.open, 5e-3, 1e-6);
+  EXPECT_NEAR(c.poses.squeezed, 0.5e-3, 1e-6);
+  const nlohmann::json list = swage({"calibrate", "show", "--json"}).json();
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0]["serial"], "B7");
+  EXPECT_EQ(list[0]["trouble"], "");
+
+  // another needleholder under the same sensor is noticed, and taken when it is meant
+  EXPECT_EQ(answer("calibrate poses" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 1);
+  EXPECT_THAT(said(), HasSubstr("Is it the same needleholder? Nothing is kept."));
+  EXPECT_EQ(answer("calibrate poses --another-needleholder" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
+}
+
+TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
+  const auto fails = [&](const std::vector<std::string>& arguments, int code, const std::string& words) {
+    const Said s = swage(arguments);
+    EXPECT_EQ(s.code, code) << s.out;
+    EXPECT_THAT(s.err, HasSubstr(words));
+  };
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7", "--by", "Ada"}, 2, "no such file");
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, "Say who calibrates");
+  write("bent.csv", "mm,V\n0,0\n1,1.2\n2,1.8\n3,3.4\n4,3.7\n5,5.5\n6,5.5\n");
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--serial", "B7", "--by", "Ada"}, 1, "Nothing is kept");
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada"}, 2, "serial number with --serial");
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, "cannot name a file");
+  write("words.csv", "mm,V\n0,0\n1,one\n");
+  fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, "line 3: a row has 2 numbers");
+  write("f.csv", "0 0.2\n1 4\n2 3\n");
+  fails({"calibrate", "force", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
+  fails({"calibrate", "poses", "--port", path("nothing")}, 2, "is not there");
+  EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("No calibration is kept"));
+}
+
+TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {
+  Running simulated({"simulate-sensor", "--link", path("jaw"), "--corrupt-each", "20", "--drift", "0.004"}, folder());
+  for (int i = 0; i < 500 && access(path("jaw").c_str(), F_OK) != 0; ++i) nap(0.01);
+  write("lesson.json", R"({ "format": "swage-lesson/1", "id": "org.example.try", "title": "Try", "summary": "Try.", "scene_length": "1 mm",
+    "requires": { "swage.device.jaw_sensor": "^1", "swage.lesson.look": "^1", "swage.object.jaws": "^1" },
+    "devices": [ { "name": "hand", "plugin": "swage.device.jaw_sensor", "params": { "port": ")" +
+                            path("jaw") + R"(" } } ],
+    "objects": [ { "name": "holder", "plugin": "swage.object.jaws", "follows": { "pose": "hand", "closure": "hand" } } ],
+    "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
+  const Said s = swage({"validate", SWAGE_BINARY_DIR "/plugins/swage.device.jaw_sensor", "--with", path("lesson.json"), "--only", "driver",
+                        "--strictness", "10"});
+  EXPECT_EQ(s.code, 0) << s.out << s.err;
+  EXPECT_THAT(s.out, testing::ContainsRegex("driver +success +[0-9]+ measurements")) << s.out << s.err;
+  simulated.signal(SIGTERM);
+  EXPECT_EQ(simulated.end().code, 0);
+  EXPECT_NE(access(path("jaw").c_str(), F_OK), 0) << "its port is gone with it";
+}
+
+TEST_F(Calibrate, TheDoctorNamesEveryDriverWithItsRemedy) {
+  const nlohmann::json list = swage({"doctor", "--json"}).json();
+  for (const char* id : {"gamepad", "jaw_sensor", "spacemouse"}) {
+    bool found = false;
+    for (const auto& f : list) {
+      if (f["name"] != std::string("device swage.device.") + id) continue;
+      found = true;
+      EXPECT_TRUE((f["state"] == "good") == (f["remedy"] == "")) << f;
+    }
+    EXPECT_TRUE(found) << id;
+  }
+}
+
+}  // namespace
+}  // namespace swage::tools::test
