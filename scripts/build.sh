@@ -8,8 +8,9 @@ shift
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 options=()
 [ -n "${SWAGE_CMAKE_OPTIONS:-}" ] && read -ra options <<<"$SWAGE_CMAKE_OPTIONS"
-# what setup.sh installed since then may be what an optional part was waiting for (the peers of the bench, for one)
-packages=$(dpkg-query -W -f='${Package} ${Status}\n' $(awk '!/^#/ { print $2 }' scripts/packages.txt) 2>/dev/null |
+# what setup.sh installed since then may be what an optional part was waiting for (the peers of the bench, for one);
+# dpkg-query fails where one of them was never installed
+packages=$({ dpkg-query -W -f='${Package} ${Status}\n' $(awk '!/^#/ { print $2 }' scripts/packages.txt) 2>/dev/null || true; } |
   awk '/install ok installed/ { print $1 }' | sort)
 known=build/$preset/packages_configured_with.txt
 if [ ! -f "build/$preset/build.ninja" ] || [ ${#options[@]} -gt 0 ] || [ "$packages" != "$(cat "$known" 2>/dev/null)" ]; then

@@ -18,6 +18,8 @@ STAND_IN
 cat >"$work/bin/dpkg-query" <<'STAND_IN'
 #!/usr/bin/env bash
 for package in $INSTALLED; do echo "$package install ok installed"; done
+echo "dpkg-query: no packages found matching libode-dev" >&2
+exit 1  # as the real one does on a machine that has never heard of one of them
 STAND_IN
 chmod +x "$work/bin/cmake" "$work/bin/dpkg-query"
 export LOG=$work/log PATH=$work/bin:$PATH
