@@ -27,10 +27,14 @@ std::optional<CameraPreset> preset_of(const QString& view) {
   return presets.contains(view) ? std::optional(presets[view]) : std::nullopt;
 }
 
+constexpr int kWithLabels_px = 1060;  // the bar with everything in it needs 1020
+
 QComboBox* add_choice(QHBoxLayout* row, QWidget* bar, const QString& label, const char* name,
                       const QString& tip) {
   auto* text = new QLabel(label, bar);
   text->setProperty("muted", true);
+  text->setObjectName(QStringLiteral("choice_label"));
+  text->setMinimumWidth(1);  // it goes where the window is narrow, and then keeps no window wide
   row->addWidget(text);
   auto* choice = new QComboBox(bar);
   choice->setObjectName(QString::fromLatin1(name));
@@ -153,6 +157,13 @@ QWidget* MainWindow::make_top_bar() {
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
   row->addWidget(help);
   return bar;
+}
+
+// The choices of the bar have their names in tool tips too: where it is narrow they stand alone.
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  for (QLabel* label : findChildren<QLabel*>(QStringLiteral("choice_label")))
+    label->setVisible(width() >= kWithLabels_px);
 }
 
 void MainWindow::add_actions() {
