@@ -38,7 +38,8 @@ class Pad : public testing::Test {
   /// Asks for a while; how many new samples came.
   static int ask(Bench& bench, double seconds) {
     int came = 0;
-    for (const double until = now_s() + seconds; now_s() < until; nap(2e-3)) {
+    int asked = 0;  // a busy machine asks as often as a quick one
+    for (const double until = now_s() + seconds; now_s() < until || asked < 200 * seconds; nap(2e-3), ++asked) {
       const swage_sample last = bench.sample;
       EXPECT_GE(bench.exchange(now_s()), 0);
       came += bench.sample.sequence != last.sequence;
@@ -140,7 +141,7 @@ TEST_F(Pad, TriggersAreJaws) {
   ask(stays, 0.1);
   EXPECT_EQ(stays.sample.closure, left) << "the jaws stay";
   pad.axis(kLeftTrigger, 1);
-  ask(stays, 0.6);
+  for (const double until = now_s() + 60; stays.sample.closure > 0 && now_s() < until;) ask(stays, 0.1);
   EXPECT_EQ(stays.sample.closure, 0) << "and open with the other one";
 }
 
@@ -185,7 +186,7 @@ TEST_F(Pad, APulledPadIsSilenceAndComesBackWhereItsToolStands) {
     EXPECT_EQ(bench.sample.pose.p.x, held.pose.p.x);
     pad.plug();
     pad.axis(kRightTrigger, 0);
-    const double until = now_s() + 5;
+    const double until = now_s() + 60;
     while (bench.sample.sequence == held.sequence && now_s() < until) ask(bench, 2e-3);
     ASSERT_LT(now_s(), until) << "round " << round;
     // the stick rests after it was plugged in: nothing but the low pass of before could move it

@@ -61,6 +61,13 @@ class Driver : public testing::Test {
     }
     return came;
   }
+  /// Asks until so many new samples have come, however busy the machine is.
+  int ask_for(Bench& bench, int samples) {
+    int came = 0;
+    for (const double until = now_s() + 60; came < samples && now_s() < until;) came += ask(bench, 5e-3);
+    EXPECT_GE(came, samples);
+    return came;
+  }
   static std::string said(Bench& bench) {
     std::string out;
     for (const std::string& r : bench.host.reports) out += r + "\n";
@@ -118,7 +125,8 @@ TEST_F(Driver, VoltsBecomeClosureInLinesAndInFrames) {
     EXPECT_THAT(said(bench), HasSubstr("SIM1: not calibrated"));
     for (const auto& [volts, closure] : {std::pair{2.0, 0.0}, {0.5, 0.3}, {-1.0, 0.6}, {-1.5, 0.8}, {-2.0, 1.0}}) {
       volts_ = volts;
-      EXPECT_GT(ask(bench, 0.25), 50);
+      ask(bench, 0.05);  // what was on its way
+      ask_for(bench, 100);  // 0.2 s at 500 Hz: the low pass has 5 ms
       ASSERT_TRUE(closed(bench));
       EXPECT_NEAR(bench.sample.closure, closure, 1e-4) << volts << " V";
       EXPECT_EQ(bench.sample.valid & SWAGE_VALID_GRIP, 0u) << "no table, no force";
@@ -133,7 +141,7 @@ TEST_F(Driver, AStrainGaugeIsForceAndStaysWhileTheJawsMove) {
   Bench bench;
   bench.set("force", 1);
   ASSERT_TRUE(start(bench));
-  ask(bench, 0.2);
+  ask_for(bench, 20);
   EXPECT_EQ(bench.sample.valid, SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP);
   EXPECT_NEAR(bench.sample.grip_force, 3.25, 1e-9);
 }
@@ -153,12 +161,13 @@ TEST_F(Driver, TheStoredCalibrationOfTheSensorIsUsedAndTold) {
   ASSERT_TRUE(start(bench));
   EXPECT_THAT(said(bench), HasSubstr("calibrated on 2026-11-01 by Ada, residuals up to 27 um"));
   EXPECT_THAT(said(bench), HasSubstr("expired on 2000-01-01"));
-  ask(bench, 0.1);
+  ask_for(bench, 50);
   EXPECT_NEAR(bench.sample.closure, 0.6, 1e-3);
   EXPECT_EQ(bench.sample.grip_force, 0) << "the jaws have not met";
   EXPECT_EQ(bench.sample.valid, SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP);
   volts_ = 0;
-  ask(bench, 0.2);
+  ask(bench, 0.05);
+  ask_for(bench, 100);
   EXPECT_NEAR(bench.sample.grip_force, 2.0, 1e-3) << "1 mm of further travel: 2.2 N less the 0.2 N that close the jaws";
 }
 
@@ -171,14 +180,11 @@ TEST_F(Driver, WrongBytesAndLostMessagesAreCountedAndNeverBelieved) {
     bench.set("dialect", binary ? 1 : 0);
     volts_ = 0.5;
     ASSERT_TRUE(start(bench)) << said(bench);
-    int seen = 0;
-    for (int i = 0; i < 200; ++i) {
-      ask(bench, 5e-3);
-      if (!closed(bench)) continue;
+    for (int i = 0; i < 100; ++i) {
+      ask_for(bench, 2);
+      EXPECT_TRUE(closed(bench));
       EXPECT_NEAR(bench.sample.closure, 0.3, 1e-4);
-      ++seen;
     }
-    EXPECT_GT(seen, 100);
   }
 }
 
@@ -188,14 +194,17 @@ TEST_F(Driver, ASensorOutOfItsStrokeMeasuresNothing) {
   ASSERT_TRUE(start(bench));
   for (const uint8_t bad : {sensor::kOverRange, sensor::kUnderRange, sensor::kUnplugged}) {
     status_ = 0;
-    ask(bench, 0.1);
+    ask(bench, 0.05);
+    ask_for(bench, 20);
     EXPECT_TRUE(closed(bench));
     status_ = bad;
-    ask(bench, 0.1);
+    ask(bench, 0.05);
+    ask_for(bench, 20);
     EXPECT_EQ(bench.sample.valid, 0u) << "the host holds the jaws then";
   }
   status_ = sensor::kSupplyLow;
-  ask(bench, 0.1);
+  ask(bench, 0.05);
+  ask_for(bench, 20);
   EXPECT_TRUE(closed(bench));
 }
 
@@ -212,12 +221,12 @@ TEST_F(Driver, ReadersOfOthersArePolledAndNanIsNoNumber) {
   bench.set("dialect", 2);
   ASSERT_TRUE(start(bench)) << said(bench);
   int good = 0;
-  for (int i = 0; i < 100; ++i) {
+  for (const double until = now_s() + 60; good < 20 && now_s() < until;) {
     ask(bench, 3e-3);
     EXPECT_TRUE(!closed(bench) || std::abs(bench.sample.closure - 0.6) < 1e-6) << bench.sample.closure;
     good += closed(bench);
   }
-  EXPECT_GT(good, 10);
+  EXPECT_EQ(good, 20);
   stop = true;
   reader.join();
 }
@@ -237,7 +246,7 @@ TEST_F(Driver, APulledPlugIsSilenceAndTheSensorIsFoundAgain) {
   ASSERT_TRUE(start(bench));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> moment(0.002, 0.12);
-  ask(bench, 0.1);
+  ask_for(bench, 20);
   double most_off = 0;
   for (int round = 0; round < 100; ++round) {
     ask(bench, moment(random));
@@ -247,17 +256,19 @@ TEST_F(Driver, APulledPlugIsSilenceAndTheSensorIsFoundAgain) {
     EXPECT_EQ(ask(bench, moment(random)), 0);
     EXPECT_EQ(bench.sample.closure, held.closure);
     sensor.plug();
-    const double until = now_s() + 5;
+    const double until = now_s() + 60;
     for (uint64_t last = held.sequence; bench.sample.sequence < held.sequence + 20 && now_s() < until;) {
       ask(bench, 2e-3);
       if (bench.sample.sequence == last || !closed(bench)) continue;
       last = bench.sample.sequence;
       // no value of before, none that was made up: what the hand did when it was measured, 5 ms of low pass later
+      EXPECT_TRUE(bench.sample.closure > 0.199 && bench.sample.closure < 0.401) << bench.sample.closure;
       most_off = std::max(most_off, std::abs(bench.sample.closure - 0.2 * (2 - swing(bench.sample.time_s - begun))));
     }
     ASSERT_LT(now_s(), until) << "round " << round;
   }
-  EXPECT_LT(most_off, 0.03) << "0.15 s of this hand";
+  // a message that waited while the machine was busy is stamped late by that much, until the clock is known again
+  EXPECT_LT(most_off, 0.06) << "0.3 s of this hand";
   EXPECT_EQ(said(bench).find("in place of"), std::string::npos);
 }
 
@@ -265,7 +276,7 @@ TEST_F(Driver, AnotherSensorInItsPlaceIsNotBelieved) {
   auto sensor = plug();
   Bench bench;
   ASSERT_TRUE(start(bench));
-  ask(bench, 0.1);
+  ask_for(bench, 5);
   const uint64_t before = bench.sample.sequence;
   sensor->unplug();
   ask(bench, 0.05);
@@ -286,14 +297,14 @@ TEST_F(Driver, SilenceGivesNoSampleAndARestartNoLeapInTime) {
   auto sensor = plug();
   Bench bench;
   ASSERT_TRUE(start(bench));
-  ask(bench, 0.1);
+  ask_for(bench, 5);
   sensor->with([](SimulatedSensor& s) { s.silent(true); });
-  ask(bench, 5e-3);
+  ask(bench, 50e-3);
   EXPECT_EQ(ask(bench, 0.2), 0);
   sensor->with([](SimulatedSensor& s) { s.silent(false); });
-  EXPECT_GT(ask(bench, 0.2), 20);
+  ask_for(bench, 20);
   sensor->with([](SimulatedSensor& s) { s.restart(); });
-  EXPECT_GT(ask(bench, 0.2), 20);
+  ask_for(bench, 20);
   EXPECT_TRUE(closed(bench));
 }
 
@@ -309,7 +320,7 @@ TEST_F(Driver, OpensAndClosesAHundredTimes) {
     bench.host.role = SWAGE_THREAD_IO;
     ask(bench, 4e-3);
   }
-  EXPECT_GT(ask(bench, 0.1), 10);
+  ask_for(bench, 10);
 }
 
 }  // namespace
