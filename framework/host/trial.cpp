@@ -41,6 +41,7 @@ Trial::Trial(const Library& library, const PluginInfo& plugin, ParamValues value
   }
   if (plugin.kind == SWAGE_KIND_DEVICE) open_device();
   ready_ = error_.empty();
+  if (ready_) reset();  // as the contract has it: reset comes before the first step
   for (base::Problem& p : instance_->services->take_reports()) problems_.push_back(std::move(p));
 }
 

@@ -16,6 +16,7 @@
 // Threads: built on [main]; the rest [rt], nothing allocates.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -60,7 +61,17 @@ struct RodState {
         twist(director + 3 * (n - 1)),
         before(twist + n),
         steps(before + 6 * n) {}
+  /// Nodes and velocities, 6 n, in one place and directors and twists, 4 n - 3, in another; not for second_order.
+  RodState(int nodes, double* nodes_at, double* frames_at)
+      : n(nodes), x(nodes_at), v(x + 3 * n), director(frames_at), twist(director + 3 * (n - 1)) {}
   static size_t size(int n) { return static_cast<size_t>(3 * n + 3 * n + 3 * (n - 1) + n + 6 * n + 1); }
+
+  static size_t frames(int n) { return static_cast<size_t>(4 * n - 3); }
+  /// All but `before`.
+  void copy(const RodState& from) const {
+    std::copy_n(from.x, 3 * n, x), std::copy_n(from.v, 3 * n, v);
+    std::copy_n(from.director, 3 * (n - 1), director), std::copy_n(from.twist, n, twist);
+  }
 
   Vec3 node(int i) const { return Eigen::Map<const Vec3>(x + 3 * i); }
   Vec3 velocity(int i) const { return Eigen::Map<const Vec3>(v + 3 * i); }
@@ -128,6 +139,9 @@ class Rod {
   /// change() is how far the rod goes from there without contacts. False where there is no such step.
   bool linearise(const RodState& start, const RodState& s, const RodLoad& load);
   const double* change() const { return change_.data(); }
+  /// After linearise() about `s`: where that linear step leads under more forces on the unknowns [N, N m], which become their
+  /// changes. Exactly so: what an edge is stretched by turning, of second order, the next step takes back.
+  void respond(const RodState& s, const RodLoad& load, double* force, RodState& to);
   /// Begins a step at a state; then iterate() goes on from any other, with the forces of contacts as a load, and finish() ends it.
   void prepare(const RodState& start, const RodLoad& load);
   RodEffort iterate(RodState& s, const RodLoad& load, int iterations, double tolerance);
@@ -185,7 +199,7 @@ class Rod {
   void slow_turns();
   bool solve(const RodState& s, const RodLoad& load);
   double potential(const RodState& s, const RodLoad& load) const;
-  void follow_tension(const RodState& s, double share);
+  void follow_tension(const RodState& s, const double* change, double share);
   double bounded(const RodState& s) const;
   double search(const RodState& s, const RodLoad& load, double share);
   double twisted(const RodState& s, int i, double before) const;

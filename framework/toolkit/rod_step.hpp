@@ -21,7 +21,7 @@ inline void Rod::start(RodState& s) const {
   }
   for (int k = 0; k < 3 * n_; ++k) s.v[k] = 0;
   for (int i = 0; i < n_; ++i) s.twist[i] = has_joint(i) ? twisted(s, i, 0) : 0.0;
-  *s.steps = 0;
+  if (s.steps != nullptr) *s.steps = 0;
 }
 
 /// What the step starts from: x0_, where it would go without forces (hat_), drag by the speed that it has.
@@ -165,10 +165,10 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
 }
 
 /// The tension of the linear model after a change.
-inline void Rod::follow_tension(const RodState& s, double share) {
+inline void Rod::follow_tension(const RodState& s, const double* change, double share) {
   for (int j = 0; j < edges(); ++j) {
     const Edge e = edge(s, j);
-    const double* d = change_.data() + 4 * j;
+    const double* d = change + 4 * j;
     const double more = e.t.dot(Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]));
     const double T = section_.stretching * ((1 / e.inverse + more) / rest_[at(j)] - 1);
     tension_[at(j)] += share * (T - tension_[at(j)]);
@@ -211,7 +211,7 @@ inline void Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
 inline RodEffort Rod::step(RodState& s, const RodLoad& load, int iterations, double tolerance) {
   prepare(s, load);
   RodState old(n_, stored_.data());
-  std::copy_n(s.x, RodState::size(n_), old.x);
+  old.copy(s);
   go_on(s, load, 0.1);
   const RodEffort effort = iterate(s, load, iterations, tolerance);
   finish(s, load);
@@ -230,7 +230,7 @@ inline RodEffort Rod::iterate(RodState& s, const RodLoad& load, int iterations, 
     for (int k = 0; k < unknowns(); ++k)
       if (k % 4 != 3) size = std::max(size, std::abs(change_[at(k)]));
     if (guarded) share = search(s, load, share);
-    follow_tension(s, share);
+    follow_tension(s, change_.data(), share);
     move(s, change_.data(), share, s);
     for (int j = 0; j < edges(); ++j) turned_[at(j)] += share * change_[at(4 * j + 3)];
     effort.change = share * size;
@@ -262,6 +262,16 @@ inline bool Rod::linearise(const RodState& start, const RodState& s, const RodLo
   for (int k = 0; k < unknowns(); ++k) change_[at(k)] = -gradient_[at(k)];
   A_.solve(change_.data());
   return true;
+}
+
+inline void Rod::respond(const RodState& s, const RodLoad& load, double* force, RodState& to) {
+  for (int k = 0; k < unknowns(); ++k)
+    if (k % 4 == 3 ? turn_held_[at(k / 4)] != 0 : held_[at(k / 4)] != 0) force[k] = 0;
+  A_.solve(force);
+  for (int k = 0; k < unknowns(); ++k) force[k] += change_[at(k)];
+  follow_tension(s, force, 1);
+  move(s, force, 1, to);
+  finish(to, load);
 }
 
 inline bool Rod::stable(const RodState& s, const RodLoad& load) {

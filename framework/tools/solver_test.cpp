@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of swage.object.solver/1 (abi/object.h), asked of the tables alone.
+// The contract of swage.object.solver/1 and /2 (abi/object.h), asked of the tables alone.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "base/rng.hpp"
 #include "host/services.hpp"
+#include "scene/chain.hpp"
 #include "scene/view.hpp"
 #include "toolkit/math.hpp"
 #include "tools/extension_tests.hpp"
@@ -24,7 +25,14 @@ using toolkit::Pose;
 using toolkit::Vec3;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
-using Points = std::vector<swage_contact_point>;
+
+/// Places that are asked about; where on a chain they are only of an object with chains.
+struct Points {
+  std::vector<swage_contact_point> point;
+  std::vector<swage_chain_place> place;
+  uint32_t size() const { return static_cast<uint32_t>(point.size()); }
+  bool empty() const { return point.empty(); }
+};
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // relative to the largest entry of W. Rounding of a good solver stays below 1e-12
@@ -46,12 +54,12 @@ class Solver {
     for (uint32_t i = 0; i < slot_.body.count; ++i) moves_ |= motion(i) == SWAGE_MOTION_SELF;
   }
   /// Whether anything moves by it.
-  bool moves() const { return slot_.solver != nullptr && moves_; }
+  bool moves() const { return (slot_.solver != nullptr || slot_.solver_2 != nullptr) && moves_; }
 
   /// "" or what is wrong, at the poses of now.
   std::string check() {
-    if (std::string wrong = call(host::Call::kAdvance, [&] { return slot_.solver->advance(raw(), &view()); });
-        !wrong.empty())
+    const auto advance = slot_.solver_2 != nullptr ? slot_.solver_2->advance : slot_.solver->advance;
+    if (std::string wrong = call(host::Call::kAdvance, [&] { return advance(raw(), &view()); }); !wrong.empty())
       return wrong;
     const Points points = surface_points();
     if (points.empty()) return "";
@@ -80,16 +88,26 @@ class Solver {
     return slot_.instance->quarantined.load() != 0 ? host::quarantine_text(*slot_.instance) : "";
   }
 
+  std::string compliance(const Points& p, double* v_free, double* W) {
+    return call(host::Call::kCompliance, [&] {
+      if (slot_.solver_2 != nullptr)
+        return slot_.solver_2->compliance(raw(), &view(), p.size(), p.point.data(), p.place.data(), v_free, W);
+      return slot_.solver->compliance(raw(), &view(), p.size(), p.point.data(), v_free, W);
+    });
+  }
+  std::string yield(const Points& p, const Vector& j) {
+    return call(host::Call::kYield, [&] {
+      if (slot_.solver_2 != nullptr)
+        return slot_.solver_2->yield(raw(), &view(), p.size(), p.point.data(), p.place.data(), j.data());
+      return slot_.solver->yield(raw(), &view(), p.size(), p.point.data(), j.data());
+    });
+  }
+
   std::string ask(const Points& points, Answer& out) {
-    const auto n = static_cast<uint32_t>(points.size());
+    const uint32_t n = points.size();
     out.v_free = Vector::Constant(3 * n, kNan);
     out.W = Matrix::Constant(3 * n, 3 * n, kNan);
-    if (std::string wrong = call(host::Call::kCompliance,
-                                 [&] {
-                                   return slot_.solver->compliance(raw(), &view(), n, points.data(), out.v_free.data(),
-                                                                   out.W.data());
-                                 });
-        !wrong.empty())
+    if (std::string wrong = compliance(points, out.v_free.data(), out.W.data()); !wrong.empty())
       return wrong;
     if (out.v_free.allFinite() && out.W.allFinite()) return "";
     return format("compliance() for %u points leaves a number unwritten, or writes one that is not finite.", n);
@@ -110,7 +128,9 @@ class Solver {
 
   // the same points, asked alone
   std::string part(const Points& points, const Answer& all) {
-    const Points few(points.begin(), points.begin() + static_cast<long>((points.size() + 1) / 2));
+    Points few = points;
+    few.point.resize((points.size() + 1) / 2);
+    few.place.resize(few.point.size());
     Answer some;
     if (std::string wrong = ask(few, some); !wrong.empty()) return wrong;
     const auto n = static_cast<Eigen::Index>(3 * few.size());
@@ -123,12 +143,12 @@ class Solver {
 
   std::string surface(const Points& points) {
     if (slot_.surface == nullptr) return "";
-    const auto n = static_cast<uint32_t>(points.size());
+    const uint32_t n = points.size();
     Vector u[2];
     for (Vector& one : u) {
       one = Vector::Constant(3 * n, kNan);
       if (std::string wrong = call(host::Call::kDisplacement,
-                                   [&] { return slot_.surface->displacement(raw(), &view(), n, points.data(), one.data()); });
+                                   [&] { return slot_.surface->displacement(raw(), &view(), n, points.point.data(), one.data()); });
           !wrong.empty())
         return wrong;
       if (!one.allFinite()) return "displacement() leaves a number unwritten, or writes one that is not finite.";
@@ -141,21 +161,24 @@ class Solver {
     const scene::World saved = world_;
     Answer ignored;
     std::string wrong = ask(points, ignored);
-    if (wrong.empty())
-      wrong = call(host::Call::kYield, [&] {
-        return slot_.solver->yield(raw(), &view(), static_cast<uint32_t>(points.size()), points.data(), j.data());
-      });
-    // arms are those at which the contacts were found
+    if (wrong.empty()) wrong = yield(points, j);
     v = Vector::Zero(j.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const uint32_t b = slot_.body.first + points[i].body;
-      const Vec3 r = toolkit::vec(points[i].p_W) - toolkit::vec(saved.X_WB[b].p);
-      v.segment<3>(3 * static_cast<Eigen::Index>(i)) =
-          toolkit::vec(world_.V_WB[b].v) + toolkit::vec(world_.V_WB[b].w).cross(r);
-    }
+    for (uint32_t i = 0; i < points.size(); ++i)
+      v.segment<3>(3 * static_cast<Eigen::Index>(i)) = velocity(points, i, saved);
     world_ = saved;
     if (wrong.empty() && !v.allFinite()) wrong = "yield() leaves a speed that is not finite.";
     return wrong;
+  }
+
+  /// Of a point, as the solver wrote it; `before`: when contacts were found, whose arms count.
+  Vec3 velocity(const Points& points, uint32_t i, const scene::World& before) const {
+    const uint32_t b = slot_.body.first + points.point[i].body;
+    if (const swage_chain_place& at = points.place[i]; at.segment != SWAGE_NONE) {
+      const scene::ChainView chain(world_, world_.chain[world_.shape[slot_.shape.first + points.point[i].shape].chain]);
+      return (1 - at.share) * chain.v(at.segment) + at.share * chain.v(at.segment + 1);
+    }
+    const Vec3 r = toolkit::vec(points.point[i].p_W) - toolkit::vec(before.X_WB[b].p);
+    return toolkit::vec(world_.V_WB[b].v) + toolkit::vec(world_.V_WB[b].w).cross(r);
   }
 
   std::string motion_after(const Points& points, const Answer& all) {
@@ -193,9 +216,25 @@ class Solver {
     }
     for (std::size_t k = 0; k < kMost && !shapes.empty(); ++k) {
       const uint32_t i = shapes[random_() % shapes.size()];
-      out.push_back(on(world_.shape[slot_.shape.first + i], i));
+      const scene::Shape& shape = world_.shape[slot_.shape.first + i];
+      if (shape.kind == SWAGE_SHAPE_CHAIN) {
+        on_chain(shape, i, out);
+        continue;
+      }
+      out.point.push_back(on(shape, i));
+      out.place.push_back({SWAGE_NONE, 0, 0, 0});
     }
     return out;
+  }
+
+  // on the centre line: how a piece turns about itself no table tells
+  void on_chain(const scene::Shape& s, uint32_t index, Points& out) {
+    const scene::ChainView chain(world_, world_.chain[s.chain]);
+    const auto i = static_cast<uint32_t>(random_() % chain.segments());
+    const double share = random_.uniform();
+    const Vec3 p = (1 - share) * chain.p(i) + share * chain.p(i + 1);
+    out.point.push_back({s.body - slot_.body.first, index, toolkit::raw(p), {0, 0, 1}});
+    out.place.push_back({i, 0, share, (1 - share) * chain.s(i) + share * chain.s(i + 1)});
   }
 
   swage_contact_point on(const scene::Shape& s, uint32_t index) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace swage::thread {
 
@@ -22,84 +21,124 @@ Vec3 Thread::start_node(int i) const {
   if (params_.start == Start::kStraight) return {l * i, 0, 0};
   if (params_.start == Start::kHanging) return {0, 0, -l * i};
   const double r = params_.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
-  const double rise = 2 * params_.diameter * turn / (2 * std::numbers::pi),
+  const double rise = 2 * suture_.diameter * turn / (2 * std::numbers::pi),
                flat = std::sqrt(1 - std::pow(rise / l, 2));
   return {flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i};
 }
 
-/// Pose of a segment: x along it, y its director. Its length is that of the shape: one that has parted goes with the node before it.
-Pose Thread::segment(const RodState& s, int j) const {
+/// The body goes with the edge in the middle: its first node, x along it, y its director.
+Pose Thread::middle(const RodState& s) const {
+  const int j = params_.segments / 2;
   const Vec3 t = s.edge(j).normalized(), d = s.material(j);
   toolkit::Mat3 R;
   R << t, d, t.cross(d);
   toolkit::Quat q(R);
   q.normalize();
-  return {s.node(j) + 0.5 * rod_.rest_length(j) * t, q};
+  return {s.node(j), q};
+}
+
+bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
+  suture_ = {};
+  if (!p.suture.empty()) {
+    const std::string wrong = read_suture(p.suture, suture_);
+    if (!wrong.empty()) builder.error("suture", wrong);
+  }
+  if (p.diameter > 0) suture_.diameter = p.diameter;
+  if (p.young > 0) suture_.young = p.young;
+  if (p.poisson >= 0) suture_.poisson = p.poisson;
+  if (p.density > 0) suture_.density = p.density;
+  if (p.memory >= 0) suture_.memory = p.memory;
+  if (p.strength > 0) suture_.strength = p.strength;
+  if (const std::string wrong = fault(suture_); !wrong.empty()) builder.error("suture", wrong);
+  const double l = p.length / p.segments;
+  if (l < suture_.diameter)
+    builder.error("segments", "a segment is at least as long as the thread is thick: take fewer segments");
+  if (p.start == Start::kCoil && p.coil_radius < l)
+    builder.error(
+        "coil_radius",
+        "the coil's radius is at least the length of a segment: take more segments or a wider coil");
+  return !builder.failed();
 }
 
 void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   params_ = params;
-  const double l = params.length / params.segments;
-  if (params.start == Start::kCoil && params.coil_radius < l)
-    builder.error(
-        "coil_radius",
-        "the coil's radius is at least the length of a segment: take more segments or a wider coil");
-  if (builder.failed()) return;
-  const std::vector<double> rest(at(params.segments), l);
-  rod_ =
-      toolkit::Rod(toolkit::RodSection::round(params.diameter, params.young, params.poisson, params.density),
-                   rest, params.memory);
+  if (!take_suture(params, builder)) return;
+  const std::vector<double> rest(at(params.segments), params.length / params.segments);
+  rod_ = toolkit::Rod(
+      toolkit::RodSection::round(suture_.diameter, suture_.young, suture_.poisson, suture_.density), rest,
+      suture_.memory);
   if (params.first == End::kFixed) rod_.hold(0);
   if (params.last == End::kFixed) rod_.hold(params.segments);
+  declare(builder);
+  begun_.resize(RodState::size(nodes())), base_.resize(RodState::size(nodes()));
+  sides_.resize(at(kSides * rod_.unknowns()));
+}
 
-  std::vector<double> numbers(RodState::size(nodes()), 0.0);
+void Thread::declare(ObjectBuilder& builder) {
+  std::vector<double> numbers(RodState::size(nodes()), 0.0), p_B;
   RodState s(nodes(), numbers.data());
   for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = start_node(i);
   rod_.start(s);
-  const double half = 0.5 * l;
-  for (int j = 0; j < params.segments; ++j) {
-    const Pose X_OB = segment(s, j);
-    const Body body = builder.own_body(("segment " + std::to_string(j + 1)).c_str(), X_OB.abi());
-    if (j == 0) first_ = body, X_OB0_ = X_OB;
-    builder.capsule(body, {-half, 0, 0}, {half, 0, 0}, 0.5 * params.diameter);
+  X_OB0_ = middle(s);
+  body_ = builder.own_body("thread", X_OB0_.abi());
+  for (int i = 0; i < nodes(); ++i) {
+    const Vec3 p = X_OB0_.inverse() * start_node(i);
+    p_B.insert(p_B.end(), {p.x(), p.y(), p.z()});
   }
-  builder.state(static_cast<uint32_t>(RodState::size(nodes())) + static_cast<uint32_t>(params.segments) + 1);
+  const std::vector<double> radius(at(params_.segments), 0.5 * suture_.diameter);
+  builder.state(ChainState::doubles(vertices()));  // the first
+  // tighter than a piece is long no chain of straight pieces bends
+  const double bend_radius = std::max(2 * suture_.diameter, rod_.rest_length(0));
+  builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
+                {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
+  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 2);
+  point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");
   tension_last_ = builder.signal("thread.tension_last", "N", "Tension at the last end.");
+  tension_grip_ = builder.signal("thread.tension_grip", "N",
+                                 "Greatest tension beside the place where it is pressed hardest; 0 where nothing touches.");
   tension_ = builder.signal("thread.tension", "N", "Greatest tension.");
   bend_radius_ =
       builder.signal("thread.bend_radius", "m", "Least radius of bending; 1 m where it is straighter.");
   parted_ = builder.signal("thread.parted", "1", "Places at which it has parted.");
-
-  begun_.resize(RodState::size(nodes())), base_.resize(RodState::size(nodes()));
-  sides_.resize(at(kSides * rod_.unknowns()));
-  force_.resize(at(3 * nodes())), torque_.resize(at(params.segments));
-  point_.resize(kMaxPoints);
 }
 
 void Thread::reset(const Step& step) {
-  std::fill(step.state().begin(), step.state().end(), 0.0);
-  const Pose X_WO = Pose(step.pose(first_)) * X_OB0_.inverse();
+  const ChainState chain = step.chain(0, vertices());
+  const Pose X_WO = Pose(step.pose(body_)) * X_OB0_.inverse();
+  const int last = params_.segments - 1;
   RodState s = state(step);
-  for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_node(i);
+  for (int i = 0; i < nodes(); ++i) {
+    Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_node(i);
+    chain.s[at(i)] = i * rod_.rest_length(0);
+    chain.radius[at(i)] = i <= last ? 0.5 * suture_.diameter : 0;
+  }
+  held(step) = 0, pressed(step) = -1;
   take_parted(step);
   rod_.clamp(0).on = rod_.clamp(1).on = false;
   rod_.start(s);
-  const int last = params_.segments - 1;
+  // the memory of a coil is that of its own circle, which is to the left of its way
+  const Vec3 up = X_WO.q * Vec3::UnitZ();
+  if (params_.start == Start::kCoil && s.material(0).dot(up) < 0)
+    for (int k = 0; k < 3 * params_.segments; ++k) s.director[k] = -s.director[k];
   if (params_.first == End::kFixed) rod_.clamp(0) = {true, s.edge(0).normalized(), s.material(0)};
   if (params_.last == End::kFixed) rod_.clamp(1) = {true, s.edge(last).normalized(), s.material(last)};
 }
 
 void Thread::finish(const Step& step) {
   const RodState s = state(step);
-  double most = 0, bend = 1, parted = 0;
-  for (int j = 0; j < params_.segments; ++j) {
+  const ChainState chain = step.chain(0, vertices());
+  const int last = params_.segments - 1, grip = static_cast<int>(pressed(step));
+  double most = 0, bend = 1, parted = 0, beside = 0;
+  for (int j = 0; j <= last; ++j) {
     most = std::max(most, rod_.linear_tension(j));
-    parted += this->parted(step)[j];
+    parted += chain.radius[at(j)] == 0;
+    if (grip >= 0 && std::abs(j - grip) <= 1) beside = std::max(beside, rod_.linear_tension(j));
   }
-  for (int i = 1; i < params_.segments; ++i) bend = std::max(bend, rod_.curvature(s, i));
+  for (int i = 1; i <= last; ++i) bend = std::max(bend, rod_.curvature(s, i));
   step.signal(tension_first_, rod_.linear_tension(0));
-  step.signal(tension_last_, rod_.linear_tension(params_.segments - 1));
+  step.signal(tension_last_, rod_.linear_tension(last));
+  step.signal(tension_grip_, beside);
   step.signal(tension_, most);
   step.signal(bend_radius_, 1 / bend);
   step.signal(parted_, parted);

@@ -37,47 +37,48 @@ toolkit::RodLoad Thread::load(const Step& step) const {
   return out;
 }
 
-/// The rod has no memory of its own: what has parted is the host's to keep and to take back.
+/// The rod has no memory of its own: what has parted, a piece of the chain without thickness, is the host's to keep and take back.
 void Thread::take_parted(const Step& step) {
-  for (int j = 0; j < params_.segments; ++j) rod_.cut(j, parted(step)[j] != 0);
+  const ChainState chain = step.chain(0, vertices());
+  for (int j = 0; j < params_.segments; ++j) rod_.cut(j, chain.radius[at(j)] == 0);
 }
 
+/// The body goes along. Nodes and velocities have been written in place.
 void Thread::write(const Step& step, const RodState& before, const RodState& now) const {
-  for (int j = 0; j < params_.segments; ++j) {
-    const Pose X0 = segment(before, j), X = segment(now, j);
-    const Body body(first_ + static_cast<uint32_t>(j));
-    step.pose(body) = X.abi();
-    const Vec3 w = toolkit::log_rotation(X.q * X0.q.conjugate()) / step.dt();
-    step.twist(body) = {raw(Vec3((X.p - X0.p) / step.dt())), raw(w)};
-  }
+  const Pose X0 = middle(before), X = middle(now);
+  step.pose(body_) = X.abi();
+  const Vec3 w = toolkit::log_rotation(X.q * X0.q.conjugate()) / step.dt();
+  step.twist(body_) = {raw(Vec3((X.p - X0.p) / step.dt())), raw(w)};
 }
 
 void Thread::advance(const Step& step) {
   RodState s = state(step);
   const bool goes_on = held(step) != 0;
-  held(step) = 0;
+  held(step) = 0, pressed(step) = -1;
   take_parted(step);
-  std::copy_n(s.x, begun_.size(), begun_.data());
-  const RodState begun(nodes(), begun_.data());
+  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  begun.copy(s);
   const toolkit::RodLoad load = this->load(step);
   if (goes_on) {
+    rod_.prepare(begun, load);
     rod_.go_on(s, load, kMostStrain);
+    rod_.finish(s, load);
   } else {
     rod_.step(s, load, kFreeIterations, kSettled * params_.length);
     part(step);
   }
-  std::copy_n(s.x, base_.size(), base_.data());
+  base.copy(s);
   write(step, begun, s);
 }
 
-Thread::Point Thread::point(const swage_contact_point& c) const {
+Thread::Point Thread::point(const swage_contact_point& c, const swage_chain_place& place) const {
   const RodState base(nodes(), const_cast<double*>(base_.data()));
   Point p;
-  p.edge = static_cast<int>(c.body);
-  const Vec3 a = base.node(p.edge), e = base.edge(p.edge);
-  p.s = std::clamp((vec(c.p_W) - a).dot(e) / e.squaredNorm(), 0.0, 1.0);
+  p.edge = std::min(static_cast<int>(place.segment), params_.segments - 1);
+  p.s = place.share;
+  const Vec3 e = base.edge(p.edge);
   p.t = e.normalized();
-  p.arm = vec(c.p_W) - a - p.s * e;
+  p.arm = vec(c.p_W) - base.node(p.edge) - p.s * e;
   p.arm -= p.arm.dot(p.t) * p.t;
   return p;
 }
@@ -95,21 +96,23 @@ void Thread::push(const Point& p, const Vec3& f, double* unknowns, int line) con
   u[3 * line] += p.t.dot(p.arm.cross(f));
 }
 
-void Thread::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
-                        double* W) {
-  const int n = static_cast<int>(std::min<size_t>(points.size(), kMaxPoints));
+void Thread::compliance(const Step& step, std::span<const swage_contact_point> points,
+                        std::span<const swage_chain_place> place, double* v_free, double* W) {
+  const int n = static_cast<int>(std::min(points.size(), point_.size()));
   const double h = step.dt();
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
-  if (!rod_.linearise(begun, base, load(step))) return;
+  const int rows = 3 * n, stride = 3 * static_cast<int>(points.size());
+  std::fill_n(v_free, stride, 0.0), std::fill_n(W, stride * stride, 0.0);
+  linear_ = rod_.linearise(begun, base, load(step));
   for (int i = 0; i < n; ++i) {
-    Point& p = point_[at(i)] = point(points[at(i)]);
+    const Point& p = point_[at(i)] = point(points[at(i)], place[at(i)]);
     const Vec3 x0 = begun.node(p.edge) + p.s * begun.edge(p.edge),
                x1 = base.node(p.edge) + p.s * base.edge(p.edge);
-    const Vec3 v = (x1 - x0 + at_point(p, rod_.change(), 1)) / h;
-    for (int r = 0; r < 3; ++r) v_free[3 * i + r] = v[r];
+    Vec3 d = x1 - x0;
+    if (linear_) d += at_point(p, rod_.change(), 1);
+    for (int r = 0; r < 3; ++r) v_free[3 * i + r] = d[r] / h;
   }
-  const int rows = 3 * n, stride = 3 * static_cast<int>(points.size());
-  for (int first = 0; first < rows; first += kSides) {
+  for (int first = 0; linear_ && first < rows; first += kSides) {
     std::fill(sides_.begin(), sides_.end(), 0.0);
     const int last = std::min(first + kSides, rows);
     for (int c = first; c < last; ++c)
@@ -133,40 +136,33 @@ void Thread::hold_sides() {
   }
 }
 
-void Thread::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+void Thread::yield(const Step& step, std::span<const swage_contact_point> points,
+                   std::span<const swage_chain_place> place, const double* impulse) {
   RodState s = state(step);
-  const RodState begun(nodes(), begun_.data());
-  std::copy_n(base_.data(), base_.size(), s.x);
-  std::fill(force_.begin(), force_.end(), 0.0);
-  std::fill(torque_.begin(), torque_.end(), 0.0);
-  const double h = step.dt();
-  const int n = static_cast<int>(std::min<size_t>(points.size(), kMaxPoints));
+  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  const int n = static_cast<int>(std::min(points.size(), point_.size()));
+  if (!linear_ || n == 0) return;
+  std::fill_n(sides_.begin(), rod_.unknowns(), 0.0);
+  double most = 0;
   bool pushed = false;
   for (int i = 0; i < n; ++i) {
-    const Point p = point(points[at(i)]);
-    const Vec3 f = Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / h;
+    const Vec3 f = Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt();
+    const Point p = point(points[at(i)], place[at(i)]);
+    push(p, f, sides_.data(), 1);
     pushed = pushed || !f.isZero(0);
-    for (int r = 0; r < 3; ++r) {
-      force_[at(3 * p.edge + r)] += (1 - p.s) * f[r];
-      force_[at(3 * p.edge + 3 + r)] += p.s * f[r];
-    }
-    torque_[at(p.edge)] += p.t.dot(p.arm.cross(f));
+    if (const double hard = f.squaredNorm(); hard > most) most = hard, pressed(step) = p.edge;
   }
   held(step) = pushed;
-  toolkit::RodLoad load = this->load(step);
-  load.force = force_, load.torque = torque_;
-  rod_.prepare(begun, load);
-  rod_.take_tension(s);
-  rod_.iterate(s, load, 1, kSettled * params_.length);
-  rod_.finish(s, load);
+  rod_.respond(base, load(step), sides_.data(), s);
   part(step);
   write(step, begun, s);
 }
 
 /// Breaks where the tension is beyond its strength.
 void Thread::part(const Step& step) const {
+  const ChainState chain = step.chain(0, vertices());
   for (int j = 0; j < params_.segments; ++j)
-    if (rod_.linear_tension(j) > params_.strength) parted(step)[j] = 1;
+    if (rod_.linear_tension(j) > suture_.strength) chain.radius[at(j)] = 0;
 }
 
 }  // namespace swage::thread

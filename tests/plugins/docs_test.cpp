@@ -21,6 +21,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.coupling.contact", "plugins/coupling_contact/coupling_contact.md"},
     {"swage.coupling.grasp", "plugins/coupling_grasp/coupling_grasp.md"},
     {"swage.object.tissue", "plugins/tissue/tissue.md"},
+    {"swage.object.thread", "plugins/thread/thread.md"},
     {"swage.coupling.pierce", "plugins/coupling_pierce/coupling_pierce.md"},
     {"swage.device.scripted", "devices/scripted/scripted.md"},
     {"swage.device.skilled", "devices/skilled/skilled.md"},

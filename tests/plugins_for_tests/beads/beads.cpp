@@ -10,6 +10,7 @@
 // A point on piece i at share t has the weights w = 1 - t on bead i and t on bead i + 1, so W_pq = sum_v w_pv w_qv / a.
 #include <swage/object.hpp>
 
+#include <algorithm>
 #include <array>
 
 #include "toolkit/math.hpp"
@@ -82,6 +83,7 @@ class Beads final : public Object<BeadsParams>, public Solid, public ChainSolver
     const ChainState chain = step.chain(first_, n_);
     const size_t n = points.size();
     const double per_a = 1 / a(step.dt());
+    std::fill_n(W, 9 * n * n, 0.0);
     for (size_t i = 0; i < n; ++i) {
       const auto w_i = weights(place[i]);
       for (size_t k = 0; k < 3; ++k)
