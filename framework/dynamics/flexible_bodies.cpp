@@ -104,6 +104,15 @@ void FlexibleBodies::start() noexcept {
   }
 }
 
+bool FlexibleBodies::release(uint32_t slot) noexcept {
+  Object& o = object_[slot];
+  if (!o.sound || o.displaced) return false;
+  const auto first = o.extra.begin(), last = first + static_cast<std::ptrdiff_t>(3 * o.points);
+  if (std::all_of(first, last, [](double x) { return x == 0; })) return false;
+  std::fill(first, last, 0.0);
+  return true;
+}
+
 PointMobility FlexibleBodies::answer(uint32_t slot) const noexcept {
   const Object& o = object_[slot];
   return {o.W.data(), o.extra.data(), size_t{3} * o.points, o.h * o.h};

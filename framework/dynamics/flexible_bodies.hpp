@@ -37,6 +37,8 @@ class FlexibleBodies {
   void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;
   /// Puts all points where they are expected, whatever forces that would take.
   void start() noexcept;
+  /// Puts the points of one where they go by themselves. True where that is elsewhere; not of what stands apart from its shapes.
+  bool release(uint32_t slot) noexcept;
 
   /// Points that one object may have.
   uint32_t room() const noexcept { return room_; }

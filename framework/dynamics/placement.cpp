@@ -291,7 +291,7 @@ bool Placement::release(uint32_t block) noexcept {
       p_[m.index] = motion_->p_free[m.index];
       break;
     case DofBlock::Kind::kFlexible:
-      return false;
+      return flexible_.release(m.index);
   }
   prepare_block(block);
   return true;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.object.thread among solids, jaws and itself, in scenes as lessons have them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "thread_scene.hpp"
+#include "toolkit/rod.hpp"
+
+namespace {
+
+using namespace swage;
+using test::ThreadScene;
+using toolkit::Vec3;
+
+/// 10-0 nylon, 20 mm long: 85 nN.
+constexpr double kWeight = 4.333e-7 * 20e-3 * 9.80665;
+
+constexpr char kThread[] = R"({"name": "thread", "plugin": "swage.object.thread", )";
+constexpr char kBlock[] = R"({"name": "block", "plugin": "swage.object.solids",
+  "params": {"form": "box", "fixed": true, "size": ["60 mm", "60 mm", "2 mm"]}})";
+constexpr char kOnBlock[] = R"({"plugin": "swage.coupling.contact", "between": ["thread", "block"],
+  "params": {"stiffness": "1e5 N/m", "friction": 0.2}})";
+constexpr char kItself[] = R"({"plugin": "swage.coupling.contact", "between": ["thread", "thread"],
+  "params": {"stiffness": "1e4 N/m", "friction": 0.2}})";
+
+// it falls 1 mm, and lies still with its whole weight
+TEST(ThreadInScene, falls_on_a_plate_and_rests) {
+  ThreadScene s(std::string(kThread) + R"("pose": {"p": ["-10 mm", 0, "2 mm"]}},)" + kBlock, kOnBlock);
+  ASSERT_TRUE(s.engine);
+  s.run(2000);
+  EXPECT_NEAR(s.signal("contact.force"), kWeight, 0.02 * kWeight);
+  for (uint32_t i = 0; i < s.chain().vertices(); ++i) {
+    EXPECT_NEAR(s.chain().p(i).z(), 1.011e-3, 0.2e-6) << i;
+    EXPECT_LT(s.chain().v(i).norm(), 1e-6) << i;
+  }
+  EXPECT_EQ(s.troubles(), "");
+}
+
+/// The way of a loop that crosses itself at right angles, 8 um above its own surface: along x, then three quarters of a circle of
+/// 2 mm to the left, and back across.
+constexpr double kAbove = 30e-6;  // m, of centre lines
+Vec3 on_loop(double s) {
+  constexpr double kLeg = 6e-3, kRadius = 2e-3, kArc = 1.5 * M_PI * kRadius;
+  const double up = kAbove * std::clamp((s - kLeg) / kArc, 0.0, 1.0), turn = (s - kLeg) / kRadius;
+  if (s < kLeg) return {s - kLeg + kRadius, 0, up};
+  if (s < kLeg + kArc) return {kRadius + kRadius * std::sin(turn), kRadius - kRadius * std::cos(turn), up};
+  return {0, kRadius - (s - kLeg - kArc), up};
+}
+
+/// The leg above comes down on the one below. Without a coupling with itself it passes. So soft a thread stays bent for a moment.
+TEST(ThreadInScene, does_not_pass_through_itself_at_0_3_m_s) {
+  constexpr int kNodes = 49;
+  for (const bool coupled : {true, false}) {
+    ThreadScene s(R"({"name": "thread", "plugin": "swage.object.thread", "params": {"length": "24 mm", "segments": 48,
+                                                                                             "young": "0.01 GPa"}})",
+                  coupled ? kItself : "");
+    ASSERT_TRUE(s.engine);
+    scene::World& world = s.rig->world;
+    double* state = world.plugin_state.data() + world.chain[0].state;
+    toolkit::RodState rod(kNodes, state, state + scene::chain_doubles(kNodes));
+    for (int i = 0; i < kNodes; ++i) Eigen::Map<Vec3>(rod.x + 3 * i) = on_loop(0.5e-3 * i);
+    toolkit::Rod(toolkit::RodSection::round(22e-6, 1e7, 0.39, 1140), std::vector<double>(kNodes - 1, 0.5e-3)).start(rod);
+    for (int i = 12; i < kNodes; ++i) rod.v[3 * i + 2] = -0.3 * std::min(1.0, (i - 12) / 19.0);
+    // below is whatever of the first leg is nearest to the leg that came from above
+    const auto above = [&] {
+      double least = 1, up = 0;
+      for (int i = 31; i < kNodes; ++i)
+        for (int j = 0; j < 12; ++j) {
+          const Vec3 d = rod.node(i) - rod.node(j);
+          if (d.head<2>().norm() < least) least = d.head<2>().norm(), up = d.z();
+        }
+      return up;
+    };
+    ASSERT_NEAR(above(), kAbove, 1e-6);
+    double deepest = 0;
+    for (int k = 0; k < 40; ++k) {
+      s.run(1);
+      for (const contact::Contact& c : s.engine->contacts().contact) deepest = std::min(deepest, c.gap);
+    }
+    if (coupled) {
+      EXPECT_GT(above(), 0);
+      EXPECT_LT(above(), 100e-6) << "they touch";
+      EXPECT_GT(deepest, -8e-6) << "of 22 um: where the contact passes from piece to piece";
+      EXPECT_EQ(s.troubles(), "");
+    } else {
+      EXPECT_LT(above(), -1e-3);
+    }
+  }
+}
+
+}  // namespace
