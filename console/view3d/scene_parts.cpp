@@ -19,6 +19,8 @@ constexpr float kBeside = 1.8F;  // radii of the work from its middle
 // length of a needle's point over the radius of its wire: 0.8 mm of a wire of 100 um
 constexpr double kTaper = 16;
 constexpr double kCollar = 0.1e-3, kCollarGrow = 1.12;
+// the same of a thread, which is so thin that a share of it is no pixel
+constexpr double kThreadSleeve = 1.6, kThreadCollarGrow = 2.4;
 constexpr float kTouch_mm = 0.05F;
 // what of a tool is so many times further from the work than its foremost part is no tip: its handle
 constexpr float kBehind = 1.6F;
@@ -34,7 +36,7 @@ double taper_of(const snapshot::SceneCard& card, uint32_t object, double radius)
 }
 
 void add_bounds(const snapshot::SceneCard& card, const ScenePart& part, Bounds& bounds) {
-  const swage_pose X_WB = part.chain >= 0 ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : card.start[part.body];
+  const swage_pose X_WB = part.in_world() ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : card.start[part.body];
   const QQuaternion q = to_qt(X_WB.q);
   const QVector3D p = to_mm(X_WB.p);
   for (const Vertex& v : part.mesh.vertex) bounds.add(p + q.rotatedVector({v.p[0], v.p[1], v.p[2]}));
@@ -65,7 +67,16 @@ void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
     const uint32_t object = parts.chains[static_cast<size_t>(i)].object;
     add_chain(card, i, {role_of(card, object), card.objects[object].first_body, object, 0, true}, parts);
   }
+  parts.threads = find_threads(card);
+  for (size_t i = 0; i < parts.threads.size(); ++i) {
+    const ThreadLine& thread = parts.threads[i];
+    ScenePart part{role_of(card, thread.object), thread.body, thread.object};
+    part.thread = static_cast<int>(i);
+    part.mesh = thread_mesh(parts, part, thread.start, 0);
+    parts.part.push_back(std::move(part));
+  }
   for (const snapshot::CardShape& shape : card.shapes) {
+    if (shape.kind == SWAGE_SHAPE_CHAIN) continue;
     if (shape.kind == SWAGE_SHAPE_ARC && chain_of(parts, shape.object) >= 0) continue;
     if (!(shape.flags & SWAGE_SHAPE_DRAWN) || shape.body >= card.start.size()) continue;
     int& at = part_of_body[shape.body];
@@ -84,6 +95,14 @@ void add_bodies(const snapshot::SceneCard& card, SceneParts& parts) {
 void add_stretch(const snapshot::SceneCard& card, const ScenePart& like, SceneParts& parts) {
   if (!(like.to > like.from)) return;
   if (const int chain = chain_of(parts, like.object); chain >= 0) return add_chain(card, chain, like, parts);
+  for (size_t i = 0; i < parts.threads.size(); ++i) {
+    if (parts.threads[i].object != like.object) continue;
+    ScenePart part = like;
+    part.body = parts.threads[i].body, part.thread = static_cast<int>(i);
+    part.mesh = thread_mesh(parts, part, parts.threads[i].start, 0);
+    parts.part.push_back(std::move(part));
+    return;
+  }
   for (const snapshot::CardShape& shape : card.shapes) {
     const bool wire = shape.kind == SWAGE_SHAPE_ARC || shape.kind == SWAGE_SHAPE_CAPSULE ||
                       shape.kind == SWAGE_SHAPE_CYLINDER;
@@ -99,6 +118,8 @@ void add_stretch(const snapshot::SceneCard& card, const ScenePart& like, ScenePa
 // length along a wire, m
 double wire_length(const snapshot::SceneCard& card, uint32_t object) {
   double length = 0;
+  for (const ThreadLine& thread : find_threads(card))
+    if (thread.object == object) return thread.length();
   for (const snapshot::CardShape& s : card.shapes) {
     if (s.object == object) length += s.kind == SWAGE_SHAPE_ARC ? s.arc_radius * s.sweep : 2 * s.half_length;
   }
@@ -195,7 +216,7 @@ QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part,
     best = p;
   }
   const swage_pose& X = card.start[part.body];
-  return part.chain < 0 ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
+  return !part.in_world() ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
 }
 
 // the marked thing, or the only one that is worked on
@@ -209,7 +230,7 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
     for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
     parts.watched = static_cast<int>(p.body);
     parts.watched_middle = own.centre();
-    if (p.chain >= 0) {
+    if (p.in_world()) {
       const swage_pose& X = card.start[p.body];
       parts.watched_middle = to_qt(X.q).conjugated().rotatedVector(own.centre() - to_mm(X.p));
     }
@@ -254,7 +275,7 @@ void find_aim(const snapshot::SceneCard& card, SceneParts& parts) {
     return;
   }
   for (const ScenePart& p : parts.part) {
-    if (p.role != Role::kWork || p.chain >= 0) continue;
+    if (p.role != Role::kWork || p.in_world()) continue;
     Bounds own;
     for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
     parts.aim.push_back({p.body, own.centre()});
@@ -303,6 +324,12 @@ Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const 
                                             : 1),
                 mesh, sleeve ? 0 : chain.taper);
   return mesh;
+}
+
+Mesh thread_mesh(const SceneParts& parts, const ScenePart& part, std::span<const double> p_W, double least) {
+  const ThreadLine& thread = parts.threads[static_cast<size_t>(part.thread)];
+  if (part.role != Role::kMark) return thread.mesh(p_W, least);
+  return thread.part(p_W, least, part.from, part.to, part.collar ? kThreadCollarGrow : kThreadSleeve);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "console/view3d/mesh.hpp"
+#include "console/view3d/thread_line.hpp"
 #include "console/view3d/wire_chain.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -27,7 +28,11 @@ struct ScenePart {
   Mesh mesh{};              // in the body's frame; of a chain in the world, as it stands at the start
   int chain = -1;           // >= 0: of SceneParts::chains, made anew for each picture
   double from = 0, to = 1;  // which part of the chain
+  int thread = -1;          // >= 0: of SceneParts::threads, likewise
   bool collar = false;      // kMark: one of the two bright ends of a region, seen on a wire of any colour
+
+  /// Its mesh stands in the world, not in its body's frame.
+  bool in_world() const { return chain >= 0 || thread >= 0; }
 };
 
 /// A sphere that holds something, mm.
@@ -57,6 +62,7 @@ struct Spot {
 struct SceneParts {
   std::vector<ScenePart> part;
   std::vector<WireChain> chains;
+  std::vector<ThreadLine> threads;
   Bounds work;   // what is worked on, at the start
   Bounds focus;  // that, and the point of the tool near it
   Ground ground;
@@ -74,6 +80,9 @@ SceneParts make_parts(const snapshot::SceneCard& card);
 
 /// Triangles of a chain's part for these poses, world, mm.
 Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const swage_pose> X_WB);
+
+/// The same of a thread's part, whose vertices are at p_W [m]; nothing thinner than `least` [m].
+Mesh thread_mesh(const SceneParts& parts, const ScenePart& part, std::span<const double> p_W, double least);
 
 /// Role of an object by its traits and by how its bodies move.
 Role role_of(const snapshot::SceneCard& card, uint32_t object);

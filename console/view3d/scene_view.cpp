@@ -19,7 +19,7 @@ constexpr int kTick_ms = 16;
 constexpr int kFirstPictures = 16;  // shaders and meshes load in the background: the first pictures are empty
 constexpr qint64 kPatience_ms =
     30000;  // so long an empty picture is taken for one that is still being loaded
-constexpr double kThreadRadius_m = 15e-6;  // 10-0 suture
+constexpr double kLeastThread_px = 2.2;  // a 10-0 suture has one pixel where the picture shows 15 mm: it would come and go
 constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
 constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
 constexpr float kAnywhere_mm = 1e6F;
@@ -124,11 +124,6 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
     const bool moves = casts && !part.soft && part.role != Role::kStage;
     renderer_->add_part(part.mesh, surface_of(part), {casts, moves});
   }
-  thread_part_.assign(card_.objects.size(), -1);
-  for (size_t i = 0; i < card_.objects.size(); ++i) {
-    if (card_.objects[i].n_particle > 1)
-      thread_part_[i] = renderer_->add_part({}, {ui_["thread"], 0, 30}, {true, true});
-  }
   add_wounds();
   dented_.clear();
   wound_ = {};
@@ -155,6 +150,7 @@ Surface SceneView::surface_of(const ScenePart& part) const {
     case Role::kOther:
       break;
   }
+  if (part.thread >= 0) return {ui_["thread"], 0.1F, 60};
   return part.wire ? Surface{ui_["steel"], 0.7F, 40} : Surface{ui_["other"], 0, 20};
 }
 
@@ -200,6 +196,10 @@ void SceneView::colour_parts() {
 
 void SceneView::place_parts() {
   for (size_t i = 0; i < parts_.part.size(); ++i) {
+    if (parts_.part[i].thread >= 0) {
+      place_thread(static_cast<int>(i));
+      continue;
+    }
     if (parts_.part[i].chain >= 0) {
       if (have_snapshot_)
         renderer_->set_mesh(static_cast<int>(i), chain_mesh(parts_, parts_.part[i],
@@ -216,14 +216,18 @@ void SceneView::place_parts() {
   }
   if (!have_snapshot_) return;
   place_soft();
-  for (size_t i = 0; i < thread_part_.size(); ++i) {
-    if (thread_part_[i] < 0) continue;
-    Mesh mesh;
-    const snapshot::CardObject& object = card_.objects[i];
-    append_thread(snapshot_->particle_p_W + 3 * object.first_particle, object.n_particle, kThreadRadius_m,
-                  mesh);
-    renderer_->set_mesh(thread_part_[i], mesh);
-  }
+}
+
+// Of its true thickness, but where that could not be seen.
+void SceneView::place_thread(int part) {
+  const ScenePart& of = parts_.part[static_cast<size_t>(part)];
+  const ThreadLine& thread = parts_.threads[static_cast<size_t>(of.thread)];
+  const uint32_t last = thread.first + thread.vertices();
+  const std::span<const double> p_W = have_snapshot_ && last <= snapshot_->n_particle
+                                          ? std::span(snapshot_->particle_p_W + 3 * thread.first, thread.start.size())
+                                          : std::span(thread.start);
+  const double mm_per_px = 2 * camera_.distance() * std::tan(qDegreesToRadians(0.5 * OrbitCamera::kFovDeg)) / std::max(1, height());
+  renderer_->set_mesh(part, thread_mesh(parts_, of, p_W, 0.5 * kLeastThread_px * mm_per_px / kMmPerM));
 }
 
 // in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
@@ -344,7 +348,11 @@ void SceneView::tick() {
   const double dt = std::min(0.1, static_cast<double>(now - last_tick_ns_) * 1e-9);
   last_tick_ns_ = now;
   if (!isVisible() || !have_card_) return;
-  if (camera_.advance(dt)) touch();
+  if (camera_.advance(dt)) {
+    for (size_t i = 0; i < parts_.part.size(); ++i)
+      if (parts_.part[i].thread >= 0 && renderer_) place_thread(static_cast<int>(i));
+    touch();
+  }
   move_second(dt);
   if (resting()) return frames_.rest();
   // a processor that draws has less left for the session: every other picture is enough

@@ -133,6 +133,7 @@ class SceneView : public QWidget {
   void arrived(const QImage& image, const std::vector<Panel>& parts);
   bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
   void place_parts();
+  void place_thread(int part);
   void colour_parts();
   void look_near();
   void look_aside();
@@ -162,7 +163,6 @@ class SceneView : public QWidget {
   CueTheme cues_;
   snapshot::SceneCard card_;
   SceneParts parts_;
-  std::vector<int> thread_part_;  // renderer's part per object with particles, or -1
   std::set<int> dented_;          // parts that are not as they were at rest
   bool pierced_ = false;
   WoundPlace wound_;  // the greatest in the scene

@@ -147,8 +147,10 @@ struct Binding {
     if (!(mark.number[0] >= 0 && mark.number[0] <= mark.number[1] && mark.number[1] <= 1))
       return "A mark of an arc goes from a share to a larger one, both in 0..1.";
     const ObjectSlot& slot = rig.objects[mark.object];
-    for (uint32_t i = 0; i < slot.shape.count; ++i)
-      if (rig.world.shape[slot.shape.first + i].kind == SWAGE_SHAPE_ARC) return "";
+    for (uint32_t i = 0; i < slot.shape.count; ++i) {
+      const int32_t kind = rig.world.shape[slot.shape.first + i].kind;
+      if (kind == SWAGE_SHAPE_ARC || kind == SWAGE_SHAPE_CHAIN) return "";
+    }
     return "A mark of an arc names \"" + slot.instance->name + "\", which has none.";
   }
 
@@ -298,6 +300,8 @@ void Assembler::fill_card() {
       for (const toolkit::Convex::Face& f : convex.face) shape.face.push_back(f.vertex);
     }
     if (s.field != kNone) add_triangles(rig.world.field[s.field], shape);
+    // where a chain starts; the snapshot has its vertices after the particles, chain by chain
+    if (s.kind == SWAGE_SHAPE_CHAIN) shape.vertex = rig.world.chain[s.chain].start;
     card.shapes.push_back(std::move(shape));
   }
   if (rig.mirror) mirror(card);

@@ -4,6 +4,7 @@
 
 #include "host/builder.hpp"
 #include "scene/chain.hpp"
+#include "snapshot/snapshot.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::host {
@@ -68,6 +69,9 @@ struct ChainCalls {
     if (b.world_.body[b.body.first + body].motion != SWAGE_MOTION_SELF)
       return b.refuse("A chain is on a body that its object moves itself.");
     if (const std::string wrong = problem_of(chain, b.state.count); !wrong.empty()) return b.refuse(wrong);
+    size_t drawn = b.world_.particle_mass.size() + chain->n_vertex;
+    for (const scene::ChainInfo& other : b.world_.chain) drawn += other.start.size();
+    if (!b.fits(drawn, snapshot::kMaxParticles, "particles and vertices of chains")) return scene::kNone;
 
     scene::ChainInfo info = info_of(*chain);
     info.state = b.state.first + chain->state;

@@ -111,6 +111,8 @@ void Engine::fill_head(snapshot::Snapshot& out) const noexcept {
   out.hash = hash_;
   out.n_body = limit(w.X_WB.size(), kMaxBodies);
   out.n_particle = limit(w.particle_mass.size(), kMaxParticles);
+  for (const scene::ChainInfo& chain : w.chain)  // the vertices of chains follow, as the card says
+    out.n_particle = limit(out.n_particle + chain.start.size(), kMaxParticles);
   out.n_object = limit(rig_.objects.size(), kMaxObjects);
   out.n_signal = limit(w.signal.size(), kMaxSignals);
   out.n_metric = limit(v.metric.size(), kMaxMetrics);
@@ -130,7 +132,14 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
   const judge::Verdict& v = judging_.verdict();
   fill_head(out);
   std::copy_n(w.X_WB.begin(), out.n_body, out.X_WB);
-  std::copy_n(w.particle_p_W.begin(), 3 * out.n_particle, out.particle_p_W);
+  const auto particles = static_cast<uint32_t>(w.particle_mass.size());
+  std::copy_n(w.particle_p_W.begin(), 3 * std::min(particles, out.n_particle), out.particle_p_W);
+  uint32_t next = particles;
+  for (const scene::ChainInfo& chain : w.chain) {
+    const uint32_t n = std::min(static_cast<uint32_t>(chain.start.size()), out.n_particle - std::min(next, out.n_particle));
+    std::copy_n(w.plugin_state.begin() + chain.state, 3 * n, out.particle_p_W + 3 * next);
+    next += n;
+  }
   std::copy_n(v.object_cue.begin(), out.n_object, out.object_cue);
   std::copy_n(w.signal.begin(), out.n_signal, out.signal);
   std::copy_n(v.metric.begin(), out.n_metric, out.metric);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A flexible thread, drawn as a smooth tube through the vertices of its chain. Free of Qt3D.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "console/view3d/mesh.hpp"
+#include "snapshot/scene_card.hpp"
+
+namespace swage::console {
+
+struct ThreadLine {
+  uint32_t object = 0, body = 0;
+  uint32_t first = 0;         // of its vertices among the snapshot's particles
+  double radius = 0;          // m
+  double longest = 0;         // m: a piece that is longer has parted
+  std::vector<double> start;  // x y z [m, world] of its vertices
+
+  double length() const;  // m
+  uint32_t vertices() const { return static_cast<uint32_t>(start.size() / 3); }
+  /// Triangles, world, mm. `least`: m, the radius below which nothing could be seen.
+  Mesh mesh(std::span<const double> p_W, double least) const;
+  /// The same of its part [from, to] (0..1 by length), `grow` times as thick.
+  Mesh part(std::span<const double> p_W, double least, double from, double to, double grow) const;
+};
+
+/// The chains of a scene that are drawn, in the order of the card.
+std::vector<ThreadLine> find_threads(const snapshot::SceneCard& card);
+
+/// More points between those of a line of x y z, on a curve through them all that bends smoothly (Catmull and Rom): so many that
+/// neighbours turn by little.
+std::vector<double> smooth_line(std::span<const double> line);
+
+}  // namespace swage::console
