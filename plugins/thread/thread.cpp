@@ -37,6 +37,26 @@ Pose Thread::middle(const RodState& s) const {
   return {s.node(j), q};
 }
 
+/// Directors without twist, on which the memory bends: a straight thread to its left in its plane, one that hangs towards x, a coil
+/// as it lies. A coil is fixed along its circle, of which an edge is a chord.
+void Thread::start_frames(RodState& s, const toolkit::Quat& q_WO) {
+  const Vec3 d_O = params_.start == Start::kHanging ? Vec3(0, -1, 0) : Vec3(0, 0, 1);
+  const Vec3 d = q_WO * d_O;
+  const bool coil = params_.start == Start::kCoil;
+  const double chord = coil ? std::asin(std::min(1.0, 0.5 * rod_.rest_length(0) / params_.coil_radius)) : 0;
+  const auto clamp = [&](const Vec3& t, double turn) {
+    return toolkit::RodClamp{true, std::cos(turn) * t + std::sin(turn) * d.cross(t), (d - d.dot(t) * t).normalized()};
+  };
+  const int last = params_.segments - 1;
+  rod_.clamp(0) = clamp(s.edge(0).normalized(), 0);
+  rod_.clamp(1).on = false;
+  rod_.start(s);
+  rod_.clamp(0) = clamp(s.edge(0).normalized(), -chord);
+  rod_.clamp(0).on = params_.first == End::kFixed;
+  const Vec3 t = s.edge(last).normalized();
+  rod_.clamp(1) = {params_.last == End::kFixed, std::cos(chord) * t + std::sin(chord) * s.material(last).cross(t), s.material(last)};
+}
+
 bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
   suture_ = {};
   if (!p.suture.empty()) {
@@ -78,7 +98,7 @@ void Thread::declare(ObjectBuilder& builder) {
   std::vector<double> numbers(RodState::size(nodes()), 0.0), p_B;
   RodState s(nodes(), numbers.data());
   for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = start_node(i);
-  rod_.start(s);
+  start_frames(s, toolkit::Quat::Identity());
   X_OB0_ = middle(s);
   body_ = builder.own_body("thread", X_OB0_.abi());
   for (int i = 0; i < nodes(); ++i) {
@@ -115,14 +135,7 @@ void Thread::reset(const Step& step) {
   }
   held(step) = 0, pressed(step) = -1;
   take_parted(step);
-  rod_.clamp(0).on = rod_.clamp(1).on = false;
-  rod_.start(s);
-  // the memory of a coil is that of its own circle, which is to the left of its way
-  const Vec3 up = X_WO.q * Vec3::UnitZ();
-  if (params_.start == Start::kCoil && s.material(0).dot(up) < 0)
-    for (int k = 0; k < 3 * params_.segments; ++k) s.director[k] = -s.director[k];
-  if (params_.first == End::kFixed) rod_.clamp(0) = {true, s.edge(0).normalized(), s.material(0)};
-  if (params_.last == End::kFixed) rod_.clamp(1) = {true, s.edge(last).normalized(), s.material(last)};
+  start_frames(s, X_WO.q);
 }
 
 void Thread::finish(const Step& step) {

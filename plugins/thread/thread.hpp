@@ -119,6 +119,7 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
   toolkit::Vec3 start_node(int i) const;
+  void start_frames(toolkit::RodState& s, const toolkit::Quat& q_WO);
   toolkit::Pose middle(const toolkit::RodState& s) const;
   toolkit::RodLoad load(const Step& step) const;
   void take_parted(const Step& step);

@@ -77,6 +77,15 @@ TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
             0u);
 }
 
+// its novice and clumsy hands are still to come
+TEST(Suture, IsTakenNearItsFreeEndAndHeld) {
+  const LessonRun expert = run(kSeries + "050_suture_grasp.json", "expert");
+  ASSERT_TRUE(expert.ready());
+  EXPECT_EQ(expert.outcome(), "passed");
+  EXPECT_EQ(base::text(expert.engine().stats().health), "");
+  EXPECT_EQ(expert.engine().quarantined(), 0u);
+}
+
 // the picture and the hand are the mirror image, the scene and the verdict are the same
 TEST_P(Series, TheLeftHandGetsTheSameScore) {
   LessonRun right(kSeries + GetParam() + ".json", "expert");

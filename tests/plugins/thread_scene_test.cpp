@@ -40,6 +40,19 @@ TEST(ThreadInScene, falls_on_a_plate_and_rests) {
   EXPECT_EQ(s.troubles(), "");
 }
 
+/// 16 mm of a suture of 75 1/m hangs from its first end, turned in the world: its elastica, by quadrature. It swings there and stays.
+TEST(ThreadInScene, hangs_curled_as_it_remembers) {
+  ThreadScene s(std::string(kThread) + R"("pose": {"p": ["13.333 mm", 0, "18 mm"], "rpy": ["-90 deg", 0, "180 deg"]},
+                    "params": {"suture": "nylon_10_0.json", "start": "coil", "coil_radius": "13.333 mm", "length": "16 mm",
+                    "segments": 40, "first": "fixed"}})",
+                "");
+  ASSERT_TRUE(s.engine);
+  s.run(2000);
+  EXPECT_NEAR((s.chain().p(40) - Vec3(8.080e-3, 0, 5.202e-3)).norm(), 0, 0.03e-3);
+  EXPECT_NEAR((s.chain().p(28) - Vec3(4.146e-3, 0, 7.907e-3)).norm(), 0, 0.03e-3);
+  EXPECT_LT(s.chain().v(40).norm(), 1e-6);
+}
+
 /// The way of a loop that crosses itself at right angles, 8 um above its own surface: along x, then three quarters of a circle of
 /// 2 mm to the left, and back across.
 constexpr double kAbove = 30e-6;  // m, of centre lines

@@ -105,6 +105,20 @@ TEST(Thread, HangsAsAnElastica) {
               0.1 * 18.910e-3 / 0.5);  // G/2 at the clamp, and its first node
 }
 
+/// A coil of its own memory lies as it was laid.
+TEST(Thread, ACoilOfItsMemoryStays) {
+  Bench b;
+  b.bench.set("start", 2.0);
+  b.bench.set("memory", 75);
+  b.bench.set("coil_radius", 1.0 / 75);
+  b.bench.set("first", 1.0);
+  b.start();
+  b.bench.step.gravity = {0, 0, 0};
+  const Vec3 end = b.node(32);
+  for (int k = 0; k < 300; ++k) b.advance();
+  EXPECT_LT((b.node(32) - end).norm(), 20e-6);
+}
+
 TEST(Thread, SinksInWater) {
   Bench b;
   b.bench.set("around", 1.0);
