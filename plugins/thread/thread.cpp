@@ -92,6 +92,7 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   declare(builder);
   begun_.resize(RodState::size(nodes())), base_.resize(RodState::size(nodes()));
   sides_.resize(at(kSides * rod_.unknowns()));
+  pressed_.resize(at(params.segments));
 }
 
 void Thread::declare(ObjectBuilder& builder) {
@@ -111,7 +112,7 @@ void Thread::declare(ObjectBuilder& builder) {
   const double bend_radius = std::max(2 * suture_.diameter, rod_.rest_length(0));
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
-  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 2);
+  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 3);
   point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");
   tension_last_ = builder.signal("thread.tension_last", "N", "Tension at the last end.");
@@ -133,7 +134,7 @@ void Thread::reset(const Step& step) {
     chain.s[at(i)] = i * rod_.rest_length(0);
     chain.radius[at(i)] = i <= last ? 0.5 * suture_.diameter : 0;
   }
-  held(step) = 0, pressed(step) = -1;
+  held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);
   start_frames(s, X_WO.q);
 }
@@ -141,12 +142,13 @@ void Thread::reset(const Step& step) {
 void Thread::finish(const Step& step) {
   const RodState s = state(step);
   const ChainState chain = step.chain(0, vertices());
-  const int last = params_.segments - 1, grip = static_cast<int>(pressed(step));
+  const int last = params_.segments - 1;
+  const double* grip = this->grip(step);
   double most = 0, bend = 1, parted = 0, beside = 0;
   for (int j = 0; j <= last; ++j) {
     most = std::max(most, rod_.linear_tension(j));
     parted += chain.radius[at(j)] == 0;
-    if (grip >= 0 && std::abs(j - grip) <= 1) beside = std::max(beside, rod_.linear_tension(j));
+    if (grip[0] <= grip[1] && j >= grip[0] - 1 && j <= grip[1] + 1) beside = std::max(beside, rod_.linear_tension(j));
   }
   for (int i = 1; i <= last; ++i) bend = std::max(bend, rod_.curvature(s, i));
   step.signal(tension_first_, rod_.linear_tension(0));

@@ -112,9 +112,10 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
     double* all = step.state().data();
     return {nodes(), all, all + ChainState::doubles(vertices())};
   }
-  /// What lasts beside: whether contacts pushed in the last step, and the edge that they pressed hardest, or -1.
-  double& held(const Step& step) const { return step.state()[step.state().size() - 2]; }
-  double& pressed(const Step& step) const { return step.state()[step.state().size() - 1]; }
+  /// What lasts beside: whether contacts pushed in the last step, and the first and last of the neighbouring edges that were pressed
+  /// around the one that was pressed hardest; the last is before the first where none was.
+  double& held(const Step& step) const { return step.state()[step.state().size() - 3]; }
+  double* grip(const Step& step) const { return &step.state()[step.state().size() - 2]; }
 
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
@@ -130,6 +131,7 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
   toolkit::Vec3 at_point(const Point& p, const double* unknowns, int line) const;
   void push(const Point& p, const toolkit::Vec3& f, double* unknowns, int line) const;
   void hold_sides();
+  void find_grip(const Step& step, int hardest) const;
 
   ThreadParams params_;
   Suture suture_;
@@ -142,6 +144,7 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
   std::vector<double> begun_, base_;  // states: at its start, and about which it is linear
   std::vector<double> sides_;         // kSides right-hand sides
   std::vector<Point> point_;
+  std::vector<char> pressed_;  // per edge
   bool linear_ = false;  // there is a linear step
 };
 

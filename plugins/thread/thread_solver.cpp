@@ -54,7 +54,7 @@ void Thread::write(const Step& step, const RodState& before, const RodState& now
 void Thread::advance(const Step& step) {
   RodState s = state(step);
   const bool goes_on = held(step) != 0;
-  held(step) = 0, pressed(step) = -1;
+  held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   begun.copy(s);
@@ -143,19 +143,30 @@ void Thread::yield(const Step& step, std::span<const swage_contact_point> points
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
   if (!linear_ || n == 0) return;
   std::fill_n(sides_.begin(), rod_.unknowns(), 0.0);
+  std::fill(pressed_.begin(), pressed_.end(), char{0});
   double most = 0;
-  bool pushed = false;
+  int hardest = -1;
   for (int i = 0; i < n; ++i) {
     const Vec3 f = Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt();
     const Point p = point(points[at(i)], place[at(i)]);
     push(p, f, sides_.data(), 1);
-    pushed = pushed || !f.isZero(0);
-    if (const double hard = f.squaredNorm(); hard > most) most = hard, pressed(step) = p.edge;
+    const double hard = f.squaredNorm();
+    if (hard > 0) pressed_[at(p.edge)] = 1;
+    if (hard > most) most = hard, hardest = p.edge;
   }
-  held(step) = pushed;
+  held(step) = hardest >= 0;
+  find_grip(step, hardest);
   rod_.respond(base, load(step), sides_.data(), s);
   part(step);
   write(step, begun, s);
+}
+
+void Thread::find_grip(const Step& step, int hardest) const {
+  if (hardest < 0) return;
+  int first = hardest, last = hardest;
+  while (first > 0 && pressed_[at(first - 1)] != 0) --first;
+  while (last + 1 < params_.segments && pressed_[at(last + 1)] != 0) ++last;
+  grip(step)[0] = first, grip(step)[1] = last;
 }
 
 /// Breaks where the tension is beyond its strength.

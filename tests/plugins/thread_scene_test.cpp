@@ -153,4 +153,46 @@ TEST(ThreadInScene, is_held_by_the_jaws_without_creep) {
   }
 }
 
+/// Jaws draw a thread a quarter of the way round a fixed cylinder of 2 mm, then along: it slides where the stiff capstan says,
+///   T2 (cos a2 - mu sin a2) = T1 (cos a1 + mu sin a1) exp(mu (theta - a1 - a2)),  cos ai = 1 - EI / (2 Ti R^2).
+TEST(ThreadInScene, slides_over_a_cylinder_as_the_capstan_says) {
+  constexpr double kRadius = 1e-3, kFree = 7e-3, kBend = 2.875e-11, kFriction = 0.3;
+  const std::string hand = ::testing::TempDir() + "thread_capstan.json";
+  std::ofstream out(hand);
+  out << R"({"format": "swage-hand/1", "title": "Draws round", "keys": [)";
+  constexpr int kKeys = 10;
+  for (int i = 0; i <= kKeys + 2; ++i) {
+    const double a = 0.5 * M_PI * std::clamp(i - 2, 0, kKeys) / kKeys, left = kFree - kRadius * a;
+    const double x = kRadius * std::sin(a) + left * std::cos(a), z = kRadius * std::cos(a) - left * std::sin(a);
+    out << R"({"t": )" << (i == 0 ? 0 : 0.4 + 0.15 * i) << R"(, "p": [)" << x << ", -1e-3, " << z
+        << R"(], "axis": [0, -1, 0], "closing": [)" << std::sin(a) << ", 0, " << std::cos(a)
+        << R"(], "closure": )" << (i == 0 ? 0.5 : 0.65) << "},";
+  }
+  out << R"({"t": 4.2, "p": [1e-3, -1e-3, -5.9e-3]}]})";
+  out.close();
+  ThreadScene s(
+      R"({"name": "thread", "plugin": "swage.object.thread", "pose": {"p": ["-8 mm", 0, "1.0112 mm"]},
+          "params": {"length": "15.6 mm", "segments": 78, "first": "fixed"}},
+         {"name": "post", "plugin": "swage.object.solids", "pose": {"p": [0, 0, 0], "rpy": ["90 deg", 0, 0]},
+          "params": {"form": "cylinder", "fixed": true, "diameter": "2 mm", "length": "8 mm"}},
+         {"name": "holder", "plugin": "swage.object.jaws", "follows": {"pose": "hand", "closure": "hand"},
+          "pose": {"p": ["7 mm", "-1 mm", "1 mm"], "rpy": [0, 0, "-90 deg"]}})",
+      R"({"plugin": "swage.coupling.contact", "between": ["post", "thread"], "params": {"friction": 0.3, "stiffness": "1e5 N/m"}},
+         {"plugin": "swage.coupling.contact", "between": ["holder", "thread"], "params": {"friction": 0.4, "stiffness": "1e5 N/m"}},
+         {"plugin": "swage.coupling.grasp", "between": ["holder", "thread"]})",
+      R"({"name": "hand", "plugin": "swage.device.scripted", "params": {"file": ")" + hand + R"("}})");
+  ASSERT_TRUE(s.engine);
+  s.run(2300);
+  for (int i = 0; i < 250; ++i) {
+    s.run(1);
+    const double T1 = s.signal("thread.tension_first"), T2 = s.signal("thread.tension_grip");
+    const double a1 = std::acos(1 - kBend / (2 * T1 * kRadius * kRadius)), a2 = std::acos(1 - kBend / (2 * T2 * kRadius * kRadius));
+    const double said = (std::cos(a1) + kFriction * std::sin(a1)) / (std::cos(a2) - kFriction * std::sin(a2)) *
+                        std::exp(kFriction * (0.5 * M_PI - a1 - a2));
+    ASSERT_NEAR(T2 / T1, said, 0.01 * said) << i;
+  }
+  EXPECT_GT(s.signal("thread.tension_first"), 1.5e-3) << "from 0.6 mN on; from 2 mN on segments rock (thread.md, Limits)";
+  EXPECT_EQ(s.troubles(), "");
+}
+
 }  // namespace

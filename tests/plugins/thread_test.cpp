@@ -27,7 +27,7 @@ struct Bench {
     ASSERT_TRUE(bench.start(h));
     bench.step.gravity = {0, 0, -9.81};
     solver = bench.get<swage_solver_2>(SWAGE_EXT_SOLVER_2);
-    n = bench.declared.shapes.size() == 1 ? (bench.declared.n_state + 1) / 12 : 0;
+    n = bench.declared.shapes.size() == 1 ? bench.declared.n_state / 12 : 0;
   }
   void advance() { ASSERT_EQ(solver->advance(bench.raw, bench.fill()), SWAGE_OK); }
   /// A point on the middle of a segment, `up` from its centre line.
