@@ -21,6 +21,7 @@ TEST_F(Usage, VerbsAreNamed) {
   expect_refused({"runn", "x.json"},
                  "swage has no verb \"runn\". Did you mean \"run\"? It has: run, study, replay,");
   expect_refused({"attempts"}, "Say what attempts shall do. It has: list, export, import, backup, restore, salvage.");
+  expect_refused({"calibrate"}, "Say what calibrate shall do. It has: displacement, force, poses, show.");
   expect_refused({"attempts", "exprot"}, "attempts has no verb \"exprot\". Did you mean \"export\"?");
 }
 
@@ -40,7 +41,8 @@ TEST_F(Usage, ArgumentsAreChecked) {
 }
 
 TEST_F(Usage, HelpAndVersionAreAnswers) {
-  for (const char* verb : {"run", "replay", "validate", "describe", "new", "doctor", "bench", "attempts", "needle"}) {
+  for (const char* verb : {"run", "replay", "validate", "describe", "new", "doctor", "bench", "attempts", "needle", "simulate-sensor",
+                           "calibrate"}) {
     const Said said = swage({verb, "--help"});
     EXPECT_EQ(said.code, 0);
     EXPECT_THAT(said.out, HasSubstr(std::string("swage ") + verb));
