@@ -7,6 +7,7 @@
 #include "dynamics/impulse.hpp"
 #include "dynamics/motion.hpp"
 #include "dynamics/rebound.hpp"
+#include "dynamics/refinement.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::dynamics {
@@ -20,14 +21,32 @@ struct Dynamics::Core {
       : options(chosen),
         motion(world),
         rebound(world, world.capacity.contacts),
-        contact_solve(world, chosen) {}
+        contact_solve(world, chosen),
+        refinement(world) {}
+
+  void solve_contacts(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
+                      std::span<Tie> ties, contact::Detector* detector) noexcept;
 
   Options options;
   Motion motion;
   Rebound rebound;
   ContactSolve contact_solve;
+  Refinement refinement;
   Stats stats;
 };
+
+/// Where rigid bodies alone touch, a step that does not converge is done again in parts.
+void Dynamics::Core::solve_contacts(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
+                                    std::span<Tie> ties, contact::Detector* detector) noexcept {
+  const auto flew = [](uint8_t f) { return f != 0; };
+  const bool rigid = self.empty() && ties.empty() && world.particle_mass.empty();
+  const bool may_refine = detector && rigid && std::none_of(motion.flown.begin(), motion.flown.end(), flew) &&
+                          refinement.keep(motion, contacts, stats.health);
+  const uint64_t before = stats.health.not_converged;
+  contact_solve.solve(world, motion, contacts, ties, self, stats);
+  if (may_refine && stats.health.not_converged > before)
+    refinement.run(world, motion, contacts, *detector, contact_solve, options, stats);
+}
 
 namespace {
 
@@ -74,7 +93,7 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::sp
     core_->motion.go_free(world);
   } else {
     if (compliant)
-      core_->contact_solve.solve(world, core_->motion, contacts, ties, self, core_->stats);
+      core_->solve_contacts(world, contacts, self, ties, detector);
     else
       respond_by_impulses(world, core_->motion, contacts);
     if (compliant && detector) core_->rebound.report(contacts, world.dt);

@@ -37,9 +37,9 @@ Motion::Motion(const scene::World& world) {
     if (!(m > 0)) throw std::invalid_argument("a particle needs a mass above 0");
 
   X0.resize(bodies), X_free.resize(bodies);
-  v_free.assign(bodies, Vec3::Zero()), w_free.assign(bodies, Vec3::Zero()), w0 = w_free;
+  v_free.assign(bodies, Vec3::Zero()), w_free.assign(bodies, Vec3::Zero()), v0 = w0 = w_free;
   held_body.assign(bodies, 0), flown.assign(bodies, 0);
-  q0.assign(hinges, 0), q_free.assign(hinges, 0);
+  q0.assign(hinges, 0), q_free.assign(hinges, 0), rate0.assign(hinges, 0);
   drive.resize(hinges);
   held_hinge.assign(hinges, 0);
   p0.assign(particles, Vec3::Zero()), p_free.assign(particles, Vec3::Zero()),
@@ -86,7 +86,7 @@ void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method)
   X_free[body] = {s.p_W, s.q_WB};
   v_free[body] = s.v_W;
   w_free[body] = s.w_W;
-  w0[body] = vec(V0.w);
+  v0[body] = vec(V0.v), w0[body] = vec(V0.w);
 
   if (held_body[body]) {
     // contacts held it against its weight and will again: look for them where it would go by itself
@@ -111,7 +111,7 @@ void Motion::predict_hinge(scene::World& world, uint32_t hinge) noexcept {
   const swage_wrench& F = world.F_B_W[info.child];
   const double torque = axis.dot(vec(F.t) + (X0[info.child].p - anchor).cross(vec(F.f)));
 
-  const double rate = world.hinge_rate[hinge];
+  const double rate = rate0[hinge] = world.hinge_rate[hinge];
   drive[hinge] = HingeDrive(info, world.drive[hinge], q0[hinge], rate, torque, world.dt);
   q_free[hinge] = q0[hinge] + drive[hinge].free();
   place_hinge(world, *this, hinge, held_hinge[hinge] ? q0[hinge] + world.dt * rate : q_free[hinge]);
@@ -120,14 +120,14 @@ void Motion::predict_hinge(scene::World& world, uint32_t hinge) noexcept {
 void Motion::predict_particle(scene::World& world, uint32_t i) noexcept {
   double *p = &world.particle_p_W[3 * i], *v = &world.particle_v_W[3 * i];
   const double h = world.dt;
-  const Vec3 v0(v[0], v[1], v[2]);
+  const Vec3 v_start(v[0], v[1], v[2]);
   const Vec3 f(world.particle_f_W[3 * i], world.particle_f_W[3 * i + 1], world.particle_f_W[3 * i + 2]);
   p0[i] = Vec3(p[0], p[1], p[2]);
-  v_free_p[i] = v0 + h * (vec(world.gravity) + f / world.particle_mass[i]);
-  p_free[i] = p0[i] + 0.5 * h * (v0 + v_free_p[i]);
+  v_free_p[i] = v_start + h * (vec(world.gravity) + f / world.particle_mass[i]);
+  p_free[i] = p0[i] + 0.5 * h * (v_start + v_free_p[i]);
 
-  const Vec3 at = held_particle[i] ? Vec3(p0[i] + h * v0) : p_free[i];
-  const Vec3& speed = held_particle[i] ? v0 : v_free_p[i];
+  const Vec3 at = held_particle[i] ? Vec3(p0[i] + h * v_start) : p_free[i];
+  const Vec3& speed = held_particle[i] ? v_start : v_free_p[i];
   for (int k = 0; k < 3; ++k) p[k] = at[k], v[k] = speed[k];
 }
 

@@ -22,9 +22,10 @@ struct Motion {
   std::vector<Pose> X0;      // at the start of the step
   std::vector<Pose> X_free;  // at its end, if nothing touched
   std::vector<Vec3> v_free, w_free;
-  std::vector<Vec3> w0;  // rad/s at the start
+  std::vector<Vec3> v0, w0;  // m/s, rad/s at the start
   // hinges
   std::vector<double> q0, q_free;  // rad
+  std::vector<double> rate0;       // rad/s
   std::vector<HingeDrive> drive;
   // particles
   std::vector<Vec3> p0, p_free, v_free_p;

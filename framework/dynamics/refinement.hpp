@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A step of rigid bodies that did not converge, done again in parts. Beyond Coulomb's limit what is left of a couple turns a needle of
+// 0.2 mg several rad in 1 ms where nothing holds it: past all contacts that the step knows, though a longer line of contact would hold it
+// after 0.1 rad. Within a part the way is short enough: its contacts are found anew, with the bristles of the part before.
+//
+// Flexible bodies, particles and ties keep the step as it is, and it is counted; so does a step in which something flew (rebound.hpp).
+//
+// Threads: built on [main]; the rest [rt], nothing allocates or throws.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "contact/detector.hpp"
+#include "dynamics/contact_solve.hpp"
+#include "dynamics/motion.hpp"
+#include "dynamics/options.hpp"
+#include "scene/world.hpp"
+
+namespace swage::dynamics {
+
+class Refinement {
+ public:
+  explicit Refinement(const scene::World& world);
+
+  /// Before the contact solve: what that writes over and the parts start from. False: there is no room for it.
+  bool keep(const Motion& motion, const contact::ContactSet& contacts, const base::SolverHealth& health) noexcept;
+  /// The step from its start on, in parts. Contact forces are those of the last part.
+  void run(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,
+           ContactSolve& solve, const Options& options, Stats& stats) noexcept;
+
+ private:
+  /// Of a contact, from the last step.
+  struct Memory {
+    Vec3 bristle_W, f_a_W;
+  };
+  void go_back(scene::World& world, Motion& motion, contact::ContactSet& contacts) const noexcept;
+  void follow(scene::World& world, double rest) const noexcept;
+  void count(Stats& stats, const base::SolverHealth& whole) const noexcept;
+
+  std::vector<Memory> memory_;
+  std::vector<uint64_t> held_body_, held_hinge_;
+  base::SolverHealth health_;
+  std::vector<swage_pose> X_end_;    // per body: where kinematic ones are at the end of the step
+  std::vector<uint8_t> everything_;  // per body: is looked at anew
+};
+
+}  // namespace swage::dynamics
