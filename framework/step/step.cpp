@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/clock.hpp"
+#include "host/call_watch.hpp"
 #include "host/guard.hpp"
 #include "host/services.hpp"
 
@@ -67,7 +68,10 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
   dynamics_start_.resize(dynamics.size());
   scene::Writer start(dynamics_start_);
   dynamics_.save(start);
+  // the first reset comes before the loop and its watchdog: it is watched as the other calls on [main] are
+  const bool watched = host::CallWatch::enter(host::last_call);
   reset();
+  if (watched) host::CallWatch::leave();
 }
 
 void Engine::reset() noexcept {

@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -211,6 +212,7 @@ class EvilPlugins : public ::testing::Test {
       fate.said = Sentinel::problem(report).message;
     else
       fate.outcome = "unnamed";
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM) fate.outcome = "hung";
     const bool quits = WIFEXITED(status) && WEXITSTATUS(status) == 0;
     fate.said += quits ? " (exit code 0)" : "";
     std::string error;
