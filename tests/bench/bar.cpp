@@ -20,6 +20,8 @@ const std::vector<Goal>& goals() {
                                         {"table-6-2", bar_table_62},
                                         {"S01", bar_units},
                                         {"grasp", bar_creep},
+                                        {"S46", bar_shots},
+                                        {"S47", bar_couple},
                                         {"insertion", bar_insertion},
                                         {"tissue", bar_tissue},
                                         {"needle", bar_needle}};

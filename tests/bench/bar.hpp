@@ -71,6 +71,8 @@ std::vector<Line> bar_pinch(const Effort&);      // G3
 std::vector<Line> bar_creep(const Effort&);      // grasp: 20 % more grip than the pull needs, and 20 % less
 std::vector<Line> bar_free(const Effort&);       // G6
 std::vector<Line> bar_tunnel(const Effort&);     // G7, accuracy
+std::vector<Line> bar_shots(const Effort&);      // S46: thin things, from every side
+std::vector<Line> bar_couple(const Effort&);     // S47: light needles beyond Coulomb's limit
 std::vector<Line> bar_insertion(const Effort&);  // tissue: stays, energy, cost, force
 std::vector<Line> bar_tissue(const Effort&);     // its mesh: off closed forms, build, memory
 std::vector<Line> bar_needle(const Effort&);     // the needle that bends: cost, its bench, slip and creep

@@ -52,6 +52,7 @@ std::vector<Line> balance() {
   line("at 86 deg", test::graze({}, 86 * std::numbers::pi / 180));
   line("torn to the rim", test::tear_to_rim({}, 5e-3));
   line("taken again by a hand at 5 mm/s", test::regrasp({}, 5e-3, false));
+  line("held still in tissue that is elastic", test::elastic({}, 0));
   return lines;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A needle in tissue, with the bundles as they ship: what the catalogue asks of it (S40 to S45). [main]
+// A needle in tissue, with the bundles as they ship: what the catalogue asks of it (S40 to S45, S48). [main]
 #pragma once
 
 #include <string>

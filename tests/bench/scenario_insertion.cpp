@@ -37,7 +37,8 @@ const std::map<std::string, Run>& runs() {
       {"pierce_tear_to_rim", test::tear_to_rim},
       {"pierce_regrasp_behind", [](const FeatMethod& m, double v) { return test::regrasp(m, v, false); }},
       {"pierce_regrasp_by_point", [](const FeatMethod& m, double v) { return test::regrasp(m, v, true); }},
-      {"pierce_stiffness", test::stiffness}};
+      {"pierce_stiffness", test::stiffness},
+      {"pierce_elastic", test::elastic}};
   return all;
 }
 

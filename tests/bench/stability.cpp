@@ -2,6 +2,7 @@
 #include "stability.hpp"
 
 #include "insertion.hpp"
+#include "own.hpp"
 #include "queries.hpp"
 
 #include <fstream>
@@ -169,6 +170,7 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.file = file, s.id = j.at("id"), s.title = j.at("title"), s.scenario = j.at("scenario");
     s.seconds = quick ? j.value("quick_seconds", 1.0) : j.value("seconds", 1.0);
     s.straight = j.value("needle", "") == "straight";
+    s.shots = quick ? j.value("quick_shots", s.shots) : j.value("shots", s.shots);
     s.poses = quick ? j.value("quick_poses", 500) : j.value("poses", 10000);
     s.jaw_mass = in_si(j, "jaw", s.jaw_mass);
     s.approach = in_si(j, "approach", 0);
@@ -262,6 +264,22 @@ std::vector<Sweep::Line> insertion_lines(const StabilityScene& s) {
   return lines;
 }
 
+/// The solver's own questions, by what it is made of; no peer is asked.
+std::vector<Sweep::Line> own_lines(const StabilityScene& s) {
+  std::vector<Sweep::Line> lines;
+  for (const OwnMethod& m : own_methods(s.scenario)) {
+    Sweep::Line line{m.family, m.name, {}, false};
+    for (const double value : s.values) {
+      const double y = m.measure(value, s.shots);
+      line.points.push_back({value * s.value_scale, y * s.measure_scale});
+      line.broke = !std::isfinite(y);
+      if (line.broke) break;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 /// Whether a method of that name can be here: ours always, a peer's when it is compiled in.
 bool known_family(const std::string& name) {
   const auto starts = [&](const char* family) { return name.rfind(family, 0) == 0; };
@@ -277,6 +295,7 @@ StabilityResult run_scene(const StabilityScene& s) {
   r.chart = s.chart;
   r.chart.lines = s.scenario.rfind("query", 0) == 0 ? query_lines(s)
                   : is_insertion(s.scenario)        ? insertion_lines(s)
+                  : is_own(s.scenario)              ? own_lines(s)
                                                     : method_lines(s);
   bool rivals = false;  // is any method here that is expected to fail? peers may not be installed
   for (const Sweep::Line& line : r.chart.lines) {

@@ -19,6 +19,7 @@ struct StabilityScene {
   double seconds = 1;
   bool straight = false;
   int poses = 10000;  // of a trajectory
+  int shots = 24;     // at each value
   double jaw_mass = 5e-3, approach = 0, restitution = 0, radius = 50e-6, wire = 0.1e-3;
   std::vector<double> values;          // of the swept parameter, SI; a pinch sweeps by itself
   double value_scale = 1;              // display units per SI unit, of the sweep

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a needle is made to do in tissue, each with one dangerous parameter, and what its energy did meanwhile. One code for the test of
-// the balance (pierce_energy_test) and for the stability catalogue (S40 to S45).
+// the balance (pierce_energy_test) and for the stability catalogue (S40 to S45, S48).
 //
 // [main]
 #pragma once
@@ -83,10 +83,10 @@ class FeatScene {
         out, sizeof out,
         R"("level": "%s", "size": [%.9g, %.9g], "thickness": %.9g, "backing": %.9g, "stiffness": %.9g,
       "stiffening": %.9g, "young": %.9g, "friction": %.9g, "puncture_force": %.9g, "cutting_force": %.9g, "drag": %.9g,
-      "side_stiffness": %.9g, "failure_stress": %.9g)",
+      "side_stiffness": %.9g, "failure_stress": %.9g, "relaxed": %.17g)",
         tissue::Tissue::kLevels[static_cast<int>(t.level)], t.size[0], t.size[1], t.thickness, t.backing,
         t.stiffness, t.stiffening, t.young, t.friction, t.puncture_force, t.cutting_force, t.drag,
-        t.side_stiffness, t.failure_stress);
+        t.side_stiffness, t.failure_stress, t.relaxed);
     return out;
   }
 
@@ -249,6 +249,30 @@ inline Feat stiffness(const FeatMethod& method, double young) {
   s.feat.done = s.rig.signal("pierce.state") == 2;
   s.rig.hold(0);
   s.run_until(1);
+  return s.end();
+}
+
+/// Held still 20 um below the surface of tissue that yields but for the share `creeps` of itself: dent and force are those of an elastic
+/// solid, and do not grow. S48
+inline Feat elastic(const FeatMethod& method, double creeps) {
+  constexpr double depth = 20e-6, down = 0.12, end = 0.32;  // m, s, s
+  FeatScene s(method);
+  s.tissue.relaxed = 1 - creeps;
+  s.rig.leash = R"("stiffness": "50000 N/m")";
+  s.rig.duration = 0.4;
+  const auto path = [](double t) {
+    Pose X = about(0);
+    X.p.z() += PierceRig::kWire + 5e-6 - (5e-6 + depth) * std::min(t / down, 1.0);
+    return X;
+  };
+  if (!s.begin(path, feat_file("elastic"))) return {};
+  s.run_until(down + 0.08);
+  const double settled = s.rig.signal("tissue.force");
+  s.run_until(end);
+  // a plane shows no dent and bears what its depth says
+  const bool dents = method.level != tissue::Level::kPlane;
+  s.feat.done = !dents || (settled > 0 && s.rig.signal("tissue.force") <= 1.001 * settled &&
+                           s.rig.signal("tissue.dimple") <= 1.05 * depth);
   return s.end();
 }
 
