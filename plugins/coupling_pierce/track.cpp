@@ -6,25 +6,27 @@
 
 namespace swage::coupling_pierce {
 
+using toolkit::Quat;
 using toolkit::raw;
 using toolkit::vec;
 
 namespace {
 
-// Stiffness of the bristle over that across the needle: it breaks away after drag / (4 side_stiffness), 1 um by default.
-constexpr double kStick = 4;
+constexpr double kStick = Track::kStick;
 // The point builds up its cutting force over this share of the wire's radius: 2.5 um.
 constexpr double kFront = 0.05;
 // First distance between holds, in wire radii: 0.2 mm. Doubled whenever the track has grown full.
 constexpr double kSpacing = 4;
-// A hold stands for no less than this, in wire radii: at the start there is a point and no length.
-constexpr double kLeast = 1;
 // Lever at the end of which what keeps the needle from rolling acts, in wire radii: 0.5 mm. Longer, it bears less across the needle.
 constexpr double kLever = 10;
-// With so little a hold begins, in wire radii: a hundredth of what it will have.
-constexpr double kSprout = 0.02;
-// What is in by less than this, in wire radii, is held at its entry alone.
-constexpr double kOne = 2;
+// What cancels where holds became one rubs on while the needle slides by this, in wire radii: 0.2 mm, the first spacing. Shorter: the
+// force falls within a step when a track is thinned out. Longer: it remembers where it bore when it is elsewhere.
+constexpr double kEven = 4;
+// Share of the way by which the place of a hold follows what the tissue gave in each step. All of it: in tissue displaced by several times
+// `spread` the place that bears and the way that it gives swing to and fro from step to step. Little: a hold is looked for where it was.
+constexpr double kFollow = 0.4;
+// And it is behind by no more than this, in wire radii: 10 um. A needle that is let go springs by half a millimetre within a step.
+constexpr double kLag = 0.2;
 // A crossing this near to the place last looked at is that place.
 constexpr double kThere = 1e-10;
 // A needle this flat (sine of its angle to the plane) has no crossing to speak of.
@@ -76,7 +78,8 @@ double Site::inside(Vec3& normal_W) const {
 
 Spot spot(const Site& site, const Hold& hold) {
   Spot out;
-  const Vec3 p_W = site.world(hold.p);
+  // near where the tissue is now: seen from where it is when nothing pulls, a needle that is curved leads elsewhere
+  const Vec3 p_O = vec3(hold.p) + vec3(hold.given), p_W = site.world(p_O.data());
   const auto place = site.needle.nearest(site.a, raw(p_W));
   if (!place) return out;
   out.p_W = vec(place->p_W);
@@ -85,6 +88,7 @@ Spot spot(const Site& site, const Hold& hold) {
   out.body = place->body;
   // beyond its ends the needle is as long as it goes straight on
   if (out.s <= 0 || out.s >= 1) out.s -= out.advance_W.dot(p_W - out.p_W) / site.length;
+  out.gone = out.s * site.length + out.advance_W.dot(toolkit::rotated(site.X_WO.q, vec3(hold.given)));
   return out;
 }
 
@@ -114,7 +118,7 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.s_in = s_in;
   track.spacing = kSpacing * site.radius;
   // of what is in nothing is cut yet: the point goes on through it until no more than cutting is left of its force
-  track.progress = track.deepest = s_in * site.length;
+  track.progress = track.deepest = track.shared = s_in * site.length;
   put(track.hold[0].p, site.local(entry_W));
   set_front(site, track);
   // a blunt point that goes in at a small force has its middle outside still: its bristle is at rest there, and not at the surface
@@ -136,7 +140,7 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
 
 double progress(const Site& site, const Track& track) {
   const Hold& last = track.hold[holds(track) - 1];
-  return last.at + spot(site, last).s * site.length;
+  return last.at + spot(site, last).gone;
 }
 
 Spots spots(const Site& site, const Track& track) {
@@ -145,145 +149,21 @@ Spots spots(const Site& site, const Track& track) {
   return at;
 }
 
-void follow(const Site& site, const Spots& at, Track& track) {
-  // holds that the point has left: the way stays cut, and is laid anew when it comes back
-  const auto last = [&] { return holds(track) - 1; };
-  const auto deep = [&] { return track.hold[last()].at + at.hold[last()].s * site.length; };
-  while (at.hold[last()].s < 0 && (last() > 1 || (last() == 1 && deep() < kOne * site.radius)))
-    track.count -= 1;
-  track.progress = deep();
-  track.deepest = std::max(track.deepest, track.progress);
-  track.below = std::max(track.below, site.point_in.depth);
-}
-
-namespace {
-
-/// How far a hold is stretched beyond what the tissue gives: across [m, O] and along the needle's advance [m].
-struct Stretch {
-  Vec3 across_O = Vec3::Zero();
-  double along = 0;
-};
-
-Stretch stretch(const Site& site, const Hold& hold) {
-  const double k = site.law.side_stiffness * hold.share;
-  if (!(k > 0)) return {};
-  return {-vec3(hold.across) / k, -hold.along / (kStick * k)};
-}
-
-/// Moves where it is at rest so that it is stretched by `to` and no more by what it is.
-void stretch_to(const Site& site, Hold& hold, const Stretch& is, const Stretch& to) {
-  put(hold.p, vec3(hold.p) + is.across_O - to.across_O);
-  hold.rest += (is.along - to.along) / site.length;
-}
-
-/// A longer share is stiffer: what is added to it begins unstretched, so that the force stays and no energy comes in.
-void grow(const Site& site, Hold& hold, double share) {
-  if (share > hold.share) {
-    const Stretch is = stretch(site, hold);
-    const double keep = hold.share / share;
-    stretch_to(site, hold, is, {keep * is.across_O, keep * is.along});
-  }
-  hold.share = share;
-}
-
-/// A new hold, of the needle at s. Across the needle it is not known yet where that place is when nothing pulls at the tissue. So little
-/// of it cannot store much, tells within a step, and what is then added to it begins unstretched.
-void sprout(const Site& site, const Track& track, double s, Hold& hold) {
-  const auto place = site.needle.place(site.a, s);
-  if (!place) return;
-  hold = {};
-  put(hold.p, site.local(vec(place->p_W)));
-  hold.rest = s;
-  hold.at = track.progress - s * site.length;
-  hold.share = kSprout * site.radius;
-}
-
-/// By its entry alone what is in would hang as from a hinge. So the last other hold, when the point has left it, is laid again halfway
-/// between the two, stretched as it is.
-void lay_halfway(const Site& site, const Track& track, const Spot& left, Hold& hold) {
-  const double s = 0.5 * track.progress / site.length;
-  const auto place = site.needle.place(site.a, s);
-  if (!place) return;
-  const Vec3 way = left.p_W - site.world(hold.p), advance = vec(place->tangent_W);
-  const Vec3 across = way - left.advance_W.dot(way) * left.advance_W;
-  put(hold.p, site.local(vec(place->p_W) - (across - advance.dot(across) * advance)));
-  hold.rest += s - left.s;
-  hold.at = track.progress - s * site.length;
-}
-
-/// Every other hold goes. Those that stay bear what all bore, with the mean of their stretches, which stores no more than they did.
-void thin_out(const Site& site, Track& track) {
-  Hold merged[Track::kHolds / 2];
-  for (uint32_t i = 0; i < Track::kHolds / 2; ++i) {
-    Hold& kept = merged[i] = track.hold[2 * i];
-    const Stretch is = stretch(site, kept);
-    Stretch mean{kept.share * is.across_O, kept.share * is.along};
-    for (const uint32_t gone : {2 * i - 1, 2 * i + 1}) {
-      if (gone >= Track::kHolds) continue;
-      const Hold& hold = track.hold[gone];
-      // the last one has no neighbour beyond it
-      const double part = gone + 1 < Track::kHolds ? 0.5 : 1;
-      const Stretch of = stretch(site, hold);
-      kept.share += part * hold.share;
-      mean.across_O += part * hold.share * of.across_O, mean.along += part * hold.share * of.along;
-      put(kept.across, vec3(kept.across) + part * vec3(hold.across));
-      kept.along += part * hold.along;
-    }
-    if (kept.share > 0) stretch_to(site, kept, is, {mean.across_O / kept.share, mean.along / kept.share});
-  }
-  std::copy_n(merged, Track::kHolds / 2, track.hold);
-  track.count = Track::kHolds / 2;
-  track.spacing *= 2;
-}
-
-}  // namespace
-
-bool share_out(const Site& site, const Spots& spots, Track& track) {
-  const uint32_t count = holds(track);
-  const auto at = [&](uint32_t i) { return spots.hold[i].s; };
-  const double tip = track.out == Track::kOut ? track.s_out : 0;
-  double upper = track.s_in;
-  bool held = false;
-  for (uint32_t i = 0; i < count; ++i) {
-    const double lower = i + 1 < count ? std::clamp(0.5 * (at(i) + at(i + 1)), tip, upper) : tip;
-    double share = std::max(0.0, upper - lower) * site.length;
-    upper = lower;
-    if (i == 0 && track.s_in < 1) share = std::max(share, kLeast * site.radius);
-    if (at(i) >= 1) share = 0;  // the needle has left it
-    const auto place = site.tissue.inside(site.b, raw(site.world(track.hold[i].p)));
-    const bool beyond = place && place->edge < 0;  // torn as far as the rim
-    if (beyond) share = 0;
-    held = held || !beyond;
-    grow(site, track.hold[i], share);
-  }
-  return held;
-}
-
-void lengthen(const Site& site, const Spots& at, Track& track) {
-  const Spot& end = at.hold[holds(track) - 1];
-  Hold& last = track.hold[holds(track) - 1];
-  if (holds(track) > 1 && end.s < 0) return lay_halfway(site, track, end, last);
-  if (track.out != Track::kInside || track.progress - last.at < track.spacing) return;
-  if (holds(track) == Track::kHolds) return thin_out(site, track);
-  sprout(site, track, 0, track.hold[holds(track)]);
-  track.count += 1;
-}
-
 namespace {
 
 swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
   swage_tie tie{};
-  const Vec3 way = at.p_W - site.world(hold.p);
-  const Vec3 across = way - at.advance_W.dot(way) * at.advance_W;
+  const Vec3 way = at.p_W - site.world(hold.p), across = way - at.advance_W.dot(way) * at.advance_W;
   tie.body_a = at.body;
   tie.body_b = site.body;
   tie.p_W = raw(at.p_W);
   tie.axis_W = raw(at.advance_W);
-  tie.offset_W = raw(Vec3(across + (at.s - hold.rest) * site.length * at.advance_W));
+  tie.offset_W = raw(Vec3(across + (at.gone - hold.rest * site.length) * at.advance_W));
   tie.stiffness_across = site.law.side_stiffness * hold.share;
   tie.stiffness_along = kStick * tie.stiffness_across;
   tie.strength = site.law.failure_stress * 2 * site.radius * hold.share;
-  tie.drag_forth = tie.drag_back = site.law.drag * hold.share + site.law.friction * vec3(hold.across).norm();
+  tie.drag_forth = tie.drag_back =
+      site.law.drag * hold.share + site.law.friction * (vec3(hold.across).norm() + hold.rub);
   return tie;
 }
 
@@ -344,7 +224,7 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
   for (uint32_t i = 0; i < holds(track); ++i) {
     const Hold& hold = track.hold[i];
     const Spot at = spot(site, hold);
-    progress = hold.at + at.s * site.length;  // the last one's counts
+    progress = hold.at + at.gone;  // the last one's counts
     if (!(hold.share > 0)) continue;
     out[n] = hold_tie(site, hold, at);
     stiffness += out[n].stiffness_along, drag += out[n].drag_back;
@@ -360,6 +240,20 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
     of[n++] = Track::kOfPoint;
   }
   return n;
+}
+
+/// Where the tissue is now: at the needle, but for what the hold is stretched.
+void settle(const Site& site, Hold& hold) {
+  const double k = site.law.side_stiffness * hold.share;
+  if (!(k > 0)) return;
+  const double s = hold.rest - hold.along / (kStick * k) / site.length, on = std::clamp(s, 0.0, 1.0);
+  const auto place = site.needle.place(site.a, on);
+  if (!place) return;
+  const Vec3 p_W = vec(place->p_W) + (s - on) * site.length * vec(place->tangent_W);
+  const Vec3 gives = site.local(p_W) + vec3(hold.across) / k - vec3(hold.p);
+  const Vec3 behind = gives - vec3(hold.given);
+  const double lag = std::min((1 - kFollow) * behind.norm(), kLag * site.radius);
+  put(hold.given, lag > 0 ? Vec3(gives - lag * behind.normalized()) : gives);
 }
 
 double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of) {
@@ -389,6 +283,8 @@ double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t o
   put(hold.p, site.local(site.world(hold.p) + torn));
   put(hold.across, site.X_WO.q.conjugate() * (f - axis_W.dot(f) * axis_W));
   hold.along = axis_W.dot(f);
+  settle(site, hold);
+  hold.rub *= std::exp(-std::abs(along) / (kEven * site.radius));
   return torn.norm() * hold.share;
 }
 

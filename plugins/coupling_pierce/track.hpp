@@ -24,10 +24,14 @@ struct Hold {
   double at;                // m, along the track from the entry
   double share;             // m, inserted length that it stands for
   double across[3], along;  // N on the needle in the last step, across it in O and along its advance
+  double given[3];          // m, O, by how much the tissue is displaced there: p + given is where it is now
+  double rub;               // N across it from opposite sides, which cancels there and rubs all the same
 };
 
 struct Track {
   static constexpr uint32_t kHolds = 4;
+  // Stiffness of a hold's bristle over that across the needle: it breaks away after drag / (4 side_stiffness), 1 um by default.
+  static constexpr double kStick = 4;
   static constexpr uint32_t kTies = kHolds + 2;  // and the point, and what keeps it from rolling
   static constexpr uint32_t kOfPoint = kHolds,
                             kOfRoll = kHolds + 1;  // whose a tie is: of a hold, or of these
@@ -43,6 +47,8 @@ struct Track {
   double deepest;      // m, the farthest progress so far
   double below;        // m, the deepest of the point below the entry surface
   double spacing;      // m between holds
+  double thins;        // 1: every other hold is on its way to nothing
+  double shared;       // m, the progress when its length was last divided among the holds
   double roll;         // N m, about its advance, that kept it from rolling in the last step
   double count;        // of holds
   double entry, exit;  // index of the wound; exit: -1 before
@@ -76,6 +82,7 @@ struct Spot {
   Vec3 p_W = Vec3::Zero();         // m, of the needle
   Vec3 advance_W = Vec3::UnitX();  // unit, the way of its point
   double s = 0;                    // goes on below 0 and above 1 beyond its ends
+  double gone = 0;                 // m, of the needle that has gone by where the place is when nothing pulls
   uint32_t body = 0;
 };
 

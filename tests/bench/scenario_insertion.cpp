@@ -32,7 +32,7 @@ using Run = Feat (*)(const FeatMethod&, double);
 const std::map<std::string, Run>& runs() {
   static const std::map<std::string, Run> all = {
       {"pierce_drive", test::drive},
-      {"pierce_graze", test::graze},
+      {"pierce_graze", [](const FeatMethod& m, double angle) { return test::graze(m, angle); }},
       {"pierce_two_tissues", test::two_tissues},
       {"pierce_tear_to_rim", test::tear_to_rim},
       {"pierce_regrasp_behind", [](const FeatMethod& m, double v) { return test::regrasp(m, v, false); }},

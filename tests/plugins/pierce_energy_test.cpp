@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pierce_feats.hpp"
+#include "plugins/coupling_pierce/pierce.hpp"
 
 namespace swage::test {
 namespace {
@@ -30,6 +31,58 @@ TEST(PierceEnergy, DrivingInAndBackAndLettingGo) {
 TEST(PierceEnergy, GrazingAngles) {
   for (const double angle : {30.0, 60.0, 75.0, 82.0, 86.0, 89.0})
     expect_balanced(graze({}, angle * kDeg), std::to_string(angle) + " deg");
+}
+
+/// What the holds of a track store by the forces that they remember [J].
+double stored_by(const coupling_pierce::Track& track, double side_stiffness) {
+  double sum = 0;
+  for (uint32_t i = 0; i < static_cast<uint32_t>(track.count); ++i) {
+    const coupling_pierce::Hold& hold = track.hold[i];
+    const double k = side_stiffness * hold.share, across = toolkit::Vec3(hold.across).squaredNorm();
+    if (k > 0) sum += 0.5 * (across + hold.along * hold.along / coupling_pierce::Track::kStick) / k;
+  }
+  return sum;
+}
+
+// Holds come, pass on what they bear and are thinned out again and again as a track gets deep: at the end of a step they store no more than
+// what the solve of that step gave them.
+TEST(PierceEnergy, WhatAHoldPassesOnStoresNoMoreThanBefore) {
+  for (const auto level : {tissue::Level::kPlane, tissue::Level::kCompliant})
+    for (const double friction : {0.0, 0.2, 0.5}) {
+      FeatMethod method;
+      method.level = level;
+      double most = 0, made = 0, thinned = 0, count = 0;
+      const auto look = [&](const FeatScene& s) {
+        double before = 0;
+        for (const dynamics::Tie& tie : s.rig.engine->ties()) {
+          if (tie.body_a == s.rig.rig->objects[0].body.first || !(tie.law.k_across > 0)) continue;
+          const double along = tie.axis_W.dot(tie.f_a_W), across = (tie.f_a_W - along * tie.axis_W).norm();
+          before += 0.5 * (along * along / tie.law.k_along + across * across / tie.law.k_across);
+        }
+        coupling_pierce::PierceState state;
+        std::memcpy(&state, s.rig.engine->world().plugin_state.data() + s.rig.rig->couplings[1].state.first,
+                    sizeof state);
+        const coupling_pierce::Track& track = state.track[0];
+        most = std::max(most, before);
+        made = std::max(made, stored_by(track, s.tissue.side_stiffness) - before);
+        thinned += track.count < count;
+        count = track.count;
+      };
+      expect_balanced(deep(method, friction, look), "friction " + std::to_string(friction), 2e-3);
+      EXPECT_GE(thinned, 3) << "by half each time";
+      EXPECT_LT(made, 1e-9 * most) << static_cast<int>(level) << ", friction " << friction;
+    }
+}
+
+// the torn track of a needle that is dragged sideways at every angle: looked for without the way that the tissue had given, its
+// places swung from step to step and made 1.2 % at 32.4 and, with tracks that pass on what they bear, 2.6 % at 45 deg
+TEST(PierceEnergy, EveryAngleOfADraggedNeedle) {
+  for (double angle = 30; angle < 60; angle += 0.8) {
+    const Feat feat = graze({}, angle * kDeg, false);
+    EXPECT_TRUE(feat.sound) << angle;
+    EXPECT_LT(feat.made, 0.008 * feat.most_stored) << angle;
+    EXPECT_LT(feat.made_in_all, 1e-6 * feat.most_stored) << angle;
+  }
 }
 
 TEST(PierceEnergy, TakenAgainWhileTheHandMovesOnEitherSide) {

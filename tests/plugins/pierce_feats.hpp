@@ -151,8 +151,28 @@ inline Feat drive(const FeatMethod& method, double speed) {
   return s.end();
 }
 
+/// In to 3.6 mm about a centre that is a little off, so that the track bears it sideways as well, and let go. `look`: after each step on the way in.
+template <class Look>
+Feat deep(const FeatMethod& method, double friction, const Look& look) {
+  FeatScene s(method);
+  s.tissue.size = {8e-3, 8e-3}, s.tissue.thickness = 6e-3, s.tissue.friction = friction;
+  s.rig.duration = 2.2;
+  const auto path = [](double t) {
+    return PierceRig::turned({-PierceRig::kRadius + 40e-6 * t, 40e-6 * t, 0}, std::min(-0.12 + t, 2.0));
+  };
+  if (!s.begin(path, feat_file("deep"))) return {};
+  for (double t = 0; t < 2.1; t += 1e-3) {
+    s.run_until(t);
+    look(s);
+  }
+  s.feat.done = s.rig.signal("pierce.state") == 2 && s.rig.signal("pierce.depth") > 3e-3;
+  s.rig.hold(0);
+  s.run_until(2.3);
+  return s.end();
+}
+
 /// Comes straight along its point at `angle` [rad] to the inward normal with 5 mm/s, until it is in or has slid 3 mm. S41
-inline Feat graze(const FeatMethod& method, double angle) {
+inline Feat graze(const FeatMethod& method, double angle, bool let_go = true) {
   FeatScene s(method);
   s.tissue.size = {8e-3, 8e-3}, s.tissue.thickness = 4e-3;
   s.rig.duration = 0.7;
@@ -166,6 +186,7 @@ inline Feat graze(const FeatMethod& method, double angle) {
   if (!s.begin(path, feat_file("graze"))) return {};
   s.run_until(0.65);
   s.feat.done = s.rig.count("pierce.touched") > 0;
+  if (!let_go) return s.end();
   s.rig.hold(0);
   s.run_until(0.8);
   return s.end();

@@ -77,6 +77,34 @@ TEST(PierceScene, ForcesAreThoseOfTheInsertionModel) {
   EXPECT_LT(s.signal("pierce.wound"), 1.2);
 }
 
+// A track keeps four holds however long it grows, so it thins them out again and again: what they bear does not show when
+TEST(PierceScene, WhatATrackBearsIsContinuous) {
+  for (const char* level : {"plane", "compliant"})
+    for (const double friction : {0.0, 0.2, 0.5})
+      for (const double off : {0.0, 40e-6}) {
+        PierceScene s;
+        s.tissue = std::string(R"("level": ")") + level +
+                   R"(", "stiffening": 0, "thickness": "6 mm", "friction": )" + std::to_string(friction);
+        s.leash = kFirm;
+        s.duration = 2.2;
+        // about a centre that is a little off, so that the track bears it sideways as well
+        s.make([=](double t) {
+          return PierceScene::turned({-kR + off * t, off * t, 0}, std::min(-0.12 + t, 2.0));
+        });
+        double before = 0, worst = 0, at = 0;
+        s.run_until(2.0, [&] {
+          const double force = s.signal("pierce.force");
+          if (s.signal("pierce.state") == 2 && s.signal("pierce.depth") > 0.3e-3 && before > 0) {
+            const double jump = std::abs(force - before) / before;
+            if (jump > worst) worst = jump, at = s.signal("pierce.depth");
+          }
+          before = s.signal("pierce.depth") > 0.3e-3 ? force : 0;
+        });
+        EXPECT_EQ(s.signal("pierce.state"), 2);
+        EXPECT_LT(worst, 0.02) << level << ", friction " << friction << ", off " << off << ": at " << at;
+      }
+}
+
 /// As the surface gives way the force falls to what cutting takes and no further: the tissue stays dented by that, and does not jump
 /// back past it (Okamura: cutting force plus friction from the puncture on).
 TEST(PierceScene, AtThePunctureTheForceFallsToThatOfCuttingAndNotBelow) {
