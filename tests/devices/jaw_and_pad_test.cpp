@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "sensor/calibration_file.hpp"
+#include "record/recorder.hpp"
 #include "sensor_thread.hpp"
 #include "session/session.hpp"
 #include "temp_folder.hpp"
@@ -112,6 +112,18 @@ class JawAndPad : public testing::Test {
     return true;
   }
 
+  /// The samples that the step saw are kept: without any device the same bits come again.
+  void expect_replay(const std::string& attempt) {
+    record::Recording recording;
+    std::string error;
+    ASSERT_TRUE(record::read_recording(options_.store_path, attempt, recording, error)) << error;
+    Replay again;
+    Problems problems;
+    ASSERT_TRUE(replay(recording, options_.plugin_dirs, again, problems));
+    EXPECT_TRUE(again.identical) << again.reason << " step " << again.first_difference << " of " << again.steps;
+    EXPECT_GT(again.steps, 5000u);
+  }
+
   test::TempFolder folder_;
   std::atomic<double> volts_{2};
   std::unique_ptr<VirtualPad> pad_;
@@ -133,7 +145,7 @@ TEST_F(JawAndPad, PlayTheBasicGraspToAPassInRealTime) {
   EXPECT_EQ(result.outcome, judge::Outcome::kPassed) << result.reason << " after " << result.simulated_s << " s";
   EXPECT_FALSE(result.attempt_id.empty());
   EXPECT_EQ(result.health.quarantined, 0u);
-  for (const Result::Metric& m : result.metrics) std::printf("%s %g %s\n", m.id.c_str(), m.value, m.unit.c_str());
+  expect_replay(result.attempt_id);
   std::printf("score %g after %.1f s, speed %.2f\n", result.score, result.simulated_s, result.speed);
 }
 
@@ -188,6 +200,7 @@ TEST_F(JawAndPad, AHundredPulledPlugsLeaveNoLeapOfToolOrForce) {
   EXPECT_EQ(result.outcome, judge::Outcome::kAborted) << result.reason;
   EXPECT_EQ(result.health.quarantined, 0u);
   EXPECT_FALSE(result.attempt_id.empty()) << "the attempt is kept";
+  expect_replay(result.attempt_id);
 }
 
 }  // namespace
