@@ -343,25 +343,20 @@ TEST_F(SkilledHand, AnswersOnceTheMarksPartAndToTheSideThatItSees) {
         R"({"act": "answer", "mark": "target.point", "other": "other.point", "of": "needle", "time": "0.2 s"},
             {"act": "close", "closure": 0.65, "time": "0.1 s"})",
         {{"angle_bias", bias}});
-    X_WN_ = Pose{Vec3(2e-3, 0, 0),
-                 toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};  // its point leads up and to -y by 0.3
+    // its point leads up and to -y by 0.3
+    const Pose X_leaning{Vec3(2e-3, 0, 0), toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};
+    X_WN_ = X_leaning;
     two_marks_ = true;
     n_ = 0;
     held_ = true;
     other_ = mark_;
     ASSERT_EQ(bind(), SWAGE_OK);
     X_TN_ = Pose(Vec3(0, 0, 0), Quat::Identity());
-    while (n_ < 300) {
-      step();
-      X_WN_ = Pose{Vec3(2e-3, 0, 0), toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};
-    }
+    for (; n_ < 300; X_WN_ = X_leaning) step();
     EXPECT_LT((X_WT_.p - Vec3(8e-3, 0, 5e-3)).norm(), 1e-12) << "nobody has asked yet";
     other_ = {mark_.x, mark_.y - 2e-3, mark_.z};
     const Vec3 up = needle_at(0).tangent_W;
-    for (const int end = n_ + 250; n_ < end;) {
-      step();
-      X_WN_ = Pose{Vec3(2e-3, 0, 0), toolkit::exp_rotation({0.5 * kPi + 0.3, 0, 0})};
-    }
+    for (const int end = n_ + 250; n_ < end; X_WN_ = X_leaning) step();
     const bool other = std::asin(-up.y()) + bias > 0;
     EXPECT_LT((X_WT_.p - vec(other ? other_ : mark_)).norm(), 1e-9);
     EXPECT_EQ(other, bias > 0 || -up.y() > 0);
