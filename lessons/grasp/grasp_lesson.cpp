@@ -26,7 +26,7 @@ void GraspLesson::declare(LessonBuilder& builder) {
   for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
 
   phase_[index(Stage::kApproach)] = builder.phase("approach", "Bring the open jaws to the needle.");
-  phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift the needle.");
+  phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift what they hold.");
   phase_[index(Stage::kCarry)] = builder.phase("carry", "Bring the needle to the target.");
   phase_[index(Stage::kHold)] = builder.phase("hold", "Hold with steady force.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
