@@ -84,7 +84,7 @@ void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& 
 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<FlexibleBody* const> self, bool ask_all) noexcept {
-  p_.scales = Scales::of(world, options_.tolerance);
+  p_.scales = Scales::of(world, options_);
   p_.begin(world, motion, contacts, self);
   points_.add(contacts, ties, ask_all);
   ties_.begin(ties);

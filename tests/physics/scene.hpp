@@ -22,8 +22,8 @@ constexpr double kGravity = 9.81;  // m/s2
 /// Ball: body 0 of object 0. Plate: body 1 of object 1, moved by hand; `ceiling` [m]: where a second plate of it begins.
 class BallOverPlate {
  public:
-  BallOverPlate(double radius, const contact::Law& law, double ceiling = 0)
-      : world(make(radius, ceiling)), detector_(world, {contact::Pair{0, 1, law}}, {}), dynamics(world, {}) {
+  BallOverPlate(double radius, const contact::Law& law, double ceiling = 0, const dynamics::Options& options = {})
+      : world(make(radius, ceiling)), detector_(world, {contact::Pair{0, 1, law}}, {}), dynamics(world, options) {
     detector_.reserve(contacts);
   }
 
