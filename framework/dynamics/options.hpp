@@ -30,10 +30,10 @@ enum class Response : uint8_t {
 /// More: a scene that is too large holds up the loop longer before it says so.
 inline constexpr uint64_t kBudget = 100'000'000;
 
-/// Retardation time of surfaces that do not rebound [s]: T = 2 sqrt(m / k) damps critically, and 1 ms does so for a jaw of 0.25 kg at
-/// 1e6 N/m, the heaviest of a trainer at its usual stiffness: it leaves at exp(-2) of its speed. Shorter: a heavy jaw throws the needle that it closes on. Longer: a jaw
-/// that opens lets go late. A property of the surfaces: it stays where lengths are scaled and times are not (catalogue S01), and goes
-/// with the length where a material is scaled, whose times go with it (physics.rigid Scale).
+/// Retardation time of surfaces that do not rebound [s]: T = 2 sqrt(m / k) damps critically (the body leaves at exp(-2) of its speed),
+/// and 1 ms does so for a jaw of 0.25 kg at 1e6 N/m, the heaviest of a trainer at its usual stiffness. Shorter: a heavy jaw throws the
+/// needle that it closes on. Longer: a jaw that opens lets go late. A property of the surfaces: it stays where lengths are scaled and
+/// times are not (catalogue S01), and goes with the length where a material is scaled, whose times go with it (physics.rigid Scale).
 inline constexpr double kRetardation = 1e-3;
 
 struct Options {
