@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "form.hpp"
 
-#include <map>
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <numbers>
 
-#include "toolkit/read_file.hpp"
+#include "properties/properties.hpp"
 
 namespace swage::needle {
 namespace {
-
-using Json = nlohmann::json;
 
 // slices of a wire whose thickness changes: a taper is then met to 1e-4 of its mass
 constexpr int kSlices = 64;
@@ -33,50 +31,6 @@ struct Sum {
     zz += per * (a1 - a0) * 0.25 * r2;
   }
 };
-
-struct Key {
-  const char* unit;  // as the file must write it
-  double si;
-  void (*set)(Form&, double);
-};
-
-const std::map<std::string, Key>& keys() {
-  static const std::map<std::string, Key> all = {
-      {"chord", {"mm", 1e-3, [](Form& f, double x) { f.size = x, f.chord = true; }}},
-      {"length", {"mm", 1e-3, [](Form& f, double x) { f.size = x, f.chord = false; }}},
-      {"wire_diameter", {"um", 1e-6, [](Form& f, double x) { f.wire_diameter = x; }}},
-      {"taper_length", {"mm", 1e-3, [](Form& f, double x) { f.taper_length = x; }}},
-      {"point_diameter", {"um", 1e-6, [](Form& f, double x) { f.point_diameter = x; }}},
-      {"flattening", {"1", 1, [](Form& f, double x) { f.flattening = x; }}},
-      {"swage_length", {"mm", 1e-3, [](Form& f, double x) { f.swage_length = x; }}},
-      {"swage_hole", {"1", 1, [](Form& f, double x) { f.swage_hole = x; }}},
-      {"youngs_modulus", {"GPa", 1e9, [](Form& f, double x) { f.material.youngs = x; }}},
-      {"poisson_ratio", {"1", 1, [](Form& f, double x) { f.material.poisson = x; }}},
-      {"yield_stress", {"MPa", 1e6, [](Form& f, double x) { f.material.yield = x; }}},
-      {"hardening", {"1", 1, [](Form& f, double x) { f.material.hardening = x; }}},
-      {"break_strain", {"1", 1, [](Form& f, double x) { f.material.break_strain = x; }}},
-      {"density", {"kg/m3", 1, [](Form& f, double x) { f.material.density = x; }}},
-      {"circle_share", {"1", 1, [](Form& f, double x) { f.share = x; }}}};
-  return all;
-}
-
-std::string take(const std::string& name, const Json& entry, Form& form) {
-  const auto key = keys().find(name);
-  if (key == keys().end()) return "\"" + name + "\" is not a property of a needle";
-  const bool whole = entry.is_object() && entry.contains("value") && entry["value"].is_number() &&
-                     entry.contains("unit") && entry["unit"].is_string();
-  if (!whole) return "\"" + name + "\" needs a value and a unit";
-  if (entry["unit"] != key->second.unit)
-    return "\"" + name + "\" is in " + key->second.unit + ", not " + entry["unit"].get<std::string>();
-  const bool told = entry.contains("status") &&
-                    (entry["status"] == "sourced" || entry["status"] == "assumed") &&
-                    entry.contains("source") && entry["source"].is_string();
-  if (!told) return "\"" + name + "\" needs a status (sourced or assumed) and a source";
-  const double x = entry["value"].get<double>() * key->second.si;
-  if (!std::isfinite(x) || x < 0) return "\"" + name + "\" must be a number of 0 or above";
-  key->second.set(form, x);
-  return "";
-}
 
 }  // namespace
 
@@ -114,18 +68,24 @@ std::string fault(const Form& f) {
                  "more";
 }
 
-std::string read_model(const std::string& path, Form& form) {
-  std::string text, why;
-  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) return path + ": " + why;
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("format") || json["format"] != "swage-needle/1")
-    return path + " is not a needle of format swage-needle/1";
-  if (!json.contains("values") || !json["values"].is_object()) return path + " has no \"values\"";
-  for (const auto& [name, entry] : json["values"].items()) {
-    const std::string wrong = take(name, entry, form);
-    if (!wrong.empty()) return path + ": " + wrong;
-  }
-  return "";
+std::string read_model(const std::string& path, Form& f) {
+  return properties::read_properties(
+      path, "swage-needle/1", "needle",
+      {{"chord", {"mm", 1e-3, [&](double x) { f.size = x, f.chord = true; }}},
+       {"length", {"mm", 1e-3, [&](double x) { f.size = x, f.chord = false; }}},
+       {"wire_diameter", {"um", 1e-6, [&](double x) { f.wire_diameter = x; }}},
+       {"taper_length", {"mm", 1e-3, [&](double x) { f.taper_length = x; }}},
+       {"point_diameter", {"um", 1e-6, [&](double x) { f.point_diameter = x; }}},
+       {"flattening", {"1", 1, [&](double x) { f.flattening = x; }}},
+       {"swage_length", {"mm", 1e-3, [&](double x) { f.swage_length = x; }}},
+       {"swage_hole", {"1", 1, [&](double x) { f.swage_hole = x; }}},
+       {"youngs_modulus", {"GPa", 1e9, [&](double x) { f.material.youngs = x; }}},
+       {"poisson_ratio", {"1", 1, [&](double x) { f.material.poisson = x; }}},
+       {"yield_stress", {"MPa", 1e6, [&](double x) { f.material.yield = x; }}},
+       {"hardening", {"1", 1, [&](double x) { f.material.hardening = x; }}},
+       {"break_strain", {"1", 1, [&](double x) { f.material.break_strain = x; }}},
+       {"density", {"kg/m3", 1, [&](double x) { f.material.density = x; }}},
+       {"circle_share", {"1", 1, [&](double x) { f.share = x; }}}});
 }
 
 }  // namespace swage::needle

@@ -1,68 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "suture.hpp"
 
-#include <cmath>
-#include <map>
-#include <nlohmann/json.hpp>
-
-#include "toolkit/read_file.hpp"
+#include "properties/properties.hpp"
 
 namespace swage::thread {
-namespace {
-
-using Json = nlohmann::json;
-
-struct Key {
-  const char* unit;  // as the file must write it
-  double si;
-  double Suture::*of = nullptr;  // nullptr: read by people; friction is the coupling's
-};
-
-const std::map<std::string, Key>& keys() {
-  static const std::map<std::string, Key> all = {{"diameter", {"um", 1e-6, &Suture::diameter}},
-                                                 {"diameter_least", {"um", 1e-6}},
-                                                 {"diameter_most", {"um", 1e-6}},
-                                                 {"young", {"GPa", 1e9, &Suture::young}},
-                                                 {"poisson", {"1", 1, &Suture::poisson}},
-                                                 {"density", {"kg/m3", 1, &Suture::density}},
-                                                 {"friction", {"1", 1}},
-                                                 {"strength", {"mN", 1e-3, &Suture::strength}},
-                                                 {"memory", {"1/m", 1, &Suture::memory}}};
-  return all;
-}
-
-std::string take(const std::string& name, const Json& entry, Suture& suture) {
-  const auto key = keys().find(name);
-  if (key == keys().end()) return "\"" + name + "\" is not a property of a suture";
-  const bool whole = entry.is_object() && entry.contains("value") && entry["value"].is_number() &&
-                     entry.contains("unit") && entry["unit"].is_string();
-  if (!whole) return "\"" + name + "\" needs a value and a unit";
-  if (entry["unit"] != key->second.unit)
-    return "\"" + name + "\" is in " + key->second.unit + ", not " + entry["unit"].get<std::string>();
-  const bool told = entry.contains("status") &&
-                    (entry["status"] == "sourced" || entry["status"] == "assumed") &&
-                    entry.contains("source") && entry["source"].is_string();
-  if (!told) return "\"" + name + "\" needs a status (sourced or assumed) and a source";
-  const double x = entry["value"].get<double>() * key->second.si;
-  if (!std::isfinite(x) || x < 0) return "\"" + name + "\" must be a number of 0 or above";
-  if (key->second.of != nullptr) suture.*key->second.of = x;
-  return "";
-}
-
-}  // namespace
 
 std::string read_suture(const std::string& path, Suture& suture) {
-  std::string text, why;
-  if (!toolkit::read_file(path, toolkit::kMostFileBytes, text, why)) return path + ": " + why;
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("format") || json["format"] != "swage-thread/1")
-    return path + " is not a suture of format swage-thread/1";
-  if (!json.contains("values") || !json["values"].is_object()) return path + " has no \"values\"";
-  for (const auto& [name, entry] : json["values"].items()) {
-    const std::string wrong = take(name, entry, suture);
-    if (!wrong.empty()) return path + ": " + wrong;
-  }
-  return "";
+  const auto into = [&](double Suture::*of) { return [&suture, of](double x) { suture.*of = x; }; };
+  // the bounds of the diameter's band are for people, the friction is the coupling's
+  return properties::read_properties(path, "swage-thread/1", "suture",
+                                     {{"diameter", {"um", 1e-6, into(&Suture::diameter)}},
+                                      {"diameter_least", {"um", 1e-6, {}}},
+                                      {"diameter_most", {"um", 1e-6, {}}},
+                                      {"young", {"GPa", 1e9, into(&Suture::young)}},
+                                      {"poisson", {"1", 1, into(&Suture::poisson)}},
+                                      {"density", {"kg/m3", 1, into(&Suture::density)}},
+                                      {"friction", {"1", 1, {}}},
+                                      {"strength", {"mN", 1e-3, into(&Suture::strength)}},
+                                      {"memory", {"1/m", 1, into(&Suture::memory)}}});
 }
 
 std::string fault(const Suture& s) {
