@@ -51,6 +51,13 @@ void Assembler::find_pairs() {
   const auto same_two = [](const host::CouplingSlot& slot, const contact::Pair& pair) {
     return std::minmax(slot.object_a, slot.object_b) == std::minmax(pair.object_a, pair.object_b);
   };
+  const auto one_was_refused = [&](const LessonCoupling& use) {
+    for (std::size_t k = 0; k < rig_->couplings.size(); ++k) {
+      const LessonCoupling& other = file_.couplings[k];
+      if (!rig_->couplings[k].coupling && std::minmax(use.a, use.b) == std::minmax(other.a, other.b)) return true;
+    }
+    return false;
+  };
   for (const bool detects : {true, false}) {
     for (std::size_t i = 0; i < rig_->couplings.size(); ++i) {
       host::CouplingSlot& slot = rig_->couplings[i];
@@ -66,6 +73,8 @@ void Assembler::find_pairs() {
           continue;
         }
         slot.pair = kNone;
+        // one that was refused has been told of
+        if (one_was_refused(use)) continue;
         error(use.pointer, "\"" + use.plugin + "\" looks at the contacts between \"" + use.a + "\" and \"" +
                                use.b +
                                "\", but nothing in this lesson finds them; add a coupling that does, such as "
