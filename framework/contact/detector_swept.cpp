@@ -59,6 +59,8 @@ FirstTouch Detector::first_overlap(const scene::World& world, uint32_t i, const 
   Separation none;
   if (!(radius > 0))
     return contact::first_touch(solid_a, a, solid_b, b, near / (1 + touches), none, manifold_);
+  // in so deep, the thinnest overlaps as well: only the touches where a look ends tell of it
+  if (sunk + near > (1 - kThinnest) * radius) return {};
   const double less = std::min(kThinner * radius, kThinnerMost * near);
   thinner.radius = std::max(radius - sunk - near - less * (1 + touches), kThinnest * radius);
   const FirstTouch touch = contact::first_touch(solid_a, a, solid_b, b, near, none, manifold_);

@@ -104,5 +104,25 @@ TEST(Rebound, WhatTouchesTooOftenIsCounted) {
   }
 }
 
+// In a soft plate, a ball is under the surface by more than its radius and flies out. A sweep that takes it for thinner by what it has
+// sunk in finds it still overlapping, and each look ends where it began.
+TEST(Rebound, LeavesASoftPlateThatItIsDeepIn) {
+  for (const double e : {0.0, 0.5})
+    for (const double speed : {0.06, 0.126, 0.5}) {
+      BallOverPlate s(kRadius, {0.3, 100, e});
+      s.world.gravity = {0, 0, 0};
+      s.world.X_WB[0].p.z = kRadius - 164e-6;
+      s.world.V_WB[0].v.z = speed;
+      double before = s.height();
+      for (int i = 0; i < 4; ++i) {
+        s.step();
+        EXPECT_GT(s.height(), before + 0.9e-3 * speed) << e << ", " << speed << " m/s, step " << i;
+        before = s.height();
+      }
+      EXPECT_GT(s.height(), 0) << e << ", " << speed;
+      EXPECT_EQ(s.dynamics.stats().health.over_budget, 0u) << e << ", " << speed;
+    }
+}
+
 }  // namespace
 }  // namespace swage::physics

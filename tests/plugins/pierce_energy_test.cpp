@@ -31,6 +31,10 @@ TEST(PierceEnergy, DrivingInAndBackAndLettingGo) {
 TEST(PierceEnergy, GrazingAngles) {
   for (const double angle : {30.0, 60.0, 75.0, 82.0, 86.0, 89.0})
     expect_balanced(graze({}, angle * kDeg), std::to_string(angle) + " deg");
+  FeatMethod plane;
+  plane.level = tissue::Level::kPlane;
+  for (const double angle : {30.0, 60.0, 80.0, 83.0, 86.0})
+    expect_balanced(graze(plane, angle * kDeg), "level plane, " + std::to_string(angle) + " deg");
 }
 
 /// What the holds of a track store by the forces that they remember [J].
