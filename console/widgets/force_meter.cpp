@@ -88,7 +88,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
     const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);
     const Qt::Alignment side = tick <= 0 ? Qt::AlignLeft : tick >= most_ ? Qt::AlignRight : Qt::AlignHCenter;
     const QRectF in = tick <= 0 ? where.translated(30, 0) : tick >= most_ ? where.translated(-30, 0) : where;
-    p.drawText(in, side | Qt::AlignTop, QLocale().toString(tick, 'g', 2));
+    p.drawText(in, static_cast<int>(side | Qt::AlignTop), QLocale().toString(tick, 'g', 2));
   }
 }
 

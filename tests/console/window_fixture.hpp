@@ -33,7 +33,7 @@ class WindowTest : public testing::Test {
         return store;
       };
     }
-    doors.open_file = [this](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
+    doors.open_file = [](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
       if (file.find("damaged") != std::string::npos) error = file + " is damaged and cannot be read.";
       if (!error.empty()) return nullptr;
       return std::make_unique<FakeStore>(std::vector<record::AttemptRow>{sample_attempts().back()});

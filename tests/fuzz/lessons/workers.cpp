@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint64_t kPerChild = 2000;
 constexpr long kSecondsOfProcessor = 5, kSecondsOfClock = 60;
-constexpr rlim_t kMemory = rlim_t{1} << 30;
+[[maybe_unused]] constexpr rlim_t kMemory = rlim_t{1} << 30;
 constexpr std::size_t kMostFailures = 20;
 
 /// Shared with the children: how far they are and what they found.

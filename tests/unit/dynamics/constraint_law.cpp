@@ -19,7 +19,7 @@ namespace {
 struct Law {
   using Point = std::array<double, 3>;
   using Matrix = std::array<Point, 3>;
-  int n = 3;
+  std::size_t n = 3;
   std::function<Point(const Point&)> force;
   std::function<Matrix(const Point&)> tangent;  // -d force[i] / d x[j]
   std::function<double(const Point&)> energy;   // empty: none
@@ -60,12 +60,12 @@ Law law_of(const HingeDrive& drive) {
 
 /// Whether differences over d find the law smooth at x: its tangent is the same on all sides.
 bool smooth(const Law& law, const Law::Point& x, double d) {
-  for (int k = 0; k < law.n; ++k) {
+  for (std::size_t k = 0; k < law.n; ++k) {
     Law::Point to = x, from = x;
     to[k] += 2 * d, from[k] -= 2 * d;
     const Law::Matrix a = law.tangent(to), b = law.tangent(from);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
         if (std::abs(a[i][j] - b[i][j]) > 0.01) return false;
   }
   return true;
@@ -77,11 +77,11 @@ bool check(const Law& law, const Law::Point& x) {
   if (!smooth(law, x, d)) return false;
   const Law::Point f = law.force(x);
   const Law::Matrix D = law.tangent(x);
-  for (int k = 0; k < law.n; ++k) {
+  for (std::size_t k = 0; k < law.n; ++k) {
     Law::Point to = x, from = x;
     to[k] += d, from[k] -= d;
     const Law::Point a = law.force(to), b = law.force(from);
-    for (int i = 0; i < law.n; ++i) EXPECT_NEAR(-(a[i] - b[i]) / (2 * d), D[i][k], near) << i << " by " << k;
+    for (std::size_t i = 0; i < law.n; ++i) EXPECT_NEAR(-(a[i] - b[i]) / (2 * d), D[i][k], near) << i << " by " << k;
     if (law.energy) {
       EXPECT_NEAR(-(law.energy(to) - law.energy(from)) / (2 * d), f[k], near) << k;
     }
