@@ -17,7 +17,7 @@ struct Launch {
   bool draws_seed = true;      // a new one for every attempt; false: as given, or as the lesson says
   QString theme, cues, view;   // "" as remembered
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none
-  QString page;                // "run" or "progress"
+  QString page;                // Page::id: "run", "people"...
   QString review;              // attempt to open on the Review page, "latest" for the newest
   QString attempt_file;        // kept attempt to open on the Review page
   QString screenshot;          // file to write the picture of the window to, then quit

@@ -80,7 +80,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
                               {tr("F10"), tr("Instructor's window: readings, cues, events")},
                               {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
-                              {tr("Ctrl+1, 2, 3"), tr("Run, Progress, Review")},
+                              {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},
+                              {tr("Ctrl+Z,  Ctrl+Y"), tr("Undo, redo")},
                               {tr("F12"), tr("Show frame rate")},
                               {tr("F1"), tr("This page")}},
                              this)

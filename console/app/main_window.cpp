@@ -7,7 +7,9 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHash>
-#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <optional>
 
@@ -27,79 +29,29 @@ std::optional<CameraPreset> preset_of(const QString& view) {
   return presets.contains(view) ? std::optional(presets[view]) : std::nullopt;
 }
 
-constexpr int kWithLabels_px = 1060;  // the bar with everything in it needs 1020
-
-QComboBox* add_choice(QHBoxLayout* row, QWidget* bar, const QString& label, const char* name,
-                      const QString& tip) {
-  auto* text = new QLabel(label, bar);
-  text->setProperty("muted", true);
-  text->setObjectName(QStringLiteral("choice_label"));
-  text->setMinimumWidth(1);  // it goes where the window is narrow, and then keeps no window wide
-  row->addWidget(text);
-  auto* choice = new QComboBox(bar);
-  choice->setObjectName(QString::fromLatin1(name));
-  choice->setToolTip(tip);
-  choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  row->addWidget(choice);
-  row->addSpacing(8);
-  return choice;
-}
+QByteArray layout_key(const QSplitter& splitter) { return "layout/" + splitter.objectName().toUtf8(); }
 
 }  // namespace
 
 MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
-      settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)) {
+      settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)),
+      store_(std::move(doors.open_store)) {
   setWindowTitle(tr("Swage"));
   lessons_.set_folders(launch.lesson_folders);
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(make_top_bar());
+  pages_ = new Pages(middle);
   strip_ = new StatusStrip(middle);
-  pages_ = new QStackedWidget(middle);
-  run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
-  progress_ = new ProgressPage(std::move(doors.open_store), pages_);
-  pages_->addWidget(run_);
-  const auto add_page = [this](QWidget* page) {
-    // a page that is larger than the window scrolls
-    QScrollArea* scroll = make_scroll(pages_);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    scroll->setWidget(page);
-    pages_->addWidget(scroll);
-  };
-  review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
-  review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
-  add_page(progress_);
-  add_page(review_);
   column->addWidget(pages_, 1);
   column->addWidget(strip_);
   setCentralWidget(middle);
+  add_pages(doors);
+  connect_pages();
+  fill_top_bar();
   add_actions();
-  connect(run_, &RunPage::show_progress, this, [this] { show_page(1); });
-  connect(run_, &RunPage::review, this, &MainWindow::review);
-  connect(progress_, &ProgressPage::run_lesson, this, [this] { show_page(0); });
-  connect(progress_, &ProgressPage::review, this, &MainWindow::review);
-  connect(progress_, &ProgressPage::open_file, this, &MainWindow::open_attempt);
-  connect(review_, &ReviewPage::back, this, [this] { show_page(1); });
-  progress_->set_metric_finder([this](const QString& lesson, const std::string& metric) {
-    const int row = lessons_.row_of(lesson);
-    const QModelIndex index = lessons_.index(row, 0);
-    return row < 0 ? MetricSaid{metric_facts(nullptr, metric), {}}
-                   : run_->metric_said(index.data(LessonsModel::kPath).toString(), metric);
-  });
-  connect(progress_, &ProgressPage::recovered, this, [this](int n) {
-    run_->set_notice(
-        n == 1 ? tr("The program closed unexpectedly. 1 attempt was kept up to that moment.")
-               : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
-  });
-  connect(run_, &RunPage::attempt_over, this, [this] {
-    const QString person = run_->setup()->person();
-    progress_->refresh();
-    progress_->select_person(person);
-    run_->setup()->set_people(progress_->people()->names(), person);
-  });
   strip_->set_graphics(
       run_->view()->gl().ok
           ? tr("Picture: %1").arg(run_->view()->gl().renderer.section(QLatin1Char('('), 0, 0).trimmed())
@@ -109,39 +61,90 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-QWidget* MainWindow::make_top_bar() {
-  auto* bar = new QFrame(this);
-  bar->setObjectName(QStringLiteral("top_bar"));
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(14, 0, 14, 0);
-  row->setSpacing(4);
-  auto* name = new QLabel(QStringLiteral("Swage"), bar);
-  name->setProperty("brand", true);
-  row->addWidget(name);
-  row->addSpacing(14);
-  const QStringList pages = {tr("Run"), tr("Progress"), tr("Review")};
-  for (int i = 0; i < pages.size(); ++i) {
-    auto* button = make_button(pages[i], {}, QStringLiteral("page_%1").arg(i), bar);
-    button->setProperty("page", true);
-    button->setCheckable(true);
-    button->setAutoExclusive(true);
-    button->setToolTip(QStringLiteral("%1 (Ctrl+%2)").arg(pages[i]).arg(i + 1));
-    connect(button, &QPushButton::clicked, this, [this, i] { show_page(i); });
-    row->addWidget(button);
-    page_buttons_ += button;
-  }
-  page_buttons_.first()->setChecked(true);
+// Their order is that of the buttons and of Ctrl+1, Ctrl+2...
+void MainWindow::add_pages(Doors& doors) {
+  run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
+  pages_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, {},
+               [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
+  lessons_page_ = new LessonsPage(
+      &lessons_, [this](const QString& path) { return read_criteria(path.toStdString(), run_->catalogue()); }, pages_);
+  pages_->add({QStringLiteral("lessons"), tr("Lessons"), tr("What can be practised, and what does it ask for?"),
+               lessons_page_, true, [this] { lessons_page_->select(run_->setup()->lesson()); }});
+  people_ = new PeoplePage(&store_, pages_);
+  pages_->add({QStringLiteral("people"), tr("People"), tr("Who is where, and who needs help?"), people_, true,
+               [this] {
+                 people_->refresh();
+                 people_->focus_people();
+               },
+               [this](const UiTheme& ui, const CueTheme&) { people_->set_theme(ui); }});
+  review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
+  review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
+  pages_->add({QStringLiteral("review"), tr("Review"), tr("What happened in that attempt?"), review_, true,
+               [this] { review_->setFocus(); },
+               [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view()});
+  setup_ = new SetupPage(pages_);
+  pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_});
+}
+
+void MainWindow::connect_pages() {
+  const QString run = QStringLiteral("run"), people = QStringLiteral("people");
+  connect(run_, &RunPage::show_progress, this, [this, people] {
+    show_page(people);
+    people_->select_person(run_->setup()->person());
+  });
+  connect(run_, &RunPage::review, this, &MainWindow::review);
+  connect(run_, &RunPage::attempt_over, this, [this] {
+    const QString person = run_->setup()->person();
+    people_->refresh();
+    people_->select_person(person);
+    run_->setup()->set_people(people_->people()->names(), person);
+  });
+  connect(lessons_page_, &LessonsPage::run, this, [this, run](const QString& path, const QString& mode) {
+    select_lesson(path);
+    run_->setup()->set_mode(mode);
+    show_page(run);
+  });
+  // the Run page makes, edits and deletes what is chosen there
+  const auto with_chosen = [this](void (RunPage::*call)()) {
+    return [this, call](const QString& path) {
+      select_lesson(path);
+      (run_->*call)();
+      lessons_page_->select(run_->setup()->lesson());
+      lessons_page_->show_lesson();
+    };
+  };
+  connect(lessons_page_, &LessonsPage::make_variant, this, with_chosen(&RunPage::make_variant));
+  connect(lessons_page_, &LessonsPage::edit_lesson, this, with_chosen(&RunPage::edit_lesson));
+  connect(lessons_page_, &LessonsPage::delete_lesson, this, with_chosen(&RunPage::delete_lesson));
+  connect(people_, &PeoplePage::run_lesson, this, [this, run] { show_page(run); });
+  connect(people_->person(), &PersonPanel::review, this, &MainWindow::review);
+  connect(people_->person(), &PersonPanel::open_file, this, &MainWindow::open_attempt);
+  connect(review_, &ReviewPage::back, this, [this, people] { show_page(people); });
+  people_->person()->set_metric_finder([this](const QString& lesson, const std::string& metric) {
+    const int row = lessons_.row_of(lesson);
+    const QModelIndex index = lessons_.index(row, 0);
+    return row < 0 ? MetricSaid{metric_facts(nullptr, metric), {}}
+                   : run_->metric_said(index.data(LessonsModel::kPath).toString(), metric);
+  });
+  connect(&store_, &StoreLink::recovered, this, [this](int n) {
+    run_->set_notice(
+        n == 1 ? tr("The program closed unexpectedly. 1 attempt was kept up to that moment.")
+               : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
+  });
+  connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
+  connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
+  connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
+}
+
+void MainWindow::select_lesson(const QString& path) {
+  if (const int row = lessons_.row_of(path); row >= 0) run_->setup()->select_lesson(row);
+}
+
+// What belongs to no page stands behind the pages' buttons.
+void MainWindow::fill_top_bar() {
+  QHBoxLayout* row = pages_->bar();
+  QWidget* bar = pages_->bar_widget();
   row->addStretch(1);
-  cues_ = add_choice(row, bar, tr("Cue colours"), "cue_theme",
-                     tr("Colours of the cues; shapes, words and sounds stay the same"));
-  cues_->setAccessibleName(tr("Cue colours"));
-  for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
-  connect(cues_, &QComboBox::activated, this, [this] { set_theme(ui_id_, cues_->currentData().toString()); });
-  theme_ = add_choice(row, bar, tr("Theme"), "theme", tr("Colours of the window"));
-  theme_->setAccessibleName(tr("Theme"));
-  for (const QString& id : UiTheme::names()) theme_->addItem(UiTheme::stock(id).title(), id);
-  connect(theme_, &QComboBox::activated, this,
-          [this] { set_theme(theme_->currentData().toString(), cues_id_); });
   auto* trainee =
       make_button(tr("Trainee view"), QStringLiteral("F9"), QStringLiteral("trainee_button"), bar);
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
@@ -156,14 +159,6 @@ QWidget* MainWindow::make_top_bar() {
   auto* help = make_button(tr("Help"), QStringLiteral("F1"), QStringLiteral("help_button"), bar);
   connect(help, &QPushButton::clicked, this, &MainWindow::show_help);
   row->addWidget(help);
-  return bar;
-}
-
-// The choices of the bar have their names in tool tips too: where it is narrow they stand alone.
-void MainWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  for (QLabel* label : findChildren<QLabel*>(QStringLiteral("choice_label")))
-    label->setVisible(width() >= kWithLabels_px);
 }
 
 void MainWindow::add_actions() {
@@ -175,7 +170,10 @@ void MainWindow::add_actions() {
     addAction(action);
   };
   RunControl* control = run_->control();
-  add(tr("Start"), Qt::Key_F5, [this] { show_page(0), run_->start(); });
+  add(tr("Start"), Qt::Key_F5, [this] {
+    show_page(QStringLiteral("run"));
+    run_->start();
+  });
   add(tr("Pause"), Qt::Key_F6, [control] { control->toggle_pause(); });
   add(tr("Put back"), Qt::Key_F7, [control] { control->reset_work(); });
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
@@ -190,29 +188,25 @@ void MainWindow::add_actions() {
   add(tr("Open an attempt"), QKeySequence::Open, [this] { open_attempt(); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
-  for (int i = 0; i < page_buttons_.size(); ++i) {
-    add(page_buttons_[i]->accessibleName(), Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i),
-        [this, i] { show_page(i); });
+  for (const bool undo : {true, false}) {
+    QAction* action = undo ? pages_->edits()->createUndoAction(this) : pages_->edits()->createRedoAction(this);
+    action->setShortcuts(undo ? QKeySequence::Undo : QKeySequence::Redo);
+    if (!undo) action->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(QKeySequence::Redo)});
+    action->setShortcutContext(Qt::ApplicationShortcut);
+    addAction(action);
   }
 }
 
 const SceneView* MainWindow::shown_view() const {
-  return pages_->currentIndex() == 2 ? review_->view() : run_->view();
-}
-
-void MainWindow::show_page(int page) {
-  pages_->setCurrentIndex(page);
-  page_buttons_[page]->setChecked(true);
-  if (page != 1) return;
-  progress_->refresh();
-  progress_->focus_attempts();
+  const SceneView* view = pages_->current().view;
+  return view ? view : run_->view();
 }
 
 void MainWindow::review(const QString& attempt_id) {
-  if (!progress_->store()) return;
-  review_->open(progress_->store(), attempt_id);
-  show_page(2);
-  review_->setFocus();
+  const std::shared_ptr<record::Store> store = store_.store();
+  if (!store) return;
+  review_->open(store, attempt_id);
+  show_page(QStringLiteral("review"));
 }
 
 void MainWindow::open_attempt() {
@@ -223,8 +217,7 @@ void MainWindow::open_attempt() {
 
 void MainWindow::review_file(const QString& file) {
   review_->open_file(file);
-  show_page(2);
-  review_->setFocus();
+  show_page(QStringLiteral("review"));
 }
 
 void MainWindow::leave() {
@@ -283,11 +276,8 @@ void MainWindow::set_theme(const QString& ui, const QString& cues) {
   cues_id_ = cue_theme.id();
   qApp->setPalette(theme.palette());
   qApp->setStyleSheet(theme.style_sheet());
-  run_->set_themes(theme, cue_theme);
-  progress_->set_theme(theme);
-  review_->set_themes(theme, cue_theme);
-  theme_->setCurrentIndex(theme_->findData(ui_id_));
-  cues_->setCurrentIndex(cues_->findData(cues_id_));
+  pages_->set_themes(theme, cue_theme);
+  setup_->show_themes(ui_id_, cues_id_);
 }
 
 // Nothing lies outside the screen, at the first start and on a smaller screen than the last time.
@@ -318,16 +308,19 @@ void MainWindow::restore(const Launch& launch) {
   frames_timer_.start(kFrames_ms);
   SetupPanel* setup = run_->setup();
   setup->set_left_handed(settings_.text("left_handed") == QLatin1String("true"));
-  progress_->refresh();
+  people_->refresh();
   const QString person =
       launch.person_given ? QString::fromStdString(launch.options.person) : settings_.text("person");
-  setup->set_people(progress_->people()->names(), person);
-  progress_->select_person(setup->person());
+  setup->set_people(people_->people()->names(), person);
+  people_->select_person(setup->person());
   if (launch.device_given) setup->set_device(QString::fromStdString(launch.options.device));
   if (launch.mode_given) setup->set_mode(QString::fromStdString(launch.options.mode));
   select_first(launch);
   if (const auto view = preset_of(launch.view)) run_->look(*view);
-  if (launch.page == QLatin1String("progress")) show_page(1);
+  for (QSplitter* splitter : findChildren<QSplitter*>())
+    splitter->restoreState(settings_.bytes(layout_key(*splitter)));
+  // the page of people was called Progress
+  if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);
   if (!launch.review.isEmpty()) review_given(launch);
   if (!launch.attempt_file.isEmpty()) review_file(launch.attempt_file);
   if (!launch.trainee.isEmpty()) {
@@ -339,9 +332,10 @@ void MainWindow::restore(const Launch& launch) {
 }
 
 void MainWindow::review_given(const Launch& launch) {
-  if (!progress_->store()) return;
+  const std::shared_ptr<record::Store> store = store_.store();
+  if (!store) return;
   QString id = launch.review;
-  const std::vector<record::AttemptRow> all = progress_->store()->attempts("");
+  const std::vector<record::AttemptRow> all = store->attempts("");
   if (id == QLatin1String("latest")) id = all.empty() ? QString() : QString::fromStdString(all.front().id);
   review(id);
   if (const auto view = preset_of(launch.view)) review_->view()->look(*view);
@@ -360,6 +354,8 @@ void MainWindow::remember() {
   settings_.set("theme", ui_id_);
   settings_.set("cues", cues_id_);
   settings_.set("geometry", saveGeometry());
+  for (const QSplitter* splitter : findChildren<QSplitter*>())
+    settings_.set(layout_key(*splitter), splitter->saveState());
   settings_.set("sound", run_->sound_on());
   settings_.set("left_handed", run_->setup()->left_handed());
   console::remember(trainee_look_, settings_);

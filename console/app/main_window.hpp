@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <QComboBox>
 #include <QMainWindow>
-#include <QPushButton>
-#include <QStackedWidget>
 #include <QTimer>
 #include <functional>
 #include <memory>
 
 #include "console/app/command_line.hpp"
+#include "console/app/pages.hpp"
 #include "console/app/settings.hpp"
 #include "console/app/trainee_window.hpp"
 #include "console/models/lessons_model.hpp"
-#include "console/pages/progress_page.hpp"
+#include "console/pages/lessons_page.hpp"
+#include "console/pages/people_page.hpp"
 #include "console/pages/review_page.hpp"
 #include "console/pages/run_page.hpp"
+#include "console/pages/setup_page.hpp"
 
 namespace swage::console {
 
@@ -36,15 +36,19 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   RunPage* run_page() { return run_; }
-  ProgressPage* progress_page() { return progress_; }
+  PeoplePage* people_page() { return people_; }
   ReviewPage* review_page() { return review_; }
+  LessonsPage* lessons_page() { return lessons_page_; }
+  /// More sections can be added to it: equipment has its own.
+  SetupPage* setup_page() { return setup_; }
   /// The trainee's window; nullptr while it is closed.
   TraineeWindow* trainee() { return trainee_.get(); }
   void set_theme(const QString& ui, const QString& cues);
   const QString& ui_theme() const { return ui_id_; }
 
  public Q_SLOTS:
-  void show_page(int page);
+  /// "run", "people"...: Page::id.
+  void show_page(const QString& id) { pages_->go(id); }
   void show_help();
   void toggle_trainee();
   void show_trainee_settings();
@@ -57,10 +61,12 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* make_top_bar();
+  void add_pages(Doors& doors);
+  void connect_pages();
+  void fill_top_bar();
+  void select_lesson(const QString& path);
   void add_actions();
   void fit_screen();
   void restore(const Launch& launch);
@@ -73,17 +79,18 @@ class MainWindow : public QMainWindow {
   Settings settings_;
   QTimer frames_timer_;
   LessonsModel lessons_;
+  StoreLink store_;
   QString ui_id_, cues_id_;
   TraineeLook trainee_look_;
   std::unique_ptr<TraineeWindow> trainee_;
   TraineeSettings* trainee_settings_ = nullptr;
   StatusStrip* strip_ = nullptr;
-  QStackedWidget* pages_ = nullptr;
+  Pages* pages_ = nullptr;
   RunPage* run_ = nullptr;
-  ProgressPage* progress_ = nullptr;
+  LessonsPage* lessons_page_ = nullptr;
+  PeoplePage* people_ = nullptr;
   ReviewPage* review_ = nullptr;
-  QComboBox *theme_ = nullptr, *cues_ = nullptr;
-  QList<QPushButton*> page_buttons_;
+  SetupPage* setup_ = nullptr;
 };
 
 }  // namespace swage::console

@@ -1,24 +1,52 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/people_model.hpp"
 
-namespace swage::console {
+#include <unordered_map>
 
-void PeopleModel::set_people(const std::vector<record::Person>& people) {
+namespace swage::console {
+namespace {
+
+QString qt(const std::string& s) { return QString::fromStdString(s); }
+
+// newest at the right, as in a curve
+QString signs(const QVector<bool>& last) {
+  QStringList out;
+  for (const bool passed : last) out += passed ? QStringLiteral("✓") : QStringLiteral("✗");
+  return out.join(QLatin1Char(' '));
+}
+
+QString seen(const Standing& s) {
+  if (s.last_utc.isEmpty()) return QObject::tr("not yet");
+  return s.days == 0 ? QObject::tr("today") : s.days == 1 ? QObject::tr("yesterday") : QObject::tr("%1 days ago").arg(s.days);
+}
+
+}  // namespace
+
+void PeopleModel::set_people(const std::vector<record::Person>& people, const std::vector<record::AttemptRow>& attempts,
+                             const QHash<QString, QString>& groups, const QDateTime& now) {
   beginResetModel();
-  people_ = QVector<record::Person>(people.begin(), people.end());
+  std::unordered_map<std::string, std::vector<const record::AttemptRow*>> of;
+  for (const record::AttemptRow& a : attempts) of[a.person_id].push_back(&a);
+  people_.clear();
+  standings_.clear();
+  groups_ = groups;
+  for (const record::Person& p : people) {
+    people_ += p;
+    standings_ += standing_of(of[p.id], now);
+  }
   endResetModel();
 }
 
 int PeopleModel::row_of(const QString& id) const {
   for (int i = 0; i < people_.size(); ++i) {
-    if (QString::fromStdString(people_[i].id) == id) return i;
+    if (qt(people_[i].id) == id) return i;
   }
   return -1;
 }
 
 QStringList PeopleModel::names() const {
   QStringList names;
-  for (const record::Person& p : people_) names += QString::fromStdString(p.name);
+  for (const record::Person& p : people_) names += qt(p.name);
   return names;
 }
 
@@ -26,20 +54,61 @@ int PeopleModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(people_.size());
 }
 
-QVariant PeopleModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid() || index.row() >= people_.size()) return {};
-  const record::Person& p = people_[index.row()];
-  switch (role) {
-    case Qt::DisplayRole:
-      return QString::fromStdString(p.name);
-    case kId:
-      return QString::fromStdString(p.id);
-    case kSummary:
-    case Qt::AccessibleDescriptionRole:
-      return p.attempts == 1 ? tr("1 attempt") : tr("%1 attempts").arg(p.attempts);
+int PeopleModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+
+QVariant PeopleModel::text(int row, int column) const {
+  const record::Person& p = people_[row];
+  const Standing& s = standings_[row];
+  switch (column) {
+    case kName:
+      return qt(p.name);
+    case kGroup:
+      return {};
+    case kLast:
+      return signs(s.last);
+    case kPassed:
+      return s.attempts == 0 ? QString() : tr("%1 of %2").arg(s.passed).arg(s.attempts);
+    case kSeen:
+      return seen(s);
+    case kAttention:
+      return attention_words(s);
     default:
       return {};
   }
+}
+
+QVariant PeopleModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= people_.size()) return {};
+  const record::Person& p = people_[index.row()];
+  const Standing& s = standings_[index.row()];
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(index.row(), index.column());
+    case Qt::ToolTipRole:
+      return index.column() == kLast ? tr("The last %n attempt(s), newest at the right: ✓ passed, ✗ not passed", nullptr,
+                                            static_cast<int>(s.last.size()))
+                                       : text(index.row(), index.column());
+    case kId:
+      return qt(p.id);
+    case kGroupRole:
+      return QString();
+    case kSortRole:
+      if (index.column() == kAttention) return attention(s);
+      if (index.column() == kSeen) return s.last_utc;
+      if (index.column() == kPassed) return s.passed;
+      if (index.column() == kLast) return static_cast<int>(s.last.count(true));
+      return text(index.row(), index.column()).toString().toCaseFolded();
+    default:
+      return {};
+  }
+}
+
+QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  const QString heads[] = {tr("Name"), tr("Group"), tr("Last attempts"), tr("Passed"), tr("Last seen"), tr("Needs attention")};
+  return section >= 0 && section < kColumns ? heads[section] : QString();
 }
 
 }  // namespace swage::console

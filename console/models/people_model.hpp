@@ -1,29 +1,41 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
-#include <QAbstractListModel>
+#include <QAbstractTableModel>
+#include <QHash>
 #include <QVector>
 
+#include "console/models/standing.hpp"
 #include "record/store.hpp"
 
 namespace swage::console {
 
-/// Who has attempts in the store.
-class PeopleModel : public QAbstractListModel {
+/// Everybody in the store with where they stand. Sort by kSortRole.
+class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Role { kId = Qt::UserRole, kSummary };
+  enum Column { kName, kGroup, kLast, kPassed, kSeen, kAttention, kColumns };
+  enum Role { kId = Qt::UserRole, kSortRole, kGroupRole };
 
-  using QAbstractListModel::QAbstractListModel;
-  void set_people(const std::vector<record::Person>& people);
+  using QAbstractTableModel::QAbstractTableModel;
+  /// `attempts`: of all people, newest first. `groups`: name by id.
+  void set_people(const std::vector<record::Person>& people, const std::vector<record::AttemptRow>& attempts,
+                  const QHash<QString, QString>& groups = {}, const QDateTime& now = QDateTime::currentDateTimeUtc());
   int row_of(const QString& id) const;
   QStringList names() const;
+  const record::Person& at(int row) const { return people_[row]; }
+  const Standing& standing(int row) const { return standings_[row]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  QVariant text(int row, int column) const;
   QVector<record::Person> people_;
+  QVector<Standing> standings_;
+  QHash<QString, QString> groups_;
 };
 
 }  // namespace swage::console

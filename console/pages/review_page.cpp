@@ -49,7 +49,7 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   problem_->setWordWrap(true);
   pages_->addWidget(problem_);
   column->addWidget(pages_, 1);
-  show_problem(tr("Choose an attempt on the Progress page (Ctrl+2) and press Enter."));
+  show_problem(tr("Choose an attempt on the People page and press Enter, or open one that was saved to a file (Ctrl+O)."));
 
   connect(timeline_, &Timeline::moved, this, &ReviewPage::go);
   timer_.setInterval(kTick_ms);
@@ -71,7 +71,7 @@ QWidget* ReviewPage::make_head() {
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  auto* back = make_button(tr("‹ Progress"), {}, QStringLiteral("review_back"), box);
+  auto* back = make_button(tr("‹ People"), {}, QStringLiteral("review_back"), box);
   connect(back, &QPushButton::clicked, this, &ReviewPage::back);
   row->addWidget(back);
   headline_ = new QLabel(box);

@@ -49,6 +49,7 @@ class RunPage : public QWidget {
   RunControl* control() { return control_; }
   /// What a lesson says about a metric. Opens the lesson once, unless an attempt runs.
   MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
+  const host::Catalogue& catalogue() const { return catalogue_; }
   SetupPanel* setup() { return setup_; }
   SceneView* view() { return view_; }
   /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.

@@ -40,6 +40,16 @@ QPushButton* make_button(const QString& text, const QString& shortcut, const QSt
   return button;
 }
 
+QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent) {
+  auto* line = new QLineEdit(parent);
+  line->setObjectName(name);
+  line->setAccessibleName(what);
+  line->setPlaceholderText(what);
+  line->setClearButtonEnabled(true);
+  for (QAbstractButton* clear : line->findChildren<QAbstractButton*>()) clear->setAccessibleName(QObject::tr("Clear the search"));
+  return line;
+}
+
 QScrollArea* make_scroll(QWidget* parent) {
   auto* scroll = new QScrollArea(parent);
   scroll->setWidgetResizable(true);

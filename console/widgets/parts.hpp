@@ -5,6 +5,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStyledItemDelegate>
@@ -24,6 +25,9 @@ QLabel* make_heading(const QString& text, QWidget* parent);
 QLabel* make_muted(const QString& text, QWidget* parent);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
+
+/// A line to type words of a search into, with a button that clears it.
+QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent);
 
 /// A frameless area that scrolls up and down where its content is taller than the room for it.
 QScrollArea* make_scroll(QWidget* parent);

@@ -52,6 +52,7 @@ TEST_F(FirstSight, TheFirstStartStaysOnTheScreen) {
 // the row of what is chosen shows its words: there are pixels that contrast with its ground
 TEST_F(FirstSight, AnOpenedChoiceShowsWhatIsChosen) {
   open();
+  click("page_setup");
   for (const char* name : {"theme", "cue_theme"}) {
     auto* choice = child<QComboBox>(name);
     choice->showPopup();

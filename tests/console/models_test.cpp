@@ -10,7 +10,6 @@
 #include "console/models/attempts_model.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/lessons_model.hpp"
-#include "console/models/people_model.hpp"
 #include "console/models/reading.hpp"
 #include "console/models/words.hpp"
 #include "fake_session.hpp"
@@ -105,17 +104,6 @@ TEST(EventLog, ShowsWhatTheScriptMeans) {
   EXPECT_TRUE(log.at(1).by_person);
   log.clear();
   EXPECT_EQ(log.rowCount(), 0);
-}
-
-TEST(People, CarryTheirAttempts) {
-  PeopleModel model;
-  Tester tester(&model, kFatal);
-  test::FakeStore store(test::sample_attempts());
-  model.set_people(store.people());
-  ASSERT_EQ(model.rowCount(), 2);
-  EXPECT_EQ(model.index(0).data(), "Arun P.");
-  EXPECT_EQ(model.index(1).data(PeopleModel::kSummary), "1 attempt");
-  EXPECT_EQ(model.row_of("p2"), 1);
 }
 
 TEST(Attempts, SortByWhatTheyMeanNotByText) {

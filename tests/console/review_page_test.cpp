@@ -18,7 +18,9 @@ class ReviewPages : public WindowTest {
   void open_review() {
     attempts = sample_attempts();
     open();
-    QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+    click("page_people");
+    window->people_page()->select_person("Arun P.");
+    window->people_page()->person()->focus_attempts();
     EXPECT_TRUE(child<QPushButton>("review")->isEnabled()) << "the newest one is chosen";
     auto* table = child<QTableView>("attempts");
     table->selectRow(0);
@@ -39,7 +41,7 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   EXPECT_EQ(review()->review().traces.size(), 4);
   EXPECT_FALSE(review()->timeline()->grab().isNull());
   click("review_back");
-  EXPECT_TRUE(window->progress_page()->isVisible());
+  EXPECT_TRUE(window->people_page()->isVisible());
 }
 
 TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of progress in the whole window: empty, without a store, with attempts.
+// The page of people in the whole window: empty, without a store, with attempts.
 #include <QComboBox>
 #include <QLineEdit>
 #include <QTableView>
@@ -10,11 +10,11 @@
 namespace swage::test {
 namespace {
 
-class ProgressPages : public WindowTest {};
+class PeoplePages : public WindowTest {};
 
-TEST_F(ProgressPages, ProgressIsEmptyWithANextStep) {
+TEST_F(PeoplePages, ProgressIsEmptyWithANextStep) {
   open();
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_people");
   auto* empty = child<QLabel>("empty");
   EXPECT_TRUE(empty->isVisible());
   EXPECT_TRUE(empty->text().contains("after the first lesson"));
@@ -22,19 +22,19 @@ TEST_F(ProgressPages, ProgressIsEmptyWithANextStep) {
   EXPECT_TRUE(page()->isVisible());
 }
 
-TEST_F(ProgressPages, ProgressWithoutAStoreSaysSo) {
+TEST_F(PeoplePages, ProgressWithoutAStoreSaysSo) {
   with_store = false;
   open();
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_people");
   EXPECT_TRUE(child<QLabel>("empty")->text().contains("without a store"));
 }
 
-TEST_F(ProgressPages, ProgressShowsAPersonsAttempts) {
+TEST_F(PeoplePages, ProgressShowsAPersonsAttempts) {
   attempts = sample_attempts();
   open();
   EXPECT_GE(child<QComboBox>("person")->findText("Bea L."), 0);
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
-  console::ProgressPage* progress = window->progress_page();
+  click("page_people");
+  console::PeoplePage* progress = window->people_page();
   EXPECT_EQ(progress->attempts()->rowCount(), 14);
   auto* metric = child<QComboBox>("metric");
   metric->setCurrentIndex(metric->findData("force.peak"));
@@ -51,11 +51,11 @@ TEST_F(ProgressPages, ProgressShowsAPersonsAttempts) {
 }
 
 // Another program, or a colleague's station, has kept an attempt meanwhile.
-TEST_F(ProgressPages, WhatOthersWriteAppearsByItself) {
+TEST_F(PeoplePages, WhatOthersWriteAppearsByItself) {
   attempts = sample_attempts();
   open();
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
-  console::ProgressPage* progress = window->progress_page();
+  click("page_people");
+  console::PeoplePage* progress = window->people_page();
   auto* table = child<QTableView>("attempts");
   table->selectRow(3);
   const QString chosen = table->selectionModel()->selectedRows().first().data(console::AttemptsModel::kId).toString();
@@ -69,23 +69,24 @@ TEST_F(ProgressPages, WhatOthersWriteAppearsByItself) {
   EXPECT_EQ(table->selectionModel()->selectedRows().first().data(console::AttemptsModel::kId).toString(), chosen);
 }
 
-TEST_F(ProgressPages, AStoreThatIsDamagedIsNotAnEmptyOne) {
+TEST_F(PeoplePages, AStoreThatIsDamagedIsNotAnEmptyOne) {
   attempts = sample_attempts();
   open();
   shared->trouble = "The store is damaged.";
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_people");
   EXPECT_TRUE(child<QLabel>("empty")->isVisible());
   EXPECT_EQ(child<QLabel>("empty")->text(), "The store is damaged.");
   shared->trouble.clear();
-  QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_run");
+  click("page_people");
   EXPECT_FALSE(child<QLabel>("empty")->isVisible());
 }
 
-TEST_F(ProgressPages, TheNewestAttemptIsTwoKeysAway) {
+TEST_F(PeoplePages, TheNewestAttemptIsThreeKeysAway) {
   attempts = sample_attempts();
   open();
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_people");
+  QTest::keyClick(child<QTableView>("people"), Qt::Key_Return);
   auto* table = child<QTableView>("attempts");
   ASSERT_TRUE(table->selectionModel()->hasSelection());
   EXPECT_EQ(table->selectionModel()->selectedRows().front().row(), 0);
@@ -93,27 +94,27 @@ TEST_F(ProgressPages, TheNewestAttemptIsTwoKeysAway) {
   EXPECT_TRUE(window->review_page()->isVisible());
 }
 
-TEST_F(ProgressPages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
+TEST_F(PeoplePages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
   attempts = sample_attempts();
   open();
-  QTest::keyClick(window.get(), Qt::Key_2, Qt::ControlModifier);
+  click("page_people");
   auto* metric = child<QComboBox>("metric");
   std::vector<std::string> asked;
-  window->progress_page()->set_metric_finder([&](const QString&, const std::string& id) {
+  window->people_page()->person()->set_metric_finder([&](const QString&, const std::string& id) {
     asked.push_back(id);
     return console::MetricSaid{{SWAGE_BETTER_INSIDE, "mean of F"}, {0.001, 0.002}};
   });
   auto* lesson = child<QComboBox>("lesson_filter");
   lesson->setCurrentIndex(lesson->findData("swage.series.carry"));
   metric->setCurrentIndex(metric->findData("motion.path"));
-  const console::MetricSeries& series = window->progress_page()->chart()->series();
+  const console::MetricSeries& series = window->people_page()->chart()->series();
   EXPECT_EQ(asked.back(), "motion.path");
   EXPECT_EQ(series.better, SWAGE_BETTER_INSIDE);
   EXPECT_EQ(series.target, (console::MetricTarget{1, 2}));  // mm
   // attempts of several lessons have no common target
   lesson->setCurrentIndex(0);
   EXPECT_EQ(series.target, console::MetricTarget{});
-  EXPECT_FALSE(window->progress_page()->chart()->grab().isNull());
+  EXPECT_FALSE(window->people_page()->chart()->grab().isNull());
 }
 
 // --- cues and what may be adjusted

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/lessons_page.hpp"
+
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "console/models/variant.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+namespace {
+
+/// Every word of the search is in title, task or goal.
+class Search : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+  void set_words(const QString& text) {
+    words_ = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    invalidateFilter();
+  }
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+    const QModelIndex i = sourceModel()->index(row, 0, parent);
+    const QString text = i.data().toString() + QLatin1Char(' ') + i.data(LessonsModel::kSummary).toString() +
+                         QLatin1Char(' ') + i.data(LessonsModel::kGoal).toString();
+    return std::all_of(words_.begin(), words_.end(),
+                       [&](const QString& w) { return text.contains(w, Qt::CaseInsensitive); });
+  }
+
+ private:
+  QStringList words_;
+};
+
+QString list_of(const QString& heading, const QStringList& lines) {
+  if (lines.isEmpty()) return {};
+  QString out = QStringLiteral("<p><b>%1</b></p><ul style='margin-top:2px'>").arg(heading.toHtmlEscaped());
+  for (const QString& line : lines) out += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
+  return out + QStringLiteral("</ul>");
+}
+
+}  // namespace
+
+LessonsPage::LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget* parent)
+    : QWidget(parent), criteria_(std::move(criteria)), found_(new Search(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 10, 12, 6);
+  auto* splitter = new QSplitter(this);
+  splitter->setObjectName(QStringLiteral("lessons_splitter"));
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(make_list(lessons));
+  splitter->addWidget(make_detail());
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 3);
+  row->addWidget(splitter);
+  show_lesson();
+}
+
+QWidget* LessonsPage::make_list(LessonsModel* lessons) {
+  Card card = make_card(tr("Lessons"), this);
+  QLineEdit* words = make_search(tr("Search title, task and goal"), QStringLiteral("lesson_search"), card.frame);
+  card.body->addWidget(words);
+  found_->setSourceModel(lessons);
+  list_ = new QListView(card.frame);
+  list_->setObjectName(QStringLiteral("all_lessons"));
+  list_->setAccessibleName(tr("Lessons"));
+  list_->setModel(found_);
+  list_->setItemDelegate(new TwoLineDelegate(LessonsModel::kSummary, list_));
+  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list_->setMinimumWidth(240);
+  none_ = make_muted({}, card.frame);
+  none_->setObjectName(QStringLiteral("no_lesson_found"));
+  card.body->addWidget(list_, 1);
+  card.body->addWidget(none_, 1, Qt::AlignTop);
+  none_->hide();
+  connect(words, &QLineEdit::textChanged, this, &LessonsPage::search);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::show_lesson);
+  connect(list_, &QListView::activated, this, [this] { practise_->click(); });
+  return card.frame;
+}
+
+QWidget* LessonsPage::make_detail() {
+  Card card = make_card({}, this);
+  title_ = new QLabel(card.frame);
+  title_->setObjectName(QStringLiteral("lesson_headline"));
+  title_->setProperty("big", true);
+  title_->setWordWrap(true);
+  task_ = new QLabel(card.frame);
+  task_->setWordWrap(true);
+  asked_ = new QLabel(card.frame);
+  asked_->setObjectName(QStringLiteral("lesson_asked"));
+  asked_->setWordWrap(true);
+  asked_->setTextFormat(Qt::RichText);
+  asked_->setAlignment(Qt::AlignTop);
+  QScrollArea* scroll = make_scroll(card.frame);
+  auto* text = new QWidget(scroll);
+  auto* column = new QVBoxLayout(text);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (QLabel* label : {title_, task_, asked_}) column->addWidget(label);
+  column->addStretch(1);
+  scroll->setWidget(text);
+  card.body->addWidget(scroll, 1);
+
+  const auto add = [&](QHBoxLayout* row, const QString& words, const QString& key, const char* name, auto&& call) {
+    auto* button = make_button(words, key, QString::fromLatin1(name), card.frame);
+    connect(button, &QPushButton::clicked, this, call);
+    row->addWidget(button);
+    return button;
+  };
+  auto* row = new QHBoxLayout;
+  practise_ = add(row, tr("Practise"), QStringLiteral("Enter"), "practise_lesson",
+                  [this] { Q_EMIT run(lesson(), QStringLiteral("practice")); });
+  practise_->setProperty("primary", true);
+  test_ = add(row, tr("Test"), {}, "test_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("test")); });
+  row->addStretch(1);
+  auto* own = new QHBoxLayout;
+  variant_ = add(own, tr("New lesson from this…"), QStringLiteral("Ctrl+N"), "new_from_this",
+                 [this] { Q_EMIT make_variant(lesson()); });
+  variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
+  edit_ = add(own, tr("Edit…"), QStringLiteral("Ctrl+E"), "edit_this", [this] { Q_EMIT edit_lesson(lesson()); });
+  edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+  delete_ = add(own, tr("Delete…"), {}, "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
+  own->addStretch(1);
+  card.body->addLayout(row);
+  card.body->addLayout(own);
+  return card.frame;
+}
+
+void LessonsPage::search(const QString& words) {
+  static_cast<Search*>(found_)->set_words(words);
+  const bool any = found_->rowCount() > 0;
+  list_->setVisible(any);
+  none_->setVisible(!any);
+  none_->setText(found_->sourceModel()->rowCount() == 0
+                     ? tr("No lessons found. Put lesson files into %1.").arg(own_lessons_folder())
+                     : tr("No lesson has these words. Clear the search to see all."));
+  if (any && !list_->currentIndex().isValid()) list_->setCurrentIndex(found_->index(0, 0));
+}
+
+void LessonsPage::select(const QString& path) {
+  for (int i = 0; i < found_->rowCount(); ++i) {
+    if (found_->index(i, 0).data(LessonsModel::kPath).toString() == path)
+      return list_->setCurrentIndex(found_->index(i, 0));
+  }
+  if (!list_->currentIndex().isValid()) list_->setCurrentIndex(found_->index(0, 0));
+}
+
+QString LessonsPage::lesson() const { return list_->currentIndex().data(LessonsModel::kPath).toString(); }
+
+void LessonsPage::show_lesson() {
+  const QModelIndex at = list_->currentIndex();
+  const QString problem = at.data(LessonsModel::kProblem).toString();
+  const bool can = at.isValid() && problem.isEmpty(), own = at.isValid() && is_own_lesson(lesson());
+  for (QPushButton* b : {practise_, test_, variant_}) b->setEnabled(can);
+  for (QPushButton* b : {edit_, delete_}) b->setVisible(own);
+  title_->setText(at.isValid() ? at.data().toString() : tr("Choose a lesson."));
+  task_->setText(QStringList({at.data(LessonsModel::kSummary).toString(), at.data(LessonsModel::kGoal).toString()})
+                     .join(QStringLiteral("\n\n"))
+                     .trimmed());
+  if (!can) {
+    asked_->setText(problem.isEmpty() ? QString() : tr("▲ It cannot run: %1").arg(problem).toHtmlEscaped());
+    return;
+  }
+  const Criteria asked = criteria_(lesson());
+  test_->setEnabled(!asked.show);
+  asked_->setText(list_of(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
+                  list_of(tr("Limits"), asked.limits) + list_of(tr("Points"), asked.points));
+}
+
+}  // namespace swage::console

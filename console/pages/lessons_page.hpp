@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The Lessons page: what can be practised, what each lesson asks for, and lessons of one's own.
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QWidget>
+#include <functional>
+
+#include "console/models/lesson_facts.hpp"
+#include "console/models/lessons_model.hpp"
+
+namespace swage::console {
+
+class LessonsPage : public QWidget {
+  Q_OBJECT
+ public:
+  /// `criteria`: what a lesson file asks for.
+  using CriteriaReader = std::function<Criteria(const QString& path)>;
+  LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget* parent = nullptr);
+  void select(const QString& path);
+  QString lesson() const;  // path; "" for none
+  /// Reads the chosen lesson again, as after an edit.
+  void show_lesson();
+
+ Q_SIGNALS:
+  /// "practice" or "test".
+  void run(const QString& path, const QString& mode);
+  void make_variant(const QString& path);
+  void edit_lesson(const QString& path);
+  void delete_lesson(const QString& path);
+
+ private:
+  QWidget* make_list(LessonsModel* lessons);
+  QWidget* make_detail();
+  void search(const QString& words);
+
+  CriteriaReader criteria_;
+  QSortFilterProxyModel* found_;
+  QListView* list_ = nullptr;
+  QLabel *none_ = nullptr, *title_ = nullptr, *task_ = nullptr, *asked_ = nullptr;
+  QPushButton *practise_ = nullptr, *test_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
+};
+
+}  // namespace swage::console

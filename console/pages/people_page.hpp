@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The People page: everybody, those who need attention first, and below one of them.
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QTimer>
+#include <QWidget>
+
+#include "console/link/store_link.hpp"
+#include "console/models/people_model.hpp"
+#include "console/pages/person_panel.hpp"
+
+namespace swage::console {
+
+class PeoplePage : public QWidget {
+  Q_OBJECT
+ public:
+  /// `link` outlives the page.
+  explicit PeoplePage(StoreLink* link, QWidget* parent = nullptr);
+  void set_theme(const UiTheme& theme) { person_->set_theme(theme); }
+  PeopleModel* people() { return people_; }
+  PersonPanel* person() { return person_; }
+  AttemptsModel* attempts() { return person_->attempts(); }
+  MetricChart* chart() { return person_->chart(); }
+
+ public Q_SLOTS:
+  /// Reads the store again; keeps the person and the lesson when they are still there.
+  void refresh();
+  void select_person(const QString& name);
+  /// The keyboard goes to the table of people: Enter shows the attempts of one.
+  void focus_people() { table_->setFocus(); }
+
+ Q_SIGNALS:
+  void run_lesson();
+
+ private:
+  QWidget* make_people();
+  QWidget* make_empty();
+  void look();
+  void show_empty(const QString& words);
+  void show_chosen();
+  QString chosen() const;  // id of a person, "" for none
+  void choose(const QString& id);
+
+  StoreLink* link_;
+  QTimer watch_;  // what other programs write
+  PeopleModel* people_;
+  QSortFilterProxyModel* sorted_;
+  std::vector<record::AttemptRow> all_;  // of everybody, newest first
+  QStackedWidget* stack_ = nullptr;
+  QTableView* table_ = nullptr;
+  PersonPanel* person_ = nullptr;
+  QLabel *empty_ = nullptr, *count_ = nullptr;
+};
+
+}  // namespace swage::console

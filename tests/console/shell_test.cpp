@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The shell of the window: pages by key and button, what is remembered of their layout, the Lessons and the Setup page.
+#include <QLineEdit>
+#include <QListView>
+#include <QSplitter>
+#include <QUndoStack>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class Shell : public WindowTest {
+ protected:
+  console::Pages* pages() { return window->findChild<console::Pages*>(); }
+};
+
+TEST_F(Shell, EveryPageHasAButtonAndTheKeyOfItsNumber) {
+  open();
+  ASSERT_GE(pages()->all().size(), 5);
+  for (int i = 0; i < pages()->all().size(); ++i) {
+    const console::Page& page = pages()->all()[i];
+    QTest::keyClick(window.get(), static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
+    EXPECT_EQ(pages()->current().id, page.id);
+    EXPECT_TRUE(page.widget->isVisible()) << page.id.toStdString();
+    EXPECT_TRUE(child<QPushButton>(("page_" + page.id.toStdString()).c_str())->isChecked());
+  }
+  click("page_run");
+  EXPECT_EQ(pages()->current().id, "run");
+  EXPECT_FALSE(pages()->go(QStringLiteral("nowhere")));
+  EXPECT_EQ(pages()->current().id, "run");
+}
+
+TEST_F(Shell, APageThatIsAddedGetsAButtonAKeyAndItsUndo) {
+  open();
+  auto* page = new QLabel(QStringLiteral("Mine"));
+  auto* edits = new QUndoStack(page);
+  int shown = 0, themed = 0;
+  pages()->add({QStringLiteral("mine"), QStringLiteral("Mine"), QStringLiteral("Whose?"), page, true, [&] { ++shown; },
+                [&](const console::UiTheme&, const console::CueTheme&) { ++themed; }, nullptr, edits});
+  const auto key = static_cast<Qt::Key>(Qt::Key_0 + pages()->all().size());
+  QTest::keyClick(window.get(), key, Qt::ControlModifier);
+  EXPECT_TRUE(page->isVisible());
+  EXPECT_EQ(shown, 1);
+  window->set_theme(QStringLiteral("dark"), QStringLiteral("safe"));
+  EXPECT_EQ(themed, 1);
+  edits->push(new QUndoCommand(QStringLiteral("an edit")));
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(edits->canUndo());
+  EXPECT_TRUE(edits->canRedo());
+  click("page_run");
+  QTest::keyClick(window.get(), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_TRUE(edits->canRedo()) << "another page's edits are not touched";
+}
+
+TEST_F(Shell, TheLayoutIsRemembered) {
+  open();
+  click("page_lessons");
+  auto* splitter = child<QSplitter>("lessons_splitter");
+  splitter->setSizes({700, 500});
+  const QList<int> sizes = splitter->sizes();
+  window->close();
+  window.reset();
+  open();
+  click("page_lessons");
+  EXPECT_NEAR(child<QSplitter>("lessons_splitter")->sizes()[0], sizes[0], 2);
+}
+
+TEST_F(Shell, ALessonIsFoundByItsWordsAndPractised) {
+  open();
+  click("page_lessons");
+  auto* words = child<QLineEdit>("lesson_search");
+  auto* list = child<QListView>("all_lessons");
+  const int all = list->model()->rowCount();
+  words->setText(QStringLiteral("carry"));
+  ASSERT_LT(list->model()->rowCount(), all);
+  ASSERT_GT(list->model()->rowCount(), 0);
+  list->setCurrentIndex(list->model()->index(0, 0));
+  const QString lesson = window->lessons_page()->lesson();
+  click("practise_lesson");
+  EXPECT_EQ(pages()->current().id, "run");
+  EXPECT_EQ(page()->setup()->lesson(), lesson);
+  click("page_lessons");
+  words->setText(QStringLiteral("zebra"));
+  EXPECT_TRUE(child<QLabel>("no_lesson_found")->isVisible());
+  EXPECT_TRUE(child<QLabel>("no_lesson_found")->text().contains("Clear the search"));
+  EXPECT_FALSE(child<QPushButton>("practise_lesson")->isEnabled());
+}
+
+TEST_F(Shell, ATestFromTheLessonsPageIsATest) {
+  open();
+  click("page_lessons");
+  click("test_lesson");
+  EXPECT_EQ(page()->setup()->mode(), "test");
+}
+
+}  // namespace
+}  // namespace swage::test
