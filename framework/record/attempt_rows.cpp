@@ -9,6 +9,7 @@
 
 #include "record/codec.hpp"
 #include "record/identity.hpp"
+#include "record/school.hpp"
 
 namespace swage::record {
 
@@ -31,9 +32,16 @@ struct Statement {
 const Statement& statement(Kind kind) {
   // the order is that of Kind
   static const Statement kStatements[kKinds] = {
-      {"INSERT INTO person (person_id, pseudonym, created_utc) VALUES (?, ?, ?) ON CONFLICT DO NOTHING", 3},
+      // a person is known by the code, or by the name that an instructor gave
+      {"INSERT INTO person (person_id, pseudonym, created_utc) SELECT w.id, w.name, w.utc FROM"
+       " (SELECT CAST(? AS TEXT) AS id, CAST(? AS TEXT) AS name, CAST(? AS TEXT) AS utc) w"
+       " WHERE NOT EXISTS (SELECT 1 FROM roster n WHERE n.display_name = w.name) ON CONFLICT DO NOTHING",
+       3},
       {"INSERT INTO session (session_id, person_id, station, app_version, started_utc)"
-       " SELECT ?, person_id, ?, ?, ? FROM person WHERE pseudonym = ? ON CONFLICT DO NOTHING",
+       " SELECT w.id, p.person_id, w.station, w.app, w.utc FROM (SELECT CAST(? AS TEXT) AS id, CAST(? AS TEXT) AS station,"
+       " CAST(? AS TEXT) AS app, CAST(? AS TEXT) AS utc, CAST(? AS TEXT) AS name) w, person p"
+       " LEFT JOIN roster n ON n.person_id = p.person_id WHERE p.pseudonym = w.name OR n.display_name = w.name"
+       " ORDER BY CASE WHEN p.pseudonym = w.name THEN 0 ELSE 1 END, p.person_id LIMIT 1 ON CONFLICT DO NOTHING",
        5},
       {"INSERT INTO device (device_id, plugin, serial, descriptor) VALUES (?, ?, ?, ?) ON CONFLICT DO "
        "NOTHING",
@@ -59,6 +67,15 @@ const Statement& statement(Kind kind) {
        " VALUES (?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
        8},
       {"INSERT INTO file (attempt_id, name, crc32c, data) VALUES (?, ?, ?, ?) ON CONFLICT DO NOTHING", 4},
+      {"INSERT INTO provenance (attempt_id, lesson_digest, input, calibration, is_scripted, is_synthetic)"
+       " VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING",
+       6},
+      {"INSERT INTO note (note_id, attempt_id, step, t_us, made_utc, made_by, body) VALUES (?, ?, ?, ?, ?, ?, ?)"
+       " ON CONFLICT DO NOTHING",
+       7},
+      {"INSERT INTO ruling (ruling_id, attempt_id, kind, made_utc, made_by, reason) VALUES (?, ?, ?, ?, ?, ?)"
+       " ON CONFLICT DO NOTHING",
+       6},
   };
   return kStatements[static_cast<std::size_t>(kind)];
 }
@@ -113,6 +130,22 @@ bool parse(const std::string& text, const Read& read) {
   } catch (const json::exception&) {
     return false;
   }
+}
+
+// Which calibrations an attempt carries, of which sensor and day.
+std::string calibrations_json(const std::vector<FileInfo>& files) {
+  json out = json::array();
+  for (const FileInfo& f : files) {
+    const json c = json::parse(f.bytes, nullptr, false);
+    if (!c.is_object() || !c.contains("format") || !c["format"].is_string() ||
+        !c["format"].get<std::string>().starts_with("swage-calibration/"))
+      continue;
+    json entry = {{"file", f.name}, {"crc32c", crc32c(f.bytes.data(), f.bytes.size())}};
+    for (const char* key : {"serial", "date", "expires"})
+      if (c.contains(key)) entry[key] = c[key];
+    out.push_back(std::move(entry));
+  }
+  return out.dump();
 }
 
 // in the order of the columns of `attempt`
@@ -181,7 +214,19 @@ Batch attempt_rows(const std::string& attempt_id, const AttemptInfo& info) {
     out.push_back({Kind::kFile,
                    {attempt_id, f.name, int64_t{crc32c(f.bytes.data(), f.bytes.size())},
                     Blob(f.bytes.begin(), f.bytes.end())}});
+  out.push_back(provenance_row(attempt_id, info));
   return out;
+}
+
+Write provenance_row(const std::string& attempt_id, const AttemptInfo& info) {
+  bool scripted = false, force = false;
+  for (const HandInfo& h : info.hands) {
+    scripted |= (h.flags & SWAGE_DEVICE_SCRIPTED) != 0;
+    force |= (h.flags & SWAGE_DEVICE_FORCE) != 0;
+  }
+  return {Kind::kProvenance,
+          {attempt_id, lesson_digest(info.descriptor_text), std::string(scripted ? "scripted" : force ? "force" : "position"),
+           calibrations_json(info.files), int64_t{scripted}, int64_t{info.synthetic}}};
 }
 
 Batch end_rows(const std::string& attempt_id, const AttemptInfo& info, const AttemptEnd& end,

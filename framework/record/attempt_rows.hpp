@@ -25,9 +25,12 @@ enum class Kind : uint8_t {
   kChunk,
   kEnd,
   kHand,
-  kFile
+  kFile,
+  kProvenance,
+  kNote,
+  kRuling
 };
-inline constexpr uint8_t kKinds = 10;
+inline constexpr uint8_t kKinds = 13;
 
 struct Write {
   Kind kind = Kind::kPerson;
@@ -46,6 +49,8 @@ extern const char* const kAttemptColumns;
 
 /// Person, session, device, the attempt itself, "running", its hands and its files.
 Batch attempt_rows(const std::string& attempt_id, const AttemptInfo&);
+/// Lesson version, class of input, calibration: where the numbers come from. Part of attempt_rows().
+Write provenance_row(const std::string& attempt_id, const AttemptInfo&);
 /// Metrics and the end of the attempt.
 Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);
 

@@ -4,8 +4,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
 #include <vector>
 
 #include "record/attempt_rows.hpp"
@@ -16,17 +18,33 @@ namespace swage::record {
 namespace {
 
 // Every table with the one that it refers to before it.
-constexpr const char* kTables[] = {"person", "session", "attempt", "metric", "event",       "chunk",
-                                   "hand",   "file",    "device",  "calibration", "outbox", "seal",    "grade"};
+constexpr const char* kTables[] = {"erased",  "person", "session", "attempt",     "metric", "event", "chunk",
+                                   "hand",    "file",   "device",  "calibration", "outbox", "seal",  "grade",
+                                   "provenance", "note", "ruling", "people_group", "roster", "lesson_version", "course",
+                                   "assignment", "exported"};
 
 struct Table {
   std::string name, columns, places, key;
+  std::vector<std::string> column;
+  // -1 when there is none of that name
+  int index(const std::string& what) const {
+    const auto found = std::find(column.begin(), column.end(), what);
+    return found == column.end() ? -1 : static_cast<int>(found - column.begin());
+  }
 };
 
+// The column that names a person, whom two stations may know by two identifiers.
+int person_column(const Table& table) {
+  if (table.name == "person") return -1;
+  return table.name == "assignment" ? table.index("who_id") : table.index("person_id");
+}
+
 Table table_of(Database& model, const std::string& name) {
-  Table out{name, "", "", ""};
+  Table out;
+  out.name = name;
   for (const Row& r : model.rows("SELECT name FROM pragma_table_info('" + name + "') ORDER BY cid")) {
     out.columns += (out.columns.empty() ? "" : ", ") + text(r[0]);
+    out.column.push_back(text(r[0]));
     out.places += out.places.empty() ? "?" : ", ?";
   }
   for (const Row& r : model.rows("SELECT name FROM pragma_table_info('" + name + "') WHERE pk > 0 ORDER BY pk"))
@@ -34,22 +52,55 @@ Table table_of(Database& model, const std::string& name) {
   return out;
 }
 
-// Two stations may know one person by two identifiers: the name decides, and sessions follow it.
-bool put(Database& to, const Table& table, const Row& row) {
-  if (table.name == "session")
-    return to.run("INSERT INTO session (session_id, person_id, station, app_version, started_utc)"
-                  " SELECT ?, person_id, ?, ?, ? FROM person WHERE pseudonym = ? ON CONFLICT DO NOTHING",
-                  {row[0], row[2], row[3], row[4], row[5]});
+// The rows of a table, those that name a person with its code as a further column.
+std::string select(const Table& table) {
+  const int person = person_column(table);
+  if (person < 0) return "SELECT " + table.columns + " FROM " + table.name + " ORDER BY " + table.key;
+  const std::string& named = table.column[static_cast<std::size_t>(person)];
+  std::string columns;
+  for (const std::string& c : table.column) columns += "t." + c + ", ";
+  return "SELECT " + columns + "p.pseudonym FROM " + table.name + " t LEFT JOIN person p ON p.person_id = t." + named +
+         " ORDER BY t." + table.key;
+}
+
+// What was erased for good stays so: neither side of a copy brings back what the other has erased.
+class Erased {
+ public:
+  bool load(Database& to) {
+    for (const char* table : {"attempt", "person"}) {
+      const std::string key = std::string(table) + "_id";
+      if (!to.run("DELETE FROM " + std::string(table) + " WHERE " + key + " IN (SELECT erased_id FROM erased)")) return false;
+    }
+    return to.each("SELECT erased_id FROM erased", {}, [&](const Row& r) { return ids_.insert(text(r[0])).second || true; });
+  }
+  /// Whether a row is of something erased; what refers to it is, too.
+  bool has(const Table& table, const Row& row) {
+    if (table.name == "erased") return false;
+    for (const char* what : {"person_id", "session_id", "attempt_id", "who_id"}) {
+      const int at = table.index(what);
+      if (at < 0 || !ids_.contains(text(row[static_cast<std::size_t>(at)]))) continue;
+      ids_.insert(text(row[0]));
+      return true;
+    }
+    return false;
+  }
+
+ private:
+  std::set<std::string> ids_;
+};
+
+// Two stations may know one person by two identifiers: the code decides, and what names the person follows it.
+bool put(Database& to, const Table& table, Row row) {
+  const int person = person_column(table);
+  if (person >= 0) {
+    const std::string code = text(row.back());
+    row.pop_back();
+    const std::vector<Row> known = code.empty() ? std::vector<Row>() : to.rows("SELECT person_id FROM person WHERE pseudonym = ?", {code});
+    if (!known.empty()) row[static_cast<std::size_t>(person)] = known[0][0];
+  }
   return to.run("INSERT INTO " + table.name + " (" + table.columns + ") VALUES (" + table.places +
                     ") ON CONFLICT DO NOTHING",
                 row);
-}
-
-std::string select(const Table& table) {
-  if (table.name == "session")
-    return "SELECT s.session_id, s.person_id, s.station, s.app_version, s.started_utc, p.pseudonym FROM session s"
-           " JOIN person p ON p.person_id = s.person_id ORDER BY s.session_id";
-  return "SELECT " + table.columns + " FROM " + table.name + " ORDER BY " + table.key;
 }
 
 uint64_t count(Database& db, const std::string& table) {
@@ -68,10 +119,13 @@ bool copy_all(Database& from, Database& to, std::string& error) {
   const bool one_moment =
       from.run(from.on_postgres() ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN");
   bool written = to.begin(), read = one_moment;
+  Erased erased;
   for (const char* name : kTables) {
     const Table table = table_of(*model, name);
+    if (table.name != "erased") written = written && (table.name != "person" || erased.load(to));
     if (read && written && !table.columns.empty())
-      read = from.each(select(table), {}, [&](const Row& row) { return written = put(to, table, row); });
+      read = from.each(select(table), {},
+                       [&](const Row& row) { return erased.has(table, row) || (written = put(to, table, row)); });
   }
   if (!written) error = "It cannot be written: " + to.error() + ".";
   if (!read) error = "It cannot be read: " + from.error() + ".";

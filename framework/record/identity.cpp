@@ -6,12 +6,27 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <random>
 
 namespace swage::record {
+namespace {
+
+// Milliseconds and, in the twelve bits below, a count within each: what this process makes later is later in text order, too.
+uint64_t next_moment() {
+  static std::atomic<uint64_t> last{0};
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  const auto now = static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(since).count()) << 12;
+  uint64_t before = last.load(), moment = 0;
+  do moment = std::max(now, before + 1);
+  while (!last.compare_exchange_weak(before, moment));
+  return moment;
+}
+
+}  // namespace
 
 std::string make_id() {
   uint64_t random[2] = {};
@@ -19,10 +34,8 @@ std::string make_id() {
     std::random_device device;
     for (uint64_t& word : random) word = (uint64_t{device()} << 32) | device();
   }
-  const auto since = std::chrono::system_clock::now().time_since_epoch();
-  const uint64_t ms =
-      static_cast<uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
-  const uint64_t high = (ms << 16) | 0x7000u | (random[0] & 0x0fffu);
+  const uint64_t moment = next_moment();
+  const uint64_t high = (moment >> 12 << 16) | 0x7000u | (moment & 0x0fffu);
   const uint64_t low = (random[1] >> 2) | 0x8000000000000000ull;
   char out[37];
   std::snprintf(
@@ -53,6 +66,14 @@ std::string utc_now() {
 std::string station() {
   char name[256] = {};
   return gethostname(name, sizeof name - 1) == 0 && name[0] != '\0' ? name : "unnamed";
+}
+
+std::string make_code() {
+  constexpr char kLetters[] = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";  // Crockford's base 32
+  std::random_device random;
+  std::string out(5, '0');
+  for (char& c : out) c = kLetters[random() % 32];
+  return out;
 }
 
 }  // namespace swage::record

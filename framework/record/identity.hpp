@@ -8,7 +8,7 @@
 
 namespace swage::record {
 
-/// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, then random bits; text order is order of making.
+/// UUID version 7 (RFC 9562): 48 bits of Unix milliseconds, 12 of a count, then random bits; text order is order of making.
 /// [any]
 std::string make_id();
 
@@ -20,5 +20,8 @@ std::string utc_now();
 
 /// The name of this machine. [any]
 std::string station();
+
+/// A short code that is easily read aloud: five letters and digits without I, L, O and U. [any]
+std::string make_code();
 
 }  // namespace swage::record

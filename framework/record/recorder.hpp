@@ -48,6 +48,7 @@ struct AttemptInfo {
   double dt = 1e-3;  // s
   bool realtime =
       false;  // true: a full ring drops and counts; false: step() waits for the writer, nothing is lost
+  bool synthetic = false;  // its numbers are drawn, not measured
 };
 
 /// Commands that changed the scene, applied at the start of the step with that number.

@@ -44,6 +44,16 @@ constexpr Form kForms[] = {
     {"file", "TTIB", "INSERT OR IGNORE INTO file VALUES (?, ?, ?, ?)"},
     {"seal", "TT", "INSERT OR IGNORE INTO seal VALUES (?, ?)"},
     {"grade", "TTTTTITTRT", "INSERT OR IGNORE INTO grade VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"},
+    {"people_group", "TITTT", "INSERT OR IGNORE INTO people_group VALUES (?, ?, ?, ?, ?)"},
+    {"roster", "TTTTTT", "INSERT OR IGNORE INTO roster VALUES (?, ?, ?, ?, ?, ?)"},
+    {"lesson_version", "TTTTTTTI", "INSERT OR IGNORE INTO lesson_version VALUES (?, ?, ?, ?, ?, ?, ?, ?)"},
+    {"course", "TTTTTTT", "INSERT OR IGNORE INTO course VALUES (?, ?, ?, ?, ?, ?, ?)"},
+    {"assignment", "TITTTT", "INSERT OR IGNORE INTO assignment VALUES (?, ?, ?, ?, ?, ?)"},
+    {"note", "TTIITTT", "INSERT OR IGNORE INTO note VALUES (?, ?, ?, ?, ?, ?, ?)"},
+    {"ruling", "TTITTT", "INSERT OR IGNORE INTO ruling VALUES (?, ?, ?, ?, ?, ?)"},
+    {"provenance", "TTTTII", "INSERT OR IGNORE INTO provenance VALUES (?, ?, ?, ?, ?, ?)"},
+    {"erased", "TIT", "INSERT OR IGNORE INTO erased VALUES (?, ?, ?)"},
+    {"exported", "TITTTTT", "INSERT OR IGNORE INTO exported VALUES (?, ?, ?, ?, ?, ?, ?)"},
 };
 constexpr std::size_t kState = 8;  // column of an attempt
 
@@ -105,7 +115,7 @@ bool mend_references(Database& db, Salvaged& out) {
       " (SELECT attempt_id FROM attempt))");
   if (!headless.empty()) out.headless = static_cast<uint64_t>(integer(headless[0][0]));
   bool ok = true;
-  for (const char* table : {"metric", "event", "chunk", "hand", "file", "seal", "grade"})
+  for (const char* table : {"metric", "event", "chunk", "hand", "file", "seal", "grade", "provenance", "note", "ruling"})
     ok &= db.run("DELETE FROM " + std::string(table) +
                  " WHERE attempt_id NOT IN (SELECT attempt_id FROM attempt)");
   const std::string now = utc_now();
@@ -117,6 +127,9 @@ bool mend_references(Database& db, Salvaged& out) {
       "INSERT INTO person SELECT DISTINCT person_id, 'Unknown ' || substr(person_id, 1, 13), ? FROM session"
       " WHERE person_id NOT IN (SELECT person_id FROM person)",
       {now});
+  for (const char* table : {"roster", "exported"})
+    ok &= db.run("DELETE FROM " + std::string(table) + " WHERE person_id NOT IN (SELECT person_id FROM person)");
+  ok &= db.run("DELETE FROM assignment WHERE course_id NOT IN (SELECT course_id FROM course)");
   return ok;
 }
 

@@ -82,6 +82,54 @@ const std::vector<Step> kSteps = {
         " outcome TEXT NOT NULL, reason TEXT NOT NULL, score DOUBLE PRECISION, metrics TEXT NOT NULL)",
         "CREATE INDEX grade_by_attempt ON grade (attempt_id)",
     },
+    {
+        // 4: a school. Names of people stand in `roster` alone, which is in no exported attempt; empty text stands for "none".
+        "CREATE TABLE people_group (group_id TEXT PRIMARY KEY, position BIGINT NOT NULL, name TEXT NOT NULL,"
+        " created_utc TEXT NOT NULL, archived_utc TEXT NOT NULL)",
+
+        "CREATE TABLE roster (person_id TEXT PRIMARY KEY REFERENCES person (person_id) ON DELETE CASCADE,"
+        " display_name TEXT NOT NULL, handedness TEXT NOT NULL CHECK (handedness IN ('', 'left', 'right')),"
+        " group_id TEXT NOT NULL, archived_utc TEXT NOT NULL, changed_utc TEXT NOT NULL)",
+        "CREATE INDEX roster_by_name ON roster (display_name)",
+        "CREATE INDEX session_by_person ON session (person_id)",
+
+        // a lesson as it was when it was published; attempts refer to its digest
+        "CREATE TABLE lesson_version (version_id TEXT PRIMARY KEY, digest TEXT NOT NULL UNIQUE, lesson_id TEXT NOT NULL,"
+        " title TEXT NOT NULL, body TEXT NOT NULL, frozen_utc TEXT NOT NULL, retired_utc TEXT NOT NULL,"
+        " number BIGINT NOT NULL)",
+
+        // body: steps, limits and rules as JSON
+        "CREATE TABLE course (course_id TEXT PRIMARY KEY, title TEXT NOT NULL, body TEXT NOT NULL,"
+        " created_utc TEXT NOT NULL, changed_utc TEXT NOT NULL, published_utc TEXT NOT NULL, archived_utc TEXT NOT NULL)",
+
+        "CREATE TABLE assignment (assignment_id TEXT PRIMARY KEY, to_group BIGINT NOT NULL,"
+        " course_id TEXT NOT NULL REFERENCES course (course_id) ON DELETE CASCADE, who_id TEXT NOT NULL,"
+        " made_utc TEXT NOT NULL, due_utc TEXT NOT NULL)",
+
+        "CREATE TABLE note (note_id TEXT PRIMARY KEY,"
+        " attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE, step BIGINT NOT NULL,"
+        " t_us BIGINT NOT NULL, made_utc TEXT NOT NULL, made_by TEXT NOT NULL, body TEXT NOT NULL)",
+        "CREATE INDEX note_by_attempt ON note (attempt_id)",
+
+        // what a person decided about an attempt, the last of each attempt holds. kind: 0 counts, 1 void, 2 given to a person
+        "CREATE TABLE ruling (ruling_id TEXT PRIMARY KEY,"
+        " attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE, kind BIGINT NOT NULL,"
+        " made_utc TEXT NOT NULL, made_by TEXT NOT NULL, reason TEXT NOT NULL)",
+        "CREATE INDEX ruling_by_attempt ON ruling (attempt_id)",
+
+        // where the numbers of an attempt come from; calibration: JSON
+        "CREATE TABLE provenance (attempt_id TEXT PRIMARY KEY REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " lesson_digest TEXT NOT NULL, input TEXT NOT NULL, calibration TEXT NOT NULL, is_scripted BIGINT NOT NULL,"
+        " is_synthetic BIGINT NOT NULL)",
+
+        // people and attempts that were erased for good: no backup and no file brings them back
+        "CREATE TABLE erased (erased_id TEXT PRIMARY KEY, is_person BIGINT NOT NULL, erased_utc TEXT NOT NULL)",
+
+        // files that hold something of a person; whole: nothing of anybody else
+        "CREATE TABLE exported (export_id TEXT PRIMARY KEY, whole BIGINT NOT NULL,"
+        " person_id TEXT NOT NULL REFERENCES person (person_id) ON DELETE CASCADE, kind TEXT NOT NULL,"
+        " file TEXT NOT NULL, station TEXT NOT NULL, made_utc TEXT NOT NULL)",
+    },
 };
 
 std::string in_dialect(std::string sql, bool postgres) {

@@ -4,6 +4,7 @@
 #include <pwd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <utility>
@@ -11,18 +12,29 @@
 #include "record/identity.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
+#include "record/roster.hpp"
 #include "record/seal.hpp"
 #include "record/transfer.hpp"
 
 namespace swage::record {
 namespace {
 
-constexpr const char* kSelectAttempts =
-    "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, a.device, a.started_utc, "
-    "a.ended_utc,"
-    " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void,"
-    " a.loop_health, a.realtime, a.dropped FROM attempt a"
-    " JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
+// Stores before version 4 are read too, and have neither names nor decisions.
+constexpr int kSchool = 4;
+
+std::string select_attempts(bool school) {
+  const std::string own =
+      "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, a.device, a.started_utc, a.ended_utc,"
+      " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void, a.loop_health, a.realtime, a.dropped";
+  const std::string from =
+      " FROM attempt a JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
+  if (!school) return own + from;
+  return own +
+         ", n.display_name, v.lesson_digest, v.is_scripted, v.is_synthetic, r.kind, r.reason, r.made_by" + from +
+         " LEFT JOIN roster n ON n.person_id = p.person_id LEFT JOIN provenance v ON v.attempt_id = a.attempt_id"
+         " LEFT JOIN (SELECT attempt_id, MAX(ruling_id) AS ruling_id FROM ruling WHERE kind < 2 GROUP BY attempt_id) l"
+         " ON l.attempt_id = a.attempt_id LEFT JOIN ruling r ON r.ruling_id = l.ruling_id";
+}
 
 AttemptRow attempt_from(const Row& r) {
   AttemptRow a;
@@ -42,6 +54,16 @@ AttemptRow attempt_from(const Row& r) {
   a.simulated_s = real(r[13]);
   a.is_void = integer(r[14]) != 0;
   a.remark = remark(text(r[15]), integer(r[16]) != 0, integer(r[17]));
+  a.person_code = a.person_name;
+  if (r.size() < 25) return a;
+  if (!text(r[18]).empty()) a.person_name = text(r[18]);
+  a.lesson_digest = text(r[19]);
+  a.is_scripted = integer(r[20]) != 0;
+  a.is_synthetic = integer(r[21]) != 0;
+  if (std::holds_alternative<std::monostate>(r[22])) return a;
+  a.is_void = integer(r[22]) == 1;
+  a.void_reason = text(r[23]);
+  a.void_by = text(r[24]);
   return a;
 }
 
@@ -49,12 +71,15 @@ AttemptRow attempt_from(const Row& r) {
 constexpr const char* kDigest =
     "SELECT COUNT(*), COALESCE(MAX(started_utc), ''), COALESCE(MAX(ended_utc), ''),"
     " COALESCE(SUM(CASE WHEN state = 'running' THEN 1 ELSE 0 END), 0) + COALESCE(SUM(is_void), 0),"
-    " (SELECT COUNT(*) FROM person) FROM attempt";
+    " (SELECT COUNT(*) FROM person)";
+constexpr const char* kSchoolDigest =
+    ", (SELECT COUNT(*) FROM ruling), (SELECT COUNT(*) FROM note), (SELECT COALESCE(MAX(changed_utc), '') FROM roster),"
+    " (SELECT COALESCE(MAX(changed_utc), '') FROM course)";
 
 class SqlStore final : public Store {
  public:
   SqlStore(std::unique_ptr<Database> db, std::string where, bool read_only)
-      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only) {}
+      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only), school_(schema_version(*db_) >= kSchool) {}
 
   std::string trouble() const override { return trouble_; }
   bool read_only() const override { return read_only_; }
@@ -66,7 +91,7 @@ class SqlStore final : public Store {
       const int64_t now = version.empty() ? -1 : integer(version[0][0]);
       if (now == std::exchange(data_version_, now) && now >= 0) return false;
     }
-    std::vector<Row> now = rows(kDigest);
+    std::vector<Row> now = rows(std::string(kDigest) + (school_ ? kSchoolDigest : "") + " FROM attempt");
     if (now == digest_) return !trouble_.empty();
     digest_ = std::move(now);
     return true;
@@ -90,12 +115,8 @@ class SqlStore final : public Store {
   std::vector<Person> people() override {
     begin();
     std::vector<Person> out;
-    const char* sql =
-        "SELECT p.person_id, p.pseudonym, p.created_utc, COUNT(a.attempt_id) FROM person p"
-        " LEFT JOIN session s ON s.person_id = p.person_id LEFT JOIN attempt a ON a.session_id = s.session_id"
-        " GROUP BY p.person_id, p.pseudonym, p.created_utc ORDER BY p.pseudonym";
-    for (const Row& r : rows(sql))
-      out.push_back({text(r[0]), text(r[1]), text(r[2]), static_cast<uint32_t>(integer(r[3]))});
+    for (const Row& r : rows(select_people(school_))) out.push_back(person_from(r));
+    sort_by_name(out);
     return out;
   }
 
@@ -103,8 +124,13 @@ class SqlStore final : public Store {
     begin();
     if (!write(*db_, {Kind::kPerson, {make_id(), name, utc_now()}})) complain();
     const std::string why = trouble_;
-    for (Person& p : people())
-      if (p.name == name) return p;
+    const std::vector<Person> all = people();
+    const auto called = [&](std::string Person::*what) {
+      return std::find_if(all.begin(), all.end(), [&](const Person& p) { return p.*what == name; });
+    };
+    auto found = called(&Person::code);
+    if (found == all.end()) found = called(&Person::name);
+    if (found != all.end()) return *found;
     if (trouble_.empty()) trouble_ = why;
     return {};
   }
@@ -116,7 +142,7 @@ class SqlStore final : public Store {
     std::vector<AttemptRow> out;
     std::map<std::string, std::size_t> place;
     for (const Row& r :
-         rows(kSelectAttempts + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values)) {
+         rows(select_attempts(school_) + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values)) {
       place[text(r[0])] = out.size();
       out.push_back(attempt_from(r));
     }
@@ -133,7 +159,7 @@ class SqlStore final : public Store {
 
   bool attempt(const std::string& id, AttemptRow& out) override {
     begin();
-    const std::vector<Row> found = rows(std::string(kSelectAttempts) + " WHERE a.attempt_id = ?", {id});
+    const std::vector<Row> found = rows(select_attempts(school_) + " WHERE a.attempt_id = ?", {id});
     if (found.empty()) return false;
     out = attempt_from(found[0]);
     for (const Row& r : rows("SELECT name, unit, value FROM metric WHERE attempt_id = ? ORDER BY seq", {id}))
@@ -244,6 +270,7 @@ class SqlStore final : public Store {
   std::unique_ptr<Database> db_;
   const std::string where_;
   const bool read_only_;
+  const bool school_;  // the tables of people and courses are there
   std::string trouble_;
   int64_t data_version_ = -1;
   std::vector<Row> digest_;

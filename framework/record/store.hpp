@@ -12,11 +12,18 @@
 
 namespace swage::record {
 
+/// `name` is what people see; where none was given it is the code. Everything that leaves the store says the code.
 struct Person {
   std::string id, name;
   std::string created_utc;  // ISO 8601
   uint32_t attempts = 0;
+  std::string code = {};          // pseudonym, unique in the store
+  std::string handedness = {};    // "left", "right"; "" when nobody said
+  std::string group_id = {};      // "" for none
+  std::string archived_utc = {};  // "" for those who train
 };
+/// The code under which attempts of people without a name are kept.
+inline constexpr const char* kGuest = "Guest";
 
 struct MetricValue {
   std::string id, unit;
@@ -39,8 +46,13 @@ struct AttemptRow {
   std::string reason;
   std::string remark;  // what bends its numbers: "at 52 % of real speed"; "" usually
   double score = 0, simulated_s = 0;
-  bool is_void = false;
+  bool is_void = false;  // technical fault, or an instructor's decision, which outweighs it
   std::vector<MetricValue> metrics;
+  std::string person_code;
+  std::string void_reason, void_by;  // of the instructor's decision, "" when there was none
+  std::string lesson_digest;         // of the lesson's text, "" in attempts of a Swage that kept none
+  bool is_scripted = false;          // a plan or a recording held the instrument
+  bool is_synthetic = false;         // its numbers were drawn: "swage people synthetic"
 };
 
 /// What the lesson of today says about an attempt of then; kept beside what was said then.
@@ -74,7 +86,7 @@ class Store {
   virtual std::string damage() { return {}; }
 
   virtual std::vector<Person> people() = 0;
-  virtual Person person(const std::string& name) = 0;  // made when it does not exist
+  virtual Person person(const std::string& name) = 0;  // by code or name; made when it does not exist
   /// Newest first; "" stands for every person or lesson.
   virtual std::vector<AttemptRow> attempts(const std::string& person_id,
                                            const std::string& lesson_id = "") = 0;

@@ -59,6 +59,17 @@ std::vector<Source> sources(int version) {
     out.push_back(
         {Kind::kFile, "SELECT attempt_id, name, crc32c, data FROM file WHERE attempt_id = ? ORDER BY name"});
   }
+  if (version >= 4) {
+    out.push_back({Kind::kProvenance,
+                   "SELECT attempt_id, lesson_digest, input, calibration, is_scripted, is_synthetic FROM provenance"
+                   " WHERE attempt_id = ?"});
+    out.push_back({Kind::kNote,
+                   "SELECT note_id, attempt_id, step, t_us, made_utc, made_by, body FROM note WHERE attempt_id = ?"
+                   " ORDER BY note_id"});
+    out.push_back({Kind::kRuling,
+                   "SELECT ruling_id, attempt_id, kind, made_utc, made_by, reason FROM ruling WHERE attempt_id = ?"
+                   " ORDER BY ruling_id"});
+  }
   return out;
 }
 
@@ -175,7 +186,12 @@ bool read_attempt_file(Database& store, const std::string& file, std::string& id
   const std::unique_ptr<Database> in = open_for_reading(file, error);
   if (!in) return false;
   std::string found, digest, reason;
-  if (check_file(*in, found, reason) && check_recording(file, found, reason) &&
+  const auto was_erased = [&] {
+    if (store.rows("SELECT 1 FROM erased WHERE erased_id = ?", {found}).empty()) return false;
+    reason = "Its attempt was erased from this store for good, with the person who made it.";
+    return true;
+  };
+  if (check_file(*in, found, reason) && check_recording(file, found, reason) && !was_erased() &&
       copy(*in, store, found, digest, reason)) {
     id = found;
     return true;
