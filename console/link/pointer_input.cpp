@@ -45,6 +45,9 @@ int PointerInput::key_bit(int key) {
       return 44;
     case Qt::Key_PageDown:
       return 45;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+      return 46;
     default:
       return -1;
   }

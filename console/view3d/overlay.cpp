@@ -141,6 +141,16 @@ void Overlay::force(const QPointF& from, const QPointF& to) {
   p_.drawPolygon(QPolygonF({to, to - u * 9 + n * 4, to - u * 9 - n * 4}));
 }
 
+void Overlay::led(const QPointF& at, const QString& name) {
+  constexpr double kBelow_px = 26, kHalf_px = 8;  // clear of cue and ring
+  const QPointF top = at + QPointF(0, kBelow_px);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(ui_["view_text"], 1.5));
+  p_.setBrush(ui_["accent"]);
+  p_.drawPolygon(QPolygonF({top, top + QPointF(-kHalf_px, 1.6 * kHalf_px), top + QPointF(kHalf_px, 1.6 * kHalf_px)}));
+  pill(top + QPointF(0, 1.6 * kHalf_px + 14), name, p_.font());
+}
+
 void Overlay::clock(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);

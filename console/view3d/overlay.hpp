@@ -32,6 +32,8 @@ class Overlay {
   void ring(const QPointF& at, double share, double radius_px = 17);
   /// A place to go to: its circle, and where there is room its sign and its word.
   void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
+  /// The tool that is led, of several: a triangle below its tips, and its name.
+  void led(const QPointF& at, const QString& name);
   void force(const QPointF& from, const QPointF& to);
   /// No label of those to come lies there.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }

@@ -240,13 +240,10 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   if (works != 1) parts.watched = -1;
 }
 
-// of the tool of one's own, which comes first, the place of each jaw that is nearest to the work
-void find_tips(const snapshot::SceneCard& card, SceneParts& parts) {
+// of a tool the place of each jaw that is nearest to the work
+std::vector<Spot> find_tips(const snapshot::SceneCard& card, const SceneParts& parts, uint32_t own) {
   const QVector3D c = parts.work.centre();
-  uint32_t own = SWAGE_NONE;
-  for (const ScenePart& p : parts.part) {
-    if (p.role == Role::kTool) own = std::min(own, p.object);
-  }
+  std::vector<Spot> tips;
   std::vector<std::pair<float, Spot>> near;
   float least = 1e30F;
   for (const ScenePart& p : parts.part) {
@@ -258,8 +255,9 @@ void find_tips(const snapshot::SceneCard& card, SceneParts& parts) {
     least = std::min(least, near.back().first);
   }
   for (const auto& [distance, spot] : near) {
-    if (distance <= kBehind * least) parts.tips.push_back(spot);
+    if (distance <= kBehind * least) tips.push_back(spot);
   }
+  return tips;
 }
 
 void find_aim(const snapshot::SceneCard& card, SceneParts& parts) {
@@ -384,7 +382,9 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
 
   parts.focus = focus(card, parts, tool);
   add_marks(card, parts);
-  find_tips(card, parts);
+  for (const ScenePart& p : parts.part)
+    if (p.role == Role::kTool && !parts.tips_of.contains(p.object)) parts.tips_of[p.object] = find_tips(card, parts, p.object);
+  if (!parts.tips_of.empty()) parts.tips = parts.tips_of.begin()->second;
   find_aim(card, parts);
   return parts;
 }

@@ -5,6 +5,7 @@
 
 #include <QQuaternion>
 #include <QVector3D>
+#include <map>
 #include <vector>
 
 #include "console/view3d/mesh.hpp"
@@ -74,6 +75,7 @@ struct SceneParts {
   /// What the hand has to bring together: the tips of its tool, and the middle of the marked region, or of what is watched,
   /// or of any of the things that there are.
   std::vector<Spot> tips, aim;
+  std::map<uint32_t, std::vector<Spot>> tips_of;  // of each tool by its object; the tool of one's own comes first
 };
 
 SceneParts make_parts(const snapshot::SceneCard& card);

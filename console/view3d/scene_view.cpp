@@ -106,6 +106,7 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   parts_ = make_parts(card);
   have_card_ = true;
   have_snapshot_ = false;
+  led_ = SWAGE_NONE;
   image_ = {};
   image_parts_.clear();
   second_ = {};
@@ -257,6 +258,7 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   const bool same =
       have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
   *snapshot_ = snapshot;
+  follow_led_tool();
   const bool first = !std::exchange(have_snapshot_, true);
   look_near();
   if (first && near_) camera_.jump();

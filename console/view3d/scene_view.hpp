@@ -92,6 +92,7 @@ class SceneView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
 
@@ -149,6 +150,8 @@ class SceneView : public QWidget {
   void paint_placeholder(QPainter& painter);
   bool has_target() const;
   void tell_circle(const swage_pointer& input);
+  void follow_led_tool();
+  void paint_led(Overlay& overlay, const Panel& panel) const;
   /// Whether the lesson has looked at the scene yet: only then are its marks where it has drawn them.
   bool judged() const { return have_snapshot_ && snapshot_->step > 0; }
   void paint_marks(Overlay& overlay, const Panel& panel) const;
@@ -200,6 +203,7 @@ class SceneView : public QWidget {
   QElapsedTimer clock_;
   qint64 last_tick_ns_ = 0;
   PointerInput input_;
+  uint32_t led_ = SWAGE_NONE;  // the tool that the mouse leads, of several
   bool drives_ = false;  // along the needle's circle
   QPointF last_mouse_;
 };

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "console/view3d/led_tool.hpp"
 #include "console/view3d/scene_view.hpp"
 
 namespace swage::console {
@@ -140,6 +141,12 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   const QPoint angle = event->angleDelta();
   camera_.zoom(static_cast<float>(angle.y() != 0 ? angle.y() : angle.x()) / 120);
   touch();
+}
+
+// Tab hands over to the other instrument where the mouse leads two; else it goes on to the next button, as everywhere.
+bool SceneView::focusNextPrevChild(bool next) {
+  if (instrument_ && mouse_hands(card_) > 1) return false;
+  return QWidget::focusNextPrevChild(next);
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {

@@ -142,7 +142,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   if (have_snapshot_) {
     if (panel.inset != Inset::kWound) paint_marks(overlay, panel);
     paint_forces(overlay, panel);
-    if (panel.inset == Inset::kNone) paint_cues(overlay, panel);
+    if (panel.inset == Inset::kNone) paint_cues(overlay, panel), paint_led(overlay, panel);
   }
   // each eye sees clock, verdict and task at the depth of the screen
   if (stereo_) {
@@ -184,12 +184,19 @@ void SceneView::paint_frame(QPainter& painter, const Panel& inset) const {
   overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 
+// Of two tools the one that the mouse leads has a sign at its tips.
+void SceneView::paint_led(Overlay& overlay, const Panel& panel) const {
+  if (led_ == SWAGE_NONE || !instrument_) return;
+  overlay.led(panel.view.eye.project(middle_of_tips(), panel.size), QString::fromStdString(card_.objects[led_].name));
+}
+
 // What the mouse does here now.
 QString SceneView::hint() const {
   if (!instrument_)
     return turned_view_ && !banner_.isEmpty() ? tr("The instrument waits: a drag turns the view") : QString();
   if (!hasFocus()) return tr("Click here: then mouse and keys move the instrument");
   QStringList all;
+  if (led_ != SWAGE_NONE) all += tr("Tab: the other instrument");
   if (hint_drag_) all += tr("Drag: move the instrument");
   if (hint_close_) all += tr("Space: close the jaws");
   if (hint_drive_) all += tr("T: drive the needle");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "console/view3d/corner.hpp"
+#include "console/view3d/led_tool.hpp"
 #include "console/view3d/scene_view.hpp"
 
 namespace swage::console {
@@ -173,6 +174,15 @@ QVector3D SceneView::middle_of_tips() const {
   QVector3D sum;
   for (const Spot& s : parts_.tips) sum += place_of(s);
   return parts_.tips.empty() ? sum : sum / static_cast<float>(parts_.tips.size());
+}
+
+// What is near the tips, is dragged with them or driven about them are those of the tool that is led.
+void SceneView::follow_led_tool() {
+  const uint32_t now = led_tool(card_, *snapshot_);
+  if (now == led_) return;
+  led_ = now;
+  if (const auto tips = parts_.tips_of.find(now); tips != parts_.tips_of.end()) parts_.tips = tips->second;
+  update();
 }
 
 // The nearest thing that may be taken; once the tips are there, the mark that it is to be brought to.

@@ -26,6 +26,7 @@ void Mouse::build(const MouseParams& params, DeviceBuilder& builder) {
   } catch (const std::invalid_argument& problem) {
     builder.error("start_closing", problem.what());
   }
+  if (params.hand > params.hands) builder.error("hand", "there are not so many hands (parameter hands)");
 }
 
 void Mouse::changed() {
@@ -34,11 +35,16 @@ void Mouse::changed() {
 }
 
 void Mouse::bind(const Scene& scene, std::span<const swage_scene_mark>) {
-  for (uint32_t i = 0; i < scene->n_signal; ++i)
-    if (view(scene->signal[i].id) == "grasp.force") grip_.emplace_back(i);
+  grip_.clear();
+  for (uint32_t i = 0; i < scene->n_signal; ++i) {
+    const swage_scene_signal& signal = scene->signal[i];
+    const bool own = params().grasp.empty() || view(signal.owner) == params().grasp;
+    if (own && view(signal.id) == "grasp.force") grip_.emplace_back(i);
+  }
+  if (grip_.empty() && !params().grasp.empty())
+    refuse("there is no signal \"grasp.force\" of \"" + params().grasp + "\" (parameter grasp)");
 }
 
-// the hardest of all grips: there is one instrument
 void Mouse::look(const Sight& sight) {
   grip_N_ = 0;
   for (const Signal force : grip_) grip_N_ = std::max(grip_N_, sight.view().signal(force));
@@ -50,20 +56,44 @@ void Mouse::open() {
     refuse("this program does not pass on the pointer and the keys, so there is no mouse to use");
 }
 
+// Tab hands over to the next. What is down then belongs to the other hand until it is let go.
+swage_pointer Mouse::taken_over(const swage_pointer& pointer) {
+  const bool tab = (pointer.keys & kTab) != 0;
+  if (tab && !tab_) {
+    leads_ = leads_ % params().hands + 1;
+    old_keys_ = pointer.keys;
+    old_buttons_ = pointer.buttons;
+  }
+  tab_ = tab;
+  old_keys_ &= pointer.keys;
+  old_buttons_ &= pointer.buttons;
+  swage_pointer out = pointer;
+  out.keys &= ~old_keys_;
+  out.buttons &= ~old_buttons_;
+  return out;
+}
+
 void Mouse::exchange(const swage_command& command, swage_sample& sample) {
   // two calls at the same moment, as after a pause, must not move the hand twice
   const double dt = std::clamp(command.time_s - last_s_, 0.0, 0.01);
   last_s_ = command.time_s;
   static constexpr swage_pointer kStill{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
-  hand_.step(pointer_ != nullptr ? *pointer_->read(&host()) : kStill, dt, grip_N_);
+  const swage_pointer pointer = taken_over(pointer_ != nullptr ? *pointer_->read(&host()) : kStill);
+  const bool shared = params().hands > 1, led = leads_ == params().hand;
+  if (led)
+    hand_.step(pointer, dt, grip_N_);
+  else
+    hand_.rest(dt);
 
   sample.sequence += 1;
   sample.time_s = command.time_s;
   sample.pose = hand_.pose().abi();
   sample.closure = hand_.closure();
   sample.grip_force = 0;
-  sample.buttons = 0;
+  sample.buttons = shared && led ? pointer.buttons : 0;
   sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
+  // of hands that share a mouse only the one that is led has buttons: so a window knows which it is
+  if (shared && led) sample.valid |= SWAGE_VALID_BUTTONS;
 }
 
 }  // namespace swage::mouse

@@ -6,6 +6,7 @@
 #include <swage/sight.hpp>
 #include <swage/units.hpp>
 
+#include <string>
 #include <vector>
 
 #include "mouse_hand.hpp"
@@ -28,12 +29,14 @@ struct MouseParams {
   bool latch = Speeds{}.latch;
   swage_vec3 circle_centre = {0, 0, 0};  // m
   swage_vec3 circle_axis = {0, 0, 0};
+  int hand = 1, hands = 1;
+  std::string grasp;
 };
 
 class Mouse final : public SeeingDevice<MouseParams> {
  public:
   static constexpr auto id = "swage.device.mouse";
-  static constexpr auto version = "1.1.0";
+  static constexpr auto version = "1.2.0";
   static constexpr auto name = "Mouse and keyboard";
   static constexpr auto summary =
       "Moves, turns and closes the instrument with one hand on the mouse or on the keys; teaches procedure, "
@@ -99,6 +102,12 @@ class Mouse final : public SeeingDevice<MouseParams> {
           "About which the needle's point goes first; 0 0 0: no needle is held.")
           .live()
           .hidden(),
+      integer<&MouseParams::hand>("hand", "Hand", 1, 8, "Which of the instruments that share mouse and keys this is. The first is led at the start.")
+          .group("Two hands"),
+      integer<&MouseParams::hands>("hands", "Hands", 1, 8, "How many instruments share mouse and keys: Tab hands over to the next, the others stay and hold.")
+          .group("Two hands"),
+      text<&MouseParams::grasp>("grasp", "Grasp", "Name of the grasp coupling whose force closing rests at; empty: the hardest grip of all.")
+          .group("Two hands"),
   };
 
   void build(const MouseParams& params, DeviceBuilder& builder) override;
@@ -111,11 +120,17 @@ class Mouse final : public SeeingDevice<MouseParams> {
   void changed() override;
 
  private:
+  swage_pointer taken_over(const swage_pointer& pointer);
+
   const swage_host_pointer* pointer_ = nullptr;
   MouseHand hand_;
-  std::vector<Signal> grip_;  // of every coupling that grasps
+  std::vector<Signal> grip_;  // of the grasp, or of every coupling that grasps
   double grip_N_ = 0;
   double last_s_ = 0;
+  int leads_ = 1;  // which of the hands is led now
+  bool tab_ = false;
+  uint64_t old_keys_ = 0;  // down since the hand-over: they meant the other hand
+  uint32_t old_buttons_ = 0;
 };
 
 }  // namespace swage::mouse

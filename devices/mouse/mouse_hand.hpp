@@ -22,7 +22,7 @@ constexpr uint64_t letter(char c) { return uint64_t{1} << (c - 'a'); }
 inline constexpr uint64_t kLeft = uint64_t{1} << 36, kRight = uint64_t{1} << 37, kUp = uint64_t{1} << 38,
                           kDown = uint64_t{1} << 39, kSpace = uint64_t{1} << 40, kEnter = uint64_t{1} << 41,
                           kPlus = uint64_t{1} << 42, kMinus = uint64_t{1} << 43, kPageUp = uint64_t{1} << 44,
-                          kPageDown = uint64_t{1} << 45;
+                          kPageDown = uint64_t{1} << 45, kTab = uint64_t{1} << 46;
 inline constexpr uint32_t kLeftButton = 1, kMiddleButton = 2, kRightButton = 4;
 inline constexpr uint32_t kShift = 1, kControl = 2, kAlt = 4;
 
@@ -60,6 +60,12 @@ class MouseHand {
     if (!drags_on_circle(pointer)) target_.p += scale * (q_WC * motion_C(pointer, dt));
     target_.q = (toolkit::exp_rotation(scale * (q_WC * turning_C(pointer, dt))) * target_.q).normalized();
     squeeze(pointer, scale, dt, grip);
+    smooth(dt);
+  }
+
+  /// A step in which another hand is led: this one comes to rest where it was to be, and holds. [rt]
+  void rest(double dt) noexcept {
+    closing_ = goes_on_ = false;
     smooth(dt);
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan.hpp"
 
+#include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <set>
 
@@ -23,6 +25,7 @@ struct Form {
 const std::map<std::string, Form>& forms() {
   static const std::map<std::string, Form> all = {
       {"wait", {Verb::kWait, {}, {}}},
+      {"await", {Verb::kAwait, {"of", "signal", "more", "less", "mark", "s", "near"}, {}}},
       {"reach", {Verb::kReach, {"s", "past", "back", "from", "tilt"}, {"s", "from"}}},
       {"close", {Verb::kClose, {"force", "closure"}, {}}},
       {"open", {Verb::kOpen, {"closure"}, {"closure"}}},
@@ -77,12 +80,27 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("above", Measure::kLength, act.above);
   number("inside", Measure::kLength, act.inside);
   number("angle", Measure::kAngle, act.angle);
+  number("more", Measure::kNumber, act.more);
+  number("less", Measure::kNumber, act.less);
+  number("near", Measure::kLength, act.near);
   if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
 
   if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
   if (act.closure < 0 || act.closure > 1)
     reader.fail(where + "/closure", "closure goes from 0 (open) to 1 (closed)");
   if (act.s < 0 || act.s > 1) reader.fail(where + "/s", "s goes from 0 (point) to 1 (swage)");
+}
+
+// of a signal or of the needle at a mark, and never of both
+void check_await(const Reader& reader, const Json& value, const std::string& where) {
+  const auto all = [&](std::initializer_list<const char*> keys) {
+    return std::all_of(keys.begin(), keys.end(), [&](const char* key) { return value.contains(key); });
+  };
+  const bool signal = all({"of", "signal"}) && (value.contains("more") || value.contains("less"));
+  const bool mark = all({"mark", "s", "near"});
+  const bool mixed = value.contains("signal") && value.contains("mark");
+  if (signal == mark || mixed)
+    reader.fail(where, R"(what is awaited is "of", "signal" and "more" or "less", or "mark", "s" and "near")");
 }
 
 Act read_act(const Reader& reader, const Json& value, const std::string& where) {
@@ -100,6 +118,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   Act act;
   act.verb = found->second.verb;
   read_numbers(reader, value, where, act);
+  if (act.verb == Verb::kAwait) check_await(reader, value, where);
   if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
@@ -117,6 +136,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   }
   if (value.contains("other")) act.other = word(reader, value["other"], where + "/other");
   if (value.contains("of")) act.of = word(reader, value["of"], where + "/of");
+  if (value.contains("signal")) act.signal = word(reader, value["signal"], where + "/signal");
   if (value.contains("across")) act.across = direction(reader, value["across"], where + "/across");
   if (value.contains("mark")) act.mark = word(reader, value["mark"], where + "/mark");
   if (value.contains("into") && value["into"].is_string())

@@ -8,6 +8,9 @@
 //               { "act": "close", "force": "0.6 N", "time": "1 s" }, ... ] }
 //
 //   wait   time
+//   await  of, signal, more, less, time: until the signal of that instance has been within these for so long: another hand that
+//          works on the same thing is answered by what it does, and not by the clock
+//   await  mark, s, near, time: until the needle's place s has been so near to the mark for so long
 //   reach  s, past, back, from, tilt, time: open jaws square around the wire at s (0 point .. 1 swage), coming along the normal
 //          of the needle's plane from the side `from`; the tips reach `past` it, or stay `back` before it
 //   close  force or closure, time: closes until the grip has the force; takes at least `time`
@@ -39,6 +42,7 @@ using toolkit::Vec3;
 
 enum class Verb : int {
   kWait,
+  kAwait,
   kReach,
   kClose,
   kOpen,
@@ -73,7 +77,10 @@ struct Act {
   double angle = 0;             // rad
   Vec3 at = Vec3::Zero();       // m, W
   bool jaws = false;            // show: the jaws and not the needle
-  std::string other, of;        // meaning of a mark; name of an object
+  std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
+  std::string signal;           // id
+  double more = -1e300, less = 1e300;  // of the signal, SI
+  double near = 0;              // m
   size_t from_act = 0;
 };
 

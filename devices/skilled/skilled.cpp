@@ -61,7 +61,9 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
   if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
   needle_peer_ = Peer(scene->object[needle_].instance);
   if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
-  force_ = find_signal(scene, "grasp.force");
+  force_ = params_.grasp.empty() ? find_signal(scene, "grasp.force") : scene.find_signal(params_.grasp, "grasp.force");
+  if (!params_.grasp.empty() && !force_.valid())
+    return refuse("there is no signal \"grasp.force\" of \"" + params_.grasp + "\" (parameter grasp)");
   hole_ = {};
   if (params_.steady > 0) {
     hole_.s = find_signal(scene, "pierce.s");
@@ -82,7 +84,7 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
       return refuse(
           where +
           " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
-    if (!find_marks(marks, i, where) || !find_things(scene, i, where)) return;
+    if (!find_marks(marks, i, where) || !find_things(scene, i, where) || !find_signals(scene, i, where)) return;
   }
 }
 
@@ -108,7 +110,7 @@ bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, cons
 bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where) {
   const Act& act = plan_.acts[i];
   Seeks& seeks = seeks_[i];
-  if (!act.of.empty()) {
+  if (!act.of.empty() && act.verb != Verb::kAwait) {
     seeks.thing = scene.find_object(act.of);
     if (seeks.thing == kNone) return refuse(where + " judges \"" + act.of + "\", which is not there"), false;
     seeks.thing_peer = Peer(scene->object[seeks.thing].instance);
@@ -121,6 +123,15 @@ bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where
   if (!seeks.tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
     return refuse(where + ": \"" + act.tissue + "\" cannot be pierced"), false;
   return true;
+}
+
+bool Skilled::find_signals(const Scene& scene, size_t i, const std::string& where) {
+  const Act& act = plan_.acts[i];
+  if (act.signal.empty()) return true;
+  seeks_[i].signal = scene.find_signal(act.of, act.signal);
+  if (seeks_[i].signal.valid()) return true;
+  refuse(where + " waits for \"" + act.signal + "\" of \"" + act.of + "\", which nobody tells here");
+  return false;
 }
 
 /// Its arc from two places on it. A hand that reaches looks beside its jaws; else it looks at the point, and not at what a bent
@@ -154,11 +165,13 @@ void Skilled::look(const Sight& sight) {
   const View scene = sight.view();
   // within an act nobody looks at the needle but who reaches for it
   const bool under_way = act_ < plan_.acts.size() && !fresh_;
-  if (!under_way || plan_.acts[act_].verb == Verb::kReach) look_at_needle(scene);
+  const bool follows = under_way && (plan_.acts[act_].verb == Verb::kReach || plan_.acts[act_].verb == Verb::kAwait);
+  if (!under_way || follows) look_at_needle(scene);
   look_at_hole(scene);
   seen_.force = force_.valid() ? scene.signal(force_) : 0;
   if (act_ >= plan_.acts.size()) return;
   const Seeks& seeks = seeks_[act_];
+  if (seeks.signal.valid()) seen_.signal = scene.signal(seeks.signal);
   if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
   if (seeks.other != kNone) seen_.other_W = vec(sight.mark(seeks.other));
   if (seen_.wire_good) seen_.up_W = seen_.wire.place(0).tangent_W;
@@ -250,6 +263,12 @@ bool Skilled::waits(const Act& act) const {
   return act.verb == Verb::kAnswer && (seen_.other_W - seen_.mark_W).norm() < kSame;
 }
 
+/// Whether what is awaited is so now.
+bool Skilled::has_come(const Act& act) const {
+  if (!act.signal.empty()) return seen_.signal > act.more && seen_.signal < act.less;
+  return seen_.wire_good && (seen_.wire.place(act.s).p_W - seen_.mark_W).norm() < act.near;
+}
+
 /// The mark on the side to which it seems to lean.
 Vec3 Skilled::answer() {
   const Vec3 to_other = (seen_.other_W - seen_.mark_W).normalized();
@@ -300,6 +319,7 @@ void Skilled::set_goal(const Act& act) {
       break;
     }
     case Verb::kWait:
+    case Verb::kAwait:
     case Verb::kClose:
     case Verb::kOpen:
     case Verb::kAgain:
@@ -337,7 +357,7 @@ void Skilled::exchange(const swage_command& command, swage_sample& sample) {
   if (act_ < plan_.acts.size()) {
     const Act& act = plan_.acts[act_];
     const double time = act.time / params_.speed;
-    if (fresh_ && waits(act)) act_began_s_ = t;
+    if ((fresh_ && waits(act)) || (act.verb == Verb::kAwait && !has_come(act))) act_began_s_ = t;
     const double share = std::min(1.0, (t - act_began_s_) / time);
     if (!fresh_ || !waits(act)) follow_act(act, share, 1 / time, dt);
     // closing to a force ends with the force, or with closed jaws

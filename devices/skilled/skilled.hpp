@@ -18,7 +18,7 @@ inline constexpr double kMaxLean = 1.4835298641951802;  // 85 deg
 
 struct SkilledParams {
   std::string file;
-  std::string gripper = "holder", needle = "needle";
+  std::string gripper = "holder", needle = "needle", grasp;
   double speed = 1;
   double tremor = 0;               // m
   Interval tremor_band = {8, 12};  // Hz
@@ -34,7 +34,7 @@ struct SkilledParams {
 class Skilled final : public SeeingDevice<SkilledParams> {
  public:
   static constexpr auto id = "swage.device.skilled";
-  static constexpr auto version = "1.0.0";
+  static constexpr auto version = "1.1.0";
   static constexpr auto name = "Skilled hand";
   static constexpr auto summary =
       "Carries out a plan (reach, close, aim, drive ...) on the scene as it is; sees where needle and target "
@@ -48,6 +48,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
       file<&SkilledParams::file>("file", "Plan", "File of acts, format swage-plan/1.").required(),
       text<&SkilledParams::gripper>("gripper", "Gripper", "The object that this hand leads."),
       text<&SkilledParams::needle>("needle", "Needle", "What it grasps: anything graspable."),
+      text<&SkilledParams::grasp>("grasp", "Grasp", "Name of the grasp coupling whose force it feels; empty: the first one."),
       real<&SkilledParams::speed>("speed", "Speed", "1", "1", 0.05, 20,
                                   "1 takes the times of the plan, 2 half of them."),
       real<&SkilledParams::steady>(
@@ -101,12 +102,14 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   struct Seeks {
     uint32_t mark = kNone, other = kNone, tissue = kNone, thing = kNone;
     Peer tissue_peer, thing_peer;
+    Signal signal;
   };
   /// What is seen in this step.
   struct Seen {
     Wire wire;
     bool wire_good = false;
     double force = 0;              // N
+    double signal = 0;             // that is awaited, SI
     Vec3 aside_W = Vec3::Zero();   // m, from where the needle went in to where it goes in now
     Vec3 mark_W = Vec3::Zero();    // m, of the act under way
     Vec3 other_W = Vec3::Zero();   // m
@@ -127,7 +130,9 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   uint32_t find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const;
   bool find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where);
   bool find_things(const Scene& scene, size_t i, const std::string& where);
+  bool find_signals(const Scene& scene, size_t i, const std::string& where);
   bool waits(const Act& act) const;
+  bool has_come(const Act& act) const;
   void follow_act(const Act& act, double share, double rate, double dt);
   double normal();
 

@@ -2,6 +2,7 @@
 #include "session/loop.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/clock.hpp"
 #include "judge/host_events.hpp"
@@ -139,12 +140,21 @@ void Loop::take_command(const step::Command& command) noexcept {
   recorder_->command(out);
 }
 
-// movements add up, everything else is as it was last
+// Movements add up, everything else is as it was last. What was pressed is down for a step at least: letting it go waits for the
+// next one, or a short stroke of a key would never be seen.
 void Loop::take_pointer() noexcept {
   swage_pointer& now = rig_.pointer;
   now.dx = now.dy = now.wheel = 0;
-  swage_pointer p;
-  while (pointer_in_.try_pop(p)) {
+  const swage_pointer before = now;
+  swage_pointer p = waiting_pointer_;
+  while (std::exchange(pointer_waits_, false) || pointer_in_.try_pop(p)) {
+    const bool short_key = (now.keys & ~before.keys & ~p.keys) != 0;
+    const bool short_button = (now.buttons & ~before.buttons & ~p.buttons) != 0;
+    if (short_key || short_button) {
+      waiting_pointer_ = p;
+      pointer_waits_ = true;
+      return;
+    }
     p.dx += now.dx;
     p.dy += now.dy;
     p.wheel += now.wheel;

@@ -85,6 +85,8 @@ class Loop {
 
   base::SpscRing<step::Command> command_in_;
   base::SpscRing<swage_pointer> pointer_in_;
+  swage_pointer waiting_pointer_{};  // taken from there, and not yet due
+  bool pointer_waits_ = false;
   base::SpscRing<judge::Event> event_out_;
   snapshot::Channel channel_;
   std::unique_ptr<snapshot::Snapshot> out_;

@@ -131,12 +131,10 @@ bool Hands::usable(uint32_t device) const noexcept {
 }
 
 bool Hands::gone() const noexcept {
-  bool ended = false, left = false;
-  for (uint32_t i = 0; i < sample_.size(); ++i) {
-    ended |= (sample_[i].valid & SWAGE_VALID_DONE) != 0;
-    left |= usable(i);
-  }
-  return ended || (!sample_.empty() && !left);
+  bool left = false;
+  for (uint32_t i = 0; i < sample_.size(); ++i)
+    left |= usable(i) && (sample_[i].valid & SWAGE_VALID_DONE) == 0;
+  return !sample_.empty() && !left;
 }
 
 bool Hands::see() const noexcept {

@@ -36,7 +36,7 @@ class Hands {
   std::size_t image_size() const;                // [main]
   void save(scene::Writer& out) const noexcept;  // [main or rt] last samples and hands
   bool restore(scene::Reader& in) noexcept;
-  /// A script has ended, or every hand is in quarantine.
+  /// Every hand has come to the end of its script or is in quarantine: of two that work together one may be done first.
   bool gone() const noexcept;
 
  private:

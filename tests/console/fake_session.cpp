@@ -46,7 +46,8 @@ void name(std::vector<judge::Name>& into, const char* owner, const char* id, con
   into.push_back({owner, id, unit, doc});
 }
 
-snapshot::SceneCard make_card(const session::Options& options, bool with_thread) {
+snapshot::SceneCard make_card(const session::Options& options, const FakeScript& script) {
+  const bool with_thread = script.with_thread;
   snapshot::SceneCard card;
   card.lesson_id = "test.lesson.grasp";
   card.title = "Grasp the needle";
@@ -59,6 +60,7 @@ snapshot::SceneCard make_card(const session::Options& options, bool with_thread)
   if (with_thread) card.objects.push_back({"thread", "swage.object.thread", "1.0.0", {}, 0, 0, 0, 60});
   card.devices = {
       {"hand", options.device == "mouse" ? "swage.device.mouse" : "swage.device.scripted", "1.0.0"}};
+  if (script.two_hands) card.devices.push_back({"other_hand", "swage.device.mouse", "1.0.0"});
   snapshot::CardShape needle;
   needle.kind = SWAGE_SHAPE_ARC;
   needle.flags = SWAGE_SHAPE_USUAL;
@@ -101,7 +103,7 @@ snapshot::SceneCard make_card(const session::Options& options, bool with_thread)
 class FakeSession final : public session::Session {
  public:
   FakeSession(const session::Options& o, const FakeScript& script, std::shared_ptr<FakeLog> log)
-      : options_(o), script_(script), log_(std::move(log)), card_(make_card(o, script.with_thread)) {
+      : options_(o), script_(script), log_(std::move(log)), card_(make_card(o, script)) {
     snapshot::Snapshot s;
     pose(0, s);
     card_.start.assign(s.X_WB, s.X_WB + 3);

@@ -26,6 +26,7 @@ struct FakeScript {
   double end_s = 12;  // passes then; 0: never
   bool pass = true;
   bool with_thread = false;
+  bool two_hands = false;     // a second mouse: Tab hands over
   bool with_gap = false;  // the machine lost time once
   std::string refuse;     // non-empty: open() fails with this problem
   std::string refuse_record;  // non-empty: open() fails with this problem unless nothing is to be kept

@@ -130,6 +130,22 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
   EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
 }
 
+// with two hands Tab is the other hand; with one it goes on to the next button, as everywhere
+TEST_F(FirstSight, TabHandsOverWhereTheMouseLeadsTwo) {
+  for (const bool two : {true, false}) {
+    script.two_hands = two;
+    run_to(0.2);
+    page()->view()->setFocus();
+    log->pointer.clear();
+    QTest::keyClick(page()->view(), Qt::Key_Tab);
+    const bool told = std::any_of(log->pointer.begin(), log->pointer.end(), [](const swage_pointer& p) { return (p.keys >> 46 & 1) != 0; });
+    EXPECT_EQ(told, two);
+    EXPECT_EQ(page()->view()->hasFocus(), two);
+    window->close();
+    window.reset();
+  }
+}
+
 TEST_F(FirstSight, TheTraineesViewIsSetUpAndRemembered) {
   open();
   click("trainee_options");

@@ -35,6 +35,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.lesson.insertion", "lessons/insertion/insertion.md"},
     {"swage.lesson.angles", "lessons/angles/angles.md"},
     {"swage.lesson.free_practice", "lessons/free_practice/free_practice.md"},
+    {"swage.lesson.pass", "lessons/pass/pass.md"},
     {"swage.lesson.look", "lessons/look/look.md"},
 };
 

@@ -285,6 +285,78 @@ TEST(Mouse, StartsWhereItIsToldAndReadsThePointer) {
   EXPECT_EQ(sample.sequence, 2u);
 }
 
+/// Two instruments of one mouse, as the host asks them: the first, then the second, each step.
+struct TwoHands {
+  TwoHands() {
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(hand[i].configure({{"hand", i + 1}, {"hands", 2}, {"smoothing", 0}, {"rest_force", 0}, {"latch", false}}), SWAGE_OK);
+      hand[i].pointer_table = &table;
+      EXPECT_EQ(hand[i].activate(), SWAGE_OK);
+      EXPECT_EQ(device(i).open(hand[i].raw()), SWAGE_OK);
+      hand[i].on_rt();
+      sample[i].pose.q.w = 1;
+    }
+    g_pointer = still();
+    step(1);
+  }
+  const swage_device& device(int i) { return hand[i].table<swage_device>(SWAGE_EXT_DEVICE); }
+  void step(int n) {
+    for (int k = 0; k < n; ++k) {
+      command.time_s += 1e-3;
+      for (int i = 0; i < 2; ++i) device(i).exchange(hand[i].raw(), &command, &sample[i]);
+    }
+  }
+  bool led(int i) const { return (sample[i].valid & SWAGE_VALID_BUTTONS) != 0; }
+
+  const swage_host_pointer table{[](const swage_host*) -> const swage_pointer* { return &g_pointer; }};
+  stage::Stage hand[2] = {stage::Stage("swage.device.mouse"), stage::Stage("swage.device.mouse")};
+  swage_command command{};
+  swage_sample sample[2] = {};
+};
+
+TEST(Mouse, TabHandsOverAndTheOtherToolStaysAndHolds) {
+  TwoHands two;
+  EXPECT_TRUE(two.led(0));
+  EXPECT_FALSE(two.led(1));
+  g_pointer.keys = kSpace | letter('d');
+  two.step(500);
+  const swage_sample first = two.sample[0], second = two.sample[1];
+  EXPECT_NEAR(first.closure, 0.5 * 1 / 1.5, 0.01);
+  EXPECT_NEAR(second.pose.p.x, -8e-3, 1e-15) << "only the first is led";
+  EXPECT_EQ(second.closure, 0);
+
+  // the keys are still down while Tab is pressed: they do not close the other jaws, and do not lead it
+  g_pointer.keys |= kTab;
+  two.step(100);
+  EXPECT_FALSE(two.led(0));
+  EXPECT_TRUE(two.led(1));
+  EXPECT_EQ(two.sample[1].closure, 0);
+  EXPECT_NEAR(two.sample[1].pose.p.x, -8e-3, 1e-15);
+  g_pointer.keys = 0;
+  two.step(10);
+  g_pointer.keys = letter('d');
+  two.step(250);
+  EXPECT_NEAR(two.sample[1].pose.p.x, -7e-3, 1e-5);
+  EXPECT_EQ(two.sample[0].pose.p.x, first.pose.p.x) << "it stays";
+  EXPECT_EQ(two.sample[0].closure, first.closure) << "and holds, also where jaws spring open when the key is let go";
+
+  // and back; one press is one hand-over, however long it lasts
+  g_pointer.keys = kTab;
+  two.step(300);
+  EXPECT_TRUE(two.led(0));
+  g_pointer.keys = 0;
+  two.step(10);
+  g_pointer.keys = letter('a');
+  two.step(100);
+  EXPECT_LT(two.sample[0].pose.p.x, first.pose.p.x);
+  EXPECT_NEAR(two.sample[1].pose.p.x, -7e-3, 1e-5);
+}
+
+TEST(Mouse, AloneItDoesNotHearTab) {
+  stage::Stage stage("swage.device.mouse");
+  EXPECT_LT(stage.configure({{"hand", 2}}), 0) << "there is one hand";
+}
+
 TEST(Mouse, RefusesAStartWithoutDirection) {
   stage::Stage stage("swage.device.mouse");
   EXPECT_LT(stage.configure({{"start_axis", std::vector<double>{0, 1, 0}}}), 0);

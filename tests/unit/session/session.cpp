@@ -121,6 +121,31 @@ TEST_F(SessionTest, ThePointerMovesTheToolThroughTheMouse) {
   EXPECT_NEAR(moved, 0.1 * 10e-3, 1e-5);  // a tenth of 10 mm
 }
 
+// down and up before the next step looks, as a quick finger does it on a slow screen
+TEST_F(SessionTest, AShortStrokeOfAKeyIsSeen) {
+  options.lesson_path = SWAGE_SOURCE_DIR "/lessons/series/045_pass_the_needle.json";
+  options.device = "mouse";
+  options.start_paused = true;
+  auto session = open();
+  ASSERT_NE(session, nullptr);
+  session->start();
+  swage_pointer p{};
+  p.camera = {1, 0, 0, 0};
+  const auto stroke = [&] {
+    for (const uint64_t keys : {uint64_t{1} << 46, uint64_t{0}}) {
+      p.keys = keys;
+      session->pointer(p);
+    }
+  };
+  stroke();
+  snapshot::Snapshot now;
+  session->pause(false);
+  until([&] { return session->latest(now) && now.step >= 64; });
+  EXPECT_EQ(now.device[0].valid & SWAGE_VALID_BUTTONS, 0u);
+  EXPECT_NE(now.device[1].valid & SWAGE_VALID_BUTTONS, 0u) << "Tab has handed over";
+  session->stop();
+}
+
 TEST_F(SessionTest, EventsArriveInOrder) {
   auto session = open();
   session->start();

@@ -199,6 +199,22 @@ TEST(Hands, AScriptSaysWhenItIsOver) {
   EXPECT_TRUE(s.engine().hand_gone());
 }
 
+// Of two hands that work together one may be done before the other.
+TEST(Hands, TwoScriptsAreOverWhenBothAre) {
+  FakeScene s;
+  Fake second;
+  s.rig.devices.emplace_back();
+  s.rig.devices[1].device = &second.device;
+  s.rig.devices[1].instance = second.instance("second");
+  stand(s.device_, at(0, 0, 0), SWAGE_VALID_POSE | SWAGE_VALID_DONE);
+  stand(second, at(0, 0, 0));
+  s.run(1);
+  EXPECT_FALSE(s.engine().hand_gone());
+  stand(second, at(0, 0, 0), SWAGE_VALID_POSE | SWAGE_VALID_DONE);
+  s.run(1);
+  EXPECT_TRUE(s.engine().hand_gone());
+}
+
 // a port that keeps what it was sent
 class Keeper final : public DevicePort {
  public:
