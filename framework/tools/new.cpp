@@ -87,9 +87,9 @@ bool copy(const fs::path& from, const fs::path& to, const Tokens& tokens, std::v
 }  // namespace
 
 int make_new(const NewOptions& o) {
-  static const std::vector<std::string> kKinds = {"object", "coupling", "device", "lesson"};
+  static const std::vector<std::string> kKinds = {"object", "coupling", "device", "hardware", "lesson"};
   if (std::find(kKinds.begin(), kKinds.end(), o.kind) == kKinds.end())
-    return problem("\"" + o.kind + "\" is no kind of plugin; there are " + host::join(kKinds) + "." +
+    return problem("\"" + o.kind + "\" is no template; there are " + host::join(kKinds) + "." +
                    host::did_you_mean(o.kind, kKinds));
   if (!is_id(o.id))
     return problem(

@@ -40,6 +40,7 @@ std::map<std::string, std::string> instantiated() {
   } examples[] = {{"object", "clip", "Clip"},
                   {"coupling", "touch", "Touch"},
                   {"device", "circle", "Circle"},
+                  {"hardware", "pen", "Pen"},
                   {"lesson", "reach", "Reach"}};
   std::map<std::string, std::string> files;
   for (const auto& e : examples) {

@@ -33,5 +33,14 @@ foreach(made IN ITEMS ${ID}.so plugin.json)
 endforeach()
 do("validate the lesson file" ${STAGE}/bin/swage validate ${folder}/try_${file}.json
   --plugin-dir ${folder}/build/plugins)
+# a driver whose hardware is not there says so, and what to do
+if(KIND STREQUAL "hardware")
+  execute_process(COMMAND ${STAGE}/bin/swage run ${folder}/try_${file}.json --plugin-dir ${folder}/build/plugins --headless --store :none:
+    RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(result EQUAL 0 OR NOT out MATCHES "The port .* cannot be opened: .*Set \"port\" to the tracker's.")
+    message(FATAL_ERROR "run without the hardware (${result}): ${out}")
+  endif()
+  return()
+endif()
 do("run" ${STAGE}/bin/swage run ${folder}/try_${file}.json --plugin-dir ${folder}/build/plugins --headless
   --as-fast-as-possible --store :none:)
