@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Traits with functions (abi/object.h): a coupling that has never heard of the object asks them for places on it.
+#include <swage/abi/strand.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -35,6 +37,7 @@ class Traits {
     if (wrong.empty()) wrong = gripper();
     if (wrong.empty()) wrong = piercing();
     if (wrong.empty()) wrong = pierceable();
+    if (wrong.empty()) wrong = strand();
     return wrong;
   }
 
@@ -153,6 +156,38 @@ class Traits {
         if (std::isnan(x)) return told("locate", "gives a place that is no number.");
       if (!is_unit(place.normal_W)) return told("locate", "gives a normal that is not unit.");
       if (place.body >= slot_.body.count) return told("locate", "names a body that it has not declared.");
+    }
+    return "";
+  }
+
+  std::string strand() {
+    const auto* t = table<swage_strand>(SWAGE_TRAIT_STRAND);
+    if (t == nullptr) return "";
+    if (t->law == nullptr || t->place == nullptr || t->nearest == nullptr) return "The table of " SWAGE_TRAIT_STRAND " has gaps.";
+    swage_strand_law law;
+    if (std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); }); !wrong.empty())
+      return wrong;
+    if (!positive(law.length) || !positive(law.radius) || !at_least_0(law.strength) || !at_least_0(law.pull_off))
+      return told("law", "gives no length and radius > 0 m, or a strength that is negative or no number.");
+    for (int i = 0; i < 200; ++i) {
+      const double s = random_.uniform(-0.1, 1.1) * law.length;
+      const swage_vec3 p = somewhere();
+      swage_strand_place place[2];
+      std::string wrong =
+          twice("place", place[0], [&](auto* out) { return t->place(slot_.instance->raw, &view(), s, out); });
+      if (wrong.empty())
+        wrong = twice("nearest", place[1], [&](auto* out) { return t->nearest(slot_.instance->raw, &view(), p, out); });
+      if (!wrong.empty()) return wrong;
+      const double nearest = std::clamp(s, 0.0, law.length);
+      if (!(std::abs(place[0].s - nearest) <= 1e-9 * law.length)) return told("place", "gives a place elsewhere than at s.");
+      for (const swage_strand_place& at : place) {
+        const char* who = &at == place ? "place" : "nearest";
+        if (!(at.s >= 0 && at.s <= law.length * (1 + 1e-9))) return told(who, "gives a place s outside of 0 to the length.");
+        if (!is_unit(at.tangent_W) || !is_unit(at.normal_W) || std::abs(dot(at.tangent_W, at.normal_W)) > 1e-6)
+          return told(who, "gives a tangent and a normal that are not unit and square to each other.");
+        if (!host::finite(&at.p_W.x, 3) || !std::isfinite(at.tension)) return told(who, "gives a place or a tension that is no number.");
+        if (at.body >= slot_.body.count) return told(who, "names a body that it has not declared.");
+      }
     }
     return "";
   }

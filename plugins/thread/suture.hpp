@@ -16,6 +16,7 @@ struct Suture {
   double density = 1140;   // kg/m3
   double memory = 0;       // 1/m
   double strength = 0.19;  // N
+  double pull_off = 0.14;  // N
 };
 
 /// Reads a library entry over `suture`. Returns "" or what is wrong.

@@ -69,6 +69,7 @@ bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
   if (p.density > 0) suture_.density = p.density;
   if (p.memory >= 0) suture_.memory = p.memory;
   if (p.strength > 0) suture_.strength = p.strength;
+  if (p.pull_off > 0) suture_.pull_off = p.pull_off;
   if (const std::string wrong = fault(suture_); !wrong.empty()) builder.error("suture", wrong);
   const double l = p.length / p.segments;
   if (l < suture_.diameter)
@@ -157,24 +158,6 @@ void Thread::finish(const Step& step) {
   step.signal(tension_, most);
   step.signal(bend_radius_, 1 / bend);
   step.signal(parted_, parted);
-}
-
-void Thread::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) {
-  const RodState s = state(step);
-  const Vec3 p = vec(p_W);
-  double nearest = HUGE_VAL;
-  for (int j = 0; j < params_.segments; ++j) {
-    const Vec3 a = s.node(j), e = s.edge(j);
-    const double share = std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0),
-                 away = (p - a - share * e).squaredNorm();
-    if (away >= nearest) continue;
-    nearest = away;
-    out.s = (j + share) / params_.segments;
-    out.p_W = raw(Vec3(a + share * e));
-    out.tangent_W = raw(Vec3(e.normalized()));
-    out.normal_W = raw(s.material(j));
-  }
-  out.length = params_.length;
 }
 
 }  // namespace swage::thread

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <swage/object.hpp>
+#include <swage/strand.hpp>
 #include <swage/units.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "suture.hpp"
@@ -33,9 +35,10 @@ struct ThreadParams {
   double density = 0;    // kg/m3
   double memory = -1;    // 1/m
   double strength = 0;   // N
+  double pull_off = 0;   // N
 };
 
-class Thread final : public Object<ThreadParams>, public Solid, public Graspable, public ChainSolver {
+class Thread final : public Object<ThreadParams>, public Solid, public Graspable, public ChainSolver, public Strand {
  public:
   static constexpr auto id = "swage.object.thread";
   static constexpr auto version = "1.0.0";
@@ -81,12 +84,21 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
                                     "Tension at which it breaks. Knot-pull minimum of 10-0: about 190 mN. 0: as the suture "
                                     "says.")
           .group("Material"),
+      real<&ThreadParams::pull_off>("pull_off", "Pull-off strength", "N", "mN", 0, 100,
+                                    "Pull that draws it out of the needle to which it is swaged. 10-0: about 140 mN. 0: as the "
+                                    "suture says.")
+          .group("Material"),
   };
+  static constexpr std::array traits{SWAGE_TRAIT_STRAND};
 
   void build(const ThreadParams& params, ObjectBuilder& builder) override;
   void reset(const Step& step) override;
   void finish(const Step& step) override;
   void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) override;
+  const void* extension(std::string_view wanted) override;
+  void strand_law(const Step& step, swage_strand_law& out) override;
+  void strand_place(const Step& step, double s, swage_strand_place& out) override;
+  void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) override;
 
   void advance(const Step& step) override;
   void compliance(const Step& step, std::span<const swage_contact_point> points,
@@ -122,6 +134,9 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
   toolkit::Vec3 start_node(int i) const;
   void start_frames(toolkit::RodState& s, const toolkit::Quat& q_WO);
   toolkit::Pose middle(const toolkit::RodState& s) const;
+  /// The edge nearest to a point, and the share of it from its first node.
+  std::pair<int, double> nearest_edge(const toolkit::RodState& s, const toolkit::Vec3& p_W) const;
+  void tell(const Step& step, int edge, double share, swage_strand_place& out) const;
   toolkit::RodLoad load(const Step& step) const;
   void take_parted(const Step& step);
   void part(const Step& step) const;

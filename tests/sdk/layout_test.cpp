@@ -8,6 +8,7 @@
 #include <swage/abi/lesson_card.h>
 #include <swage/abi/object.h>
 #include <swage/abi/sight.h>
+#include <swage/abi/strand.h>
 
 #include <cstddef>
 #include <filesystem>

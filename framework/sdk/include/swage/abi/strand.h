@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * swage/abi/strand.h - a trait: what a coupling asks of a thread: its properties, and its places by arc length.
+ */
+#ifndef SWAGE_ABI_STRAND_H
+#define SWAGE_ABI_STRAND_H
+
+#include "object.h"
+
+/* A long thin flexible object: a suture, a rubber band. Arc lengths are those of the unloaded material, from its first end: they
+ * name the same material as long as it exists. */
+#define SWAGE_TRAIT_STRAND "swage.trait.strand/1"
+typedef struct swage_strand_law {
+  double length;   /* m, unloaded */
+  double radius;   /* m */
+  double strength; /* N, tension at which it breaks */
+  double pull_off; /* N, pull that draws it out of the needle to which it is swaged */
+} swage_strand_law;
+typedef struct swage_strand_place {
+  double s;             /* m, 0 at the first end */
+  double tension;       /* N, there, after the solve; in finish() */
+  swage_vec3 p_W;       /* m, on the centre line */
+  swage_vec3 tangent_W; /* unit, towards the last end */
+  swage_vec3 normal_W;  /* unit, perpendicular to the tangent; goes with the material as it twists */
+  uint32_t body;        /* the object's own index: which body is there */
+  uint32_t parted;      /* 1: the piece is cut or broken there */
+} swage_strand_place;
+typedef struct swage_strand {
+  swage_result (*law)(swage_instance*, const swage_object_step*, swage_strand_law* out);                         /* [rt] */
+  swage_result (*place)(swage_instance*, const swage_object_step*, double s, swage_strand_place* out);           /* [rt] */
+  swage_result (*nearest)(swage_instance*, const swage_object_step*, swage_vec3 p_W, swage_strand_place* out);  /* [rt] */
+} swage_strand;
+
+SWAGE_STATIC_ASSERT(sizeof(swage_strand_law) == 32, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_strand_place) == 96, "frozen layout");
+SWAGE_STATIC_ASSERT(sizeof(swage_strand) == 24, "frozen layout");
+
+#endif

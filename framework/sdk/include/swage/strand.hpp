@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The trait of threads (abi/strand.h), for both sides. An object inherits Strand, lists SWAGE_TRAIT_STRAND in its `traits` and
+// returns strand_table<T>() from extension(); a coupling keeps a StrandPeer.
+#pragma once
+
+#include <swage/abi/strand.h>
+#include <swage/peer.hpp>
+#include <swage/plugin.hpp>
+
+#include <optional>
+
+namespace swage {
+
+/// A thread: its properties, and its places by arc length [m] from its first end.
+class Strand {
+ public:
+  virtual ~Strand() = default;
+  /// Constant while it is active. [rt]
+  virtual void strand_law(const Step& step, swage_strand_law& out) SWAGE_RT = 0;
+  /// The place of the material at s; beyond an end, that end. [rt]
+  virtual void strand_place(const Step& step, double s, swage_strand_place& out) SWAGE_RT = 0;
+  /// The place of the centre line that is nearest to p_W. [rt]
+  virtual void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) SWAGE_RT = 0;
+};
+
+/// The table of an object of class T that inherits Strand.
+template <class T>
+const swage_strand* strand_table() {
+  using I = swage_instance*;
+  using S = const swage_object_step*;
+  static constexpr detail::Entry kLaw{"law", 33, detail::kRt, detail::When::kActive}, kPlace{"place", 25, detail::kRt, detail::When::kActive},
+      kNearest{"nearest", 32, detail::kRt, detail::When::kActive};
+  static constexpr swage_strand table{
+      [](I i, S s, swage_strand_law* out) noexcept {
+        return detail::guarded<T>(i, kLaw, [&](auto&, detail::Holder<T>& h) { h.plugin->strand_law(Step(s), *out); });
+      },
+      [](I i, S s, double at, swage_strand_place* out) noexcept {
+        return detail::guarded<T>(i, kPlace, [&](auto&, detail::Holder<T>& h) { h.plugin->strand_place(Step(s), at, *out); });
+      },
+      [](I i, S s, swage_vec3 p_W, swage_strand_place* out) noexcept {
+        return detail::guarded<T>(i, kNearest, [&](auto&, detail::Holder<T>& h) { h.plugin->strand_nearest(Step(s), p_W, *out); });
+      }};
+  return &table;
+}
+
+/// A thread of somebody else's plugin. Cheap to copy; keep it from bind() on.
+class StrandPeer {
+ public:
+  StrandPeer() = default;
+  explicit StrandPeer(const Peer& peer) : raw_(peer.raw()), table_(peer.trait<swage_strand>(SWAGE_TRAIT_STRAND)) {}
+
+  bool valid() const { return table_ != nullptr; }
+  std::optional<swage_strand_law> law(const Step& step) const SWAGE_RT {
+    swage_strand_law law{};
+    if (table_ == nullptr || table_->law(raw_, step.raw(), &law) != SWAGE_OK) return std::nullopt;
+    return law;
+  }
+  std::optional<swage_strand_place> place(const Step& step, double s) const SWAGE_RT {
+    swage_strand_place place{};
+    if (table_ == nullptr || table_->place(raw_, step.raw(), s, &place) != SWAGE_OK) return std::nullopt;
+    return place;
+  }
+  std::optional<swage_strand_place> nearest(const Step& step, swage_vec3 p_W) const SWAGE_RT {
+    swage_strand_place place{};
+    if (table_ == nullptr || table_->nearest(raw_, step.raw(), p_W, &place) != SWAGE_OK) return std::nullopt;
+    return place;
+  }
+
+ private:
+  swage_instance* raw_ = nullptr;
+  const swage_strand* table_ = nullptr;
+};
+
+}  // namespace swage
