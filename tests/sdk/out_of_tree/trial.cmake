@@ -22,8 +22,12 @@ endfunction()
 
 do("new" ${STAGE}/bin/swage new ${KIND} ${ID} --dir ${folder})
 do("configure" ${CMAKE_COMMAND} -S ${folder} -B ${folder}/build -G ${GENERATOR} -D CMAKE_PREFIX_PATH=${STAGE}
-  -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_BUILD_TYPE=Release
+  -D CMAKE_CXX_COMPILER=${COMPILER}
   "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror")
+file(STRINGS ${folder}/build/CMakeCache.txt how REGEX "^CMAKE_BUILD_TYPE:STRING=Release$")
+if(NOT how)
+  message(FATAL_ERROR "a plugin is not built optimised unless told otherwise")
+endif()
 do("build" ${CMAKE_COMMAND} --build ${folder}/build)
 do("test and validate" ${CMAKE_CTEST_COMMAND} --test-dir ${folder}/build --output-on-failure --no-tests=error)
 foreach(made IN ITEMS ${ID}.so plugin.json)
