@@ -3,6 +3,7 @@
 // swage study: a lesson over a matrix of variants and hands, as fast as it goes.
 #include "tools/study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -31,7 +32,7 @@ class Reader {
       only(item.key(), "",
            {"format", "title", "doc", "lesson", "repeats", "seed", "factors", "hands", "figures"});
     out.title = text(file, "title", "");
-    out.lesson = (std::filesystem::path(path_).parent_path() / text(file, "lesson", "")).lexically_normal();
+    if (file.contains("lesson")) out.lesson = beside(text(file, "lesson", ""));
     out.repeats = whole(file, "repeats", 1);
     out.seed = whole(file, "seed", 1);
     each(file, "factors",
@@ -46,10 +47,21 @@ class Reader {
     });
     if (out.factors.empty() || out.factors.size() > 2)
       error("/factors", "one or two factors are needed here");
+    if (out.lesson.empty() && !all_have_lessons(out)) error("/lesson", "a text is needed here");
     if (out.hands.empty()) error("/hands", "at least one hand is needed here");
   }
 
  private:
+  std::string beside(const std::string& path) const {
+    return (std::filesystem::path(path_).parent_path() / path).lexically_normal();
+  }
+  /// Whether the levels of one factor name lessons of their own.
+  static bool all_have_lessons(const Study& study) {
+    return std::any_of(study.factors.begin(), study.factors.end(), [](const StudyFactor& factor) {
+      return std::all_of(factor.levels.begin(), factor.levels.end(),
+                         [](const StudyLevel& level) { return !level.lesson.empty(); });
+    });
+  }
   void error(const std::string& pointer, const std::string& message) {
     problems_.push_back({base::Severity::kError, path_ + " #" + pointer, message});
   }
@@ -85,7 +97,8 @@ class Reader {
       return out;
     }
     for (const Json& l : from["levels"]) {
-      StudyLevel level{text(l, "name", at + "/levels"), {}};
+      StudyLevel level{text(l, "name", at + "/levels"), {}, ""};
+      if (l.is_object() && l.contains("lesson")) level.lesson = beside(text(l, "lesson", at + "/levels"));
       if (l.is_object() && l.contains("set"))
         for (const auto& item : l["set"].items())
           level.settings.push_back(item.key() + "=" + item.value().dump());
@@ -110,9 +123,11 @@ bool run_one(const Study& study, const StudyOptions& o, StudyRow& row, base::Pro
   options.pace = session::Pace::kFastest;
   options.settings = o.settings;
   const std::size_t skipped = 2 - study.factors.size();
-  for (std::size_t i = 0; i < study.factors.size(); ++i)
-    for (const std::string& setting : study.factors[i].levels[row.level[skipped + i]].settings)
-      options.settings.push_back(setting);
+  for (std::size_t i = 0; i < study.factors.size(); ++i) {
+    const StudyLevel& level = study.factors[i].levels[row.level[skipped + i]];
+    if (!level.lesson.empty()) options.lesson_path = level.lesson;
+    options.settings.insert(options.settings.end(), level.settings.begin(), level.settings.end());
+  }
   options.settings.push_back("seed=" + std::to_string(row.seed));
 
   const std::unique_ptr<session::Session> session = session::Session::open(options, problems);
@@ -124,13 +139,14 @@ bool run_one(const Study& study, const StudyOptions& o, StudyRow& row, base::Pro
   row.reason = result.reason;
   row.score = result.score;
   for (const auto& metric : result.metrics) row.metric[metric.id] = metric.value;
+  row.metric["score"] = result.score;
   return true;
 }
 
 void print_figure(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows) {
   std::printf("\n%s%s\n%-28s", figure.title.c_str(),
               figure.unit.empty() ? "" : (" (" + figure.unit + ")").c_str(), "");
-  for (const StudyHand& hand : study.hands) std::printf(" %18s", hand.name.c_str());
+  for (const StudyHand& hand : study.hands) std::printf(" %30s", hand.name.c_str());
   std::printf("\n");
   const std::size_t outer = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;
   const std::vector<StudyLevel>& inner = study.factors.back().levels;
@@ -139,9 +155,9 @@ void print_figure(const Study& study, const StudyFigure& figure, const std::vect
       const std::string before = study.factors.size() > 1 ? study.factors[0].levels[a].name + ", " : "";
       std::printf("%-28s", (before + inner[b].name).c_str());
       for (std::size_t hand = 0; hand < study.hands.size(); ++hand) {
-        std::size_t passed = 0, of = 0;
-        const double mean = figure.scale * cell_mean(rows, a, b, hand, figure.metric, &passed, &of);
-        std::printf(" %10.4g (%zu of %zu)", mean, passed, of);
+        const Cell cell = cell_of(rows, a, b, hand, figure.metric);
+        std::printf(" %8.4g [%.4g, %.4g] (%zu of %zu)", figure.scale * cell.mean, figure.scale * cell.least,
+                    figure.scale * cell.most, cell.passed, cell.of);
       }
       std::printf("\n");
     }
@@ -195,7 +211,7 @@ int study(const StudyOptions& o) {
     rows.push_back(std::move(row));
   }
   progress("");
-  std::printf("%s\nmean over attempts (passed of all)\n", study.title.c_str());
+  std::printf("%s\nmean over attempts [least, greatest] (passed of all)\n", study.title.c_str());
   for (const StudyFigure& figure : study.figures) print_figure(study, figure, rows);
   if (o.out.empty()) return kPassed;
   std::error_code ignored;

@@ -7,6 +7,8 @@
 //     "hands":   [ { "name": "expert", "device": "expert", "params": { } }, ... ],
 //     "figures": [ { "metric": "wound.size", "title": "...", "unit": "%", "scale": 100, "file": "wound.svg" } ] }
 //
+// A level may name another "lesson", so that a study can go over many; "score" is a metric of every lesson.
+//
 // [main]
 #pragma once
 
@@ -21,6 +23,7 @@ namespace swage::tools {
 struct StudyLevel {
   std::string name;
   std::vector<std::string> settings;  // "needle.arc=2/8"
+  std::string lesson;                 // path, or "": that of the study
 };
 struct StudyFactor {
   std::string name;
@@ -54,9 +57,13 @@ struct StudyRow {
 
 /// False and `problems` when the file is no study.
 bool read_study(const std::string& path, Study& out, base::Problems& problems);
-/// Mean of a metric over the repeats of a cell, of passed and failed attempts alike; NaN when nobody has it.
-double cell_mean(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
-                 const std::string& metric, std::size_t* passed = nullptr, std::size_t* of = nullptr);
+/// A metric over the repeats of a cell, of passed and failed attempts alike; NaN when nobody has it.
+struct Cell {
+  double mean = 0, least = 0, most = 0;
+  std::size_t passed = 0, of = 0;
+};
+Cell cell_of(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
+             const std::string& metric);
 std::string study_csv(const Study& study, const std::vector<StudyRow>& rows);
 /// Dots of every attempt, hollow where it was not passed, and the mean of each cell.
 std::string study_svg(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows);

@@ -122,7 +122,7 @@ class Figure {
         style(row.hand).colour, style(row.hand).colour, row.passed ? "0.75" : "0");
   }
   void mean(std::size_t outer, std::size_t inner, std::size_t hand) {
-    const double v = figure_.scale * cell_mean(rows_, outer, inner, hand, figure_.metric);
+    const double v = figure_.scale * cell_of(rows_, outer, inner, hand, figure_.metric).mean;
     if (!std::isfinite(v)) return;
     const double x = hand_x(outer, inner, hand), w = 0.1 * cell_width();
     o_ << format("<path d='M%.1f %.1fH%.1f' stroke='%s' stroke-width='3'/>\n", x - w, y(v), x + w,
@@ -139,22 +139,24 @@ class Figure {
 
 }  // namespace
 
-double cell_mean(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
-                 const std::string& metric, std::size_t* passed, std::size_t* of) {
-  double sum = 0;
-  std::size_t n = 0, good = 0, all = 0;
+Cell cell_of(const std::vector<StudyRow>& rows, std::size_t level0, std::size_t level1, std::size_t hand,
+             const std::string& metric) {
+  Cell cell{0, INFINITY, -INFINITY, 0, 0};
+  std::size_t n = 0;
   for (const StudyRow& row : rows) {
     if (row.level[0] != level0 || row.level[1] != level1 || row.hand != hand) continue;
-    ++all;
-    good += row.passed;
+    ++cell.of;
+    cell.passed += row.passed;
     const auto found = row.metric.find(metric);
     if (found == row.metric.end() || !std::isfinite(found->second)) continue;
-    sum += found->second;
+    cell.mean += found->second;
+    cell.least = std::min(cell.least, found->second);
+    cell.most = std::max(cell.most, found->second);
     ++n;
   }
-  if (passed) *passed = good;
-  if (of) *of = all;
-  return n > 0 ? sum / static_cast<double>(n) : NAN;
+  if (n == 0) cell.mean = cell.least = cell.most = NAN;
+  if (n > 0) cell.mean /= static_cast<double>(n);
+  return cell;
 }
 
 std::string study_csv(const Study& study, const std::vector<StudyRow>& rows) {
@@ -163,6 +165,7 @@ std::string study_csv(const Study& study, const std::vector<StudyRow>& rows) {
   out += "hand,seed,passed,reason,score";
   std::map<std::string, double> all;
   for (const StudyRow& row : rows) all.insert(row.metric.begin(), row.metric.end());
+  all.erase("score");  // has its own column
   for (const auto& [id, value] : all) out += "," + id;
   out += "\n";
   for (const StudyRow& row : rows) {

@@ -4,23 +4,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/names.hpp"
+
 namespace swage::lesson_free_practice {
 namespace {
 
+using lessons::names_in;
 using toolkit::Vec3;
-
-/// "a, b" -> {"a", "b"}
-std::vector<std::string> names_in(const std::string& text) {
-  std::vector<std::string> names(1);
-  for (const char c : text) {
-    if (c == ',')
-      names.emplace_back();
-    else if (c != ' ')
-      names.back() += c;
-  }
-  std::erase(names, std::string());
-  return names;
-}
 
 }  // namespace
 

@@ -134,7 +134,7 @@ inline constexpr swage_metric_label kLabels[] = {
 
 /// What is asked of the trainee.
 inline constexpr swage_criterion kCriteria[] = {
-    {"Grasp the needle at {region} of its length, counted from the point.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Grasp the {needle} at {region} of its length, counted from its first end, the point of a needle.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Use the tips of the jaws.", "tips_needed", SWAGE_CRITERION_PASS, 0},
     {"Lift it by {lift}.", "lift", SWAGE_CRITERION_PASS, 0},
     {"Carry it to within {target_radius} of the target.", "carry", SWAGE_CRITERION_PASS, 0},
@@ -145,7 +145,7 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"Further grasp attempts, drops, gripping too hard and a tilted needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"Further grasp attempts, drops, gripping too hard and a tilt in the jaws cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 using lessons::kHeard;

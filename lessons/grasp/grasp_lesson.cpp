@@ -25,24 +25,25 @@ void GraspLesson::declare(LessonBuilder& builder) {
   for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
   for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
 
-  phase_[index(Stage::kApproach)] = builder.phase("approach", "Bring the open jaws to the needle.");
+  phase_[index(Stage::kApproach)] = builder.phase("approach", ("Bring the open jaws to the " + params_.needle + ".").c_str());
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift what they hold.");
-  phase_[index(Stage::kCarry)] = builder.phase("carry", "Bring the needle to the target.");
+  phase_[index(Stage::kCarry)] = builder.phase("carry", ("Bring the " + params_.needle + " to the target.").c_str());
   phase_[index(Stage::kHold)] = builder.phase("hold", "Hold with steady force.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
   hold_began_ = builder.event("hold.began", "All that is asked of a hold is fulfilled from here on.");
   hold_broke_ = builder.event("hold.broke", "Something that is asked of a hold is no longer fulfilled.");
-  const auto failure = [&](End end, const char* event, const char* doc) {
-    failed_[index(end)] = builder.event(event, doc);
+  const std::string thing = "The " + params_.needle;
+  const auto failure = [&](End end, const char* event, const std::string& doc) {
+    failed_[index(end)] = builder.event(event, doc.c_str());
   };
-  failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
-  failure(End::kTooHard, "failed.too_hard", "The needle was held too hard for too long.");
+  failure(End::kDropped, "failed.dropped", thing + " was dropped too often.");
+  failure(End::kTooHard, "failed.too_hard", thing + " was held too hard for too long.");
   failure(End::kOutOfTime, "failed.out_of_time", "Time ran out before the hold was complete.");
-  failure(End::kWrongGrasp, "failed.wrong_grasp", "The needle was held at the wrong place for too long.");
-  failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
-  failure(End::kLeftTarget, "failed.left_target", "The needle left the target during the hold.");
+  failure(End::kWrongGrasp, "failed.wrong_grasp", thing + " was held at the wrong place for too long.");
+  failure(End::kLost, "failed.lost", thing + " has gone where nobody can reach it.");
+  failure(End::kLeftTarget, "failed.left_target", thing + " left the target during the hold.");
 }
 
 void GraspLesson::bind(const Scene& scene, Binder& binder) {

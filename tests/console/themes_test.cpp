@@ -52,6 +52,18 @@ TEST(ColourDifference, AgreesWithPublishedPairs) {
   }
 }
 
+// thesis 6.2.4: the point turns green while the needle is there and blue again when the hold is done; the tick tells it without colour
+TEST(CueThemes, ATargetIsOfItsFirstColourAgainWhenItIsDone) {
+  for (const QString& name : CueTheme::stock()) {
+    for (const CueTheme& theme : {CueTheme::stock(name), CueTheme::stock(name).on_dark()}) {
+      const CueStyle first = theme.style("target.point"), near = theme.style("target.near"), done = theme.style("target.done");
+      EXPECT_EQ(done.colour, first.colour) << name.toStdString();
+      EXPECT_NE(near.colour, first.colour) << name.toStdString();
+      EXPECT_NE(done.shape, first.shape) << name.toStdString();
+    }
+  }
+}
+
 TEST(CueThemes, SafeOneIsSafeInEveryVision) { EXPECT_GE(worst_pair(CueTheme::stock("safe")), 20); }
 
 // WCAG 2.1: relative luminance, and contrast of text on its ground

@@ -37,6 +37,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.lesson.angles", "lessons/angles/angles.md"},
     {"swage.lesson.free_practice", "lessons/free_practice/free_practice.md"},
     {"swage.lesson.pass", "lessons/pass/pass.md"},
+    {"swage.lesson.ring", "lessons/ring/ring.md"},
     {"swage.lesson.look", "lessons/look/look.md"},
 };
 

@@ -31,6 +31,8 @@ const char* const kLessons[] = {"010_practice_solids",
                                 "040_grasp_advanced_2",
                                 "045_pass_the_needle",
                                 "050_suture_grasp",
+                                "051_suture_carry",
+                                "055_ring_on_hoop",
                                 "110_insertion",
                                 "113_insertion_left_half",
                                 "115_stitch",
@@ -307,8 +309,11 @@ TEST(Carry, TheTargetComesFromTheSeed) {
   EXPECT_LT(mean.cwiseAbs().maxCoeff(), 0.4);  // three times the spread of a mean of 20 evenly drawn numbers
 }
 
-TEST(Carry, ThePointTurnsNearAndTheHoldLastsTenSeconds) {
-  LessonRun attempt(kCarry, "expert");
+class TargetHold : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Stock, TargetHold, ::testing::Values("040_grasp_advanced_2", "051_suture_carry"));
+
+TEST_P(TargetHold, ThePointTurnsNearAndTheHoldLastsTenSeconds) {
+  LessonRun attempt(kSeries + GetParam() + ".json", "expert");
   ASSERT_TRUE(attempt.ready());
   const auto mark_cue = [&] {
     const uint32_t cue = attempt.verdict().mark_cue[1];

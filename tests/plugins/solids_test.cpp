@@ -3,6 +3,7 @@
 // Solids: masses against their closed forms, frames, where they may be taken.
 #include <numbers>
 
+#include "plugins/solids/course.hpp"
 #include "stage.hpp"
 
 namespace swage::solids {
@@ -12,7 +13,7 @@ using stage::Stage;
 constexpr double kPi = std::numbers::pi;
 
 // numbers of the forms
-constexpr double kSphere = 0, kCylinder = 1, kBox = 2, kSlot = 3, kNest = 4;
+constexpr double kSphere = 0, kCylinder = 1, kBox = 2, kSlot = 3, kNest = 4, kRing = 6, kWire = 7;
 
 TEST(Solids, Sphere) {
   Stage stage("swage.object.solids");
@@ -44,6 +45,68 @@ TEST(Solids, CylinderWithRoundEnds) {
   const stage::DeclaredShape& s = rod.shapes.at(0);
   EXPECT_EQ(s.kind, SWAGE_SHAPE_CAPSULE);
   EXPECT_NEAR(s.b.z - s.a.z + 2 * s.radius, 4e-3, 1e-15);
+}
+
+TEST(Solids, ARingHasTheMassOfATorus) {
+  Stage ring("swage.object.solids");
+  const double R = 1e-3, r = 0.1e-3;
+  ASSERT_EQ(ring.configure({{"form", kRing}, {"diameter", 2 * R}, {"wire_diameter", 2 * r}, {"density", 7800}}), SWAGE_OK);
+  // by rings of the section, each of the length of its own circle
+  double mass = 0, along = 0, across = 0;
+  const int n = 1000;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k) {
+      const double x = r * (2 * (i + 0.5) / n - 1), z = r * (2 * (k + 0.5) / n - 1);
+      if (x * x + z * z > r * r) continue;
+      const double dm = 7800 * 2 * kPi * (R + x) * (2 * r / n) * (2 * r / n);
+      mass += dm;
+      along += dm * (R + x) * (R + x);
+      across += dm * (0.5 * (R + x) * (R + x) + z * z);
+    }
+  const swage_mass& m = ring.bodies.at(0).mass;
+  EXPECT_NEAR(m.mass, mass, 1e-4 * mass);
+  EXPECT_NEAR(m.inertia.z, along, 1e-4 * along);
+  EXPECT_NEAR(m.inertia.x, across, 1e-4 * across);
+  EXPECT_EQ(ring.shapes.at(0).kind, SWAGE_SHAPE_ARC);
+  Stage thick("swage.object.solids");
+  EXPECT_LT(thick.configure({{"form", kRing}, {"diameter", 1e-3}, {"wire_diameter", 0.5e-3}}), 0);
+}
+
+TEST(Solids, ACourseGoesOnWhereThePieceBeforeItEnds) {
+  std::vector<Piece> pieces;
+  ASSERT_EQ(read_course("2 mm, 60 deg at 2 mm, -120 deg at 2mm,60 deg at 2 mm, 1.5 mm", pieces), "");
+  ASSERT_EQ(pieces.size(), 5u);
+  const double s = 2e-3 * std::sin(kPi / 3);
+  EXPECT_NEAR((pieces[4].start - Vec3(2e-3 + 4 * s, 0, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR(pieces[4].forward(0).x(), 1, 1e-15);
+  EXPECT_NEAR(pieces[2].at(0.5 * pieces[2].length).y(), 2e-3, 1e-15);  // the top
+  // every place of it is its own nearest place, also seen from beside it
+  for (const Piece& piece : pieces)
+    for (const double u : {0.0, 0.3, 1.0})
+      for (const double aside : {-0.5e-3, 0.0, 0.5e-3}) {
+        const Vec3 t = piece.forward(u * piece.length);
+        const Vec3 p = piece.at(u * piece.length) + aside * Vec3(-t.y(), t.x(), 0);
+        EXPECT_NEAR(piece.nearest(p), u * piece.length, 1e-15);
+      }
+  for (const char* wrong : {"", "2", "2 cm", "60 deg", "60 deg at 2", "400 deg at 2 mm", "2 mm 3 mm", "0 mm"})
+    EXPECT_NE(read_course(wrong, pieces), "") << wrong;
+}
+
+TEST(Solids, AWireIsTakenAlongItsCourse) {
+  Stage stage("swage.object.solids");
+  ASSERT_EQ(stage.configure({{"form", kWire}, {"fixed", 1}, {"course", std::string("1 mm, -90 deg at 1 mm, 2 mm")}}), SWAGE_OK);
+  ASSERT_EQ(stage.shapes.size(), 3u);
+  ASSERT_EQ(stage.activate(), SWAGE_OK);
+  stage.on_rt();
+  stage::ObjectArrays arrays(stage);
+  const swage_object_step step = arrays.step();
+  swage_graspable_place place{};
+  stage.table<swage_graspable>(SWAGE_TRAIT_GRASPABLE).locate(stage.raw(), &step, {2.5e-3, -2e-3, 1e-3}, &place);
+  const double length = 3e-3 + 0.5e-3 * kPi;
+  EXPECT_NEAR(place.length, length, 1e-15);
+  EXPECT_NEAR(place.s, (2e-3 + 0.5e-3 * kPi) / length, 1e-12);
+  EXPECT_NEAR(place.p_W.x, 2e-3, 1e-15);
+  EXPECT_NEAR(place.tangent_W.y, -1, 1e-12);
 }
 
 TEST(Solids, FacesOfABoxLookOutwards) {
@@ -108,7 +171,7 @@ TEST(Solids, TrayHasItsFloorAtZeroAndARim) {
 }
 
 TEST(Solids, OnlyRoundThingsMove) {
-  for (const double form : {kBox, kSlot, kNest, 5.0}) {
+  for (const double form : {kBox, kSlot, kNest, 5.0, kWire}) {
     Stage stage("swage.object.solids");
     EXPECT_LT(stage.configure({{"form", form}}), 0);
     EXPECT_EQ(stage.errors.size(), 1u);

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ring_lesson.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "common/names.hpp"
+
+namespace swage::lesson_ring {
+
+using lessons::index;
+using toolkit::vec;
+
+void RingLesson::build(const RingParams& params, LessonBuilder& builder) {
+  params_ = params;
+  const auto ordered = [&](const char* key, const Interval& range) {
+    if (range.low >= range.high) builder.error(key, "the first number must be below the second");
+  };
+  ordered("course", params.course);
+  ordered("force", params.force);
+  if (lessons::names_in(params.posts).size() > kMostPosts) builder.error("posts", "at most four names are allowed");
+  builder.state<Memory>();
+  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
+  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+
+  phase_[index(Stage::kTake)] = builder.phase("take", "Grasp the ring by its rim and lift it off the wire.");
+  phase_[index(Stage::kCarry)] = builder.phase("carry", "Carry it along the wire; the wire stays in its middle.");
+  phase_[index(Stage::kPost)] = builder.phase("post", "Lower it over the marked post.");
+  phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
+
+  dropped_ = builder.event("ring.dropped", "The ring has left where it was held or lay.");
+  touched_ = builder.event("ring.touched", "The ring or the instrument has touched what it should not; value: the force.");
+  post_done_ = builder.event("ring.post", "The ring has been over a post; value: which, from 1.");
+  const auto failure = [&](End end, const char* event, const char* doc) {
+    failed_[index(end)] = builder.event(event, doc);
+  };
+  failure(End::kTouched, "failed.touched", "The wire or a post was touched too often.");
+  failure(End::kDropped, "failed.dropped", "The ring was dropped too often.");
+  failure(End::kTooHard, "failed.too_hard", "The ring was held too hard for too long.");
+  failure(End::kOutOfTime, "failed.out_of_time", "Time ran out before the ring was over the last post.");
+  failure(End::kLost, "failed.lost", "The ring has gone where nobody can reach it.");
+}
+
+RingLesson::Thing RingLesson::find_thing(const Scene& scene, Binder& binder, const std::string& called) const {
+  Thing thing;
+  thing.object = lessons::find_object(scene, binder, called);
+  if (thing.object == kNone) return thing;
+  thing.peer = Peer(scene->object[thing.object].instance);
+  if (!thing.peer.graspable())
+    binder.error("\"" + called + "\" cannot be asked where it is nearest to the ring");
+  return thing;
+}
+
+void RingLesson::find_touches(const Scene& scene, Binder& binder) {
+  touch_.clear();
+  for (const std::string& owner : lessons::names_in(params_.touches)) {
+    const Signal force = scene.find_signal(owner, "contact.force");
+    if (!force.valid()) binder.missing(scene, "signal", owner, "contact.force", "which this lesson watches");
+    touch_.push_back(force);
+  }
+  if (touch_.empty())
+    binder.error("\"touches\" names no coupling; without one nothing tells that the ring has touched");
+}
+
+void RingLesson::bind(const Scene& scene, Binder& binder) {
+  gripper_ = lessons::find_gripper(scene, binder, params_.gripper, gripper_object_);
+  ring_ = find_thing(scene, binder, params_.ring);
+  wire_ = find_thing(scene, binder, params_.wire);
+  posts_.clear();
+  for (const std::string& post : lessons::names_in(params_.posts)) posts_.push_back(find_thing(scene, binder, post));
+  find_touches(scene, binder);
+  const std::vector<std::string> owners = lessons::grasp_owners(scene);
+  if (owners.empty())
+    binder.error("nothing in the scene tells about a grasp; add to \"couplings\" a \"swage.coupling.grasp\"");
+  if (binder.failed()) return;
+  grasp_ = lessons::find_grasp(scene, binder, owners.front());
+  if (scene->object[ring_.object].n_body == 0)
+    return binder.error("\"" + params_.ring + "\" has no body that could be taken");
+  ring_body_ = scene->object[ring_.object].first_body;
+  constexpr double kMark = 0.3e-3;  // m, drawn on top of the post
+  if (!posts_.empty()) target_ = binder.mark_point({0, 0, 0}, kMark, "target.point");
+}
+
+void RingLesson::activate(double dt_s) {
+  const RingParams& p = params_;
+  Rules rules;
+  rules.course_low = p.course.low;
+  rules.course_high = p.course.high;
+  rules.posts = static_cast<int>(posts_.size());
+  rules.force_high = p.force.high;
+  rules.par_time = p.par_time;
+  rules.max_time = p.max_time;
+  rules.max_over_time = p.max_over_time;
+  rules.max_touches = p.max_touches;
+  rules.max_drops = p.max_drops;
+  rules.drop_distance = p.drop_distance;
+  rules.lost_distance = p.lost_distance;
+  rules.ends = !is_practice();
+  judge_ = Judge(rules, dt_s);
+}
+
+/// The nearest place of a wire or post.
+bool RingLesson::see(const View& view, const Thing& thing, const Vec3& axis_W, Look& look, Line& line) const {
+  const auto place = thing.peer.locate(view.object(thing.object), toolkit::raw(look.ring_W));
+  if (!place) return false;
+  line.s = place->s;
+  line.distance = (vec(place->p_W) - look.ring_W).norm();
+  line.cosine = std::abs(axis_W.dot(vec(place->tangent_W)));
+  if (&line == &look.wire) look.wire_length = place->length;
+  return true;
+}
+
+bool RingLesson::read(const View& view, const Memory& memory, Look& look) const {
+  const auto jaws = gripper_.describe(view.object(gripper_object_));
+  if (!jaws) return false;
+  look.time_s = view.time();
+  look.dt_s = view.dt();
+  look.held = view.signal(grasp_.held) != 0;
+  look.taken = view.happened(grasp_.taken);
+  look.force = view.signal(grasp_.force);
+  look.tip_W = vec(jaws->tip_W);
+  look.ring_W = vec(view.pose(ring_body_).p);
+  for (const Signal& touch : touch_) look.touch += view.signal(touch);
+  // every place of a circle is as far from its middle
+  const auto rim = ring_.peer.locate(view.object(ring_.object), toolkit::raw(look.ring_W));
+  if (!rim) return false;
+  look.ring_radius = (vec(rim->p_W) - look.ring_W).norm();
+  const Vec3 axis_W = vec(rim->normal_W);
+  const auto post = static_cast<size_t>(memory.posts);
+  if (post < posts_.size() && !see(view, posts_[post], axis_W, look, look.post)) return false;
+  return see(view, wire_, axis_W, look, look.wire);
+}
+
+/// Top of the post that comes next, or of the last one.
+bool RingLesson::next_post(const View& view, const Memory& memory, swage_vec3& p_W) const {
+  const Thing& post = posts_[std::min(static_cast<size_t>(memory.posts), posts_.size() - 1)];
+  constexpr double kFarUp = 1;  // m: from there the top is nearest
+  const auto top = post.peer.locate(view.object(post.object), toolkit::raw(Vec3(0, 0, kFarUp)));
+  if (top) p_W = top->p_W;
+  return top.has_value();
+}
+
+void RingLesson::observe(const View& view, const Verdict& verdict, std::span<double> state) {
+  auto& memory = as<Memory>(state);
+  Look look;
+  if (!read(view, memory, look)) return discard();
+  const Finding finding = judge_.look(memory, look);
+  report(memory, look.time_s, verdict);
+  if (finding.end == End::kPassed) report_points(finding.lost, verdict);
+  if (finding.touched) verdict.event(touched_, look.touch);
+  if (finding.dropped) verdict.event(dropped_);
+  if (finding.post_done) verdict.event(post_done_, memory.posts);
+  say(view, memory, finding, verdict);
+}
+
+void RingLesson::say(const View& view, const Memory& memory, const Finding& finding, const Verdict& verdict) const {
+  const auto sign = [&](Sign s) { return cue_[index(s)]; };
+  if (finding.carried)
+    verdict.cue(ring_.object, sign(finding.touching ? Sign::kTouching : Sign::kClear));
+  else
+    verdict.clear_cue(ring_.object);
+  finding.too_hard ? verdict.cue(gripper_object_, sign(Sign::kTooHard)) : verdict.clear_cue(gripper_object_);
+  swage_vec3 p_W{};
+  if (!posts_.empty() && next_post(view, memory, p_W)) {
+    Cue cue = finding.over_post ? sign(Sign::kNear) : Cue();
+    if (finding.end == End::kPassed) cue = sign(Sign::kDone);
+    verdict.mark(target_, cue, &p_W);
+  }
+  verdict.phase(phase_[index(finding.stage)]);
+
+  if (finding.end == End::kRunning) return;
+  if (finding.end == End::kPassed) return verdict.pass(finding.score);
+  const Event reason = failed_[index(finding.end)];
+  verdict.event(reason);
+  verdict.fail(reason, finding.score);
+}
+
+// What has no value before the ring was carried is not told.
+void RingLesson::report(const Memory& m, double time_s, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  tell(Measure::kTime, task_time(m, time_s));
+  tell(Measure::kSuccess, m.passed);
+  tell(Measure::kTouches, m.touches);
+  tell(Measure::kDrops, m.drops);
+  tell(Measure::kRegrasps, std::max(0.0, m.grasps - 1));
+  tell(Measure::kPath, m.path.length);
+  tell(Measure::kProgress, m.free != 0 ? 1 : m.reached);
+  tell(Measure::kPosts, m.posts);
+  if (m.grip.held_s > 0) {
+    tell(Measure::kForce, GripWatch::mean(m.grip));
+    tell(Measure::kPeak, judge_.grip().peak(m.grip));
+    tell(Measure::kOverTime, over_share(m));
+  }
+  if (m.carried_s > 0) {
+    tell(Measure::kTouchTime, touch_share(m));
+    tell(Measure::kTouchPeak, m.touch_peak);
+    tell(Measure::kTremor, lessons::TremorWatch::rms(m.tremor));
+  }
+  if (m.travel > 0) {
+    tell(Measure::kOffCentre, by_way(m, m.off2));
+    tell(Measure::kTilt, by_way(m, m.tilt2));
+  }
+}
+
+void RingLesson::report_points(const Points& lost, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  tell(Measure::kPointsTouches, lost.touches);
+  tell(Measure::kPointsTouchTime, lost.touch_time);
+  tell(Measure::kPointsDrops, lost.drops);
+  tell(Measure::kPointsForce, lost.force);
+  tell(Measure::kPointsTime, lost.time);
+}
+
+}  // namespace swage::lesson_ring
+
+SWAGE_EXPORT(swage::lesson_ring::RingLesson)
