@@ -8,8 +8,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <QThread>
-
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -52,9 +50,6 @@ class FileRecorder final : public Recorder {
 
   bool start(base::Problems& problems) {
     journal_ = Journal::create(store_, id_);
-    // Qt takes the first thread that it meets for that of the program, and looks for it again at the exit: not the writer's, which ends
-    // before
-    QThread::currentThread();
     std::future<bool> opened = opened_.get_future();
 
     // signals belong to the threads of the program that asked for them

@@ -169,13 +169,6 @@ void expect_accounted(const std::string& out) {
       << out;
 }
 
-// Qt takes the first thread that it meets for that of the program, and at the exit lets go of what it keeps of it. A recorder's thread is
-// gone by then: what was let go of was somebody else's memory.
-TEST(Trouble, TheThreadOfTheProgramIsNotTheRecorders) {
-  const Folder folder;
-  EXPECT_EQ(run_child("qt " + folder / "a.db" + " -"), "Qt mainThread\n");
-}
-
 // The words of a failure belong to the connection that failed, and end with it.
 TEST(Trouble, AStoreDamagedInTheMiddleIsNamedWithItsReason) {
   const Folder folder;
