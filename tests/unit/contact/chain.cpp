@@ -75,8 +75,10 @@ size_t expect_all_pairs(const scene::World& w, uint32_t a, uint32_t b, const Con
     ++lowest;
     double best = 1;
     for (const Contact& c : set.contact) {
-      const bool here = (c.place_a.segment == i || c.place_a.share == 0 || c.place_a.share == 1) &&
-                        (c.place_b.segment == j || c.place_b.share == 0 || c.place_b.share == 1);
+      // the neighbour may tell of what lies in a vertex of both, which it finds there to some roundings
+      const auto in_vertex = [](double share) { return std::abs(share - 0.5) > 0.5 - 1e-12; };
+      const bool here = (c.place_a.segment == i || in_vertex(c.place_a.share)) &&
+                        (c.place_b.segment == j || in_vertex(c.place_b.share));
       if (here) best = std::min(best, std::abs(c.gap - gap));
     }
     EXPECT_LT(best, 1e-13) << "pieces " << i << " and " << j << ", gap " << gap;
@@ -97,7 +99,7 @@ size_t expect_all_pairs(const scene::World& w, uint32_t a, uint32_t b, const Con
 
 TEST(Chain, TwoThreadsTouchWhereAllPairsSay) {
   size_t lowest = 0;
-  for (uint32_t seed = 1; seed <= 30; ++seed) {
+  for (uint32_t seed = 1; seed <= 100; ++seed) {
     scene::World w;
     const double length = seed % 3 == 0 ? 20e-6 : 120e-6;
     add_chain(w, wander(90, length, 0.4, 0.5e-3, seed), kRadius, kBend, 0);
@@ -110,7 +112,7 @@ TEST(Chain, TwoThreadsTouchWhereAllPairsSay) {
 
 TEST(Chain, AThreadTouchesItselfWhereAllPairsSay) {
   size_t lowest = 0;
-  for (uint32_t seed = 1; seed <= 30; ++seed) {
+  for (uint32_t seed = 1; seed <= 100; ++seed) {
     scene::World w;
     add_chain(w, wander(150, seed % 3 == 0 ? 25e-6 : 90e-6, 0.4, 0.4e-3, seed), kRadius, kBend, 0);
     const ContactSet set = detect(w, {joins(0, 0)}, points_only());
