@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage calibrate and swage simulate-sensor as a person uses them, and what validator and doctor say of drivers with their fakes.
+#include <signal.h>
 #include <stdio.h>
 
 #include <atomic>
@@ -29,6 +30,7 @@ class Calibrate : public Program {
   }
   /// Answers a verb step by step: before each line of text the sensor is brought to its volts.
   int answer(const std::string& arguments, const std::vector<std::pair<double, std::string>>& lines) {
+    signal(SIGPIPE, SIG_IGN);  // a verb that has ended early says why; the answers are not heard
     const std::string command = std::string(SWAGE_PROGRAM) + " " + arguments + " > " + path("said") + " 2>&1";
     FILE* in = popen(command.c_str(), "w");
     for (const auto& [volts, text] : lines) {
