@@ -13,6 +13,8 @@ inline constexpr swage_metric_info kTaskSuccess = {"task.success", "1", "1 when 
 inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or knocked away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kForceMean = {"force.mean", "N", "Mean grip force while held.", "mean of F below 20 Hz", "M15", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force that was exceeded for one two-hundredth of the held time.", "99.5 % quantile of F below 20 Hz while held", "M16", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
+inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
+inline constexpr swage_metric_info kBending = {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D};
 inline constexpr swage_metric_info kPath = {"motion.path", "m", "Length of the path of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 
 /// Points of 100 that something cost; told at the end.
@@ -20,6 +22,8 @@ constexpr swage_metric_info points(const char* id, const char* doc, const char* 
   return {id, "1", doc, formula, "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE};
 }
 inline constexpr swage_metric_info kPointsTime = points("points.time", "Points lost for time.", "15 clamp(time / par_time - 1, 0, 1)");
+
+inline constexpr swage_metric_info kPointsBending = points("points.bending", "Points lost for bending the needle.", "20 clamp((needle.bending - 0.7) / 0.3, 0, 1)");
 
 /// Labels of the metrics above. `rank`: place among what is shown first, 0 on demand.
 constexpr swage_metric_label label(const char* id, const char* title, int32_t show = SWAGE_SHOW_QUANTITY, int32_t rank = 0, const char* least = nullptr, const char* most = nullptr) {
@@ -30,6 +34,7 @@ inline constexpr swage_metric_label kTaskSuccessLabel = label("task.success", "P
 inline constexpr swage_metric_label kDropsLabel = label("grasp.drops", "Drops", SWAGE_SHOW_COUNT, 0, nullptr, "max_drops");
 inline constexpr swage_metric_label kForceMeanLabel = label("force.mean", "Grip force, mean", SWAGE_SHOW_QUANTITY, 0, "force", "force");
 inline constexpr swage_metric_label kPathLabel = label("motion.path", "Tip path length");
+inline constexpr swage_metric_label kPointsBendingLabel = label("points.bending", "Needle bending", SWAGE_SHOW_POINTS);
 inline constexpr swage_metric_label kPointsTimeLabel = label("points.time", "Time", SWAGE_SHOW_POINTS);
 
 inline constexpr swage_criterion kParTime = {"Slower than {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};

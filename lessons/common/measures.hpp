@@ -15,6 +15,13 @@ namespace swage::lessons {
 
 using toolkit::Vec3;
 
+/// Points of 100 that bending the needle costs, from its greatest moment over that of yield: none below 0.7, where a wire springs back
+/// with a margin, 20 from yield on.
+inline double bending_points(double bending) noexcept {
+  constexpr double kGood = 0.7, kMost = 20;
+  return kMost * std::clamp((bending - kGood) / (1 - kGood), 0.0, 1.0);
+}
+
 /// Mean and standard deviation of a value over time, by Welford's recurrence (no cancellation).
 struct SpreadState {
   double weight = 0, mean = 0, m2 = 0;

@@ -47,6 +47,7 @@ enum class Measure : size_t {
   kPointsHold,
   kPointsForce,
   kPointsTilt,
+  kPointsBending,
   kPointsTime,
   kCount
 };
@@ -64,7 +65,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"grasp.resets", "1", "How often the needle was brought back by hand of the program.", "count of host.reset of the needle", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"grasp.spot_error", "1", "Mean distance from the region, share of the needle.", "mean over grasps of max(0, low - s, s - high)", "M09", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"grasp.in_zone", "1", "Share of grasps that were in the region.", "grasps with low <= s <= high / grasps", "M10", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C},
-    {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C},
+    lessons::kTipReach,
     {"grasp.tilt_axis", "rad", "Mean lean of the needle against the jaw axis while held.", "mean of abs(asin(tangent . x_T))", "M12", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"grasp.tilt_plane", "rad", "Mean lean of its plane against the jaw faces while held.", "mean of abs(asin(normal . z_T))", "M12", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"grasp.balance", "1", "Mean difference of the jaws while held, share of the harder one.", "mean of abs(left - right) / max(left, right)", "M13", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
@@ -75,7 +76,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"force.over_time", "1", "Share of the held time above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"force.over_dose", "N*s", "Excess over the limit, summed over time.", "integral of max(0, F - force.high)", "M19", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"force.slip_risk", "1", "Share of the time carried with less than the least force.", "sum of dt with F < force.low / time carried", "M20", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
-    {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    lessons::kBending,
     lessons::kPath,
     {"hold.progress", "1", "Share of the hold that is done.", "unbroken hold / hold_time", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"hold.tremor", "m", "Shaking of the tips in the scene during the hold.", "root mean square of the tips between 8 and 12 Hz", "M30", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
@@ -88,6 +89,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::points("points.hold", "Points lost for interrupted holds at the target.", "5 min(breaks, 3)"),
     lessons::points("points.force", "Points lost for gripping too hard.", "40 share of the held time above force.high"),
     lessons::points("points.tilt", "Points lost for a needle that is tilted in the jaws.", "20 clamp(mean tilt / 45 deg, 0, 1)"),
+    lessons::kPointsBending,
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -129,6 +131,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.hold", "Interrupted holds", SWAGE_SHOW_POINTS),
     lessons::label("points.force", "Grip force", SWAGE_SHOW_POINTS),
     lessons::label("points.tilt", "Needle tilt", SWAGE_SHOW_POINTS),
+    lessons::kPointsBendingLabel,
     lessons::kPointsTimeLabel,
 };
 
@@ -136,6 +139,7 @@ inline constexpr swage_metric_label kLabels[] = {
 inline constexpr swage_criterion kCriteria[] = {
     {"Grasp the {needle} at {region} of its length, counted from its first end, the point of a needle.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Use the tips of the jaws.", "tips_needed", SWAGE_CRITERION_PASS, 0},
+    {"Hold it perpendicular to the jaws both ways, to within {max_tilt}.", "max_tilt", SWAGE_CRITERION_PASS, 0},
     {"Lift it by {lift}.", "lift", SWAGE_CRITERION_PASS, 0},
     {"Carry it to within {target_radius} of the target.", "carry", SWAGE_CRITERION_PASS, 0},
     {"Hold it for {hold_time} with {force}.", nullptr, SWAGE_CRITERION_PASS, 0},
@@ -145,18 +149,19 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"Further grasp attempts, drops, gripping too hard and a tilt in the jaws cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"Further grasp attempts, drops, gripping too hard, a tilt in the jaws and a bent needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 using lessons::kHeard;
 
-/// Order of kCues; the first five are those of a grade.
-enum class Sign : size_t { kWrong, kTipsOnly, kPointOnly, kGood, kTooHard, kNear, kDone, kCount };
+/// Order of kCues; the first ones are those of a grade.
+enum class Sign : size_t { kWrong, kTipsOnly, kPointOnly, kTilted, kGood, kTooHard, kNear, kDone, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
     {"grasp.wrong", "Held at the wrong place, and not with the tips.", kHeard, 0},
     {"grasp.tips_only", "Held with the tips, but at the wrong place.", kHeard, 0},
     {"grasp.point_only", "Held at the right place, but not with the tips.", kHeard, 0},
+    {"grasp.tilted", "Held at the right place and with the tips, but not perpendicular to the jaws.", kHeard, 0},
     {"grasp.good", "Held at the right place and with the tips.", kHeard, 0},
     lessons::kTooHard,
     {"target.near", "The needle is at the target; the hold runs.", kHeard, 0},

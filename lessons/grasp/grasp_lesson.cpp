@@ -76,6 +76,7 @@ void GraspLesson::activate(double dt_s) {
   rules.tip_low = p.tip_zone.low;
   rules.tip_high = p.tip_zone.high;
   rules.tips_needed = p.tips_needed;
+  rules.max_tilt = p.max_tilt;
   rules.force_low = p.force.low;
   rules.force_high = p.force.high;
   rules.lift = p.lift;
@@ -176,6 +177,7 @@ void GraspLesson::report_points(const Points& lost, const Verdict& verdict) cons
   if (params_.carry) tell(Measure::kPointsHold, lost.hold);
   tell(Measure::kPointsForce, lost.force);
   tell(Measure::kPointsTilt, lost.tilt);
+  if (bending_.valid()) tell(Measure::kPointsBending, lost.bending);
   tell(Measure::kPointsTime, lost.time);
 }
 

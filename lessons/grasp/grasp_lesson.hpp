@@ -19,6 +19,7 @@ struct GraspParams {
   Interval region = {Rules{}.region_low, Rules{}.region_high};
   Interval tip_zone = {Rules{}.tip_low, Rules{}.tip_high};  // m
   bool tips_needed = false;
+  double max_tilt = 0;                                      // rad
   Interval force = {Rules{}.force_low, Rules{}.force_high};  // N
   double lift = 0;                                           // m
   double hold_time = 3;                                      // s
@@ -65,6 +66,9 @@ class GraspLesson final : public Lesson<GraspParams> {
       interval<&GraspParams::tip_zone>(
           "tip_zone", "Tip zone", "m", "mm", -0.1, 0.1,
           "How far the tips may reach past the needle and still count as grasping with them."),
+      real<&GraspParams::max_tilt>("max_tilt", "Perpendicular to", "rad", "deg", 0, 1.5707963267948966,
+                                   "A hold counts only while needle and jaws are perpendicular both ways to within "
+                                   "this; 0: any tilt counts."),
       interval<&GraspParams::force>(
           "force", "Force", "N", "N", 0, 100,
           "Grip force within which a hold counts; above it the jaws show too much force."),

@@ -27,6 +27,12 @@ Judge::Judge(const Rules& rules, double dt)
       target_(rules.target),
       tremor_(dt) {}
 
+bool Judge::square(const Memory& memory, const Look& look) const {
+  constexpr double kLeaves = 1.1;
+  const double most = (memory.holding != 0 ? kLeaves : 1.0) * rules_.max_tilt;
+  return rules_.max_tilt <= 0 || std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) <= most;
+}
+
 double Judge::spot_error(double s) const {
   return std::max({0.0, rules_.region_low - s, s - rules_.region_high});
 }
@@ -120,12 +126,12 @@ bool Judge::grasped_well(const Memory& memory, const Look& look, const Finding& 
   const bool lifted = rules_.lift <= 0 || (look.needle_W - start).norm() >= rules_.lift;
   const bool measured = look.force >= rules_.force_low && !finding.too_hard;
   const bool tips = in_tips(look.tip_reach) || !rules_.tips_needed;
-  return look.held && in_region(look.s) && tips && lifted && measured;
+  return look.held && in_region(look.s) && tips && square(memory, look) && lifted && measured;
 }
 
 void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool spot = in_region(look.s), tips = in_tips(look.tip_reach);
-  if (look.held && spot) finding.grade = tips ? Grade::kGood : Grade::kPointOnly;
+  if (look.held && spot) finding.grade = !tips ? Grade::kPointOnly : square(memory, look) ? Grade::kGood : Grade::kTilted;
   if (look.held && !spot) finding.grade = tips ? Grade::kTipsOnly : Grade::kWrong;
   memory.wrong_s = look.held && !spot ? memory.wrong_s + look.dt_s : 0;
 
@@ -197,6 +203,7 @@ Points Judge::points(const Memory& memory, double time_s) const noexcept {
   if (rules_.target.carry) lost.hold = kBreakCosts * std::min(memory.target.breaks, kMostBreaks);
   lost.force = 40 * mean(memory, memory.over_s);
   lost.tilt = 20 * std::min(1.0, tilt / (0.25 * std::numbers::pi));
+  lost.bending = lessons::bending_points(memory.bending);
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
   return lost;
 }

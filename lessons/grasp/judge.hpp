@@ -26,6 +26,7 @@ struct Rules {
   double region_low = 0.5, region_high = 0.75;  // along the needle, 0 point .. 1 swage
   double tip_low = -0.2e-3, tip_high = 2e-3;    // m, how far the tips may reach past the needle
   bool tips_needed = false;
+  double max_tilt = 0;                        // rad, of axis and plane; 0: any
   double force_low = 0.05, force_high = 1.0;  // N
   double lift = 0;                            // m
   double hold_time = 3;                       // s
@@ -84,14 +85,14 @@ struct Memory {
 };
 
 /// How the needle is held: spot and tips right or wrong.
-enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
+enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kTilted, kGood };
 enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone };
 enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kWrongGrasp, kLost, kLeftTarget };
 
 /// Points of 100 that were lost.
 struct Points {
-  double tries = 0, drops = 0, hold = 0, force = 0, tilt = 0, time = 0;
-  double sum() const { return tries + drops + hold + force + tilt + time; }
+  double tries = 0, drops = 0, hold = 0, force = 0, tilt = 0, bending = 0, time = 0;
+  double sum() const { return tries + drops + hold + force + tilt + bending + time; }
 };
 
 /// What is to be said after one step.
@@ -115,6 +116,8 @@ class Judge {
   Finding look(Memory& memory, const Look& look) const noexcept;
 
   bool in_region(double s) const { return s >= rules_.region_low && s <= rules_.region_high; }
+  /// Whether it is square enough in the jaws; a hold that runs may lean a tenth more.
+  bool square(const Memory& memory, const Look& look) const;
   bool in_tips(double reach) const { return reach >= rules_.tip_low && reach <= rules_.tip_high; }
   /// Distance from the region along the needle, 0 inside, 0..1.
   double spot_error(double s) const;

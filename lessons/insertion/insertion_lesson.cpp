@@ -41,6 +41,8 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   failure(End::kDeflected, "failed.deflected", "The tissue refused the point too often.");
   failure(End::kOutOfTime, "failed.out_of_time",
           "Time ran out before the needle was where it should be.");
+  failure(End::kOffAngle, "failed.off_angle",
+          "The needle was not perpendicular to the tissue for long enough.");
   failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
 }
 
@@ -59,6 +61,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   if (!tissue_.has(SWAGE_TRAIT_PIERCEABLE)) binder.error("\"" + params_.tissue + "\" cannot be pierced");
   if (scene->object[needle_object_].n_body == 0 || scene->object[tissue_object_].n_body == 0)
     binder.error("needle and tissue must have bodies");
+  bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
   find_pierce(scene, binder);
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
@@ -111,6 +114,7 @@ void InsertionLesson::activate(double dt_s) {
   rules.task = p.task;
   rules.tolerance = p.tolerance;
   rules.in_angle = p.in_angle;
+  rules.least_in_angle = p.least_in_angle;
   rules.drive = p.drive;
   rules.max_wound = p.max_wound;
   rules.force_high = p.force.high;
@@ -190,6 +194,8 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.held = number(grasp_.held) != 0;
   look.force = number(grasp_.force);
   look.grip_s = number(grasp_.s);
+  look.tip_reach = number(grasp_.tip_reach);
+  if (bending_.valid()) look.bending = number(bending_);
   look.tip_W = vec(jaws->tip_W);
   look.needle_W = vec(scene.pose(needle_body_).p);
   look.length = point->length;
@@ -304,6 +310,8 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kForce, GripWatch::mean(m.grip));
   tell(Measure::kPeak, judge_.grip().peak(m.grip));
   tell(Measure::kPath, m.path.length);
+  if (m.grip.held_s > 0) tell(Measure::kTipReach, m.reach_s / m.grip.held_s);
+  if (bending_.valid()) tell(Measure::kBending, m.bending);
   tell(Measure::kEntries, m.entries);
   tell(Measure::kDeflections, m.deflections);
   tell(Measure::kStray, m.stray.count);
@@ -314,7 +322,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kEntryAngle, m.entry_angle);
   tell(Measure::kCosine, m.inside_s > 0 ? m.cosine_s / m.inside_s : 0);
   tell(Measure::kAngle, angle_rms(m));
-  tell(Measure::kInAngle, m.travel > 0 ? m.travel_in / m.travel : 0);
+  tell(Measure::kInAngle, m.travel > 0 ? in_angle_share(m) : 0);
   if (m.wall > 0) tell(Measure::kDepth, look.below / m.wall);
   tell(Measure::kArc, arc_rms(m));
   tell(Measure::kWound, look.wound);
@@ -329,6 +337,7 @@ void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) 
   tell(Measure::kPointsWound, lost.wound);
   tell(Measure::kPointsAngle, lost.angle);
   tell(Measure::kPointsEntry, lost.entry);
+  if (bending_.valid()) tell(Measure::kPointsBending, lost.bending);
   tell(Measure::kPointsRefused, lost.refused);
   tell(Measure::kPointsDrops, lost.drops);
   tell(Measure::kPointsTime, lost.time);

@@ -24,6 +24,7 @@ struct InsertionParams {
   Interval target_x = {-1e-3, 1e-3}, target_y = {-1e-3, 1e-3};  // m, of the tissue's frame
   double tolerance = Rules{}.tolerance;                         // m
   double in_angle = Rules{}.in_angle;                           // rad
+  double least_in_angle = Rules{}.least_in_angle;
   double drive = Rules{}.drive;
   Interval force = {0.1, Rules{}.force_high};  // N
   double par_time = Rules{}.par_time;          // s
@@ -72,6 +73,9 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::in_angle>(
           "in_angle", "Angle", "rad", "deg", 0.5 * kDegree, 85 * kDegree,
           "Up to this angle to the tissue's normal a needle counts as square to it."),
+      real<&InsertionParams::least_in_angle>(
+          "least_in_angle", "Way within the angle", "1", "%", 0, 1,
+          "So much of the needle's way through the surface must be within that angle; 0: the angle costs points only."),
       real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
                                     "Share of the needle that is to be inside at the end."),
       interval<&InsertionParams::force>(
@@ -162,7 +166,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];                      // by Stage
-  Event dropped_, missed_, failed_[8];  // by End
+  Signal bending_;
+  Event dropped_, missed_, failed_[9];  // by End
 };
 
 }  // namespace swage::lesson_insertion

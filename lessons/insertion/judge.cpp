@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "common/measures.hpp"
+
 namespace swage::lesson_insertion {
 namespace {
 
@@ -29,6 +31,8 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   follow_entry(memory, look, finding);
   integrate(memory, look);
   grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
+  if (look.held) memory.reach_s += look.tip_reach * look.dt_s;
+  memory.bending = std::max(memory.bending, look.bending);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
   follow_stitch(memory, look, finding);
@@ -120,7 +124,9 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
                                                  : memory.through != 0 && memory.retaken != 0;
   if (done)
-    finding.end = memory.missed != 0 ? End::kMissed : End::kPassed;
+    finding.end = memory.missed != 0                                 ? End::kMissed
+                  : in_angle_share(memory) < rules_.least_in_angle ? End::kOffAngle
+                                                                   : End::kPassed;
   else if (look.wound > rules_.max_wound)
     finding.end = End::kTorn;
   else if (memory.drops > rules_.max_drops)
@@ -143,6 +149,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   lost.wound = 30 * std::clamp((look.wound - 1) / 2, 0.0, 1.0);
   lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
   lost.entry = 15 * std::clamp(memory.entry_distance / rules_.tolerance, 0.0, 1.0);
+  lost.bending = lessons::bending_points(memory.bending);
   lost.refused = 8 * std::clamp(memory.deflections, 0.0, 3.0);
   lost.drops = 15 * memory.drops;
   lost.time = 15 * std::clamp(late, 0.0, 1.0);

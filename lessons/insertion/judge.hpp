@@ -32,6 +32,7 @@ struct Rules {
   Task task = Task::kInsert;
   double tolerance = 0.3e-3;       // m, entry from the mark
   double in_angle = 15 * kDegree;  // rad: what still counts as perpendicular
+  double least_in_angle = 0.5;     // share of the way that must be within it
   double drive = 0.35;             // share of the needle that is to be inside
   double max_wound = 6;            // edge of the wound from its centre over the wire's radius
   double force_high = 1.5;         // N
@@ -52,6 +53,8 @@ struct Look {
   bool held = false;
   double force = 0;                                    // N
   double grip_s = 0;                                   // where the jaws have it, 0 point .. 1 swage
+  double tip_reach = 0;                                // m, of the tips past the needle
+  double bending = 0;                                  // moment in the needle over its yield moment; 0 of a rigid one
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   double length = 0;                                   // m, of the needle
   Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
@@ -85,6 +88,7 @@ struct Memory {
   double angle2 = 0, arc2 = 0;                 // rad2 m, m3: integrals over the travel
   double inside_s = 0, cosine_s = 0;           // s
   double pull_s = 0;                           // N s
+  double reach_s = 0, bending = 0;             // m s; 1, the greatest
   double deepest = 0;                          // greatest share of the needle inside
   double exited = 0, let_go = 0, retaken = 0, through = 0;
   StitchState stitch;
@@ -92,12 +96,12 @@ struct Memory {
 };
 
 enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
-enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost };
+enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle };
 
 /// Points of 100 that were lost.
 struct Points {
-  double wound = 0, angle = 0, entry = 0, refused = 0, drops = 0, time = 0;
-  double sum() const { return wound + angle + entry + refused + drops + time; }
+  double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, time = 0;
+  double sum() const { return wound + angle + entry + bending + refused + drops + time; }
 };
 
 /// What is to be said after one step.
@@ -148,6 +152,8 @@ inline double task_time(const Memory& memory, double time_s) {
 }
 /// Root of the mean square of the angle, weighted by travel, rad; and the same of the distance from its arc, m.
 inline double angle_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.angle2 / m.travel) : 0; }
+/// Share of the needle's way through its entry that was within the angle; 1 before there was any.
+inline double in_angle_share(const Memory& m) { return m.travel > 0 ? m.travel_in / m.travel : 1; }
 inline double arc_rms(const Memory& m) { return m.travel > 0 ? std::sqrt(m.arc2 / m.travel) : 0; }
 
 }  // namespace swage::lesson_insertion

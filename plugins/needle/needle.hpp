@@ -12,7 +12,7 @@
 namespace swage::needle {
 
 enum class Level : int { kRigid, kBending, kReference };
-enum class Circle : int { kModel, kQuarter, kThreeEighths, kHalf, kFiveEighths, kTwoEighths, kFourEighths };
+enum class Circle : int { kModel, kQuarter, kThreeEighths, kHalf, kFiveEighths, kTwoEighths, kFourEighths, kStraight };
 enum class SizeOf : int { kModel, kChord, kLength };
 
 /// What is 0 or `kModel` is as the model says.
@@ -44,13 +44,13 @@ class Needle final : public Object<NeedleParams>,
   static constexpr auto version = "1.0.0";
   static constexpr auto name = "Suture needle";
   static constexpr auto summary =
-      "Needle of round or flattened wire bent to a quarter to five eighths of a circle; rigid, or bending "
+      "Needle of round or flattened wire, straight or bent to a quarter to five eighths of a circle; rigid, or bending "
       "elastically, for good, and until it breaks.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
   static constexpr const char* kLevels[] = {"rigid", "bending", "reference", nullptr};
-  static constexpr const char* kCircles[] = {"model", "1/4", "3/8", "1/2", "5/8", "2/8", "4/8", nullptr};
+  static constexpr const char* kCircles[] = {"model", "1/4", "3/8", "1/2", "5/8", "2/8", "4/8", "straight", nullptr};
   static constexpr const char* kSizes[] = {"model", "chord", "length", nullptr};
   static constexpr std::array fields = {
       file<&NeedleParams::model>(
@@ -61,7 +61,7 @@ class Needle final : public Object<NeedleParams>,
                                    "How much it bends: not at all; as a chain of arcs with plastic joints; "
                                    "the same, four times as fine "
                                    "and not in real time."),
-      choice<&NeedleParams::arc>("arc", "Arc", kCircles, "Share of a full circle that the needle spans."),
+      choice<&NeedleParams::arc>("arc", "Arc", kCircles, "Share of a full circle that the needle spans. Straight: the simplified needle to begin with."),
       choice<&NeedleParams::size_of>(
           "size_of", "Size is the", kSizes,
           "What the size measures: the chord from point to swage, or the length of the arc."),

@@ -196,6 +196,44 @@ TEST(Judge, AHoldNeedsForceTipsAndLift) {
   EXPECT_EQ(f.stage, Stage::kGrasp) << "too hard";
 }
 
+TEST(Judge, BendingTheNeedleCostsPoints) {
+  for (const auto& [bending, lost] : {std::pair{0.7, 0.0}, {0.85, 10.0}, {3.0, 20.0}}) {
+    Rules rules;
+    rules.hold_time = 0.1;
+    Attempt a(rules);
+    a.go();
+    a.now.bending = bending;
+    a.take(0.6, 1e-3, 0.6);
+    a.now.bending = 0;
+    const Finding end = a.go(300);
+    EXPECT_EQ(end.end, End::kPassed);
+    EXPECT_NEAR(end.lost.bending, lost, 1e-12);
+    EXPECT_NEAR(end.score, 100 - lost, 1e-9);
+  }
+}
+
+TEST(Judge, PerpendicularityCanBeRequired) {
+  Rules rules;
+  rules.max_tilt = 0.3;
+  Attempt a(rules);
+  a.go();
+  a.now.tilt_plane = -0.31;
+  const Finding askew = a.take(0.6, 1e-3, 0.6);
+  EXPECT_EQ(askew.grade, Grade::kTilted);
+  EXPECT_EQ(askew.stage, Stage::kGrasp);
+  a.now.tilt_plane = 0.29;
+  EXPECT_EQ(a.go().grade, Grade::kGood);
+  EXPECT_EQ(a.go().stage, Stage::kHold);
+  a.now.tilt_axis = 0.32;  // in a hold a tenth more
+  EXPECT_EQ(a.go().stage, Stage::kHold);
+  a.now.tilt_axis = 0.34;
+  EXPECT_TRUE(a.go().hold_broke);
+  Attempt any;
+  any.go();
+  any.now.tilt_plane = 1;
+  EXPECT_EQ(any.take(0.6, 1e-3, 0.6).grade, Grade::kGood) << "not asked";
+}
+
 TEST(Judge, TheSignForTooMuchForceStaysAWhile) {
   Attempt a;
   EXPECT_TRUE(a.take(0.6, 1e-3, 1.1).too_hard);

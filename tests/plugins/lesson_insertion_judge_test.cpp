@@ -100,6 +100,40 @@ TEST(InsertionJudge, TheAngleIsWeightedByTheWayAndNotByTheTime) {
   EXPECT_NEAR(a.memory.travel_in, 0.2 * 4e-3, 1e-15);  // 10 deg is within 15, 20 is not
 }
 
+// what the cue says is wrong for most of the way is not passed
+TEST(InsertionJudge, ANeedleThatLeansForMostOfItsWayDoesNotPass) {
+  for (const double mended : {0.17, 0.19}) {
+    Attempt a;
+    a.hold();
+    a.enter(Vec3::Zero(), 20 * kDegree);
+    a.drive(mended, 100, 20 * kDegree);
+    const Finding end = a.drive(0.36, 100, 2 * kDegree);
+    EXPECT_EQ(end.end, mended < 0.18 ? End::kPassed : End::kOffAngle);
+    EXPECT_EQ(end.score <= 40, mended > 0.18);
+  }
+  Rules rules;
+  rules.least_in_angle = 0;
+  Attempt any(rules);
+  any.hold();
+  any.enter();
+  EXPECT_EQ(any.drive(0.36, 100, 20 * kDegree).end, End::kPassed);
+}
+
+TEST(InsertionJudge, BendingTheNeedleCostsPoints) {
+  const auto lost = [](double bending) {
+    Attempt a;
+    a.hold();
+    a.enter();
+    a.now.bending = bending;
+    a.go();
+    a.now.bending = 0.1;
+    return a.drive(0.36, 100, 0).lost.bending;
+  };
+  EXPECT_EQ(lost(0.7), 0);
+  EXPECT_NEAR(lost(0.85), 10, 1e-12);
+  EXPECT_EQ(lost(1.5), 20);
+}
+
 TEST(InsertionJudge, TheThesissCosineIsAMeanOverTime) {
   Rules rules;
   rules.drive = 0.9;
@@ -297,7 +331,9 @@ TEST(InsertionJudge, StrayTouchesAreCountedOnceEach) {
 
 TEST(InsertionJudge, PointsAreLostForWhatTheyAreLostFor) {
   const auto score = [](double wound, double angle, double off) {
-    Attempt a;
+    Rules rules;
+    rules.least_in_angle = 0;
+    Attempt a(rules);
     a.hold();
     a.enter(Vec3(off, 0, 0));
     a.now.wound = wound;

@@ -108,7 +108,7 @@ struct OnStage {
 };
 
 // numbers of the choices
-constexpr double kHalf = 3, kFourEighths = 6, kLength = 2, kBending = 1;
+constexpr double kHalf = 3, kFourEighths = 6, kStraight = 7, kLength = 2, kBending = 1;
 
 TEST(Needle, DeclaresOneArcAboutItsCentreOfMass) {
   OnStage on({{"arc", kHalf}, {"size_of", kLength}, {"size", 4e-3}, {"wire_diameter", 70e-6}});
@@ -135,6 +135,27 @@ TEST(Needle, DeclaresOneArcAboutItsCentreOfMass) {
 TEST(Needle, NamesOfTheThesisAreTheSameCircles) {
   OnStage a({{"arc", kHalf}}), b({{"arc", kFourEighths}});
   EXPECT_EQ(a.stage.arcs[0].sweep, b.stage.arcs[0].sweep);
+}
+
+// thesis 6.2.2: the simplified needle is a straight rod
+TEST(Needle, AStraightOneHasTheMassOfARod) {
+  OnStage on({{"arc", kStraight}, {"size_of", kLength}, {"size", 5e-3}, {"wire_diameter", 100e-6}, {"density", 7900}});
+  const swage_mass& m = on.stage.bodies.at(0).mass;
+  const double r = 50e-6, L = 5e-3, mass = 7900 * kPi * r * r * L;
+  EXPECT_NEAR(m.mass, mass, 1e-12 * mass);
+  const double along = 0.5 * mass * r * r, across = mass * (L * L / 12 + 0.25 * r * r);
+  EXPECT_NEAR(m.inertia.y, along, 1e-3 * along);
+  EXPECT_NEAR(m.inertia.x, across, 1e-6 * across);
+  EXPECT_NEAR(m.inertia.z, across, 1e-6 * across);
+  // no place of it is further from the chord than a micrometre, and it is as long as its chord
+  const swage_arc& arc = on.stage.arcs.at(0);
+  const toolkit::Pose X_OA = toolkit::Pose(on.stage.bodies[0].X_OB) * toolkit::Pose(arc.X_BA);
+  for (const double s : {0.0, 0.25, 0.5, 1.0}) {
+    const double a = s * arc.sweep;
+    const Vec3 p = X_OA * Vec3(arc.radius * std::cos(a), arc.radius * std::sin(a), 0);
+    EXPECT_LT(std::hypot(p.x(), p.z()), 1e-6);
+    EXPECT_NEAR(p.y(), (s - 0.5) * L, 1e-9);
+  }
 }
 
 TEST(Needle, LocateIsTheInverseOfWhereItIs) {
