@@ -8,6 +8,7 @@
 #pragma once
 
 #include "toolkit/knot_faces.hpp"
+#include "toolkit/knot_grid.hpp"
 
 namespace swage::toolkit {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Names the knot in a thread: straightened a little, and wholly where that is not enough (knot_thread.hpp), seen from several directions (knot_eye.hpp), each view reduced
-// (knot_strand.hpp) and read (knot_word.hpp). A name is certain when two views in a row give the same word, and determinant and
-// signature are those of that word. Reading goes in slices: so much work a call. Header-only.
+// (knot_strand.hpp) and read (knot_word.hpp). A name is certain when two views or more give the same word, none gives another, and
+// determinant and signature are those of that word. Where its throws are on the thread is told by the view that had least to be taken
+// off. Reading goes in slices: so much work a call. Header-only.
 //
 //   thread.begin(nodes, n);
 //   while (!reader.read(thread, 500, name)) ...   // one call a step
@@ -23,24 +24,27 @@ struct KnotName {
 
 class KnotReader {
  public:
-  static constexpr int kFirstViews = 6;  // of a thread that has been straightened a little
-  static constexpr int kViews = 30;
+  static constexpr int kFirstViews = 12;  // of a thread that has been straightened a little; all are looked at
+  static constexpr int kViews = 36;       // with those of a thread that has been straightened wholly, where the first were not enough
 
-  /// Goes on by about `work` tests of pieces with pieces, or by one view. True when there is a name; an uncertain one when no two
-  /// views agree.
+  /// Goes on by about `work` tests of pieces with pieces, or by one view. True when there is a name. An uncertain one has the word of
+  /// the last view.
   bool read(KnotThread& thread, int work, KnotName& name) {
     if (!thread.straighten(work)) return false;
     const int k = static_cast<int>(thread.view);
+    if (k == kFirstViews && thread.gap < KnotThread::kNodes) return thread.go_on(), false;
     thread.view += 1;
-    if (k == kFirstViews) return thread.go_on(), false;
-    if (eye_.look(thread, view(k), diagram_) != KnotSight::kSound) return thread.view >= kViews;
-    strand_.reduce(diagram_);
-    name.word = KnotReading::read(diagram_);
-    const double number = name.word.number();
-    const bool sound = number >= 0 && name.word.invariants == invariants_of(name.word);
-    name.certain = sound && thread.word == number;
-    thread.word = sound ? number : -1;
-    return name.certain || thread.view >= kViews;
+    if (eye_.look(thread, view(k), diagram_) == KnotSight::kSound) {
+      const int seen = diagram_.crossings();
+      strand_.reduce(diagram_);
+      name.word = KnotReading::read(diagram_);
+      note(name.word, seen - diagram_.crossings(), thread.findings);
+    }
+    const KnotFindings& found = thread.findings;
+    name.certain = found.agreed >= 2 && found.contradicted == 0;
+    if (k + 1 < kFirstViews || (!name.certain && k + 1 < kViews)) return false;
+    if (name.certain) tell(found, name.word);
+    return true;
   }
   /// The last view, reduced.
   const KnotDiagram& diagram() const { return diagram_; }
@@ -51,6 +55,30 @@ class KnotReader {
   }
 
  private:
+  static size_t at(int i) { return static_cast<size_t>(i); }
+  static void note(const KnotWord& word, int excess, KnotFindings& found) {
+    const double number = word.number();
+    if (number < 0 || word.invariants != invariants_of(word)) return;
+    if (found.agreed > 0 && number != found.word) found.contradicted = 1;
+    found.word = number, found.agreed += 1;
+    if (excess >= found.excess) return;
+    found.excess = excess, found.throws = word.throws, found.knots = word.knots;
+    for (int i = 0; i < word.throws; ++i) {
+      const KnotThrow& t = word.tied[at(i)];
+      const auto &a = t.strand[0], &b = t.strand[1];
+      found.tied[at(i)] = {double(t.turns), double(t.sign), double(t.knot), {a.first, a.last, b.first, b.last}};
+    }
+  }
+  static void tell(const KnotFindings& found, KnotWord& word) {
+    word = {};
+    word.throws = static_cast<int>(found.throws), word.knots = static_cast<int>(found.knots);
+    for (int i = 0; i < word.throws; ++i) {
+      const auto& t = found.tied[at(i)];
+      word.tied[at(i)] = {int(t.turns), int(t.sign), int(t.knot), {{t.strand[0], t.strand[1]}, {t.strand[2], t.strand[3]}}};
+    }
+    word.invariants = invariants_of(word);
+  }
+
   KnotEye eye_;
   KnotDiagram diagram_;
   KnotStrand strand_;

@@ -25,6 +25,20 @@ struct KnotVertex {
   GridPoint grid() const { return {static_cast<int64_t>(x), static_cast<int64_t>(y), static_cast<int64_t>(z)}; }
 };
 
+/// What the views of a thread have said so far (knot_reader.hpp).
+struct KnotFindings {
+  static constexpr int kThrows = 12;
+  struct Throw {
+    double turns = 0, sign = 0, knot = 0, strand[4] = {};
+  };
+  double word = -1;           // as a number; -1: none yet
+  double agreed = 0;          // views that gave it
+  double contradicted = 0;    // 1: a view gave another
+  double excess = 1e9;       // crossings, of the plainest view, that had to be taken off: it tells best where the throws are
+  double throws = 0, knots = 0;
+  std::array<Throw, kThrows> tied{};
+};
+
 struct KnotThread {
   static constexpr int kNodes = 402;       // most that it reads
   static constexpr int kVertices = kNodes + 2;
@@ -47,7 +61,8 @@ struct KnotThread {
   double next = 0, kept = 0;   // of the present sweep: the vertex to look at; the last one that stays
   double dropped = 0, sweeps = 0, done = 1;
   double gap = kNodes;                  // nodes between two vertices, at most
-  double view = 0, word = -1;  // of the reader (knot_reader.hpp): the next view; the word of the last one, as a number
+  double view = 0;  // the reader's next view
+  KnotFindings findings;
   std::array<KnotVertex, kVertices> vertex{};
 
  private:
@@ -112,7 +127,7 @@ inline bool KnotThread::begin(const double* node, int n) {
   count = n + 2;
   vertex[0] = far_end(1, 0);
   vertex[at(n + 1)] = far_end(n, n - 1);
-  next = 1, kept = 0, dropped = 0, sweeps = 0, done = 0, view = 0, word = -1;
+  next = 1, kept = 0, dropped = 0, sweeps = 0, done = 0, view = 0, findings = {};
   gap = std::max(2, n / 64);
   return true;
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "toolkit/knot_invariants.hpp"
+#include "toolkit/knot_thread.hpp"
 
 namespace swage::toolkit {
 
@@ -23,7 +24,7 @@ struct KnotThrow {
 };
 
 struct KnotWord {
-  static constexpr int kThrows = 12;
+  static constexpr int kThrows = KnotFindings::kThrows;
   int throws = 0;
   std::array<KnotThrow, kThrows> tied{};  // knot by knot, in each the first throw first
   int knots = 0;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "ties.hpp"
+#include "toolkit/knot_form.hpp"
 #include "toolkit/knot_passage.hpp"
 #include "toolkit/knot_reader.hpp"
 #include "toolkit/knot_writhe.hpp"
@@ -78,6 +79,28 @@ TEST(Knots, TheStrandsOfAThrowAreWhereItIs) {
       EXPECT_LE(strand.first, strand.last);
       EXPECT_NEAR(z(0.5 * (strand.first + strand.last)), shape.spacing * static_cast<double>(i), 0.5 * shape.spacing) << i;
     }
+}
+
+/// In a flat throw both strands turn alike; around a straight core one of them turns little. Shape only: the word is the same.
+TEST(Knots, FlatAndSlidingThrowsAreToldApart) {
+  int flat = 0, sliding = 0;
+  for (const Word& word : {Word{1}, Word{1, -1}, Word{1, 1}, Word{2, -1, 1}, Word{3, -1}})
+    for (const double core : {0.0, 1.0})
+      for (uint64_t seed = 0; seed < 10; ++seed) {
+        TieShape shape;
+        shape.core = core, shape.nodes = 400, shape.pitch = 2.5, shape.shears = seed < 5 ? 0 : 3, shape.shear = 0.4;  // more would bend the core
+        const auto tie = make_tie(word, shape, seed);
+        if (!tie) continue;
+        const KnotName name = read(tie->data(), tie->nodes());
+        ASSERT_TRUE(name.certain);
+        for (int i = 0; i < name.word.throws; ++i) {
+          const int found = KnotForm(tie->data(), tie->nodes(), name.word.tied[static_cast<size_t>(i)]).core();
+          EXPECT_EQ(found, core > 0 ? 0 : -1) << text(word) << " seed " << seed << " throw " << i;
+          ++(core > 0 ? sliding : flat);
+        }
+      }
+  EXPECT_GT(flat, 40);
+  EXPECT_GT(sliding, 20);
 }
 
 /// An overhand knot in each tail is not one knot of two throws.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether a throw is flat or slides. Both are the same knot; they differ in shape. In a flat throw both strands are bent alike; in one
+// that slides, one strand runs straight through and the other is wound around it (a half hitch on a post). What counts is how far each
+// strand turns where it lies beside the other. Header-only.
+//
+// Threads: [rt], pure, nothing allocates.
+#pragma once
+
+#include "toolkit/knot_word.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::toolkit {
+
+class KnotForm {
+ public:
+  /// Below this share of the turning of the other strand, a strand is the straight core of a throw that slides.
+  static constexpr double kCoreShare = 0.5;
+
+  /// Of a polyline of n nodes.
+  KnotForm(const double* node, int n, const KnotThrow& tied) : node_(node), n_(n) {
+    double sum = 0, count = 0;
+    for (int k = 0; k < 2; ++k)
+      for (int i = at_node(tied.strand[k].first); i <= at_node(tied.strand[k].last); ++i)
+        sum += beside(i, tied.strand[1 - k]), count += 1;
+    near_ = kNear * sum / count;
+    for (int k = 0; k < 2; ++k) turned_[k] = turning(tied.strand[k], tied.strand[1 - k]);
+  }
+  /// rad, by which a strand turns beside the other.
+  double turned(int strand) const { return turned_[strand]; }
+  /// The strand (0 or 1) that runs straight through; -1: the throw is flat.
+  int core() const {
+    if (turned_[0] < kCoreShare * turned_[1]) return 0;
+    return turned_[1] < kCoreShare * turned_[0] ? 1 : -1;
+  }
+
+ private:
+  /// A place is beside the other strand that is nearer than so many times the mean distance between the two.
+  static constexpr double kNear = 1.2;
+
+  Vec3 p(int i) const { return Eigen::Map<const Vec3>(node_ + 3 * i); }
+  int at_node(double s) const { return std::clamp(static_cast<int>(std::lround(s)), 1, n_ - 2); }
+  static double margin(const KnotThrow::Strand& s) { return 0.3 * (s.last - s.first) + 2; }
+  /// m, from a node to the other strand.
+  double beside(int i, const KnotThrow::Strand& other) const {
+    double best = HUGE_VAL;
+    for (int j = at_node(other.first - margin(other)); j <= at_node(other.last + margin(other)); ++j) {
+      if (std::abs(i - j) < 2) continue;
+      const Vec3 e = p(j + 1) - p(j), r = p(i) - p(j);
+      const double share = std::clamp(r.dot(e) / e.squaredNorm(), 0.0, 1.0);
+      best = std::min(best, (r - share * e).norm());
+    }
+    return best;
+  }
+  double turning(const KnotThrow::Strand& strand, const KnotThrow::Strand& other) const {
+    double sum = 0;
+    for (int i = at_node(strand.first - margin(strand)); i <= at_node(strand.last + margin(strand)); ++i) {
+      if (beside(i, other) > near_) continue;
+      const Vec3 e = p(i) - p(i - 1), f = p(i + 1) - p(i);
+      sum += std::atan2(e.cross(f).norm(), e.dot(f));
+    }
+    return sum;
+  }
+
+  const double* node_;
+  int n_;
+  double near_ = 0;
+  double turned_[2] = {};
+};
+
+}  // namespace swage::toolkit

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "knot.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "toolkit/knot_form.hpp"
+
+namespace swage::coupling_knot {
+
+namespace {
+
+enum class Kind : int { kNone, kHalf, kSquare, kGranny, kMixed, kTangled };
+
+/// In a square knot the signs of the throws take turns, in a granny they are alike.
+Kind kind_of(const KnotTold& told) {
+  if (told.tangled != 0) return Kind::kTangled;
+  const int n = static_cast<int>(told.throws);
+  if (n < 2) return n == 0 ? Kind::kNone : Kind::kHalf;
+  bool square = true, granny = true;
+  for (int i = 1; i < std::min(n, KnotTold::kThrows); ++i)
+    (told.tied[i] * told.tied[i - 1] > 0 ? square : granny) = false;
+  return square ? Kind::kSquare : granny ? Kind::kGranny : Kind::kMixed;
+}
+
+}  // namespace
+
+void Knot::build(const KnotParams& params, CouplingBuilder& builder) {
+  params_ = params;
+  builder.state<KnotState>();
+  throws_ = builder.signal("knot.throws", "1", "Throws that are tied.");
+  for (int i = 0; i < KnotTold::kThrows; ++i)
+    tied_[i] = builder.signal(("knot.throw_" + std::to_string(i + 1)).c_str(), "1",
+                              "Turns of this throw, with its sign; 0 where it is not tied.");
+  kind_ = builder.signal("knot.kind", "1",
+                         "0 no knot, 1 half knot, 2 square (signs take turns), 3 granny (signs alike), 4 of both, 5 knotted in another way.");
+  sliding_ = builder.signal("knot.sliding", "1", "Throws in which one strand runs straight: they slide.");
+  certain_ = builder.signal("knot.certain", "1", "1 when all views of the thread agreed in the last reading, else 0.");
+  passages_ = builder.signal("knot.passages", "1", "How often the thread has gone through itself.");
+  tied_event_ = builder.event("knot.tied", "A throw has been tied; value: its turns with their sign.");
+  untied_event_ = builder.event("knot.untied", "A throw has come undone; value: the turns it had, with their sign.");
+  tangled_event_ = builder.event("knot.tangled", "The thread is knotted in another way than by throws.");
+  passage_event_ = builder.event("knot.passage",
+                                 "The thread has gone through itself: what is tied from here on is not to be trusted; value: where, in m from "
+                                 "its first end.");
+}
+
+void Knot::bind(const Peer& a, const Peer& b) {
+  thread_ = StrandPeer(a);
+  if (!thread_.valid()) return refuse("the thread has no table of " SWAGE_TRAIT_STRAND);
+  if (a.raw() != b.raw()) refuse("a knot is of one thread: name the same one twice in \"between\"");
+}
+
+void Knot::reset(const CouplingStep& step) { step.state<KnotState>() = {}; }
+
+/// The longest piece of the thread that has not parted.
+void Knot::look(const CouplingStep& step) {
+  places_ = 0;
+  const auto law = thread_.law(step.a());
+  if (!law) return;
+  length_ = law->length;
+  int run = 0;
+  for (int i = 0; i < params_.places; ++i) {
+    const auto place = thread_.place(step.a(), length_ * i / (params_.places - 1));
+    if (!place) return void(places_ = 0);
+    const swage_vec3& p = place->p_W;
+    p_W_[3 * i] = p.x, p_W_[3 * i + 1] = p.y, p_W_[3 * i + 2] = p.z;
+    run = place->parted != 0 ? 0 : run + 1;
+    if (run > places_) places_ = run, first_ = i + 1 - run;
+  }
+}
+
+void Knot::find_passages(const CouplingStep& step, KnotState& state) {
+  const double* now = p_W_ + 3 * first_;
+  if (state.places == places_ && state.first == first_) {
+    const int n = finder_.find(state.p_W, now, places_, found_);
+    state.passages += std::max(0, n);
+    for (const toolkit::KnotPassage& p : found_)
+      step.event(passage_event_, length_ * (first_ + p.s) / (params_.places - 1));
+  }
+  std::copy_n(now, 3 * places_, state.p_W);
+  state.places = places_, state.first = first_;
+}
+
+void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
+  KnotTold seen;
+  state.certain = said.certain;
+  state.sliding = 0;
+  if (said.certain) {
+    seen.throws = said.word.throws;
+    for (int i = 0; i < said.word.throws; ++i) {
+      const toolkit::KnotThrow& t = said.word.tied[static_cast<size_t>(i)];
+      if (i < KnotTold::kThrows) seen.tied[i] = t.sign * t.turns;
+      state.sliding += toolkit::KnotForm(state.p_W, places_, t).core() >= 0;
+    }
+  } else if (said.word.others > 0) {
+    seen.tangled = 1;
+  } else {
+    return;  // the views contradicted each other: what was read before stands
+  }
+  if (!(seen == state.seen)) state.seen = seen, state.seen_s = 0;
+}
+
+void Knot::read(const CouplingStep& step, KnotState& state) {
+  state.wait_s -= step.dt();
+  if (state.reading == 0) {
+    if (state.wait_s > 0) return;
+    state.wait_s = params_.period;
+    state.reading = state.thread.begin(state.p_W, places_);
+    return;
+  }
+  toolkit::KnotName said;
+  if (!reader_.read(state.thread, params_.work, said)) return;
+  state.reading = 0;
+  take(said, state);
+}
+
+/// What has been seen for long enough is told: throws that are gone, from the last on, then those that are new.
+void Knot::tell(const CouplingStep& step, KnotState& state) const {
+  state.seen_s += step.dt();
+  if (state.seen == state.told || state.seen_s < params_.settle) return;
+  const KnotTold &old = state.told, &now = state.seen;
+  if (now.tangled != 0) {
+    if (old.tangled == 0) step.event(tangled_event_);
+    state.told.tangled = 1;  // the throws that were told stand
+    return;
+  }
+  const auto count = [](const KnotTold& t) { return std::min(static_cast<int>(t.throws), KnotTold::kThrows); };
+  int same = 0;
+  while (same < count(old) && same < count(now) && old.tied[same] == now.tied[same]) ++same;
+  for (int i = count(old); i-- > same;) step.event(untied_event_, old.tied[i]);
+  for (int i = same; i < count(now); ++i) step.event(tied_event_, now.tied[i]);
+  state.told = now;
+}
+
+void Knot::write(const CouplingStep& step, const KnotState& state) const {
+  step.signal(throws_, state.told.throws);
+  for (int i = 0; i < KnotTold::kThrows; ++i) step.signal(tied_[i], state.told.tied[i]);
+  step.signal(kind_, static_cast<int>(kind_of(state.told)));
+  step.signal(sliding_, state.sliding);
+  step.signal(certain_, state.certain);
+  step.signal(passages_, state.passages);
+}
+
+void Knot::finish(const CouplingStep& step) {
+  KnotState& state = step.state<KnotState>();
+  look(step);
+  if (places_ > 1) {
+    find_passages(step, state);
+    read(step, state);
+    tell(step, state);
+  }
+  write(step, state);
+}
+
+}  // namespace swage::coupling_knot
+
+SWAGE_EXPORT(swage::coupling_knot::Knot)

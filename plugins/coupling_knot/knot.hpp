@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.coupling.knot: names what is tied in a thread, throw by throw. It changes nothing. Model and limits: coupling_knot.md.
+#pragma once
+
+#include <swage/coupling.hpp>
+#include <swage/strand.hpp>
+
+#include "toolkit/knot_passage.hpp"
+#include "toolkit/knot_reader.hpp"
+
+namespace swage::coupling_knot {
+
+struct KnotParams {
+  int places = 201;
+  double period = 16e-3;  // s
+  double settle = 50e-3;  // s
+  int work = 1500;
+};
+
+/// What is told of a thread.
+struct KnotTold {
+  static constexpr int kThrows = 6;
+  double throws = 0;
+  double tied[kThrows] = {};  // turns with their sign, the first throw first
+  double tangled = 0;         // 1: knotted in another way than by throws
+  bool operator==(const KnotTold&) const = default;
+};
+
+/// The private numbers.
+struct KnotState {
+  double places = 0, first = 0;  // of the piece that is looked at: how many, and the first of them; 0: not looked at yet
+  double reading = 0;            // 1 while the knot is being read
+  double wait_s = 0;             // s, to the next reading
+  KnotTold told, seen;           // what stands; what was read last
+  double seen_s = 0;             // s, for how long
+  double sliding = 0, certain = 1, passages = 0;
+  double p_W[3 * toolkit::KnotPassages::kNodes] = {};  // m, places of the step before
+  toolkit::KnotThread thread;
+};
+
+class Knot final : public Coupling<KnotParams> {
+ public:
+  static constexpr auto id = "swage.coupling.knot";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Knot";
+  static constexpr auto summary =
+      "Names what is tied in a thread, throw by throw with turns and sign; tells square from granny and flat from sliding, and notices "
+      "when the thread goes through itself.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr std::array needs_a{SWAGE_TRAIT_STRAND}, needs_b{SWAGE_TRAIT_STRAND};
+  static constexpr bool detects = false;
+
+  static constexpr std::array fields = {
+      integer<&KnotParams::places>("places", "Places", 16, 401,
+                                   "Of the thread that are looked at, ends included. One more than its segments, or than a multiple of "
+                                   "them, sees it exactly as it is."),
+      real<&KnotParams::period>("period", "Period", "s", "ms", 1e-3, 1, "From one reading to the next."),
+      real<&KnotParams::settle>("settle", "Settling time", "s", "ms", 0, 1,
+                                "A knot is told when it has been read so long without a change."),
+      integer<&KnotParams::work>("work", "Work in a step", 100, 100000,
+                                 "Tests of a piece of the thread with another that a reading may take in a step. 1500 are about 30 us.")
+          .hidden(),
+  };
+
+  void build(const KnotParams& params, CouplingBuilder& builder) override;
+  void bind(const Peer& a, const Peer& b) override;
+  void reset(const CouplingStep& step) override;
+  void finish(const CouplingStep& step) override;
+
+ private:
+  void look(const CouplingStep& step);
+  void find_passages(const CouplingStep& step, KnotState& state);
+  void read(const CouplingStep& step, KnotState& state);
+  void take(const toolkit::KnotName& said, KnotState& state) const;
+  void tell(const CouplingStep& step, KnotState& state) const;
+  void write(const CouplingStep& step, const KnotState& state) const;
+
+  KnotParams params_;
+  StrandPeer thread_;
+  Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, certain_, passages_;
+  Event tied_event_, untied_event_, tangled_event_, passage_event_;
+
+  // of the present step
+  int places_ = 0, first_ = 0;
+  double p_W_[3 * toolkit::KnotPassages::kNodes];
+  double length_ = 0;
+  toolkit::KnotPassages finder_;
+  toolkit::KnotPassages::Found found_;
+  toolkit::KnotReader reader_;
+};
+
+}  // namespace swage::coupling_knot
