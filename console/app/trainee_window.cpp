@@ -23,10 +23,22 @@ QString layout_words(StereoLayout layout) {
       return QObject::tr("Side by side");
     case StereoLayout::kOverUnder:
       return QObject::tr("Over and under");
+    case StereoLayout::kLines:
+      return QObject::tr("Lines in turn (passive 3D)");
+    case StereoLayout::kChecker:
+      return QObject::tr("Chess board (DLP 3D)");
     case StereoLayout::kAnaglyph:
-      return QObject::tr("Red and cyan glasses");
+      return QObject::tr("Red and cyan glasses, colour");
+    case StereoLayout::kAnaglyphGrey:
+      return QObject::tr("Red and cyan glasses, grey");
+    case StereoLayout::kAnaglyphLeast:
+      return QObject::tr("Red and cyan glasses, least ghosts");
     case StereoLayout::kOneEye:
       return QObject::tr("One eye");
+    case StereoLayout::kLeftEye:
+      return QObject::tr("Left eye only");
+    case StereoLayout::kRightEye:
+      return QObject::tr("Right eye only");
   }
   return {};
 }
@@ -38,6 +50,7 @@ TraineeLook read_trainee_look(const Settings& settings) {
   StereoLook& stereo = look.stereo;
   stereo.layout = layout_of(settings.text("trainee_layout"));
   stereo.squeezed = flag(settings, "trainee_squeezed");
+  stereo.mirror = mirror_of(settings.text("trainee_mirror"));
   stereo.rig.swapped = flag(settings, "trainee_swapped");
   stereo.rig.eye_distance_mm =
       settings.text("trainee_eye_distance_mm", QString::number(StereoRig{}.eye_distance_mm)).toFloat();
@@ -51,6 +64,7 @@ TraineeLook read_trainee_look(const Settings& settings) {
 void remember(const TraineeLook& look, Settings& settings) {
   settings.set("trainee_layout", layout_name(look.stereo.layout));
   settings.set("trainee_squeezed", look.stereo.squeezed);
+  settings.set("trainee_mirror", mirror_name(look.stereo.mirror));
   settings.set("trainee_swapped", look.stereo.rig.swapped);
   settings.set("trainee_eye_distance_mm", look.stereo.rig.eye_distance_mm);
   settings.set("trainee_convergence_mm", look.stereo.rig.convergence_mm);
@@ -109,6 +123,14 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
   squeezed_->setChecked(look.stereo.squeezed);
   form->addRow(QString(), squeezed_);
+  mirror_ = new QComboBox(this);
+  mirror_->setObjectName(QStringLiteral("trainee_mirror"));
+  mirror_->addItem(tr("None"), mirror_name(Mirror::kNone));
+  mirror_->addItem(tr("Left and right"), mirror_name(Mirror::kLeftRight));
+  mirror_->addItem(tr("Up and down"), mirror_name(Mirror::kUpDown));
+  mirror_->setCurrentIndex(mirror_->findData(mirror_name(look.stereo.mirror)));
+  mirror_->setToolTip(tr("For a screen that is seen in a mirror over the hand"));
+  form->addRow(tr("&Mirror"), mirror_);
   swapped_ = new QCheckBox(tr("S&wap eyes"), this);
   swapped_->setChecked(look.stereo.rig.swapped);
   form->addRow(QString(), swapped_);
@@ -136,7 +158,7 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   toggle_->setDefault(true);
   form->addRow(toggle_);
   set_open(false);
-  for (QComboBox* box : {layout_, screen_})
+  for (QComboBox* box : {layout_, mirror_, screen_})
     connect(box, &QComboBox::currentIndexChanged, this, &TraineeSettings::changed);
   for (QCheckBox* box : {squeezed_, swapped_, full_})
     connect(box, &QCheckBox::toggled, this, &TraineeSettings::changed);
@@ -161,6 +183,7 @@ TraineeLook TraineeSettings::look() const {
   TraineeLook look;
   look.stereo.layout = layout_of(layout_->currentData().toString());
   look.stereo.squeezed = squeezed_->isChecked();
+  look.stereo.mirror = mirror_of(mirror_->currentData().toString());
   look.stereo.rig = {static_cast<float>(eyes_->value()), static_cast<float>(convergence_->value()),
                      swapped_->isChecked()};
   look.screen = screen_->currentIndex();

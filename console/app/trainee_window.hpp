@@ -59,7 +59,7 @@ class TraineeSettings : public QDialog {
  private:
   QDoubleSpinBox* length(const QString& name, float value, double most, const QString& tip);
 
-  QComboBox *layout_, *screen_;
+  QComboBox *layout_, *mirror_, *screen_;
   QDoubleSpinBox *eyes_, *convergence_;
   QCheckBox *squeezed_, *swapped_, *full_;
   QPushButton* toggle_;

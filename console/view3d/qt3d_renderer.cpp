@@ -102,7 +102,10 @@ class Qt3dRenderer final : public Renderer {
       }
       const auto& [eye, part] = views[i];
       const double w = size_.width(), h = size_.height();
-      target_->show(i, {part.x() / w, part.y() / h, part.width() / w, part.height() / h});
+      // Qt3D cuts to whole pixels: what is a rounding below would lie one pixel further left, and an eye would see another depth
+      constexpr double kNudge_px = 0.25;
+      target_->show(i, {(part.x() + kNudge_px) / w, (part.y() + kNudge_px) / h, (part.width() + kNudge_px) / w,
+                        (part.height() + kNudge_px) / h});
       Qt3DRender::QCamera* camera = target_->camera(i);
       camera->lens()->setProjectionMatrix(eye.projection);
       camera->setPosition(eye.position);

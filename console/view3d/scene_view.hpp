@@ -124,7 +124,7 @@ class SceneView : public QWidget {
   QVector3D aim_near(const QVector3D& tips) const;
   const Panel* drawn(const Panel& panel, size_t index) const;
   void paint_panel(QPainter& painter, const Panel& panel, size_t index);
-  void paint_anaglyph(QPainter& painter, const std::vector<Panel>& two);
+  void paint_eyes(QPainter& painter, const std::vector<Panel>& all);
   void paint_frame(QPainter& painter, const Panel& inset) const;
   void paint_words(QPainter& painter);
   QString hint() const;

@@ -40,8 +40,11 @@ swage_pointer SceneView::moved(const QPointF& from, const QPointF& to) {
   const Panel panel = panel_at(from);
   const Eye& eye = panel.view.eye;
   const double px = panel.size.height();
-  const QPointF delta((to.x() - from.x()) * panel.size.width() / panel.at.width(),
+  QPointF delta((to.x() - from.x()) * panel.size.width() / panel.at.width(),
                       (to.y() - from.y()) * px / panel.at.height());
+  // in a mirror the tips go with the hand and not with the screen
+  if (stereo_ && stereo_->mirror == Mirror::kLeftRight) delta.setX(-delta.x());
+  if (stereo_ && stereo_->mirror == Mirror::kUpDown) delta.setY(-delta.y());
   input_.set_camera(eye.q_WC());
   return input_.moved(delta,
                       parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, middle_of_tips()));

@@ -153,16 +153,30 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   painter.restore();
 }
 
-void SceneView::paint_anaglyph(QPainter& painter, const std::vector<Panel>& two) {
-  QImage eye[2];
-  for (size_t i = 0; i < 2; ++i) {
-    eye[i] = QImage((two[i].at.size() * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
-    eye[i].setDevicePixelRatio(devicePixelRatioF());
-    QPainter own(&eye[i]);
-    own.setFont(font());
-    paint_panel(own, two[i], i);
+// Each eye's picture by itself, words and all, then reflected and laid on the other or beside it.
+void SceneView::paint_eyes(QPainter& painter, const std::vector<Panel>& all) {
+  const double ratio = devicePixelRatioF();
+  std::vector<QImage> eye;
+  for (size_t i = 0; i < all.size(); ++i) {
+    QImage picture((all[i].at.size() * ratio).toSize(), QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    Panel own = all[i];
+    own.at.moveTopLeft({});
+    QPainter onto(&picture);
+    onto.setFont(font());
+    paint_panel(onto, own, i);
+    onto.end();
+    eye.push_back(picture.mirrored(stereo_->mirror == Mirror::kLeftRight, stereo_->mirror == Mirror::kUpDown));
+    eye.back().setDevicePixelRatio(ratio);
   }
-  painter.drawImage(rect(), red_cyan(eye[0], eye[1]));
+  if (overlaid(stereo_->layout) && eye.size() == 2) {
+    // lines and chess boards are those of the screen, wherever the window lies
+    const QPoint origin = (QPointF(mapToGlobal(QPoint())) * ratio).toPoint();
+    QImage together = overlay_eyes(stereo_->layout, eye[0], eye[1], origin);
+    together.setDevicePixelRatio(ratio);
+    return painter.drawImage(QPointF(), together);
+  }
+  for (size_t i = 0; i < all.size(); ++i) painter.drawImage(all[i].at.topLeft(), eye[i]);
 }
 
 // a corner that shows the depth or a wound: what it is, and how large
@@ -227,8 +241,7 @@ void SceneView::paintEvent(QPaintEvent*) {
     return paint_placeholder(painter);
   }
   const std::vector<Panel> all = panels();
-  if (stereo_ && all.size() == 2 && stereo_->layout == StereoLayout::kAnaglyph)
-    return paint_anaglyph(painter, all);
+  if (stereo_ && (overlaid(stereo_->layout) || stereo_->mirror != Mirror::kNone)) return paint_eyes(painter, all);
   for (size_t i = 0; i < all.size(); ++i) {
     paint_panel(painter, all[i], i);
     if (all[i].inset != Inset::kNone) paint_frame(painter, all[i]);

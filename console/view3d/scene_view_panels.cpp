@@ -84,7 +84,7 @@ std::vector<SceneView::Panel> SceneView::panels() const {
       const QSizeF own = stereo_->squeezed ? all : two[i].size();
       out.push_back({two[i], own, {two_eyes(camera_, stereo_->rig, shape(own))[i], {}}});
     }
-    if (out.size() == 1) out[0].view.eye = middle_eye(camera_, shape(out[0].size));
+    if (stereo_->layout == StereoLayout::kOneEye) out[0].view.eye = middle_eye(camera_, shape(out[0].size));
   } else {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(camera_, shape(all)), {}}});
     if (second_shown_ && !second_.empty()) {

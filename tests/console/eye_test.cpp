@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QColor>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -136,15 +138,82 @@ TEST(StereoLook, PicturesFillTheScreenWithoutOverlap) {
   EXPECT_EQ(over[1], QRectF(0, 540, 1920, 540));
   EXPECT_EQ(places(StereoLayout::kAnaglyph, screen)[1], QRectF(QPointF(), screen));
   EXPECT_TRUE(places(StereoLayout::kOneEye, screen)[1].isEmpty());
+  EXPECT_TRUE(places(StereoLayout::kRightEye, screen)[0].isEmpty());
   for (const StereoLayout l : kStereoLayouts) EXPECT_EQ(layout_of(layout_name(l)), l);
+  for (const Mirror m : {Mirror::kNone, Mirror::kLeftRight, Mirror::kUpDown}) EXPECT_EQ(mirror_of(mirror_name(m)), m);
   EXPECT_EQ(layout_of(QStringLiteral("hologram")), StereoLayout::kSideBySide);
 }
 
-TEST(StereoLook, RedIsForTheLeftEye) {
-  QImage left(4, 2, QImage::Format_RGB32), right(4, 2, QImage::Format_RGB32);
-  left.fill(QColor(200, 10, 20));
-  right.fill(QColor(30, 150, 160));
-  EXPECT_EQ(red_cyan(left, right).pixelColor(3, 1), QColor(200, 150, 160));
+/// What each eye sees of a picture on its display: pixels of its own where the display gives it some, else transparent.
+std::array<QImage, 2> decoded(StereoLayout layout, const QImage& screen, const QPoint& origin) {
+  std::array<QImage, 2> out;
+  for (int e = 0; e < 2; ++e) {
+    out[static_cast<size_t>(e)] = QImage(screen.size(), QImage::Format_ARGB32);
+    for (int y = 0; y < screen.height(); ++y)
+      for (int x = 0; x < screen.width(); ++x) {
+        const QRgb p = screen.pixel(x, y);
+        const int line = y + origin.y(), place = line + x + origin.x();
+        QRgb seen = 0;
+        if (layout == StereoLayout::kLines && line % 2 == e) seen = p;
+        if (layout == StereoLayout::kChecker && place % 2 == e) seen = p;
+        if (layout == StereoLayout::kAnaglyph) seen = e == 0 ? qRgb(qRed(p), 0, 0) : qRgb(0, qGreen(p), qBlue(p));
+        if (layout == StereoLayout::kAnaglyphGrey) seen = e == 0 ? qRgb(qRed(p), qRed(p), qRed(p)) : qRgb(qBlue(p), qBlue(p), qBlue(p));
+        out[static_cast<size_t>(e)].setPixel(x, y, seen);
+      }
+  }
+  return out;
+}
+
+QImage noise(unsigned seed) {
+  QImage image(31, 17, QImage::Format_RGB32);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      seed = seed * 1664525U + 1013904223U;
+      image.setPixel(x, y, 0xff000000U | seed >> 8);
+    }
+  return image;
+}
+
+TEST(StereoLook, EveryOverlaidPictureComesApartIntoItsTwoEyes) {
+  const QImage eyes[2] = {noise(1), noise(2)};
+  for (const QPoint origin : {QPoint(0, 0), QPoint(3, 0), QPoint(100, 41)}) {
+    for (const StereoLayout l : {StereoLayout::kLines, StereoLayout::kChecker, StereoLayout::kAnaglyph, StereoLayout::kAnaglyphGrey}) {
+      const auto seen = decoded(l, overlay_eyes(l, eyes[0], eyes[1], origin), origin);
+      int pixels[2] = {0, 0};
+      for (int e = 0; e < 2; ++e)
+        for (int y = 0; y < 17; ++y)
+          for (int x = 0; x < 31; ++x) {
+            const QRgb s = seen[static_cast<size_t>(e)].pixel(x, y), own = eyes[e].pixel(x, y);
+            if (qAlpha(s) == 0) continue;
+            ++pixels[e];
+            const int grey = qGray(own);
+            const QRgb expected = l == StereoLayout::kAnaglyph       ? e == 0 ? qRgb(qRed(own), 0, 0) : qRgb(0, qGreen(own), qBlue(own))
+                                  : l == StereoLayout::kAnaglyphGrey ? qRgb(grey, grey, grey)
+                                                                     : own;
+            ASSERT_EQ(s, expected) << layout_name(l).toStdString() << " eye " << e << " at " << x << ", " << y;
+          }
+      const int all = 31 * 17;
+      EXPECT_NEAR(pixels[0] + pixels[1], l == StereoLayout::kLines || l == StereoLayout::kChecker ? all : 2 * all, 0);
+      EXPECT_GT(pixels[1], all / 3);
+    }
+  }
+}
+
+// what both eyes share stays grey, and each eye's brightness goes to its own colours
+TEST(StereoLook, LeastGhostsKeepGreyAndSideOfTheEyes) {
+  QImage grey(1, 1, QImage::Format_RGB32), black(1, 1, QImage::Format_RGB32);
+  grey.fill(QColor(120, 120, 120));
+  black.fill(Qt::black);
+  const QColor both = overlay_eyes(StereoLayout::kAnaglyphLeast, grey, grey).pixelColor(0, 0);
+  EXPECT_NEAR(both.red(), 120, 3);
+  EXPECT_NEAR(both.green(), 120, 3);
+  EXPECT_NEAR(both.blue(), 120, 3);
+  const QColor left = overlay_eyes(StereoLayout::kAnaglyphLeast, grey, black).pixelColor(0, 0);
+  const QColor right = overlay_eyes(StereoLayout::kAnaglyphLeast, black, grey).pixelColor(0, 0);
+  EXPECT_NEAR(left.red(), 126, 2);
+  EXPECT_EQ(left.green() + left.blue(), 0);
+  EXPECT_EQ(right.red(), 0);
+  EXPECT_NEAR(right.green(), 138, 2);
 }
 
 }  // namespace
