@@ -116,6 +116,8 @@ void Assembler::place_hand(const LessonDevice& use, host::DeviceSlot& slot) {
   const bool force = (slot.device->flags & SWAGE_DEVICE_FORCE) != 0;
   slot.motion_scale = world ? 1 : use.motion_scale;
   slot.force_scale = force ? use.force_scale : 0;
+  slot.filters = world ? host::HandFilters{} : use.filters;
+  slot.reaction = use.reaction;
   slot.X_WD0 = world ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : use.X_WD0;
 }
 

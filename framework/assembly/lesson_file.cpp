@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "assembly/hand_shaping.hpp"
 #include "assembly/lesson_text.hpp"
 #include "assembly/reader.hpp"
 #include "assembly/source_map.hpp"
@@ -117,6 +118,8 @@ class LessonParser {
     device.motion_scale = reader.quantity("motion_scale", "1", 1, 1e-3, 1e3);
     device.force_scale = reader.quantity("force_scale", "1", 0, 0, 1e3);
     device.X_WD0 = reader.pose("pose");
+    if (const Json* filters = reader.find("filters")) read_filters(*filters, reader.at("filters"), teller_, device.filters);
+    if (const Json* reaction = reader.find("reaction")) read_reaction(*reaction, reader.at("reaction"), teller_, device.reaction);
     reader.each("or", kMostChoices, [&](const Json& j, const std::string& p) {
       ObjectReader alternative(j, p, "an alternative of a device", teller_);
       DeviceChoice choice;

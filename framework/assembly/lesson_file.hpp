@@ -15,6 +15,7 @@
 #include "assembly/places.hpp"
 #include "assembly/settings.hpp"
 #include "base/problem.hpp"
+#include "host/hand_shaping.hpp"
 
 namespace swage::assembly {
 
@@ -35,6 +36,8 @@ struct LessonDevice {
   double motion_scale = 1;            // hand movement over scene movement
   double force_scale = 0;             // N at the hand per N in the scene
   swage_pose X_WD0{{0, 0, 0}, {1, 0, 0, 0}};
+  host::HandFilters filters;
+  host::Reaction reaction;
 };
 
 struct LessonObject : PluginUse {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "contact/contact_set.hpp"
+#include "host/hand_shaping.hpp"
 #include "host/instance.hpp"
 #include "judge/verdict.hpp"
 #include "scene/world.hpp"
@@ -63,6 +64,8 @@ struct DeviceSlot {
   double motion_scale = 1;                    // hand movement over scene movement: 10 under a x10 microscope
   double force_scale = 0;                     // N at the hand per N in the scene; 0: no force is sent
   swage_pose X_WD0{};                         // device frame in the world; identity for SWAGE_DEVICE_WORLD
+  HandFilters filters;                        // nothing for SWAGE_DEVICE_WORLD
+  Reaction reaction;                          // how the scene's force grows into the hand's
   std::string choice, params;  // "as" name and parameters that the lesson gave it, for the record
 };
 

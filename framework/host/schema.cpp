@@ -130,6 +130,24 @@ Json pose_schema() {
   return closed({{"p", three("m")}, {"q", four}, {"rpy", three("rad")}}, {});
 }
 
+Json filters_schema() {
+  const Json bits = list({{"type", "integer"}, {"minimum", 0}, {"maximum", 31}});
+  return closed({{"rate", quantity_schema("Hz", 0, 1e3)},
+                 {"low_pass", quantity_schema("Hz", 0, 500)},
+                 {"dead_band", quantity_schema("m", 0, 0.1)},
+                 {"dead_turn", quantity_schema("rad", 0, 1)},
+                 {"clutch", bits}},
+                {});
+}
+
+Json reaction_schema() {
+  const Json point = {{"type", "array"}, {"items", quantity_schema("N", 0, 1e3)}, {"minItems", 2}, {"maxItems", 2}};
+  return closed({{"law", {{"enum", {"proportional", "null zone", "threshold", "quadratic", "table"}}}},
+                 {"from", quantity_schema("N", 0, 1e3)},
+                 {"table", list(point)}},
+                {"law"});
+}
+
 Json device_schema(const std::vector<PluginInfo>& plugins, const Json& name) {
   return use_schema(plugins, SWAGE_KIND_DEVICE,
                     {{"name", name},
@@ -137,6 +155,8 @@ Json device_schema(const std::vector<PluginInfo>& plugins, const Json& name) {
                      {"motion_scale", quantity_schema("1", 1e-3, 1e3)},
                      {"force_scale", quantity_schema("1", 0, 1e3)},
                      {"pose", pose_schema()},
+                     {"filters", filters_schema()},
+                     {"reaction", reaction_schema()},
                      {"or", list(use_schema(plugins, SWAGE_KIND_DEVICE, {{"as", name}}, {}))}},
                     {"name"});
 }

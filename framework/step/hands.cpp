@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "scene/kinematics.hpp"
 #include "step/limits.hpp"
+#include "step/reaction.hpp"
 #include "toolkit/math.hpp"
 #include "toolkit/mirror.hpp"
 
@@ -73,6 +74,8 @@ Hands::Hands(host::Rig& rig, std::vector<DevicePort*> ports)
   X_WD_.resize(devices);
   seen_.resize(devices);
   hold_.resize(devices);
+  const auto shaped = [](const host::DeviceSlot& slot) { return slot.filters.shape(); };
+  if (std::any_of(rig.devices.begin(), rig.devices.end(), shaped)) filter_.resize(devices);
   input_.resize(rig.objects.size());
   for (const scene::BodyInfo& body : rig.world.body) {
     const Pose X_WO = body.object < rig.objects.size() ? Pose(rig.objects[body.object].X_WO) : Pose();
@@ -86,6 +89,7 @@ void Hands::reset() noexcept {
   for (swage_sample& s : sample_) s.pose.q.w = 1;
   std::fill(seen_.begin(), seen_.end(), uint8_t{0});
   std::fill(hold_.begin(), hold_.end(), Hold{});
+  std::fill(filter_.begin(), filter_.end(), FilterMemory{});
   for (uint32_t i = 0; i < X_WD_.size(); ++i) X_WD_[i] = rig_.devices[i].X_WD0;
   for (uint32_t i = 0; i < input_.size(); ++i) {
     input_[i] = {};
@@ -111,6 +115,7 @@ void Hands::save(scene::Writer& out) const noexcept {
   out.put(input_);
   for (const uint8_t seen : seen_) out.put(uint64_t{seen});
   out.put(hold_);
+  if (!filter_.empty()) out.put(filter_);
 }
 
 bool Hands::restore(scene::Reader& in) noexcept {
@@ -123,6 +128,7 @@ bool Hands::restore(scene::Reader& in) noexcept {
     seen = static_cast<uint8_t>(word);
   }
   in.get(hold_);
+  if (!filter_.empty()) in.get(filter_);
   return in.ok();
 }
 
@@ -187,6 +193,12 @@ void Hands::place(uint32_t device) noexcept {
     ++hold_[device].pose_gone;
     return;
   }
+  // a tool that is clutched stays, and is met again however short that was
+  if (clutched(device)) {
+    hold_[device].pose_gone = std::max(hold_[device].pose_gone + 1, static_cast<uint64_t>(std::ceil(kLost / rig_.world.dt)));
+    return;
+  }
+  if (slot.filters.shape()) pose = filtered(slot.filters, filter_[device], pose, returns(device), rig_.world.dt);
   if (!(slot.device->flags & SWAGE_DEVICE_WORLD)) {
     const double k = 1 / slot.motion_scale;
     const Pose X_WD0(slot.X_WD0), X_D0H(Vec3(k * toolkit::vec(pose.p)), toolkit::quat(pose.q));
@@ -198,13 +210,22 @@ void Hands::place(uint32_t device) noexcept {
   seen_[device] = 1;
 }
 
+bool Hands::clutched(uint32_t device) const noexcept {
+  const swage_sample& sample = sample_[device];
+  return (sample.valid & SWAGE_VALID_BUTTONS) != 0 && (sample.buttons & rig_.devices[device].filters.clutch) != 0;
+}
+
+bool Hands::returns(uint32_t device) const noexcept {
+  return seen_[device] && static_cast<double>(hold_[device].pose_gone) * rig_.world.dt >= kLost;
+}
+
 // A hand that comes back after it was lost goes on from where its tool stands: the way between is kept, or, where a device speaks of
 // the world itself, faded out.
 void Hands::meet_pose(uint32_t device, swage_pose& X_WD) noexcept {
   Hold& hold = hold_[device];
-  const bool returns = seen_[device] && static_cast<double>(hold.pose_gone) * rig_.world.dt >= kLost;
+  const bool again = returns(device);
   hold.pose_gone = 0;
-  if (returns) {
+  if (again) {
     const Pose was(X_WD_[device]), now(X_WD);
     hold.p = toolkit::raw(Vec3(was.p - now.p));
     hold.q = toolkit::raw(Quat(now.q.conjugate() * was.q));
@@ -346,11 +367,13 @@ ToolForce Hands::to_hand(uint32_t device, const Felt& tool) const noexcept {
   const Quat q_D0W = in_world ? Quat::Identity() : toolkit::quat(slot.X_WD0.q).conjugate();
   const Vec3 origin = in_world ? Vec3(Vec3::Zero()) : toolkit::vec(slot.X_WD0.p);
   const double s = in_world ? 1 : slot.motion_scale;
+  const double f = felt.f_W.norm();
+  const double k = slot.force_scale * (f > 0 ? felt_force(slot.reaction, f) / f : 1);
   ToolForce out;
   out.step = rig_.world.step;
   out.time_s = rig_.world.time();
-  out.force = toolkit::raw(Vec3(q_D0W * (slot.force_scale * felt.f_W)));
-  out.torque = toolkit::raw(Vec3(q_D0W * (slot.force_scale * s * felt.t_W)));
+  out.force = toolkit::raw(Vec3(q_D0W * (k * felt.f_W)));
+  out.torque = toolkit::raw(Vec3(q_D0W * (k * s * felt.t_W)));
   out.anchor = {toolkit::raw(Vec3(q_D0W * (s * (felt.X_WT.p - origin)))),
                 toolkit::raw(Quat(q_D0W * felt.X_WT.q))};
   out.anchor_twist = {toolkit::raw(Vec3(q_D0W * (s * toolkit::vec(felt.V_WT.v)))),

@@ -11,6 +11,7 @@
 #include "host/rig.hpp"
 #include "scene/state_image.hpp"
 #include "step/device_port.hpp"
+#include "step/hand_filter.hpp"
 #include "step/tool_proxy.hpp"
 #include "step/write_guard.hpp"
 #include "toolkit/math.hpp"
@@ -52,6 +53,8 @@ class Hands {
   };
   bool usable(uint32_t device) const noexcept;
   void place(uint32_t device) noexcept;
+  bool clutched(uint32_t device) const noexcept;
+  bool returns(uint32_t device) const noexcept;
   void meet_pose(uint32_t device, swage_pose& X_WD) noexcept;
   void hold_closure(uint32_t device) noexcept;
   void map_input(uint32_t object) noexcept;
@@ -73,6 +76,7 @@ class Hands {
   std::vector<swage_pose> X_WD_;      // of each device: the hand in the scene, last valid one
   std::vector<uint8_t> seen_;         // of each device: a valid pose has come
   std::vector<Hold> hold_;            // of each device
+  std::vector<FilterMemory> filter_;  // of each device; empty where nobody is filtered, and then no part of the state
   std::vector<swage_input> input_;    // of each object
   std::vector<swage_pose> X_OB_;      // of each body: as declared in its object
 };

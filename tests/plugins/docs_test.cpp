@@ -29,6 +29,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.device.replay", "devices/replay/replay.md"},
     {"swage.device.mouse", "devices/mouse/mouse.md"},
     {"swage.device.gamepad", "devices/gamepad/gamepad.md"},
+    {"swage.device.openhaptics", "devices/openhaptics/openhaptics.md"},
     {"swage.device.spacemouse", "devices/spacemouse/spacemouse.md"},
     {"swage.device.tablet", "devices/tablet/tablet.md"},
     {"swage.device.jaw_sensor", "devices/jaw_sensor/jaw_sensor.md"},

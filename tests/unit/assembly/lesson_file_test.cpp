@@ -10,6 +10,7 @@
 using namespace swage;
 using assembly::LessonFile;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 namespace {
@@ -56,6 +57,23 @@ TEST(LessonFile, CountsAreCapped) {
   EXPECT_THAT(with("\"" + std::string(300, 'k') + "\": 1").said.size(), 1u);
 }
 
+TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
+  const auto said = [](const std::string& device) {
+    const Read r(R"({"format": "swage-lesson/1", "id": "org.example.l", "title": "T", "devices": [{"name": "hand", "plugin": "p.q", )" + device +
+                 R"(}], "objects": [], "couplings": [], "lesson": {"plugin": "p.l"}})");
+    return r.said.empty() ? std::string() : r.said.front();
+  };
+  EXPECT_EQ(said(R"("filters": {"low_pass": "10 Hz"}, "reaction": {"law": "quadratic", "from": "0.2 N"})"), "");
+  EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr("a button of a clutch is a whole number from 0 to 31, not 32."));
+  EXPECT_THAT(said(R"("filters": {"lowpass": 1})"), HasSubstr("lowpass"));
+  EXPECT_THAT(said(R"("reaction": {"law": "cubic"})"), HasSubstr("There is: proportional, null zone, threshold, quadratic, table."));
+  EXPECT_THAT(said(R"("reaction": {"law": "threshold"})"), HasSubstr("needs \"from\", a force above 0 N."));
+  EXPECT_THAT(said(R"("reaction": {"law": "table"})"), HasSubstr("at least two points"));
+  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], [1, 2], [1, 3]]})"), HasSubstr("rise from point to point"));
+  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], ["1 mm", 2]]})"), HasSubstr("a point is the force in the scene"));
+  EXPECT_THAT(said(R"("reaction": {"law": "quadratic", "from": 1, "table": []})"), HasSubstr("belongs to the law"));
+}
+
 TEST(LessonFile, ReadsEverything) {
   const Read r(R"({
     "format": "swage-lesson/1", "id": "org.example.l", "title": "Title", "summary": "Summary.",
@@ -64,6 +82,8 @@ TEST(LessonFile, ReadsEverything) {
     "gravity": ["0 m/s2", 0, -1.6], "max_time": "90 s", "requires": {"p.q": "^1.2"},
     "devices": [{"name": "hand", "plugin": "p.mouse", "motion_scale": 10, "force_scale": "50 %",
                  "pose": {"p": ["1 mm", 0, 0]},
+                 "filters": {"rate": "2 Hz", "low_pass": "10 Hz", "dead_band": "0.1 mm", "dead_turn": "1 deg", "clutch": [0, 3]},
+                 "reaction": {"law": "table", "table": [[0, 0], ["20 mN", "0.1 N"], [1, "0.2 N"]]},
                  "or": [{"as": "expert", "plugin": "p.script", "params": {"file": "a"}}]}],
     "objects": [{"name": "tool", "plugin": "p.q", "follows": {"pose": "hand"}, "params": {"a": "1 mm"},
                  "pose": {"rpy": ["90 deg", 0, "90 deg"]}},
@@ -82,6 +102,15 @@ TEST(LessonFile, ReadsEverything) {
   EXPECT_EQ(f.devices[0].motion_scale, 10);
   EXPECT_EQ(f.devices[0].force_scale, 0.5);
   EXPECT_EQ(f.devices[0].X_WD0.p.x, 1e-3);
+  EXPECT_EQ(f.devices[0].filters.rate, 2);
+  EXPECT_EQ(f.devices[0].filters.low_pass, 10);
+  EXPECT_EQ(f.devices[0].filters.dead_band, 1e-4);
+  EXPECT_NEAR(f.devices[0].filters.dead_turn, 0.0174533, 1e-6);
+  EXPECT_EQ(f.devices[0].filters.clutch, 9u);
+  EXPECT_EQ(f.devices[0].reaction.law, host::Law::kTable);
+  ASSERT_EQ(f.devices[0].reaction.table.size(), 3u);
+  EXPECT_EQ(f.devices[0].reaction.table[1].scene, 0.02);
+  EXPECT_EQ(f.devices[0].reaction.table[2].hand, 0.2);
   ASSERT_EQ(f.devices[0].choices.size(), 2u);
   EXPECT_EQ(f.devices[0].choices[1].as, "expert");
   EXPECT_EQ(f.devices[0].choices[1].pointer, "/devices/0/or/0");
@@ -98,8 +127,8 @@ TEST(LessonFile, ReadsEverything) {
   EXPECT_EQ(f.couplings[0].name, "c");
   EXPECT_EQ(f.couplings[1].name, "c_2");
   EXPECT_EQ(f.couplings[2].name, "c_3");
-  EXPECT_EQ(f.where("/objects/0/params/a"), "a.json:9 #/objects/0/params/a");
-  EXPECT_EQ(f.where("/objects/0/params/missing"), "a.json:9 #/objects/0/params/missing");
+  EXPECT_EQ(f.where("/objects/0/params/a"), "a.json:11 #/objects/0/params/a");
+  EXPECT_EQ(f.where("/objects/0/params/missing"), "a.json:11 #/objects/0/params/missing");
   EXPECT_EQ(f.where(""), "a.json");
 }
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "assembly/hand_shaping.hpp"
+
+#include "host/units.hpp"
+
+namespace swage::assembly {
+namespace {
+
+using host::Law;
+
+// order of host::Law
+constexpr const char* kLaws[] = {"proportional", "null zone", "threshold", "quadratic", "table"};
+constexpr double kMostForce = 1e3;  // N
+constexpr std::size_t kMostPoints = 32;
+
+bool force(const Json& json, double& out) {
+  if (json.is_number()) {
+    out = json.get<double>();
+    return out >= 0 && out <= kMostForce;
+  }
+  if (!json.is_string()) return false;
+  std::string error;
+  return host::parse_quantity(json.get<std::string>(), "N", "a force", out, error) && out >= 0 && out <= kMostForce;
+}
+
+// from (0, 0) on, both numbers never less than before and the first one always more
+void read_table(ObjectReader& reader, const Teller& teller, host::Reaction& out) {
+  reader.each("table", kMostPoints, [&](const Json& json, const std::string& pointer) {
+    host::Reaction::Point p{};
+    if (!json.is_array() || json.size() != 2 || !force(json[0], p.scene) || !force(json[1], p.hand))
+      return teller.error(pointer, "a point is the force in the scene and that at the hand, [\"20 mN\", \"0.1 N\"], not " + short_dump(json) + ".");
+    const bool rises = out.table.empty() ? p.scene == 0 && p.hand == 0 : p.scene > out.table.back().scene && p.hand >= out.table.back().hand;
+    if (!rises) return teller.error(pointer, "a table begins at [0, 0], and its forces rise from point to point.");
+    out.table.push_back(p);
+  });
+  if (out.table.size() < 2) teller.error(reader.at("table"), "a reaction by table needs \"table\", at least two points.");
+}
+
+}  // namespace
+
+void read_filters(const Json& json, const std::string& pointer, const Teller& teller, host::HandFilters& out) {
+  ObjectReader reader(json, pointer, "\"filters\"", teller);
+  out.rate = reader.quantity("rate", "Hz", 0, 0, 1e3);
+  out.low_pass = reader.quantity("low_pass", "Hz", 0, 0, 500);
+  out.dead_band = reader.quantity("dead_band", "m", 0, 0, 0.1);
+  out.dead_turn = reader.quantity("dead_turn", "rad", 0, 0, 1);
+  reader.each("clutch", 32, [&](const Json& bit, const std::string& at) {
+    if (!bit.is_number_unsigned() || bit.get<uint64_t>() > 31)
+      return teller.error(at, "a button of a clutch is a whole number from 0 to 31, not " + short_dump(bit) + ".");
+    out.clutch |= 1u << bit.get<uint32_t>();
+  });
+  reader.finish();
+}
+
+void read_reaction(const Json& json, const std::string& pointer, const Teller& teller, host::Reaction& out) {
+  ObjectReader reader(json, pointer, "\"reaction\"", teller);
+  const std::string law = reader.choice("law", kLaws);
+  for (std::size_t i = 0; i < std::size(kLaws); ++i)
+    if (law == kLaws[i]) out.law = static_cast<Law>(i);
+  out.from = reader.quantity("from", "N", 0, 0, kMostForce);
+  if (out.law == Law::kTable)
+    read_table(reader, teller, out);
+  else if (reader.find("table") != nullptr)
+    teller.error(reader.at("table"), "\"table\" belongs to the law \"table\".");
+  const bool needs = out.law != Law::kProportional && out.law != Law::kTable;
+  if (needs && !(out.from > 0)) teller.error(reader.at("from"), "the law \"" + law + "\" needs \"from\", a force above 0 N.");
+  reader.finish();
+}
+
+}  // namespace swage::assembly

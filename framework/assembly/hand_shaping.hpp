@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// "filters" and "reaction" of a device in a lesson file. [main]
+#pragma once
+
+#include "assembly/reader.hpp"
+#include "host/hand_shaping.hpp"
+
+namespace swage::assembly {
+
+void read_filters(const Json& json, const std::string& pointer, const Teller& teller, host::HandFilters& out);
+void read_reaction(const Json& json, const std::string& pointer, const Teller& teller, host::Reaction& out);
+
+}  // namespace swage::assembly
