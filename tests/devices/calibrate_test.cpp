@@ -126,7 +126,7 @@ TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {
 
 TEST_F(Calibrate, TheDoctorNamesEveryDriverWithItsRemedy) {
   const nlohmann::json list = swage({"doctor", "--json"}).json();
-  for (const char* id : {"gamepad", "jaw_sensor", "spacemouse", "tablet"}) {
+  for (const char* id : {"gamepad", "jaw_sensor", "openhaptics", "spacemouse", "tablet"}) {
     bool found = false;
     for (const auto& f : list) {
       if (f["name"] != std::string("device swage.device.") + id) continue;

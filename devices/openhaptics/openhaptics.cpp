@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "openhaptics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace swage::openhaptics {
+namespace {
+
+constexpr int kTries = 10;        // to take over an arm that a program which crashed has left initiated
+constexpr double kReturns = 2;    // s between two looks for an arm that was lost
+constexpr double kLeaves = 0.5;   // s in which the servo lets the force go; normal is 20 ms
+constexpr double kLeastForce = 0.5, kMostForce = 7.9;  // N; what an arm says of itself beyond these is not believed
+constexpr int kNap_ns = 1'000'000;
+
+void nap() {
+  const timespec pause{0, kNap_ns};
+  nanosleep(&pause, nullptr);
+}
+
+// The stylus points along its -z; the instrument points along x, and its closing direction z is to the left of the stylus.
+const toolkit::Quat& stylus_to_tool() {
+  static const toolkit::Quat q = [] {
+    toolkit::Mat3 R;
+    R.col(0) = -Vec3::UnitZ();
+    R.col(1) = -Vec3::UnitY();
+    R.col(2) = -Vec3::UnitX();
+    return toolkit::Quat(R);
+  }();
+  return q;
+}
+
+}  // namespace
+
+void Openhaptics::drain() {
+  for (int i = 0; i < 64 && hd_->GetError().code != 0; ++i) {
+  }
+}
+
+// Some drivers know the default arm by no name, others by one of two.
+unsigned Openhaptics::init(std::string& why) {
+  const std::string& wanted = params().device;
+  const std::array<const char*, 3> names = {wanted.empty() ? nullptr : wanted.c_str(), "Default Device", "Default PHANToM"};
+  for (std::size_t n = 0; n < (wanted.empty() ? names.size() : 1); ++n) {
+    for (int i = 0; i < kTries; ++i) {
+      drain();
+      const unsigned device = hd_->InitDevice(names[n]);
+      const HdError error = hd_->GetError();
+      if (device != kBadHandle && error.code == 0) return device;
+      if (error.code != kAlreadyInitiated) {
+        if (why.empty()) why = hd_->GetErrorString(error.code);
+        break;
+      }
+      hd_->DisableDevice(hd_->GetCurrentDevice());
+    }
+  }
+  if (why.empty()) why = "another program has it";
+  return kBadHandle;
+}
+
+// device first, callback second, scheduler last: otherwise drivers complain
+bool Openhaptics::reach(std::string& why) {
+  device_ = init(why);
+  if (device_ == kBadHandle) {
+    why = "The arm does not answer: " + why + ". Switch it on, see that its maker's setup finds it, and that you may use its port.";
+    return false;
+  }
+  const unsigned calibration = hd_->CheckCalibration();
+  if (calibration == kNeedsManualInput) {
+    hd_->DisableDevice(device_);
+    device_ = kBadHandle;
+    why = "The arm is not calibrated. Put its stylus into the inkwell, or run its maker's calibration, and start again.";
+    return false;
+  }
+  double most = 0;
+  hd_->GetDoublev(kNominalMaxForce, &most);
+  most = most >= kLeastForce && most <= kMostForce ? most : kLeastForce;
+  for (const unsigned what : {kForceOutput, kMaxForceClamping, kForceRamping, kSoftwareForceLimit}) hd_->Enable(what);
+  drain();
+  servo_.start(hd_, device_, most);
+  callback_ = hd_->ScheduleAsynchronous(&Servo::tick, &servo_, kHighest);
+  hd_->StartScheduler();
+  scheduled_ = true;
+  const HdError error = hd_->GetError();
+  if (error.code == 0 || recoverable(error.code)) return true;
+  why = std::string("The scheduler of OpenHaptics does not start: ") + hd_->GetErrorString(error.code) + ".";
+  close();
+  return false;
+}
+
+void Openhaptics::open() {
+  std::string why;
+  hd_ = load_hd(params().library, why);
+  if (hd_ == nullptr || !reach(why)) return refuse(why);
+  last_ = {};
+  closure_ = 0;
+  last_s_ = tried_s_ = now_s();
+  const char* const model = hd_->GetString(kModel);
+  const char* const serial = hd_->GetString(kSerial);
+  note(std::string("Arm: ") + (model != nullptr ? model : "unknown") + ", serial number " + (serial != nullptr ? serial : "unknown"));
+}
+
+// the force first, then the scheduler, then the arm
+void Openhaptics::close() {
+  if (device_ == kBadHandle) return;
+  servo_.leave();
+  for (const double until = now_s() + kLeaves; !servo_.gone() && servo_.lost() == 0 && now_s() < until;) nap();
+  if (scheduled_) hd_->StopScheduler();
+  if (scheduled_ && !servo_.gone()) hd_->Unschedule(callback_);
+  scheduled_ = false;
+  hd_->DisableDevice(device_);
+  device_ = kBadHandle;
+  drain();
+}
+
+void Openhaptics::exchange(const swage_command& command, swage_sample& sample) {
+  const double now = now_s(), dt = std::clamp(now - last_s_, 0.0, 0.05);
+  last_s_ = now;
+  if (device_ == kBadHandle || servo_.lost() != 0) {
+    if (now - tried_s_ < kReturns) return;
+    tried_s_ = now;
+    std::string why;
+    close();
+    if (!reach(why)) return;
+  }
+  // the guard's force is for the sample that was given last
+  Wanted want;
+  want.force = toolkit::vec(command.force);
+  want.p = last_.X_DS.p;
+  want.v = last_.v;
+  want.stiffness = command.stiffness;
+  want.damping = command.damping;
+  want.deadline_s = command.deadline_s;
+  servo_.wanted.write(want);
+
+  if (!servo_.measured.read(last_)) return;
+  const double way = ((last_.buttons & 1) != 0 ? 1.0 : 0.0) - ((last_.buttons & 2) != 0 ? 1.0 : 0.0);
+  closure_ = std::clamp(closure_ + way * dt / params().close_time, 0.0, 1.0);
+  sample.sequence += 1;
+  sample.time_s = last_.time_s;
+  sample.pose = Pose(last_.X_DS.p, (last_.X_DS.q * stylus_to_tool()).normalized()).abi();
+  sample.twist = {toolkit::raw(last_.v), toolkit::raw(last_.w)};
+  sample.buttons = last_.buttons;
+  sample.valid = SWAGE_VALID_POSE | SWAGE_VALID_TWIST | SWAGE_VALID_BUTTONS;
+  if (!params().jaws) return;
+  sample.closure = closure_;
+  sample.valid |= SWAGE_VALID_CLOSURE;
+}
+
+}  // namespace swage::openhaptics
+
+SWAGE_EXPORT(swage::openhaptics::Openhaptics)
