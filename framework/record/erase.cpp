@@ -2,10 +2,88 @@
 //
 // A person is erased for good: rows, recordings, names. What is left are identifiers without meaning, so that an old backup does
 // not bring the attempts back.
+#include "record/erase.hpp"
+
+#include <stdio.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
 #include "record/identity.hpp"
 #include "record/roster.hpp"
 
 namespace swage::record {
+namespace {
+
+// The second field of a line of our CSV; codes hold neither quotes nor commas.
+bool is_line_of(const std::string& line, const std::string& code) {
+  const std::size_t first = line.find(',');
+  return first != std::string::npos && line.compare(first + 1, code.size() + 1, code + ",") == 0;
+}
+
+std::string without_lines(const std::string& csv, const std::string& code) {
+  std::string out;
+  for (std::size_t from = 0; from < csv.size();) {
+    const std::size_t end = std::min(csv.find('\n', from), csv.size() - 1);
+    const std::string line = csv.substr(from, end - from + 1);
+    if (!is_line_of(line, code)) out += line;
+    from = end + 1;
+  }
+  return out;
+}
+
+bool without_statements(const std::string& text, const std::string& code, std::string& out) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::parse(text, nullptr, false), kept = nlohmann::ordered_json::array();
+  if (!all.is_array()) return false;
+  for (const auto& s : all)
+    if (s.value("/actor/account/name"_json_pointer, std::string()) != code) kept.push_back(s);
+  out = kept.dump(1) + "\n";
+  return true;
+}
+
+// The file appears whole or not at all.
+bool put_file(const std::string& path, const std::string& text) {
+  const std::string part = path + ".part";
+  std::ofstream file(part, std::ios::binary);
+  file << text;
+  file.close();
+  if (file.good() && rename(part.c_str(), path.c_str()) == 0) return true;
+  unlink(part.c_str());
+  return false;
+}
+
+Cleaned clean_backup(const std::string& path, const Person& person) {
+  std::string error;
+  const auto school = School::open(path, error);
+  Person there;
+  if (!school) return {false, error};
+  if (!school->find_person(person.code, there)) return {true, path + " holds nothing of this person."};
+  if (!school->erase_person(there.id)) return {false, path + ": " + school->error()};
+  return {true, "The person was taken out of " + path + "."};
+}
+
+}  // namespace
+
+Cleaned erase_from_file(const ExportedFile& e, const Person& person) {
+  if (e.station != station()) return {false, e.file + " was written on the station " + e.station + ": delete it there."};
+  std::error_code code;
+  if (!std::filesystem::exists(e.file, code)) return {true, e.file + " is no longer there."};
+  if (e.kind == "backup") return clean_backup(e.file, person);
+  if (e.whole) {
+    std::filesystem::remove(e.file + ".about.json", code);
+    if (std::filesystem::remove(e.file, code)) return {true, e.file + " was deleted."};
+    return {false, e.file + " cannot be deleted: " + code.message() + "."};
+  }
+  std::ifstream in(e.file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::string rest;
+  const bool read = e.kind == "xapi" ? without_statements(text, person.code, rest) : (rest = without_lines(text, person.code), true);
+  if (!read || !put_file(e.file, rest)) return {false, e.file + " cannot be changed: delete it."};
+  return {true, "The person's rows were taken out of " + e.file + "."};
+}
 
 bool erase_rows(Database& db, const std::string& person_id) {
   const std::string now = utc_now();

@@ -3,6 +3,7 @@
 // swage attempts: what the store keeps.
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "host/nearest.hpp"
@@ -10,6 +11,7 @@
 #include "record/backup.hpp"
 #include "record/identity.hpp"
 #include "record/salvage.hpp"
+#include "record/school.hpp"
 #include "record/store.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
@@ -36,17 +38,13 @@ std::unique_ptr<record::Store> open(const AttemptsOptions& o, bool may_make = fa
   return store;
 }
 
-// where an attempt's own name could be a path, it does not choose the place of a file
-std::string file_name(const std::string& id) {
-  return record::is_id(id) ? id + ".swage" : "attempt.swage";
-}
-
 Json to_json(const record::AttemptRow& a) {
   Json metrics = Json::array();
   for (const record::MetricValue& m : a.metrics)
     metrics.push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}});
   return {{"attempt", a.id},
           {"person", a.person_name},
+          {"code", a.person_code},
           {"lesson", a.lesson_id},
           {"title", a.lesson_title},
           {"mode", a.mode},
@@ -59,6 +57,11 @@ Json to_json(const record::AttemptRow& a) {
           {"score", number(a.score)},
           {"simulated_s", number(a.simulated_s)},
           {"void", a.is_void},
+          {"void_reason", a.void_reason},
+          {"void_by", a.void_by},
+          {"scripted", a.is_scripted},
+          {"synthetic", a.is_synthetic},
+          {"lesson_version", a.lesson_digest},
           {"remark", a.remark},
           {"metrics", metrics}};
 }
@@ -91,28 +94,12 @@ int list_attempts(const AttemptsOptions& o) {
   }
   if (attempts.empty()) std::printf("no attempts in %s\n", record::shown(store_place(o.store)).c_str());
   for (const record::AttemptRow& a : attempts) {
-    const std::string how = a.state == "complete" ? a.outcome : a.state;
+    const std::string how = a.is_void ? "void" : a.state == "complete" ? a.outcome : a.state;
     std::printf("%s  %s  %-16s %-28s %-10s %5.1f  %8.1f s  %s\n", printable(a.id).c_str(), printable(a.started_utc.substr(0, 16)).c_str(),
                 printable(a.person_name).c_str(), printable(a.lesson_id).c_str(), printable(how).c_str(),
                 std::isfinite(a.score) ? a.score : 0.0, a.simulated_s,
                 printable(a.remark.empty() ? a.reason : a.reason + " (" + a.remark + ")").c_str());
   }
-  return kPassed;
-}
-
-int export_attempt(const AttemptsOptions& o) {
-  const auto store = open(o);
-  record::AttemptRow row;
-  std::string error;
-  if (!store) return kProblem;
-  if (!find_attempt(*store, o.id, row, error)) return problem(error);
-  if (row.state == "running") return problem("Attempt " + row.id + " is still running.");
-  const std::string file = o.file.empty() ? file_name(row.id) : o.file;
-  if (!store->export_attempt(row.id, file, error)) return problem(error);
-  if (o.json)
-    print({{"attempt", row.id}, {"file", file}});
-  else
-    std::printf("%s\n", file.c_str());
   return kPassed;
 }
 
@@ -167,6 +154,13 @@ int backup_attempts(const AttemptsOptions& o) {
   std::string error;
   const std::string where = store_place(o.store);
   if (!existing_store(where, error) || !record::backup_store(where, o.file, out, error)) return problem(error);
+  // who is erased later is taken out of it, too
+  std::error_code ignored;
+  std::vector<std::string> ids;
+  const auto school = record::School::open(where, error);
+  if (school)
+    for (const record::Person& p : school->people()) ids.push_back(p.id);
+  if (school && !ids.empty()) school->log_export(ids, "backup", std::filesystem::absolute(o.file, ignored).string());
   if (o.json)
     print({{"file", o.file}, {"people", out.people}, {"attempts", out.attempts}});
   else

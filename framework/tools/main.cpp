@@ -15,6 +15,7 @@
 #include "host/nearest.hpp"
 #include "session/bounded_call.hpp"
 #include "tools/print.hpp"
+#include "tools/school_verbs.hpp"
 #include "tools/sensor_verbs.hpp"
 #include "tools/verbs.hpp"
 
@@ -177,7 +178,7 @@ void add_bench(CLI::App& app, Arguments& a) {
 }
 
 void add_attempts(CLI::App& app, Arguments& a) {
-  CLI::App* verb = app.add_subcommand("attempts", "List, export, import, back up and salvage what the store keeps");
+  CLI::App* verb = app.add_subcommand("attempts", "List, export, name, void, import, back up and salvage what the store keeps");
   AttemptsOptions& o = a.attempts;
   verb->require_subcommand(1);
   const auto common = [&](CLI::App* sub, int (*what)(const AttemptsOptions&)) {
@@ -189,10 +190,6 @@ void add_attempts(CLI::App& app, Arguments& a) {
   list->add_option("--person", o.person, "Only this person's");
   list->add_option("--lesson", o.lesson, "Only of this lesson id");
   common(list, list_attempts);
-  CLI::App* out = verb->add_subcommand("export", "One attempt into one file");
-  out->add_option("attempt", o.id, "Attempt id or its beginning, or \"last\"")->required();
-  out->add_option("file", o.file, "File to write; <id>.swage unless given");
-  common(out, export_attempt);
   CLI::App* in = verb->add_subcommand("import", "Files into the store; what is there already stays");
   in->add_option("files", o.files, "Files that were exported")->required();
   common(in, import_attempts);
@@ -313,6 +310,7 @@ int parse_and_run(int argc, char** argv) {
   for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_new,
                          add_doctor, add_bench, add_attempts, add_needle, add_simulate_sensor, add_calibrate})
     add(app, a);
+  add_school_verbs(app, a.chosen);
   if (wrong_verb(app, argc, argv)) return kProblem;
   try {
     app.parse(argc, argv);

@@ -19,6 +19,7 @@
 #include "session/session.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/school_verbs.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -227,29 +228,6 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
 }
 
 // every signal of every step, from the record
-bool write_trace(const std::string& file, const std::string& store, const std::string& attempt) {
-  record::Recording recording;
-  std::string error = "the attempt was not kept";
-  if (attempt.empty() || !record::read_recording(store, attempt, recording, error)) {
-    tell(base::Severity::kError, file, "No trace was written: " + error);
-    return false;
-  }
-  std::ofstream out(file);
-  out << "time [s]";
-  const auto& signals = recording.info.script.signals;
-  for (const judge::Name& s : signals) out << "," << s.owner << "." << s.id << " [" << s.unit << "]";
-  out << "\n";
-  for (std::size_t i = 0; i < recording.step.size(); ++i) {
-    out << format("%.6f", static_cast<double>(recording.step[i] + 1) * recording.info.dt);
-    for (std::size_t k = 0; k < signals.size(); ++k)
-      out << format(",%.7g", static_cast<double>(recording.signal[i * signals.size() + k]));
-    out << "\n";
-  }
-  out.close();
-  if (!out.good()) tell(base::Severity::kError, file, "The trace could not be written whole.");
-  return out.good();
-}
-
 int refused(const RunOptions& o, const base::Problems& problems) {
   tell(problems);
   if (o.json) print({{"problems", to_json(problems)}});

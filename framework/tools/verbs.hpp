@@ -103,12 +103,11 @@ int bench_needle(const NeedleOptions&);
 
 struct AttemptsOptions {
   std::string store, person, lesson;
-  std::string id, file;            // export; salvage: the new store, "" for the place of the damaged one
+  std::string file;                // backup; salvage: the new store, "" for the place of the damaged one
   std::vector<std::string> files;  // import
   bool json = false;
 };
 int list_attempts(const AttemptsOptions&);
-int export_attempt(const AttemptsOptions&);
 int import_attempts(const AttemptsOptions&);
 int salvage_store(const AttemptsOptions&);
 int backup_attempts(const AttemptsOptions&);
