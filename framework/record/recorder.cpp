@@ -8,6 +8,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <QThread>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -50,6 +52,9 @@ class FileRecorder final : public Recorder {
 
   bool start(base::Problems& problems) {
     journal_ = Journal::create(store_, id_);
+    // Qt takes the first thread that it meets for that of the program, and destroys what belongs to it at the exit: it must not be the
+    // writer's, whose data are freed before
+    QThread::currentThread();
     std::future<bool> opened = opened_.get_future();
 
     // signals belong to the threads of the program that asked for them

@@ -8,8 +8,13 @@
 //   record_child crowd <store> <seed>          what a console does: an attempt of 1500 steps is recorded while the store is
 //                                              listed, opened again and read; prints "kept <id>", or what went wrong
 //   record_child list <store> <user>           as a user who may only read; prints the number of attempts, or what went wrong
+//   record_child qt <store> -                  an attempt is recorded, the first that Qt hears of; prints whether Qt takes this thread
+//                                              for that of the program: to it belongs what Qt destroys at the exit
 // limit and tmpfs record 4000 steps of noise and print what the recorder said. Exit 77: not permitted here.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
+
+#include <QThread>
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -160,6 +165,15 @@ int list(const std::string& where, const std::string& user) {
   return 0;
 }
 
+int qt(const std::string& store) {
+  record_attempt(store, 300);
+  // QCoreApplicationPrivate::theMainThread, which no public name tells before Qt 6.8
+  const void* qts = dlsym(RTLD_DEFAULT, "_ZN23QCoreApplicationPrivate13theMainThreadE");
+  if (qts == nullptr) return 77;
+  std::printf("%s\n", *static_cast<QThread* const*>(qts) == QThread::currentThread() ? "this" : "another");
+  return 0;
+}
+
 int fixture(const std::string& folder, const std::string& file) {
   std::string error;
   const std::string id = record_attempt(folder + "/a.db", 300);
@@ -178,6 +192,7 @@ int main(int argc, char** argv) {
   if (verb == "tmpfs") return tmpfs(argv[2], argv[3]);
   if (verb == "crowd") return crowd(argv[2], std::strtoull(argv[3], nullptr, 10));
   if (verb == "list") return list(argv[2], argv[3]);
+  if (verb == "qt") return qt(argv[2]);
   if (verb == "fixture") return fixture(argv[2], argv[3]);
   return 2;
 }
