@@ -56,6 +56,42 @@ TEST(Pairs, TheClumsyHandTearsTheTissueAndIsToldSo) {
   }
 }
 
+// thesis 6.4: let go in the tissue the needle stays stuck, is taken again and goes on, and the wound is larger
+TEST(LetsGo, TheNeedleStaysInTheTissueAndTheWoundIsLarger) {
+  const LessonRun expert = run({"flat", "3/8"}, "expert");
+  LessonRun attempt(kLesson, "lets_go");
+  ASSERT_EQ(attempt.problems(), "");
+  const uint32_t needle = attempt.body("needle");
+  double stuck_s = 0, moved = 0;
+  toolkit::Vec3 left = toolkit::Vec3::Zero();
+  while (attempt.outcome() == "running" && attempt.world().time() < 40) {
+    attempt.step();
+    if (attempt.cue("needle") != "needle.stuck" || attempt.signal("grasp", "grasp.force") > 0) continue;
+    const toolkit::Vec3 p = toolkit::vec(attempt.world().X_WB[needle].p);
+    if (stuck_s == 0) left = p;
+    stuck_s += 1e-3;
+    if (stuck_s < 2) moved = std::max(moved, (p - left).norm());
+  }
+  EXPECT_GT(stuck_s, 2);
+  EXPECT_LT(moved, 0.2e-3) << "it stays: a needle of 5 mm";
+  EXPECT_EQ(attempt.outcome(), "passed") << attempt.reason();
+  EXPECT_EQ(attempt.metric("insert.entries"), 1);
+  EXPECT_GT(attempt.metric("wound.size"), 2 * expert.metric("wound.size"));
+}
+
+// thesis 5.2.3 and 6.4: below the null zone of 15 deg there is no reaction, far beyond it the point is deflected
+TEST(Deflection, AHandThatLeansBeyondTheNullZoneIsDeflected) {
+  const std::string plan = SWAGE_SOURCE_DIR "/lessons/hands/110_insertion.json";
+  for (const double lean : {10.0, 60.0}) {
+    LessonRun attempt(kLesson, {"swage.device.skilled", R"({"file": ")" + plan + R"(", "lean": )" +
+                                                            std::to_string(lean * M_PI / 180) + "}"});
+    ASSERT_EQ(attempt.problems(), "");
+    attempt.run(60);
+    EXPECT_EQ(attempt.happened("pierce.deflected") > 0, lean > 15) << lean;
+    EXPECT_EQ(attempt.outcome() == "passed", lean < 15) << lean << " " << attempt.reason();
+  }
+}
+
 /// Mean cosine of a hand with a lean in a stock plan, the needle rigid.
 double cosine(const std::string& lesson, const std::string& plan, double lean) {
   const std::string series = SWAGE_SOURCE_DIR "/lessons/";
