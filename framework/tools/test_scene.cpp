@@ -39,12 +39,12 @@ assembly::LessonDevice device(const std::string& plugin, const std::string& para
 }
 
 assembly::LessonCoupling coupling(const std::string& name, const std::string& plugin,
-                                  const std::string& params) {
+                                  const std::string& params, bool with_itself = false) {
   assembly::LessonCoupling out;
   static_cast<assembly::PluginUse&>(out) = use_of(plugin, params, "/couplings");
   out.name = name;
   out.a = "a";
-  out.b = "b";
+  out.b = with_itself ? "a" : "b";
   return out;
 }
 
@@ -212,12 +212,13 @@ void TestScene::find_led() {
   }
 }
 
-// the first two objects that it can bind, perhaps with a coupling that finds their contacts for it
+// the first two objects that it can bind, or one with itself, perhaps with a coupling that finds their contacts for it
 void TestScene::find_pair() {
   std::string why = "No object is installed.", last;
+  const std::string finders[] = {"", "swage.coupling.contact"};
   for (const host::PluginInfo* a : catalogue_.of_kind(SWAGE_KIND_OBJECT))
     for (const host::PluginInfo* b : catalogue_.of_kind(SWAGE_KIND_OBJECT))
-      for (const std::string& finder : {std::string(), std::string("swage.coupling.contact")}) {
+      for (const std::string& finder : finders) {
         if (!finder.empty() && catalogue_.find(finder) == nullptr) continue;
         between_[0] = a->id;
         between_[1] = b->id;
@@ -225,6 +226,12 @@ void TestScene::find_pair() {
         if (assembles(file({}), last)) return;
         why = last;
       }
+  for (const host::PluginInfo* a : catalogue_.of_kind(SWAGE_KIND_OBJECT))
+    for (const std::string& finder : finders) {
+      if (!finder.empty() && catalogue_.find(finder) == nullptr) continue;
+      between_[0] = a->id, between_[1].clear(), finder_ = finder;
+      if (assembles(file({}), last)) return;
+    }
   skipped_ = "No two installed objects can be bound by it with their defaults. " + why;
 }
 
@@ -304,9 +311,10 @@ assembly::LessonFile TestScene::file(const Wish& wish) const {
     f.objects.push_back(object("subject", plugin_.id, wish.params, wish.at));
   } else if (plugin_.kind == SWAGE_KIND_COUPLING) {
     f.objects.push_back(object("a", between_[0], "{}", wish.at));
-    f.objects.push_back(object("b", between_[1], "{}", wish.at));
-    if (!finder_.empty()) f.couplings.push_back(coupling("finder", finder_, "{}"));
-    f.couplings.push_back(coupling("subject", plugin_.id, wish.params));
+    const bool with_itself = between_[1].empty();
+    if (!with_itself) f.objects.push_back(object("b", between_[1], "{}", wish.at));
+    if (!finder_.empty()) f.couplings.push_back(coupling("finder", finder_, "{}", with_itself));
+    f.couplings.push_back(coupling("subject", plugin_.id, wish.params, with_itself));
   } else if (plugin_.kind == SWAGE_KIND_LESSON) {
     set_stage(f, wish);
   } else {

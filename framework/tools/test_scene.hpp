@@ -82,7 +82,7 @@ class TestScene {
   };
   std::vector<Actor> stage_;                    // objects for a lesson
   std::map<std::string, std::string> casting_;  // its parameters that name them
-  std::string between_[2];                      // object plugins for a coupling
+  std::string between_[2];                      // object plugins for a coupling; the second empty: one with itself
   std::string finder_;            // coupling that finds contacts for one that only looks, "" for none
   std::vector<std::string> led_;  // object plugins that follow a hand
   std::string hand_;              // a device plugin that can lead an object, "" for none
