@@ -63,7 +63,7 @@ class Look final : public Lesson<LookParams> {
         builder.error("measures",
                       "owner, signal and unit are needed between two commas, not more and not less");
       else
-        m.metric = builder.metric(m.id.c_str(), m.unit.c_str(), "Greatest value of this signal.");
+        m.metric = builder.metric(metric_id(m).c_str(), m.unit.c_str(), "Greatest value of this signal.");
     }
     if (!measures_.empty()) builder.state(static_cast<uint32_t>(measures_.size()));
   }
@@ -78,6 +78,12 @@ class Look final : public Lesson<LookParams> {
                      ", not in " + m.unit + " as \"measures\" says");
       }
     }
+  }
+
+  /// The signal's own id; of a signal that two owners have, with the owner before it.
+  std::string metric_id(const Measure& m) const {
+    const auto same = [&m](const Measure& other) { return other.id == m.id; };
+    return std::count_if(measures_.begin(), measures_.end(), same) > 1 ? m.owner + "." + m.id : m.id;
   }
 
   void observe(const View& view, const Verdict& verdict, std::span<double> state) override {

@@ -30,6 +30,21 @@ TEST_F(LookOnStage, TellsTheGreatestValueOfWhatItMeasures) {
   EXPECT_NEAR(metric("time.task"), 0.02, 1e-12);
 }
 
+TEST_F(LookOnStage, TellsTheSameSignalOfTwoCouplingsApart) {
+  add_coupling("press", {"contact.force"}, {});
+  add_coupling("rest", {"contact.force"}, {});
+  ASSERT_EQ(bind({{"duration", 0.02},
+                  {"measures", std::string("press contact.force 1, rest contact.force 1, grasp grasp.s 1")}}),
+            SWAGE_OK);
+  start();
+  signal[signal.size() - 2] = 0.3;
+  signal[signal.size() - 1] = 0.7;
+  observe(5);
+  EXPECT_EQ(metric("press.contact.force"), 0.3);
+  EXPECT_EQ(metric("rest.contact.force"), 0.7);
+  EXPECT_EQ(metric("grasp.s"), 0);
+}
+
 TEST_F(LookOnStage, NeedsNothingWhenItMeasuresNothing) {
   ASSERT_EQ(bind({{"duration", 0.001}}), SWAGE_OK);
   start();
