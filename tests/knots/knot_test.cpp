@@ -204,17 +204,31 @@ TEST(Writhe, HasTheSignOfTheThrow) {
   }
 }
 
-/// Ribbons: the edge of a twisted band around a ring has the linking number of its turns; Lk = Tw + Wr with no writhe.
+/// A band along a trefoil, with some turns of its own: its two edges are linked by Lk = Tw + Wr, a whole number.
 TEST(Writhe, LinkingIsTwistAndWrithe) {
+  constexpr int n = 600;
+  std::vector<Vec3> middle, edge;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2 * std::numbers::pi * i / n;
+    middle.push_back({(2 + std::cos(3 * t)) * std::cos(2 * t), (2 + std::cos(3 * t)) * std::sin(2 * t), std::sin(3 * t)});
+  }
+  const auto tangent = [&](int i) {
+    return Vec3((middle[static_cast<size_t>((i + 1) % n)] - middle[static_cast<size_t>((i + n - 1) % n)]).normalized());
+  };
+  // a direction carried along without twist comes back turned
+  std::vector<Vec3> carried{tangent(0).cross(Vec3(0.3, 0.5, 0.8)).normalized()};
+  for (int i = 1; i <= n; ++i) carried.push_back(Quat::FromTwoVectors(tangent(i - 1), tangent(i)) * carried.back());
+  const double turned = std::atan2(carried[0].cross(carried[n]).dot(tangent(0)), carried[0].dot(carried[n]));
   for (const int turns : {-3, 0, 2}) {
-    std::vector<Vec3> ring, edge;
-    for (int i = 0; i < 200; ++i) {
-      const double t = 2 * std::numbers::pi * i / 200;
-      const Vec3 r(std::cos(t), std::sin(t), 0);
-      ring.push_back(r);
-      edge.push_back(r + 0.1 * (std::cos(turns * t) * r + std::sin(turns * t) * Vec3(0, 0, 1)));
+    const double twist = turns - turned / (2 * std::numbers::pi);
+    edge.clear();
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * twist * i / n;
+      edge.push_back(middle[static_cast<size_t>(i)] + 0.05 * (Eigen::AngleAxisd(angle, tangent(i)) * carried[static_cast<size_t>(i)]));
     }
-    EXPECT_NEAR(std::abs(linking(ring.front().data(), 200, edge.front().data(), 200)), std::abs(turns), 1e-9);
+    const double linked = linking(middle.front().data(), n, edge.front().data(), n);
+    EXPECT_NEAR(linked, std::round(linked), 1e-9);
+    EXPECT_NEAR(linked, twist + writhe(middle.front().data(), n, true), 0.01) << turns;
   }
 }
 

@@ -85,6 +85,34 @@ INSTANTIATE_TEST_SUITE_P(Words, KnotInScene,
                                          Case{{-1, 1}, 0, 2}, Case{{1, 1}, 0, 3}, Case{{1, 1}, 1, 3}, Case{{2, -1, 1}, 0, 2},
                                          Case{{1, 1, -1}, 0, 4}));
 
+/// The history: throws are told as they are tied, in their order, and as they come undone. The thread jumps from tie to tie here,
+/// through itself, which is told too.
+TEST(KnotHistory, is_told_throw_by_throw) {
+  Laid s(kLength, 200, "0.001 GPa", kKnot);
+  ASSERT_TRUE(s.engine);
+  std::vector<std::pair<std::string, double>> said;
+  const Word words[] = {{2}, {2, -1}, {2, -1, 1}, {2, -1}, {1}};
+  for (const Word& word : words) {
+    TieShape shape;
+    shape.nodes = 201;
+    const auto tie = make_tie(word, shape, 1);
+    ASSERT_TRUE(tie.has_value());
+    double length = 0;
+    for (size_t i = 1; i < tie->node.size(); ++i) length += (tie->node[i] - tie->node[i - 1]).norm();
+    s.lay([&](int i) { return Vec3(kLength / length * tie->node[static_cast<size_t>(i)]); });
+    for (int k = 0; k < 130; ++k) {
+      s.run(1);
+      for (const judge::Event& e : s.engine->events())
+        if (const std::string& id = s.rig->script.events[e.event].id; id != "knot.passage") said.emplace_back(id, e.value);
+    }
+  }
+  const std::vector<std::pair<std::string, double>> expected = {
+      {"knot.tied", 2},   {"knot.tied", -1},  {"knot.tied", 1}, {"knot.untied", 1},
+      {"knot.untied", -1}, {"knot.untied", 2}, {"knot.tied", 1}};
+  EXPECT_EQ(said, expected);
+  EXPECT_GT(s.signal("knot.passages"), 0);
+}
+
 /// A loop that crosses itself at right angles; then its upper leg is laid below the lower one, as a solver that fails would have it.
 TEST(KnotPassage, is_counted_once) {
   constexpr double kLeg = 6e-3, kRadius = 2e-3, kArc = 1.5 * M_PI * kRadius;
