@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "step/overlaps.hpp"
 
+#include <swage/abi/strand.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -9,6 +11,18 @@ namespace swage::step {
 namespace {
 // of the scene's length: 20 um in a scene of 1 mm. What lies on something or is held overlaps by 1 um at most
 constexpr double kDeep = 0.02;
+
+/// A thread that a coupling ties to the other: its end sits inside.
+bool swaged(const host::Rig& rig, const contact::Pair& pair) {
+  const auto is_thread = [&](uint32_t object) {
+    return rig.objects[object].instance->extension(SWAGE_TRAIT_STRAND) != nullptr;
+  };
+  if (!is_thread(pair.object_a) && !is_thread(pair.object_b)) return false;
+  return std::any_of(rig.couplings.begin(), rig.couplings.end(), [&](const host::CouplingSlot& slot) {
+    return slot.ties != nullptr && std::minmax(slot.object_a, slot.object_b) == std::minmax(pair.object_a, pair.object_b);
+  });
+}
+
 }  // namespace
 
 base::Problems start_overlaps(const host::Rig& rig, const contact::Options& options) {
@@ -21,7 +35,7 @@ base::Problems start_overlaps(const host::Rig& rig, const contact::Options& opti
   std::vector<double> depth(rig.pairs.size(), 0);
   for (const contact::Contact& c : set.contact) depth[c.pair] = std::max(depth[c.pair], -c.gap);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (depth[i] <= kDeep * rig.world.length) continue;
+    if (depth[i] <= kDeep * rig.world.length || swaged(rig, rig.pairs[i])) continue;
     const auto& a = *rig.objects[rig.pairs[i].object_a].instance;
     const auto& b = *rig.objects[rig.pairs[i].object_b].instance;
     char text[300];

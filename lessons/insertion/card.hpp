@@ -43,12 +43,19 @@ enum class Measure : size_t {
   kUneven,
   kStitches,
   kProgress,
+  kTension,
+  kSwageGrasps,
+  kThreadPull,
+  kTail,
+  kCut,
+  kSawn,
   kPointsWound,
   kPointsAngle,
   kPointsEntry,
   kPointsBending,
   kPointsRefused,
   kPointsDrops,
+  kPointsSuture,
   kPointsTime,
   kCount
 };
@@ -86,12 +93,19 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"stitch.unevenness", "1", "How uneven the stitches lie along the edge; from three on.", "standard deviation / mean of the distances between neighbours", "M45", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     {"stitch.count", "1", "Stitches that are through.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"insert.progress", "1", "Greatest share of the needle that was inside, of what is asked.", "max of s / drive", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
+    {"thread.tension", "N", "Greatest tension of the thread at the swage; told, as all of the thread, where the lesson names one.", "max", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
+    {"thread.swage_grasps", "1", "How often the needle was grasped at the swage, which damages the suture.", "count of: held nearer to the blunt end than swage_zone", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"thread.pull", "N*s", "Pull of the thread on the tissue, summed over time.", "integral of the length of f", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"thread.tail", "m", "Thread left before the entry; told once the thread is in the tissue.", "length", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
+    {"thread.cut", "m", "How far the thread cut its holes through the tissue.", "max over the holes", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
+    {"thread.sawn", "m", "Thread drawn back against its way through the tissue.", "sum", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     lessons::points("points.wound", "Points lost for the size of the wound.", "30 clamp((wound.size - 1) / 2, 0, 1)"),
     lessons::points("points.angle", "Points lost for the angle in the tissue.", "30 clamp(insert.angle / 45 deg, 0, 1)"),
     lessons::points("points.entry", "Points lost for the distance of the entry from the mark.", "15 clamp(insert.entry_distance / tolerance, 0, 1)"),
     lessons::kPointsBending,
     lessons::points("points.refused", "Points lost for failed punctures.", "8 clamp(insert.deflections, 0, 3)"),
     lessons::points("points.drops", "Points lost for drops of the needle.", "15 grasp.drops"),
+    lessons::points("points.suture", "Points lost for grasps at the swage.", "15 thread.swage_grasps"),
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -129,12 +143,19 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("stitch.unevenness", "Spacing variability", SWAGE_SHOW_SHARE),
     lessons::label("stitch.count", "Stitches completed", SWAGE_SHOW_COUNT),
     lessons::label("insert.progress", "Required depth reached", SWAGE_SHOW_SHARE),
+    lessons::label("thread.tension", "Thread tension, peak"),
+    lessons::label("thread.swage_grasps", "Grasps at the swage", SWAGE_SHOW_COUNT),
+    lessons::label("thread.pull", "Pull of the thread over time"),
+    lessons::label("thread.tail", "Tail length"),
+    lessons::label("thread.cut", "Cut by the thread"),
+    lessons::label("thread.sawn", "Thread drawn back"),
     lessons::label("points.wound", "Wound size", SWAGE_SHOW_POINTS),
     lessons::label("points.angle", "Angle in the tissue", SWAGE_SHOW_POINTS),
     lessons::label("points.entry", "Entry point", SWAGE_SHOW_POINTS),
     lessons::kPointsBendingLabel,
     lessons::label("points.refused", "Failed punctures", SWAGE_SHOW_POINTS),
     lessons::label("points.drops", "Drops", SWAGE_SHOW_POINTS),
+    lessons::label("points.suture", "Grasps at the swage", SWAGE_SHOW_POINTS),
     lessons::kPointsTimeLabel,
 };
 
@@ -143,6 +164,7 @@ inline constexpr swage_criterion kCriteria[] = {
     {"Puncture the tissue within {tolerance} of the mark.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Drive {drive} of the needle into the tissue.", "task=insert", SWAGE_CRITERION_PASS, 0},
     {"Bring the point out, let go, take it where it came out and pull the needle through.", "task=stitch", SWAGE_CRITERION_PASS, 0},
+    {"Draw the thread through until {tail} of it are left at the entry, to within {tail_tolerance}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
     {"Stitches: {stitches}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
     {"Stay perpendicular to the surface, to within {in_angle}, for at least {least_in_angle} of the way.", "least_in_angle", SWAGE_CRITERION_PASS, 0},
     {"A wound beyond {max_wound} of the needle's size ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
@@ -157,7 +179,7 @@ using lessons::kFelt;
 using lessons::kHeard;
 
 /// Order of kCues.
-enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kCount };
+enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
@@ -167,6 +189,8 @@ inline constexpr swage_cue_info kCues[] = {
     {"tissue.tear", "The wound is larger than careful hands leave it.", kHeard, 0},
     lessons::kTooHard,
     {"target.done", "It went in here, and the task is done.", kHeard, 0},
+    {"suture.swage_held", "The needle is grasped at the swage, which damages the suture.", kFelt, 0},
+    {"suture.tail_good", "The tail has its length.", kHeard, 0},
 };
 // clang-format on
 static_assert(sizeof kCues / sizeof kCues[0] == static_cast<size_t>(Sign::kCount));

@@ -31,6 +31,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
+  damaged_ = builder.event("suture.damaged", "The needle was grasped at the swage, which damages the suture.");
   missed_ = builder.event("entry.missed", "The point went in too far from the mark.");
   const auto failure = [&](End end, const char* code, const char* doc) {
     failed_[index(end)] = builder.event(code, doc);
@@ -43,6 +44,8 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
           "Time ran out before the needle was where it should be.");
   failure(End::kOffAngle, "failed.off_angle",
           "The needle was not perpendicular to the tissue for long enough.");
+  failure(End::kPulledOff, "failed.pulled_off", "The thread was pulled out of the needle.");
+  failure(End::kTailLost, "failed.tail_lost", "The thread was drawn too far: its tail is too short or gone.");
   failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
 }
 
@@ -63,11 +66,14 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
     binder.error("needle and tissue must have bodies");
   bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
   find_pierce(scene, binder);
+  if (!params_.suture.empty()) find_suture(scene, binder);
+  if (params_.suture.empty() && params_.tail > 0) binder.error("a tail is asked for, and \"suture\" names no thread");
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
   needle_body_ = scene->object[needle_object_].first_body;
   tissue_body_ = scene->object[tissue_object_].first_body;
   target_ = binder.mark_point({0, 0, 0}, kMarkRadius, "target.point");
+  if (params_.tail > 0) tail_ = binder.mark_point({0, 0, 0}, kMarkRadius, "tail.point");
   if (has_exit()) exit_ = binder.mark_point({0, 0, 0}, kMarkRadius, "exit.point");
 }
 
@@ -127,6 +133,10 @@ void InsertionLesson::activate(double dt_s) {
   rules.lost_distance = p.lost_distance;
   rules.stitches = p.stitches;
   rules.exit_mark = has_exit();
+  rules.suture.there = !p.suture.empty();
+  rules.suture.swage_zone = p.swage_zone;
+  rules.suture.tail = p.tail;
+  rules.suture.tail_tolerance = p.tail_tolerance;
   judge_ = Judge(rules, dt_s);
 }
 
@@ -206,6 +216,7 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.diameter = 2 * point->radius;
   read_pierce(scene, look);
   read_stray(scene, *jaws, look);
+  if (thread_.valid()) read_suture(scene, look);
   return true;
 }
 
@@ -265,6 +276,7 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
   report(look, finding, kept.memory, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
   say(finding, kept, verdict);
+  if (params_.tail > 0) show_tail(scene, kept, verdict);
 }
 
 void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdict& verdict) const {
@@ -278,6 +290,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   if (finding.stuck) needle = sign(Sign::kStuck);
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
+  if (thread_.valid()) show(thread_object_, finding.swage_held ? sign(Sign::kSwageHeld) : Cue());
   show(tissue_object_, finding.torn ? sign(Sign::kTorn) : Cue());
   const auto point = [&](Mark mark, const double(&p)[3], bool near) {
     const swage_vec3 p_W{p[0], p[1], p[2]};
@@ -289,6 +302,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
 
   // what happened
   if (finding.dropped) verdict.event(dropped_);
+  if (finding.damaged) verdict.event(damaged_);
   if (finding.missed) verdict.event(missed_, kept.memory.entry_distance);
   verdict.phase(phase_[index(finding.stage)]);
 
@@ -316,6 +330,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kDeflections, m.deflections);
   tell(Measure::kStray, m.stray.count);
   tell(Measure::kProgress, std::min(1.0, m.deepest / rules.drive));
+  if (thread_.valid()) report_suture(m, verdict);
   // what has no value before the point went in is not told
   if (m.entries == 0) return;
   tell(Measure::kEntryDistance, m.entry_distance);
@@ -340,6 +355,7 @@ void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) 
   if (bending_.valid()) tell(Measure::kPointsBending, lost.bending);
   tell(Measure::kPointsRefused, lost.refused);
   tell(Measure::kPointsDrops, lost.drops);
+  if (thread_.valid()) tell(Measure::kPointsSuture, lost.suture);
   tell(Measure::kPointsTime, lost.time);
 }
 

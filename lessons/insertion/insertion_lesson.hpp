@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/lesson.hpp>
+#include <swage/strand.hpp>
 
 #include <array>
 #include <string>
@@ -37,6 +38,8 @@ struct InsertionParams {
   int stitches = 1;
   double spacing = 1e-3;                   // m
   std::array<double, 3> exit = {0, 0, 0};  // m, from the mark, in the tissue's frame; 0: no such mark
+  std::string suture;                      // "": none
+  double swage_zone = SutureRules{}.swage_zone, tail = 0, tail_tolerance = SutureRules{}.tail_tolerance;  // m
 };
 
 class InsertionLesson final : public Lesson<InsertionParams> {
@@ -118,6 +121,17 @@ class InsertionLesson final : public Lesson<InsertionParams> {
                                      "From the mark to one where the point should come out, along x, y and z "
                                      "of the tissue; 0 0 0: there is none.")
           .group("Stitch"),
+      text<&InsertionParams::suture>("suture", "Suture", "Name of the thread that is swaged to the needle; without one: none.")
+          .group("Suture"),
+      real<&InsertionParams::swage_zone>("swage_zone", "Swage", "m", "mm", 1e-6, 0.1,
+                                         "Grasped nearer to its blunt end than this the needle is held at the swage.")
+          .group("Suture"),
+      real<&InsertionParams::tail>("tail", "Tail", "m", "mm", 0, 0.3,
+                                   "Length of thread that is to be left before the entry; 0: it need not be drawn through.")
+          .group("Suture"),
+      real<&InsertionParams::tail_tolerance>("tail_tolerance", "Tail tolerance", "m", "mm", 1e-5, 0.1,
+                                             "By so much the tail may be longer or shorter.")
+          .group("Suture"),
   };
 
   void build(const InsertionParams& params, LessonBuilder& builder) override;
@@ -140,7 +154,17 @@ class InsertionLesson final : public Lesson<InsertionParams> {
     Event entered, exited, passed, deflected;
   };
 
+  /// Signals and events of the couplings that tie the thread to the needle and draw it through the tissue.
+  struct Suture {
+    Signal tension, state, tail, cut, back, force;
+    Event pulled_off, through;
+  };
+
   void find_pierce(const Scene& scene, Binder& binder);
+  void find_suture(const Scene& scene, Binder& binder);
+  void read_suture(const View& view, Look& look) const;
+  void show_tail(const View& view, const Kept& kept, const Verdict& verdict) const;
+  void report_suture(const Memory& memory, const Verdict& verdict) const;
   bool draw(const View& view, Kept& kept);
   void next_mark(const View& view, Kept& kept) const;
   static Vec3 place(const View& view, const Signal (&signal)[3]);
@@ -159,15 +183,18 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Judge judge_;
   lessons::GraspSignals grasp_;
   Pierce pierce_;
+  Suture suture_;
+  StrandPeer thread_;
+  uint32_t thread_object_ = kNone;
   Peer gripper_, needle_, tissue_;
   uint32_t gripper_object_ = kNone, gripper_body_ = kNone, needle_object_ = kNone, needle_body_ = kNone,
            tissue_object_ = kNone, tissue_body_ = kNone;
-  Mark target_, exit_;
+  Mark target_, exit_, tail_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];                      // by Stage
   Signal bending_;
-  Event dropped_, missed_, failed_[9];  // by End
+  Event dropped_, missed_, damaged_, failed_[static_cast<size_t>(End::kCount)];  // by End
 };
 
 }  // namespace swage::lesson_insertion

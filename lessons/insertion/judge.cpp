@@ -36,6 +36,8 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
   follow_stitch(memory, look, finding);
+  finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
+  finding.swage_held = memory.suture.grasped != 0;
   finding.stage = stage(memory, look);
   decide(memory, look, finding);
   return finding;
@@ -105,7 +107,7 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
   follow_stray(memory.stray, look.needle_astray, look.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
-  if (memory.missed != 0) return;
+  if (memory.missed != 0 || !SutureWatch::tail_done(rules_.suture, memory.suture)) return;
   Stitches::finish(memory.stitch);
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
@@ -122,7 +124,8 @@ Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
 
 void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
-                                                 : memory.through != 0 && memory.retaken != 0;
+                                                 : memory.through != 0 && memory.retaken != 0 &&
+                                                       SutureWatch::tail_done(rules_.suture, memory.suture);
   if (done)
     finding.end = memory.missed != 0                                 ? End::kMissed
                   : in_angle_share(memory) < rules_.least_in_angle ? End::kOffAngle
@@ -135,6 +138,10 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
     finding.end = End::kDeflected;
   else if (!look.held && !look.in_tissue && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
     finding.end = End::kLost;
+  else if (memory.suture.off != 0)
+    finding.end = End::kPulledOff;
+  else if (memory.suture.lost != 0)
+    finding.end = End::kTailLost;
   else if (rules_.ends && look.time_s >= rules_.max_time)
     finding.end = End::kOutOfTime;
   if (finding.end == End::kRunning) return;
@@ -152,6 +159,7 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   lost.bending = lessons::bending_points(memory.bending);
   lost.refused = 8 * std::clamp(memory.deflections, 0.0, 3.0);
   lost.drops = 15 * memory.drops;
+  lost.suture = SutureWatch::points(memory.suture);
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
   return lost;
 }

@@ -10,6 +10,7 @@
 #include "common/watches.hpp"
 #include "stitch.hpp"
 #include "stray.hpp"
+#include "suture.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lesson_insertion {
@@ -45,6 +46,7 @@ struct Rules {
   int stitches = 1;             // that are asked for
   bool exit_mark = false;       // there is a mark where it should come out
   bool ends = true;             // the time limit ends the attempt
+  SutureRules suture;
 };
 
 /// What one step shows. The pierce.* signals under short names.
@@ -71,6 +73,7 @@ struct Look {
   bool jaws_astray = false;     // a jaw is in the tissue
   double diameter = 100e-6;     // m, of the wire
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
+  SutureLook suture;
 };
 
 /// Everything remembered from step to step: doubles only.
@@ -93,15 +96,18 @@ struct Memory {
   double exited = 0, let_go = 0, retaken = 0, through = 0;
   StitchState stitch;
   StrayState stray;
+  SutureState suture;
 };
 
 enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
-enum class End { kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle };
+enum class End {
+  kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kCount
+};
 
 /// Points of 100 that were lost.
 struct Points {
-  double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, time = 0;
-  double sum() const { return wound + angle + entry + bending + refused + drops + time; }
+  double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
+  double sum() const { return wound + angle + entry + bending + refused + drops + suture + time; }
 };
 
 /// What is to be said after one step.
@@ -116,6 +122,8 @@ struct Finding {
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
   bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
+  bool swage_held = false;               // grasped where the thread is swaged in
+  bool damaged = false;                  // that, in this step for the first time
   double score = 0;                      // 0..100, once it has ended
   Points lost;                           // likewise, when it was passed
 };

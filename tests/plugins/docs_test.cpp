@@ -24,6 +24,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.object.thread", "plugins/thread/thread.md"},
     {"swage.coupling.pierce", "plugins/coupling_pierce/coupling_pierce.md"},
     {"swage.coupling.swage", "plugins/coupling_swage/coupling_swage.md"},
+    {"swage.coupling.pull_through", "plugins/coupling_pull_through/coupling_pull_through.md"},
     {"swage.device.scripted", "devices/scripted/scripted.md"},
     {"swage.device.skilled", "devices/skilled/skilled.md"},
     {"swage.device.replay", "devices/replay/replay.md"},

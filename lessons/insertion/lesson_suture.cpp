@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The thread of the lesson: what its couplings tell, the mark on it, and its measures.
+#include <algorithm>
+
+#include "insertion_lesson.hpp"
+
+namespace swage::lesson_insertion {
+
+using lessons::index;
+
+namespace {
+
+/// Who in the scene has a signal, "" when nobody has.
+std::string owner_of(const Scene& scene, std::string_view signal) {
+  for (uint32_t i = 0; i < scene->n_signal; ++i)
+    if (view(scene->signal[i].id) == signal) return std::string(view(scene->signal[i].owner));
+  return "";
+}
+
+}  // namespace
+
+void InsertionLesson::find_suture(const Scene& scene, Binder& binder) {
+  thread_object_ = lessons::find_object(scene, binder, params_.suture);
+  if (binder.failed()) return;
+  thread_ = StrandPeer(Peer(scene->object[thread_object_].instance));
+  if (!thread_.valid()) return binder.error("\"" + params_.suture + "\" is no thread");
+  const std::string swage = owner_of(scene, "swage.tension"), pull = owner_of(scene, "pull.tail");
+  if (swage.empty())
+    return binder.error("nothing in the scene ties the thread to a needle; add to \"couplings\" a \"swage.coupling.swage\"");
+  suture_.tension = scene.find_signal(swage, "swage.tension");
+  suture_.pulled_off = scene.find_event(swage, "swage.pulled_off");
+  if (pull.empty() && params_.tail > 0)
+    return binder.error("nothing in the scene draws the thread through tissue; add to \"couplings\" a \"swage.coupling.pull_through\"");
+  if (pull.empty()) return;
+  suture_.state = scene.find_signal(pull, "pull.state");
+  suture_.tail = scene.find_signal(pull, "pull.tail");
+  suture_.cut = scene.find_signal(pull, "pull.cut");
+  suture_.back = scene.find_signal(pull, "pull.back");
+  suture_.force = scene.find_signal(pull, "pull.force");
+  suture_.through = scene.find_event(pull, "pull.went_through");
+}
+
+void InsertionLesson::read_suture(const View& scene, Look& look) const {
+  const auto number = [&](Signal signal) { return signal.valid() ? scene.signal(signal) : 0.0; };
+  look.suture.tension = number(suture_.tension);
+  look.suture.pulled_off = suture_.pulled_off.valid() && scene.happened(suture_.pulled_off);
+  look.suture.through = suture_.through.valid() && scene.happened(suture_.through);
+  look.suture.state = number(suture_.state);
+  look.suture.tail = number(suture_.tail);
+  look.suture.cut = number(suture_.cut);
+  look.suture.back = number(suture_.back);
+  look.suture.force = number(suture_.force);
+}
+
+/// The mark on the thread: what is to be at the entry in the end.
+void InsertionLesson::show_tail(const View& scene, const Kept& kept, const Verdict& verdict) const {
+  const Step thread = scene.object(thread_object_);
+  const auto law = thread_.law(thread);
+  if (!law) return;
+  const auto at = thread_.place(thread, law->length - params_.tail);
+  if (at) verdict.mark(tail_, kept.memory.suture.right_s > 0 ? sign(Sign::kTailGood) : Cue(), &at->p_W);
+}
+
+void InsertionLesson::report_suture(const Memory& m, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  tell(Measure::kTension, m.suture.peak);
+  tell(Measure::kSwageGrasps, m.suture.grasps);
+  if (m.suture.drawn == 0) return;
+  tell(Measure::kThreadPull, m.suture.pull_s);
+  tell(Measure::kTail, m.suture.tail);
+  tell(Measure::kCut, m.suture.cut);
+  tell(Measure::kSawn, m.suture.back);
+}
+
+}  // namespace swage::lesson_insertion

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What becomes of the thread that is swaged to the needle: where the needleholder has the needle, how hard the thread is pulled, what it
+// does to the tissue, and how much of it is left as a tail. Header-only, pure, [rt].
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::lesson_insertion {
+
+struct SutureRules {
+  bool there = false;             // the lesson names one
+  double swage_zone = 0.5e-3;     // m from the needle's blunt end that is not to be grasped
+  double tail = 0;                // m that is to be left at the entry; 0: the thread need not be drawn through
+  double tail_tolerance = 1e-3;   // m
+  double tail_time = 0.5;         // s for which it must stay so
+};
+
+/// What one step shows.
+struct SutureLook {
+  double tension = 0;                           // N, at the swage
+  bool pulled_off = false, through = false;     // events: the thread came out of the needle; all of it went through the tissue
+  double state = 0, tail = 0, cut = 0, back = 0, force = 0;  // pull.*: 1, m, m, m, N
+};
+
+struct SutureState {
+  double peak = 0;                 // N
+  double grasps = 0, grasped = 0;  // at the swage: how often, and now
+  double pull_s = 0;               // N s
+  double tail = 0, cut = 0, back = 0;  // m
+  double drawn = 0;                // 1: it has been in the tissue
+  double right_s = 0;              // s for which the tail has had its length
+  double off = 0, lost = 0;        // 1: pulled off the needle; through, or its tail is too short
+};
+
+struct SutureWatch {
+  /// True in the step in which the swage is grasped. `grip_s`: where the needle is held, 0 at the point; `length`: m, of the needle.
+  static bool look(const SutureRules& rules, SutureState& s, const SutureLook& look, bool held, double grip_s, double length,
+                   double dt) noexcept {
+    if (!rules.there) return false;
+    const bool at_swage = held && (1 - grip_s) * length < rules.swage_zone;
+    const bool begins = at_swage && s.grasped == 0;
+    s.grasped = at_swage ? 1 : 0;
+    if (begins) s.grasps += 1;
+    s.peak = std::max(s.peak, look.tension);
+    s.pull_s += look.force * dt;
+    s.cut = look.cut, s.back = look.back;
+    if (look.pulled_off) s.off = 1;
+    if (look.state > 0) s.drawn = 1, s.tail = look.tail;
+    const bool short_tail = rules.tail > 0 && look.state > 0 && look.tail < rules.tail - rules.tail_tolerance;
+    if (look.through || short_tail) s.lost = 1;
+    constexpr double kOut = 2;
+    const bool right = look.state >= kOut && std::abs(look.tail - rules.tail) <= rules.tail_tolerance;
+    s.right_s = right ? s.right_s + dt : 0;
+    return begins;
+  }
+  static bool tail_done(const SutureRules& rules, const SutureState& s) noexcept {
+    return rules.tail <= 0 || s.right_s >= rules.tail_time;
+  }
+  /// Of 100: 15 for each grasp at the swage.
+  static double points(const SutureState& s) noexcept { return 15 * s.grasps; }
+};
+
+}  // namespace swage::lesson_insertion

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::coupling_pull_through {
+
+using toolkit::raw;
+using toolkit::vec;
+
+namespace {
+
+// A hole stands for no less than this, in thread radii.
+constexpr double kLeast = 2;
+// Share of the way by which the place of a hole follows what the tissue gave in each step, as a needle's (coupling_pierce/track.cpp).
+constexpr double kFollow = 0.4;
+// So many halvings find where the thread goes through a surface: 1e-6 of the length in which it is looked for.
+constexpr int kHalvings = 20;
+// Steps outwards in which the surface is looked for, and their length in thread radii: 5 mm of 10-0.
+constexpr int kLooks = 48;
+constexpr double kLook = 10;
+
+void put(double* to, const Vec3& a) {
+  for (int i = 0; i < 3; ++i) to[i] = a[i];
+}
+Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
+
+double stiffness(const PassageLaw& law, const Hole& hole) { return law.side_stiffness * hole.share; }
+
+/// Stands for more length from now on and bears the same: it is stretched less, which stores less.
+void grow(const PassageLaw& law, Hole& hole, double share) {
+  if (share <= hole.share) return;
+  if (hole.share > 0) {
+    const double less = 1 / stiffness(law, hole) - 1 / (law.side_stiffness * share);
+    put(hole.p, vec3(hole.p) - less * vec3(hole.across));
+    hole.rest -= less / Passage::kStick * hole.along;
+  }
+  hole.share = share;
+}
+
+/// Where the thread goes through a surface between two places, one inside (`in`) and one outside of the tissue.
+Site::Place crossing(const Site& site, double in, double out, Vec3& normal_W) {
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (in + out);
+    (site.inside(site.place(middle).p_W, normal_W) > 0 ? in : out) = middle;
+  }
+  const Site::Place at = site.place(in);
+  site.inside(at.p_W, normal_W);
+  return at;
+}
+
+Hole make_hole(const Site& site, const Site::Place& at, const Vec3& normal_W) {
+  Hole hole{};
+  put(hole.p, site.local(at.p_W));
+  put(hole.first, vec3(hole.p));
+  put(hole.normal, site.X_WO.q.conjugate() * normal_W);
+  hole.u = hole.rest = at.u;
+  hole.share = kLeast * site.strand.radius;
+  return hole;
+}
+
+/// The end is in the tissue: the thread goes in where its first place outside is.
+bool go_in(const Site& site, Passage& passage) {
+  const double look = kLook * site.strand.radius;
+  for (int i = 1; i <= kLooks; ++i) {
+    Vec3 n = Vec3::Zero();
+    if (site.inside(site.place(i * look).p_W, n) > 0) continue;
+    const Site::Place at = crossing(site, (i - 1) * look, i * look, n);
+    passage = {};
+    passage.count = 1;
+    passage.hole[0] = make_hole(site, at, n);
+    return true;
+  }
+  return false;
+}
+
+void remove(Passage& passage, uint32_t i) {
+  std::copy(passage.hole + i + 1, passage.hole + passage.holes(), passage.hole + i);
+  passage.count -= 1;
+}
+
+}  // namespace
+
+double Passage::inside() const {
+  if (count == 0) return 0;
+  return hole[0].u - (out != 0 ? hole[holes() - 1].u : 0);
+}
+
+Site::Site(const StrandPeer& pa, const Peer& pb, const Step& step_a, const Step& step_b, bool last)
+    : thread(pa), tissue(pb), a(step_a), b(step_b), last_leads(last) {
+  const auto of_thread = thread.law(a);
+  const auto of_tissue = tissue.law(b);
+  if (!of_thread || !of_tissue) return;
+  strand = *of_thread, law = *of_tissue;
+  const auto end = thread.place(a, last ? strand.length : 0);
+  if (!end) return;
+  const auto in = tissue.inside(b, end->p_W);
+  if (!in || in->body >= b->n_body) return;
+  body = in->body;
+  X_WO = Pose(b->X_WB[body]);
+  good = true;
+}
+
+Site::Place Site::place(double u) const {
+  const double s = std::clamp(u, 0.0, strand.length);
+  const auto at = thread.place(a, last_leads ? strand.length - s : s);
+  Place out;
+  if (!at) return out;
+  // beyond its ends the thread is as long as it goes straight on
+  out.advance_W = (last_leads ? 1.0 : -1.0) * vec(at->tangent_W);
+  out.p_W = vec(at->p_W) - (u - s) * out.advance_W;
+  out.u = u, out.tension = at->tension, out.body = at->body, out.good = true;
+  return out;
+}
+
+Site::Place Site::near(double u, const Vec3& p_W) const {
+  Place at = place(u);
+  for (int i = 0; i < 4; ++i) at = place(at.u - at.advance_W.dot(p_W - at.p_W));
+  return at;
+}
+
+double Site::inside(const Vec3& p_W, Vec3& normal_W) const {
+  const auto in = tissue.inside(b, raw(p_W));
+  if (!in) return -1;
+  const Vec3 n = vec(in->normal_W);
+  const double depth = in->depth, to_far = -in->beyond, edge = in->edge;
+  normal_W = depth <= to_far ? n : Vec3(-n);
+  return std::min({depth, to_far, edge});
+}
+
+Spot spot(const Site& site, const Hole& hole) {
+  Spot out;
+  const Vec3 p_O = vec3(hole.p) + vec3(hole.given);
+  out.at = site.near(hole.u, site.world(p_O.data()));
+  out.gone = out.at.u + out.at.advance_W.dot(toolkit::rotated(site.X_WO.q, vec3(hole.given)));
+  return out;
+}
+
+Change follow(const Site& site, Passage& passage, const PassageLaw& law, double from) {
+  Vec3 n = Vec3::Zero();
+  const double inside = site.inside(site.place(0).p_W, n);
+  if (passage.count == 0) return inside > from && go_in(site, passage) ? Change::kWentIn : Change::kNone;
+  for (uint32_t i = 0; i < passage.holes(); ++i) passage.hole[i].u = spot(site, passage.hole[i]).at.u;
+
+  // drawn through to its other end, or back out of the way it came
+  while (passage.count > 0 && passage.hole[0].u > site.strand.length) {
+    remove(passage, 0);
+    if (passage.count == 0) return Change::kIsThrough;
+  }
+  while (passage.count > 0 && passage.hole[passage.holes() - 1].u < 0) {
+    remove(passage, passage.holes() - 1);
+    passage.out = 0;
+    if (passage.count == 0) return Change::kWentBack;
+  }
+  // half of the length inside for each; the other half of what is behind the leading end is the needle's
+  for (uint32_t i = 0; i < passage.holes(); ++i) grow(law, passage.hole[i], 0.5 * passage.inside());
+  if (passage.out != 0 || passage.count > 1 || inside >= 0 || passage.hole[0].u < kLeast * site.strand.radius) return Change::kNone;
+  passage.hole[1] = make_hole(site, crossing(site, passage.hole[0].u, 0, n), n);
+  passage.count = 2, passage.out = 1;
+  grow(law, passage.hole[1], 0.5 * passage.inside());
+  return Change::kCameOut;
+}
+
+swage_tie tie_of(const Site& site, const PassageLaw& law, const Passage& passage, uint32_t i) {
+  const Hole& hole = passage.hole[i];
+  const Spot at = spot(site, hole);
+  const Vec3 advance = at.at.advance_W, way = at.at.p_W - site.world(hole.p), across = way - advance.dot(way) * advance;
+  swage_tie tie{};
+  tie.body_a = at.at.body, tie.body_b = site.body;
+  tie.p_W = raw(at.at.p_W);
+  tie.axis_W = raw(advance);
+  tie.offset_W = raw(Vec3(across + (at.gone - hole.rest) * advance));
+  tie.stiffness_across = stiffness(law, hole);
+  tie.stiffness_along = Passage::kStick * tie.stiffness_across;
+  tie.strength = law.failure_stress * 2 * site.strand.radius * hole.share;
+  tie.drag_forth = tie.drag_back = 0.5 * law.drag * passage.inside() + law.friction * vec3(hole.across).norm();
+  return tie;
+}
+
+double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, Hole& hole) {
+  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.slid_W), f = vec(tie.f_a_W);
+  const double along = axis_W.dot(slid), k = stiffness(law, hole);
+  const Vec3 across_W = f - axis_W.dot(f) * axis_W;
+  hole.rest += along;
+  hole.along = axis_W.dot(f);
+  // torn: the force is at its most; sawn: sliding takes the tissue away on which the thread bears, and with it what it bears
+  Vec3 torn_O = site.X_WO.q.conjugate() * (slid - along * axis_W), across = site.X_WO.q.conjugate() * across_W;
+  const double bears = across.norm();
+  if (bears > 0 && k > 0 && tie.strength > 0) {
+    const double sawn = std::min(bears / k, law.saw * std::abs(along) * bears / tie.strength);
+    torn_O -= sawn / bears * across;
+    across *= 1 - sawn * k / bears;
+  }
+  put(hole.p, vec3(hole.p) + torn_O);
+  put(hole.across, across);
+  // where the tissue is now: at the thread, but for what the hole is stretched
+  if (k > 0) {
+    const Site::Place at = site.place(hole.rest - hole.along / (Passage::kStick * k));
+    const Vec3 gives = site.local(at.p_W) + across / k - vec3(hole.p);
+    put(hole.given, vec3(hole.given) + kFollow * (gives - vec3(hole.given)));
+  }
+  hole.cut += torn_O.norm();
+  return torn_O.norm();
+}
+
+}  // namespace swage::coupling_pull_through

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.coupling.pull_through: a thread that a needle has drawn into tissue: it is held where it goes in and comes out, drags, cuts and
+// saws. Model and limits: coupling_pull_through.md.
+#pragma once
+
+#include <swage/coupling.hpp>
+#include <swage/units.hpp>
+
+#include <optional>
+
+#include "passage.hpp"
+
+namespace swage::coupling_pull_through {
+
+enum class Leads : int { kFirst, kLast };
+
+struct PullThroughParams {
+  Leads leads = Leads::kFirst;
+  double drag = 1;             // N/m
+  double friction = 0.2;
+  double saw = 0.02;           // 1
+  double in_from = 0.1e-3;     // m
+  double cut_from = 0.2e-3;    // m
+};
+
+/// The private numbers.
+struct PullThroughState {
+  Passage passage;
+  double told;                            // 1: pull.cut was sent
+  double cut, back;                       // m, greatest so far of a hole; drawn back so far
+  double drag_along, force[3], lateral;  // N, of the last step
+};
+
+class PullThrough final : public Coupling<PullThroughParams>, public Ties, public Tearing {
+ public:
+  static constexpr auto id = "swage.coupling.pull_through";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Pull through";
+  static constexpr auto summary =
+      "A thread follows its needle through tissue: held sideways where it goes in and comes out, dragged along its "
+      "way, and cutting where it is pulled hard or sawn.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr std::array needs_a{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_SOLID}, needs_b{SWAGE_TRAIT_PIERCEABLE};
+  static constexpr bool detects = true;
+
+  static constexpr const char* kLeads[] = {"first", "last", nullptr};
+  static constexpr std::array fields = {
+      choice<&PullThroughParams::leads>("leads", "Leading end", kLeads, "Which end of the thread the needle draws in."),
+      real<&PullThroughParams::drag>("drag", "Drag", "N/m", "N/m", 0, 1e4,
+                                     "Against the thread, per length inside, before anything bears on its side."),
+      real<&PullThroughParams::friction>("friction", "Friction", "1", "1", 0, 3,
+                                         "Coulomb coefficient, inside and on the surface."),
+      real<&PullThroughParams::saw>("saw", "Sawing", "1", "1", 0, 10,
+                                    "Way that a hole is cut per way that the thread slides in it, where it bears what tears at "
+                                    "once; in proportion below."),
+      real<&PullThroughParams::in_from>("in_from", "In from", "m", "mm", 1e-6, 5e-3,
+                                        "So deep the leading end must be before it is in: deeper than a needle dents the surface.")
+          .hidden(),
+      real<&PullThroughParams::cut_from>("cut_from", "Cut from", "m", "mm", 1e-6, 10e-3,
+                                         "A hole cut by more than this sends the event pull.has_cut."),
+  };
+
+  void build(const PullThroughParams& params, CouplingBuilder& builder) override;
+  void bind(const Peer& a, const Peer& b) override;
+  void reset(const CouplingStep& step) override { step.state<PullThroughState>() = {}; }
+  void resolve(const CouplingStep& step) override;
+  uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
+  void tied(const CouplingStep& step, std::span<const swage_tie> ties) override;
+  void finish(const CouplingStep& step) override;
+  uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
+
+ private:
+  Site site(const CouplingStep& step) const {
+    return {thread_, tissue_, step.a(), step.b(), params_.leads == Leads::kLast};
+  }
+  PassageLaw law(const Site& site) const;
+  bool passes(const Site& site, const Passage& passage, const swage_contact& contact) const;
+  void tell(const CouplingStep& step, const Site& site, const PullThroughState& state) const;
+
+  PullThroughParams params_;
+  StrandPeer thread_;
+  Peer tissue_;
+  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_;
+  Event in_, came_out_, back_out_, through_, cut_event_;
+};
+
+}  // namespace swage::coupling_pull_through

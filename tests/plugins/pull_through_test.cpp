@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.coupling.pull_through: a thread behind its needle through a wall: where it is held, what it takes to draw it, that it makes no
+// energy, cuts where it is pulled hard, and saws.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "pierce_scene.hpp"
+#include "scene/chain.hpp"
+
+namespace swage::test {
+namespace {
+
+constexpr double kWall = 1e-3;   // m, thickness of the wall, of which z = 0 is the top
+constexpr double kTurned = 4.3;  // rad, after which its blunt end is beneath it
+
+/// The half-circle needle of the rig turns about a centre c, down through the wall and round its rim, and is then led along `way`. 20 mm
+/// of thread come straight from its blunt end, beside the wall at the start.
+struct Drawn : PierceScene {
+  std::function<Vec3(double t)> way = [](double) { return Vec3(0, 0, 0); };
+  std::string pull, thread = R"("memory": 0)";
+  double turn_s = 1.5, length = 20e-3, turned_to = kTurned, back_to = -1;  // s, m, rad; back_to: in half a second, if it is positive
+
+  void start() {
+    const Vec3 c(-kRadius, 0, 0.8e-3);
+    const Path path = [this, c](double t) {
+      const double share = std::min(1.0, t / turn_s);
+      const double back = back_to > 0 ? std::clamp((t - turn_s) / 0.5, 0.0, 1.0) * (turned_to - back_to) : 0;
+      Pose X = turned(c, turned_to * share - back);
+      X.p += way(std::max(0.0, t - turn_s));
+      return X;
+    };
+    tissue = R"("level": "plane", "stiffening": 0, "size": ["4 mm", "20 mm"], "thickness": "1 mm", "backing": 0, "puncture_force": "1 mN",
+               "cutting_force": "1 mN", "drag": 1, "failure_stress": ")" + strength + "\"";
+    pierce = R"("reaction": 0)";
+    leash = R"("stiffness": "20000 N/m")";
+    // the blunt end at the start, and the way out of it
+    const Pose X0 = turned(c, 0);
+    const Vec3 end = X0 * Vec3(-kRadius, kRadius, 0), out = X0.q * Vec3(-1, 0, 0);
+    const Quat q = Quat::FromTwoVectors(Vec3::UnitX(), out);
+    const Vec3 p = end - 0.25e-3 * out;
+    char text[512];
+    std::snprintf(text, sizeof text,
+                  R"(, {"name": "thread", "plugin": "swage.object.thread", "pose": {"p": [%.12g, %.12g, %.12g], "q": [%.12g, %.12g, %.12g, %.12g]},
+                       "params": {"length": %.12g, "segments": 40, %s}})",
+                  p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z(), length, thread.c_str());
+    extra_objects = text;
+    extra_couplings = R"(, {"name": "end", "plugin": "swage.coupling.swage", "between": ["needle", "thread"]},
+      {"name": "pull", "plugin": "swage.coupling.pull_through", "between": ["thread", "tissue"], "params": {)" + pull + "}}";
+    make(path);
+  }
+  std::string strength = "420 kPa";
+  scene::ChainView chain() const { return {engine->world(), engine->world().chain[0]}; }
+  std::string troubles() const { return base::text(engine->stats().health); }
+};
+
+TEST(PullThrough, follows_its_needle_in_and_out) {
+  Drawn s;
+  s.duration = 2.2;
+  s.way = [](double t) { return Vec3(0, 0, -10e-3 * t); };
+  s.start();
+  ASSERT_NE(s.engine, nullptr);
+  s.run_until(2.2);
+  EXPECT_EQ(s.count("pull.went_in"), 1);
+  EXPECT_EQ(s.count("pull.came_out"), 1);
+  EXPECT_EQ(s.count("swage.pulled_off"), 0);
+  EXPECT_EQ(s.signal("pull.state"), 2);
+  // the chord of the needle's way: 1 mm down, 0.66 mm aside
+  EXPECT_NEAR(s.signal("pull.inside"), 1.19 * kWall, 0.03 * kWall);
+  EXPECT_NEAR(s.signal("pull.tail") + s.signal("pull.inside") + s.signal("pull.out"), s.length, 1e-6);
+  EXPECT_LT(s.signal("pull.cut"), 30e-6);
+  EXPECT_EQ(s.troubles(), "");
+}
+
+/// Drawn on at a steady pace: what it takes is the drag of the length inside; the tail hangs slack.
+TEST(PullThrough, drags_by_its_length_inside) {
+  Drawn s;
+  s.duration = 2.6;
+  s.way = [](double t) { return Vec3(0, 0, -10e-3 * t); };
+  s.pull = R"("drag": 2, "friction": 0)";
+  s.start();
+  ASSERT_NE(s.engine, nullptr);
+  s.run_until(2.3);
+  double drag = 0, tension = 0, lateral = 0;
+  int n = 0;
+  s.run_until(2.6, [&] {
+    drag += s.signal("pull.drag"), tension += s.signal("swage.tension"), lateral += s.signal("pull.lateral"), ++n;
+  });
+  const double law = 2 * s.signal("pull.inside");
+  EXPECT_NEAR(drag / n, law, 0.02 * law);
+  EXPECT_NEAR(tension / n, law, 0.03 * law);
+}
+
+/// Drawn across: over the edge of its exit the thread bears on the side, and friction takes mu of that at each of two holes, and no more.
+TEST(PullThrough, rubs_at_the_edge_over_which_it_is_drawn) {
+  double drag[2], side = 0;
+  for (const double mu : {0.0, 0.3}) {
+    Drawn s;
+    s.duration = 3.0;
+    // down first, then aside
+    s.way = [](double t) { return Vec3(8e-3 * std::max(0.0, t - 0.5), 0, -10e-3 * std::min(t, 0.5)); };
+    s.pull = mu > 0 ? R"("drag": 2, "friction": 0.3, "saw": 0)" : R"("drag": 2, "friction": 0, "saw": 0)";
+    s.strength = "100 MPa";
+    s.start();
+    ASSERT_NE(s.engine, nullptr);
+    s.run_until(2.5);
+    double sum = 0, lateral = 0, limit = HUGE_VAL;
+    int n = 0;
+    s.run_until(3.0, [&] {
+      const double now = s.signal("pull.drag");
+      // the limit is that of the side force of the step before
+      EXPECT_LE(now, limit * (1 + 1e-6));
+      limit = 2 * s.signal("pull.inside") + 2 * mu * s.signal("pull.lateral");
+      sum += now, lateral += s.signal("pull.lateral"), ++n;
+    });
+    drag[mu > 0] = sum / n, side = lateral / n;
+    EXPECT_LT(s.signal("pull.cut"), 1e-12);
+  }
+  EXPECT_GT(drag[1], drag[0] + 0.3 * 0.5 * side);
+  EXPECT_LT(drag[1], drag[0] + 0.3 * 2.5 * side);
+}
+
+/// What the hand puts in is at least what the tissue takes: a thread let go in its passage stays, and nothing begins to move.
+TEST(PullThrough, makes_no_energy) {
+  Drawn s;
+  s.duration = 2.5;
+  s.way = [](double t) { return Vec3(0, 3e-3 * std::min(t, 0.4), -10e-3 * std::min(t, 0.4)); };
+  s.start();
+  ASSERT_NE(s.engine, nullptr);
+  s.run_until(2.1);
+  // the hand stands: what the thread stores runs out into friction and air, and its fastest node gets ever slower
+  const auto fastest = [&] {
+    double v = 0;
+    for (uint32_t i = 0; i < s.chain().vertices(); ++i) v = std::max(v, s.chain().v(i).norm());
+    return v;
+  };
+  const double before = fastest();
+  s.run_until(2.5);
+  EXPECT_LT(fastest(), std::max(1e-3, before));
+  EXPECT_LT(s.signal("pull.force"), 5e-3);
+  EXPECT_EQ(s.troubles(), "");
+}
+
+/// Led back before it has come out it leaves the tissue by the way it came; that is counted as drawn back.
+TEST(PullThrough, goes_back_the_way_it_came) {
+  Drawn s;
+  s.duration = 2.2, s.turned_to = 3.7, s.back_to = 3.2;
+  s.start();
+  ASSERT_NE(s.engine, nullptr);
+  s.run_until(1.5);
+  EXPECT_EQ(s.signal("pull.state"), 1);
+  EXPECT_EQ(s.signal("pull.back"), 0);
+  s.run_until(2.2);
+  EXPECT_EQ(s.signal("pull.state"), 0);
+  EXPECT_EQ(s.count("pull.went_back"), 1);
+  EXPECT_EQ(s.count("pull.came_out"), 0);
+  EXPECT_GT(s.signal("pull.back"), 0.3e-3);
+  EXPECT_EQ(s.troubles(), "");
+}
+
+/// Pulled aside with more than the tissue bears it cuts; where it bears that, sliding saws.
+TEST(PullThrough, cuts_and_saws) {
+  const auto cut = [](const std::string& strength, const std::string& saw) {
+    Drawn s;
+    s.duration = 3.0;
+    s.strength = strength;
+    s.pull = R"("drag": 2, "friction": 0.2, "saw": )" + saw;
+    s.way = [](double t) { return Vec3(8e-3 * std::max(0.0, t - 0.5), 0, -10e-3 * std::min(t, 0.5)); };
+    s.start();
+    EXPECT_NE(s.engine, nullptr);
+    if (!s.engine) return 0.0;
+    s.run_until(3.0);
+    return s.signal("pull.cut");
+  };
+  EXPECT_LT(cut("100 MPa", "0"), 1e-9);
+  EXPECT_GT(cut("20 kPa", "0"), 100e-6);
+  EXPECT_GT(cut("100 MPa", "1"), 5e-6);
+}
+
+}  // namespace
+}  // namespace swage::test
