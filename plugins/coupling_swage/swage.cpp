@@ -139,10 +139,12 @@ void Swage::finish(const CouplingStep& step) {
     step.signal(tension_, pull);
     step.signal(angle_, pull > 0 ? angle_between(vec3(state.f), vec(end->tangent_W)) : 0);
     step.signal(moment_, vec3(state.m).norm());
-    if (pull > strength) {
+    // twice: a thread that is snatched is stretched for one step more than it would be
+    if (pull > strength && state.over != 0) {
       state.off = 1;
       step.event(pulled_off_, pull);
     }
+    state.over = pull > strength ? 1 : 0;
   } else {
     step.signal(tension_, 0), step.signal(angle_, 0), step.signal(moment_, 0);
   }

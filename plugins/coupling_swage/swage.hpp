@@ -26,6 +26,7 @@ struct SwageParams {
 /// The private numbers.
 struct SwageState {
   double off;        // 1: pulled out, or never in
+  double over;       // 1: it was pulled harder than it bears in the last step
   double turn[2];    // cosine and sine, from the needle's normal to the thread's about the needle's tangent at its blunt end
   double f[3], m[3]; // N and N m about the mouth, W: of the thread on the needle in the last step
 };
