@@ -3,60 +3,10 @@
 // The insertion lesson: what counts as good, each way to fail, every metric against a way that can be integrated by hand.
 #include <gtest/gtest.h>
 
-#include "lessons/insertion/judge.hpp"
+#include "insertion_attempt.hpp"
 
 namespace swage::lesson_insertion {
 namespace {
-
-/// An attempt told step by step. The mark is in the origin, the tissue below it; the needle is 4 mm long.
-struct Attempt {
-  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
-    now.length = 4e-3;
-    now.point_W = now.needle_W = Vec3(0, 0, 5e-3);
-  }
-  Finding go(int n = 1) {
-    Finding finding;
-    for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++;
-      finding = judge.look(memory, now);
-      now.entered = now.exited = now.passed = now.deflected = false;
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
-  }
-  void hold(double force = 0.6) {
-    now.held = true;
-    now.force = force;
-    now.grip_s = 0.6;
-  }
-  Finding enter(const Vec3& at = Vec3::Zero(), double angle = 0) {
-    now.entered = now.in_tissue = true;
-    now.entry_W = at;
-    now.angle = angle;
-    now.cosine = std::sin(angle);
-    now.s = 0;
-    now.wound = now.area_ratio = 1;
-    return go();
-  }
-  /// Drives on to s in n steps at an angle [rad].
-  Finding drive(double s, int n, double angle) {
-    now.angle = angle;
-    now.cosine = std::sin(angle);
-    const double from = now.s;
-    Finding finding;
-    for (int i = 1; i <= n; ++i) {
-      now.s = from + (s - from) * i / n;
-      finding = go();
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
-  }
-
-  Judge judge;
-  Memory memory;
-  Look now;
-  int step = 0;
-};
 
 TEST(InsertionJudge, APerfectInsertionHasFullMarks) {
   Attempt a;
@@ -352,65 +302,6 @@ TEST(InsertionJudge, TheForceSignStaysAWhile) {
   a.now.force = 0.5;
   EXPECT_TRUE(a.go(200).too_hard);
   EXPECT_FALSE(a.go(200).too_hard);
-}
-
-/// Each grasp at the swage is one, however long it lasts; it costs 15 points.
-TEST(InsertionJudge, AGraspAtTheSwageDamagesTheSuture) {
-  Rules rules;
-  rules.suture.there = true;  // 0.5 mm of 4 mm: from s = 0.875 on
-  Attempt a(rules);
-  a.hold();
-  a.now.grip_s = 0.87;
-  EXPECT_FALSE(a.go().damaged);
-  a.now.grip_s = 0.88;
-  EXPECT_TRUE(a.go().damaged);
-  const Finding still = a.go(100);
-  EXPECT_FALSE(still.damaged);
-  EXPECT_TRUE(still.swage_held);
-  a.now.grip_s = 0.5;
-  EXPECT_FALSE(a.go().swage_held);
-  EXPECT_EQ(a.memory.suture.grasps, 1);
-  a.enter();
-  const Finding end = a.drive(0.36, 200, 0);
-  EXPECT_EQ(end.end, End::kPassed);
-  EXPECT_EQ(end.lost.suture, 15);
-  EXPECT_EQ(end.score, 85);
-}
-
-/// The tail must keep its length for half a second; drawn too far, or out of the needle, the attempt fails.
-TEST(InsertionJudge, AStitchWithThreadEndsWithItsTail) {
-  Rules rules;
-  rules.task = Task::kStitch;
-  rules.suture.there = true;
-  rules.suture.tail = 10e-3;
-  const auto through = [&] {
-    Attempt a(rules);
-    a.hold();
-    a.enter();
-    a.drive(0.5, 50, 0);
-    a.now.exited = true;
-    a.go();
-    a.now.held = false;
-    a.go();
-    a.hold();
-    a.now.grip_s = 0.1;
-    a.go();
-    a.now.passed = true;
-    a.now.suture.state = 2, a.now.suture.tail = 20e-3;
-    return a;
-  };
-  Attempt done = through();
-  EXPECT_EQ(done.go(1000).end, End::kRunning);
-  done.now.suture.tail = 10.5e-3;
-  EXPECT_EQ(done.go(499).end, End::kRunning);
-  EXPECT_EQ(done.go(2).end, End::kPassed);
-  EXPECT_EQ(done.memory.suture.tail, 10.5e-3);
-  Attempt far = through();
-  far.now.suture.tail = 8.9e-3;
-  EXPECT_EQ(far.go().end, End::kTailLost);
-  Attempt off = through();
-  off.now.suture.pulled_off = true;
-  EXPECT_EQ(off.go().end, End::kPulledOff);
 }
 
 }  // namespace
