@@ -75,19 +75,20 @@ class Writer {
 
   bool write(std::vector<Model>& models, std::string& error) {
     if (!make_people(models.size())) return error = school_.error(), false;
-    const std::size_t all = what_.attempts;
-    // the last of them end yesterday, whenever this is run
+    const std::vector<std::size_t> quota = quotas();
+    const std::size_t most = *std::max_element(quota.begin(), quota.end()), days = (most + kADay - 1) / kADay;
+    // the last of them end yesterday, whenever this is run; who does less was last seen earlier
     const int64_t end = time(nullptr) / kDay * kDay - kDay;
-    const std::size_t each = (all + trainees_.size() - 1) / trainees_.size(), days = (each + kADay - 1) / kADay;
+    std::size_t left = what_.attempts;
     bool ok = to_.begin();
-    for (std::size_t n = 0; ok && n < all; ++n) {
-      Trainee& t = trainees_[n % trainees_.size()];
-      const std::size_t i = n / trainees_.size();  // of this person
-      const std::size_t day = i / kADay, lesson = std::min(models.size() - 1, i * models.size() / std::max<std::size_t>(each, 1));
-      const int64_t start = end - static_cast<int64_t>((days - 1 - day) * 2) * kDay + 9 * 3600 +
-                            static_cast<int64_t>(i % kADay) * 180 + static_cast<int64_t>(n % trainees_.size()) * 7;
-      ok = attempt(t, models[lesson], lesson, day, start, all - n <= what_.recordings);
-    }
+    for (std::size_t i = 0; i < most; ++i)
+      for (std::size_t n = 0; ok && n < trainees_.size(); ++n) {
+        if (i >= quota[n]) continue;
+        const std::size_t day = i / kADay, lesson = std::min(models.size() - 1, i * models.size() / most);
+        const int64_t start = end - static_cast<int64_t>((days - 1 - day) * 2) * kDay + 9 * 3600 +
+                              static_cast<int64_t>(i % kADay) * 180 + static_cast<int64_t>(n) * 7;
+        ok = attempt(trainees_[n], models[lesson], lesson, day, start, left-- <= what_.recordings);
+      }
     ok = ok && to_.commit();
     if (!ok) {
       error = "The synthetic school cannot be written: " + to_.error() + ".";
@@ -110,7 +111,7 @@ class Writer {
       t.is_expert = i + masters >= what_.people;
       t.person.group_id = t.is_expert ? experts.id : trainees.id;
       t.person.handedness = random_.uniform() < 0.1 ? "left" : "right";
-      t.talent = t.is_expert ? 0.02 : 0.05 + 0.3 * random_.uniform() * random_.uniform();
+      t.talent = t.is_expert ? 0.02 : 0.05 + 0.45 * random_.uniform() * random_.uniform();
       t.pace = 4 + 20 * random_.uniform();
       t.done.assign(lessons, 0);
       if (!school_.add_person(t.person)) return false;
@@ -118,6 +119,18 @@ class Writer {
     }
     group_ = trainees.id;
     return true;
+  }
+
+  // How many attempts each makes: some a third of what others do; together as many as are asked for.
+  std::vector<std::size_t> quotas() {
+    std::vector<double> weight;
+    double sum = 0;
+    for (const Trainee& t : trainees_) sum += weight.emplace_back(t.is_expert ? 1.0 : random_.uniform(0.4, 1.2));
+    std::vector<std::size_t> out;
+    std::size_t left = what_.attempts;
+    for (const double w : weight) out.push_back(static_cast<std::size_t>(w / sum * what_.attempts)), left -= out.back();
+    for (std::size_t i = 0; left > 0; i = (i + 1) % out.size(), --left) ++out[i];
+    return out;
   }
 
   bool attempt(Trainee& t, const Model& m, std::size_t lesson, std::size_t day, int64_t start, bool recorded) {
@@ -183,7 +196,7 @@ class Writer {
     return id;
   }
 
-  // Limits at a quarter of the way from expert to novice, on the metrics in which the two differ most.
+  // Limits at three tenths of the way from expert to novice, on the metrics in which the two differ most.
   bool make_course(const std::vector<Model>& models) {
     Course course;
     course.title = "Synthetic course";
@@ -199,7 +212,7 @@ class Writer {
         limit.metric = e.id;
         limit.unit = e.unit;
         limit.source = "synthetic";
-        (s->value > e.value ? limit.most : limit.least) = e.value + 0.4 * (s->value - e.value);
+        (s->value > e.value ? limit.most : limit.least) = e.value + 0.3 * (s->value - e.value);
         candidates.emplace_back(std::abs(s->value - e.value) / (std::abs(s->value) + std::abs(e.value)), limit);
       }
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

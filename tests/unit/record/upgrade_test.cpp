@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "attempt.hpp"
+#include "postgres_server.hpp"
+#include "record/identity.hpp"
+#include "record/salvage.hpp"
+#include "record/schema.hpp"
 #include "record/school.hpp"
 #include "test_places.hpp"
 
@@ -44,6 +50,75 @@ TEST(SchoolUpgrade, StoresOfEveryEarlierVersionBecomeSchools) {
     ASSERT_TRUE(read_recording(path, rows.back().id, recording, error)) << name << ": " << error;
     expect_exact(recording, 300);
   }
+}
+
+// The same upgrade on a server, whose tables are those of version 3.
+TEST(SchoolUpgrade, AServersStoreToo) {
+  PostgresServer server;
+  if (!server.running()) GTEST_SKIP() << server.why_not();
+  const std::string where = server.make_database("old");
+  std::string error;
+  {
+    const auto db = Database::open(where, Access::kWrite, error);
+    ASSERT_TRUE(db && bring_up_to_date(*db, schema_steps().first(3), error)) << error;
+    ASSERT_TRUE(db->run("INSERT INTO person (person_id, pseudonym, created_utc) VALUES (?, ?, ?)",
+                        {make_id(), std::string("Ada"), utc_now()}));
+  }
+  const auto school = School::open(where, error);
+  ASSERT_TRUE(school) << error;
+  std::vector<Person> people = school->people();
+  ASSERT_EQ(people.size(), 1u);
+  people[0].name = "Ada Meyer";
+  EXPECT_TRUE(school->change_person(people[0])) << school->error();
+  const std::string id = record_attempt(where, 10, 1, "Ada Meyer");
+  EXPECT_EQ(Store::open(where, error)->attempts(people[0].id).size(), 1u) << error;
+}
+
+// Whatever people have edited is found again on the pages of a damaged store.
+TEST(SchoolUpgrade, ADamagedSchoolIsSalvaged) {
+  const Folder folder;
+  const std::string path = folder / "a.db", id = record_attempt(path, 300, 1, "Ada");
+  std::string error;
+  {
+    const auto school = School::open(path, error);
+    Person bo;
+    bo.name = "Bo";
+    Group group{"", "Residents", "", ""};
+    Course course;
+    course.title = "Basic";
+    LessonVersion lesson;
+    ASSERT_TRUE(school->add_group(group) && school->add_person(bo) && school->save_course(course)) << school->error();
+    Assignment task{"", course.id, bo.id, false, "", ""};
+    Note note{"", id, 1, 0.001, "", "Mei", "x"};
+    ASSERT_TRUE(school->assign(task) && school->save_note(note) && school->set_void(id, true, "why", "Mei") &&
+                school->publish_lesson("a", "A", "{}", lesson) && school->log_export({bo.id}, "csv", "/x.csv"));
+    Person gone;
+    gone.name = "Cy";
+    ASSERT_TRUE(school->add_person(gone) && school->erase_person(gone.id));
+  }
+  Store::open(path, error)->recover();
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file << std::string(4096, '\x55');
+  }
+  Salvaged out;
+  ASSERT_TRUE(salvage_in_place(path, out, error)) << error;
+  EXPECT_EQ(out.whole, 1u);
+  const auto school = School::open(path, error);
+  Person bo;
+  ASSERT_TRUE(school->find_person("Bo", bo)) << school->error();
+  EXPECT_EQ(school->groups().size(), 1u);
+  EXPECT_EQ(school->courses().size(), 1u);
+  EXPECT_EQ(school->assignments().size(), 1u);
+  EXPECT_EQ(school->lessons().size(), 1u);
+  EXPECT_EQ(school->notes(id).size(), 1u);
+  EXPECT_EQ(school->exported_files(bo.id).size(), 1u);
+  const auto store = Store::open(path, error);
+  EXPECT_TRUE(store->attempts("")[0].is_void);
+  EXPECT_NE(store->attempts("")[0].lesson_digest, "");
+  EXPECT_EQ(store->damage(), "");
+  const auto db = Database::open(path, Access::kRead, error);
+  EXPECT_EQ(db->rows("SELECT 1 FROM erased").size(), 1u) << "who was erased stays so";
 }
 
 }  // namespace
