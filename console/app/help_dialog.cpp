@@ -96,7 +96,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("Middle button,  Space"), tr("Close the jaws to a good grip; again: further")},
                               {tr("Ctrl+middle,  B"), tr("Open the jaws")},
                               {tr("Ctrl+wheel"), tr("Close, open in small steps")},
-                              {tr("Shift"), tr("Everything finer")}},
+                              {tr("Shift"), tr("Everything finer")},
+                              {tr("Tab"), tr("The other instrument, where there are two")}},
                              this)
                       .frame,
                   0, 1);
