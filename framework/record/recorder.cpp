@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <QThread>
+#include <QtCore/QThread>
 
 #include <atomic>
 #include <chrono>
