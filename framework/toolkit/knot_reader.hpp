@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names the knot in a thread: straightened a little, and wholly where that is not enough (knot_thread.hpp), seen from several directions (knot_eye.hpp), each view reduced
-// (knot_strand.hpp) and read (knot_word.hpp). A name is certain when two views or more give the same word, none gives another, and
-// determinant and signature are those of that word. Where its throws are on the thread is told by the view that had least to be taken
-// off. Reading goes in slices: so much work a call. Header-only.
+// Names the knot in a thread: straightened a little, and wholly where that is not enough (knot_thread.hpp), seen from several
+// directions (knot_eye.hpp), each view reduced (knot_strand.hpp) and read (knot_word.hpp). A name is certain when two views or more
+// give the same word, the plainest (which had least to be taken off) among them, none gives another knot, and determinant and
+// signature are those of that word. Where its throws are on the thread is told by the plainest view. Reading goes in slices: so much
+// work a call. Header-only.
 //
 //   thread.begin(nodes, n);
 //   while (!reader.read(thread, 500, name)) ...   // one call a step
@@ -56,12 +57,21 @@ class KnotReader {
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
+  /// In a view with much to take off a whole throw may slide along the thread through another: the same knot in another order. So the
+  /// plainest view has the last word on the order; one that gives another knot contradicts it.
   static void note(const KnotWord& word, int excess, KnotFindings& found) {
     const double number = word.number();
-    if (number < 0 || word.invariants != invariants_of(word)) return;
-    if (found.agreed > 0 && number != found.word) found.contradicted = 1;
-    found.word = number, found.agreed += 1;
-    if (excess >= found.excess) return;
+    const KnotInvariants says = invariants_of(word);
+    if (number < 0 || word.invariants != says) return;
+    const bool first = found.agreed == 0, same = !first && number == found.word;
+    if (!first && !same) {
+      KnotWord before;
+      tell(found, before);
+      if (before.invariants != says || excess == found.excess) found.contradicted = 1;
+    }
+    if (same) found.agreed += 1;
+    if (!first && excess >= found.excess) return;
+    if (!same) found.word = number, found.agreed = 1;
     found.excess = excess, found.throws = word.throws, found.knots = word.knots;
     for (int i = 0; i < word.throws; ++i) {
       const KnotThrow& t = word.tied[at(i)];
