@@ -38,6 +38,10 @@ class KnotEye {
   static Wide turn(const Flat& a, const Flat& b, const Flat& c) {
     return Wide(b.u - a.u) * (c.v - a.v) - Wide(b.v - a.v) * (c.u - a.u);
   }
+  /// Two sticks in a line, one on top of the other; one that goes on straight is none.
+  static bool folds_back(const Flat& a, const Flat& b, const Flat& c) {
+    return turn(a, b, c) == 0 && Wide(b.u - a.u) * (c.u - b.u) + Wide(b.v - a.v) * (c.v - b.v) <= 0;
+  }
   static bool earlier(const Hit& a, const Hit& b) {
     return a.stick != b.stick ? a.stick < b.stick : a.share * b.whole < b.share * a.whole;
   }
@@ -111,7 +115,7 @@ inline KnotSight KnotEye::look(const KnotThread& thread, const KnotView& view, K
   for (int i = 0; i < n; ++i) flat_[at(i)] = flat(thread.vertex[at(i)].grid(), view);
   if (!ends_outside(n)) return KnotSight::kEndsInside;
   for (int i = 0; i + 2 < n; ++i)
-    if (turn(flat_[at(i)], flat_[at(i + 1)], flat_[at(i + 2)]) == 0) return KnotSight::kDegenerate;
+    if (folds_back(flat_[at(i)], flat_[at(i + 1)], flat_[at(i + 2)])) return KnotSight::kDegenerate;
   for (int i = 0; i < n - 1; ++i)
     for (int j = i + 2; j < n - 1; ++j)
       if (const KnotSight seen = cross(thread, i, j); seen != KnotSight::kSound) return seen;

@@ -46,6 +46,10 @@ TEST(Ties, RandomTiesAreNamed) { name_ties(0, 2000); }
 TEST(Ties, OrderIsThatOfThePlainestView) {
   for (const uint64_t seed : {2231u, 50084u}) EXPECT_EQ(fault(random_tie(seed), std::to_string(seed)), "");
 }
+// on the grid three places of these lie exactly in a line
+TEST(Ties, AStraightPieceIsNotDegenerate) {
+  for (const uint64_t seed : {5729u, 5860u}) EXPECT_EQ(fault(random_tie(seed), std::to_string(seed)), "");
+}
 TEST(TiesMany, RandomTiesAreNamed) { name_ties(0, 100000); }
 
 TEST(Ties, HomflyConfirmsTheGenerator) {
