@@ -78,7 +78,8 @@ void ContactIslands::add_block(IslandWorkspace& island, uint32_t block) noexcept
   DofBlock& m = p_.place.block(block);
   m.offset = island.unknowns;
   island.unknowns += m.size;
-  island.own = island.own || p_.place.is_flexible(block);
+  island.own = island.own || (p_.place.is_flexible(block) && !p_.place.is_banded(block));
+  island.banded = island.banded || p_.place.is_banded(block);
   local_[block] = island.blocks;
   member_[island.first_block + island.blocks] = block;
   member_block_[island.first_block + island.blocks] = &m;
@@ -130,13 +131,13 @@ IslandWorkspace* ContactIslands::moving(const Side& side) noexcept {
   return island.done ? nullptr : &island;
 }
 
-/// Rows of an island with flexible bodies: what is too much of them takes no part in this step. Ties always do.
+/// Rows of an island that is solved for its forces: what is too much of them takes no part in this step. Ties always do.
 void ContactIslands::make_room(const contact::ContactSet& contacts, uint32_t index) noexcept {
   const auto in_island = [&](uint32_t block) { return block != kNone && island_of_[block] == index; };
   bool flexible = false;
   uint32_t constraints = 0, ties = 0;
   for (uint32_t m = 0; m < parent_.size(); ++m)
-    flexible = flexible || (in_island(m) && p_.place.is_flexible(m));
+    flexible = flexible || (in_island(m) && p_.place.is_flexible(m) && !p_.place.is_banded(m));
   if (!flexible) return;
   for (uint32_t i = 0; i < p_.n; ++i)
     constraints += p_.contact[i].active && in_island(p_.first_block(p_.contact[i]));

@@ -57,7 +57,8 @@ struct IslandWorkspace {
   bool converged = false, limits_hold = true, held = false, done = false;
   double remaining = 0;                          // m of that way that were not gone
   bool tied = false;                             // ties are among its constraints
-  bool own = false;                              // flexible bodies are among its blocks
+  bool own = false;                              // flexible bodies that are no bands are among its blocks
+  bool banded = false;                           // bands are
   bool stalled = false;                          // passes bring it no nearer
   double last_errors[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
 };

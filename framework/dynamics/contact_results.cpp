@@ -42,7 +42,20 @@ void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noe
   ties_.write();
   mark_held(motion, contacts);
   p_.place.write_back(p_.solved);
+  report_forces(contacts);
   p_.place.flexible().apply_impulses();
+}
+
+/// Bands went by what is in their unknowns; what pushes them their objects are told.
+void ContactSolve::report_forces(const contact::ContactSet& contacts) noexcept {
+  const auto report = [&](const Side& s, const Vec3& f) {
+    if (s.point != kNone && p_.place.is_banded(s.block))
+      p_.place.flexible().report_force(p_.place.block(s.block).index, s.point, f);
+  };
+  for (uint32_t i = 0; i < p_.n; ++i)
+    report(p_.contact[i].a, contacts.contact[i].f_a_W), report(p_.contact[i].b, -contacts.contact[i].f_a_W);
+  for (uint32_t i = 0; i < p_.tie.size(); ++i)
+    report(p_.tie_workspace[i].a, p_.tie[i].f_a_W), report(p_.tie_workspace[i].b, -p_.tie[i].f_a_W);
 }
 
 void ContactSolve::write_contact(contact::Contact& c, const ContactWorkspace& k) noexcept {

@@ -28,9 +28,10 @@ ContactSolve::ContactSolve(const scene::World& world, const Options& options)
       points_(p_),
       ties_(p_),
       solver_(p_.place.unknowns(), p_.place.flexible().capacity() > 0 ? p_.room.rows : 0,
-              static_cast<uint32_t>(world.hinge.size())) {
-  move_.resize(p_.place.unknowns());
-  J_.resize(3 * p_.constraint.size() * 12);
+              static_cast<uint32_t>(world.hinge.size()),
+              {p_.place.flexible().vertices(), static_cast<uint32_t>(p_.constraint.size())}) {
+  move_.resize(p_.place.unknowns() + BandedBody::kUnknowns * p_.place.flexible().vertices());
+  J_.resize(3 * p_.constraint.size() * 2 * BandedBody::kOfPoint);
   touched_.assign(p_.place.blocks(), 0);
 }
 
@@ -183,7 +184,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
             : jacobian(p_.contact[i].a, p_.contact[i].b, contacts.contact[i].p_W, constraint);
   }
 
-  const Island problem{islands_.blocks(island), constraints, island.unknowns, island.own};
+  const Island problem{islands_.blocks(island), constraints, island.unknowns, island.own, island.banded};
   const Limits limits = island.passes < kFreePasses && !island.held ? Limits::kCoulomb : Limits::kHeld;
   ++island.passes;
   const Outcome outcome = solver_.solve(problem, p_.scales, limits);
@@ -191,7 +192,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   island.remaining = std::abs(1 - island.relaxation) * outcome.moved;
   for (uint32_t i = 0; i < island.unknowns; ++i) move_[i] = island.relaxation * solver_.d()[i];
   for (const uint32_t m : islands_.members(island)) {
-    if (p_.place.is_flexible(m))
+    if (p_.place.block(m).kind == DofBlock::Kind::kFlexible)
       move_flexible(m, constraints, island.relaxation);
     else
       p_.place.move(m, move_.data() + p_.place.block(m).offset);
@@ -252,10 +253,10 @@ void ContactSolve::relax(IslandWorkspace& island) noexcept {
 const double* ContactSolve::jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W,
                                      Constraint& constraint) noexcept {
   const bool a = p_.place.moves(side_a.block), b = p_.place.moves(side_b.block);
-  constraint.size_a = a ? p_.place.block(side_a.block).size : 0;
-  constraint.size_b = b ? p_.place.block(side_b.block).size : 0;
-  constraint.offset_a = a ? p_.place.block(side_a.block).offset : 0;
-  constraint.offset_b = b ? p_.place.block(side_b.block).offset : 0;
+  const Placement::Columns of_a = p_.place.columns(side_a), of_b = p_.place.columns(side_b);
+  constraint.size_a = of_a.size, constraint.size_b = of_b.size;
+  constraint.offset_a = a ? p_.place.block(side_a.block).offset + of_a.offset : 0;
+  constraint.offset_b = b ? p_.place.block(side_b.block).offset + of_b.offset : 0;
   constraint.block_a = a ? islands_.local(side_a.block) : kNone, constraint.point_a = side_a.point;
   constraint.block_b = b ? islands_.local(side_b.block) : kNone, constraint.point_b = side_b.point;
 

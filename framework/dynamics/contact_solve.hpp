@@ -43,6 +43,7 @@ class ContactSolve {
   void finish(Motion& motion, contact::ContactSet& contacts, Stats& stats) noexcept;
   void clamp_velocity(const contact::ContactSet& contacts, const IslandWorkspace& island) noexcept;
   void write_back(Motion& motion, contact::ContactSet& contacts) noexcept;
+  void report_forces(const contact::ContactSet& contacts) noexcept;
   void write_contact(contact::Contact& c, const ContactWorkspace& k) noexcept;
   void mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept;
   void hold(Motion& motion, const Side& side) const noexcept;

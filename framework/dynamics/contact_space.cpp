@@ -22,11 +22,12 @@ Vec3 force(const Constraint& constraint) {
 
 }  // namespace
 
-ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges) {
+ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32_t max_of_bands) {
   const size_t n = size_t{3} * max_constraints + max_hinges;
   W_.resize(n * n), M_.resize(n * n);
   for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &s_, &right_, &line_}) v->resize(n);
-  Jt_.resize(size_t{12} * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints);
+  Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints);
+  of_block_.resize(std::max(max_of_bands, 6u)), three_.resize(size_t{3} * max_of_bands);
   arm_.reserve(size_t{2} * max_constraints);
   factors_.resize(max_constraints + max_hinges);
   drive_.resize(max_hinges);
@@ -249,20 +250,22 @@ double ContactSpace::slope(const double* z, const double* step) noexcept {
   return sum;
 }
 
-/// What the forces y move a body or particle by.
-void ContactSpace::apply_inverse_mass(uint32_t block, const double* y, double* d) const noexcept {
+/// What the forces y move a body, particle or band by.
+void ContactSpace::apply_inverse_mass(uint32_t block, const double* y, double* d) noexcept {
   const DofBlock& m = *island_->blocks[block];
-  double F[6] = {};
+  double* F = of_block_.data();
+  std::fill_n(F, m.size, 0.0);
   for (size_t i = 0; i < n_constraints_; ++i) {
     const Constraint& constraint = island_->constraints[i];
     const uint32_t stride = constraint.size_a + constraint.size_b;
     const Vec3 v = vec3(y + 3 * i), f(constraint.n.dot(v), constraint.t1.dot(v), constraint.t2.dot(v));
-    const auto add = [&](const double* J) {
-      for (uint32_t u = 0; u < m.size; ++u)
-        F[u] += J[u] * f[0] + J[stride + u] * f[1] + J[2 * stride + u] * f[2];
+    const auto add = [&](const double* J, uint32_t size, double* to) {
+      for (uint32_t u = 0; u < size; ++u)
+        to[u] += J[u] * f[0] + J[stride + u] * f[1] + J[2 * stride + u] * f[2];
     };
-    if (constraint.block_a == block) add(constraint.J);
-    if (constraint.block_b == block) add(constraint.J + constraint.size_a);
+    if (constraint.block_a == block) add(constraint.J, constraint.size_a, F + (constraint.offset_a - m.offset));
+    if (constraint.block_b == block)
+      add(constraint.J + constraint.size_a, constraint.size_b, F + (constraint.offset_b - m.offset));
   }
   m.apply_inverse_mass(F, d);
 }
@@ -297,11 +300,11 @@ double ContactSpace::moved(const double* z) noexcept {
 }
 
 /// From the pose of the linearisation to z.
-void ContactSpace::go(uint32_t block, const double* z, double* d) const noexcept {
+void ContactSpace::go(uint32_t block, const double* z, double* d) noexcept {
   const DofBlock& m = *island_->blocks[block];
-  double to_free[6];
-  m.to_free(to_free);
   apply_inverse_mass(block, z + n_, d);
+  double* to_free = of_block_.data();
+  m.to_free(to_free);
   for (uint32_t u = 0; u < m.size; ++u) d[u] += to_free[u];
 }
 

@@ -28,8 +28,8 @@ namespace swage::dynamics {
 
 class ContactSpace final : public Space {
  public:
-  /// Of islands of so many constraints and drives, and of one block's sides.
-  ContactSpace(uint32_t max_constraints, uint32_t max_hinges);
+  /// Of islands of so many constraints and drives, and of one block's sides; unknowns of bands.
+  ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32_t max_of_bands = 0);
 
   size_t begin(const Island& island) noexcept override;
   bool start(double* z) noexcept override;
@@ -51,6 +51,7 @@ class ContactSpace final : public Space {
     double sign = 1;
     const double* J = nullptr;  // 3 lines of `stride`, in the constraint's axes; of a flexible body none
     uint32_t stride = 0;
+    uint32_t first = 0;  // unknown of the block, of its first column
   };
   /// D = S R' of a constraint, in W; of a drive the first number of R.
   struct Factors {
@@ -67,6 +68,7 @@ class ContactSpace final : public Space {
   void collect(uint32_t block) noexcept;
   void add_flexible(const DofBlock& block) noexcept;
   void add_rigid(const DofBlock& block, uint32_t hinge) noexcept;
+  void add_banded(const DofBlock& block) noexcept;
   void add_drive(const DofBlock& hinge, size_t at) noexcept;
   double* line(size_t i) noexcept { return W_.data() + i * n_; }
   /// Of a constraint or, after all constraints, of a drive, among the numbers of y.
@@ -74,8 +76,8 @@ class ContactSpace final : public Space {
     return constraint < n_constraints_ ? 3 * constraint : 2 * n_constraints_ + constraint;
   }
   void apply_delassus(const double* y, double* v) const noexcept;
-  void apply_inverse_mass(uint32_t block, const double* y, double* d) const noexcept;
-  void go(uint32_t block, const double* z, double* d) const noexcept;
+  void apply_inverse_mass(uint32_t block, const double* y, double* d) noexcept;
+  void go(uint32_t block, const double* z, double* d) noexcept;
 
   Kept linearise(const double* z) noexcept;
   static void split(const Constraint& constraint, Factors& f) noexcept;
@@ -91,6 +93,7 @@ class ContactSpace final : public Space {
   std::vector<double> c_, drive_, v_,
       y_;  // of the last direction, and where it leads; N m/rad, of the drives
   std::vector<double> F_, s_, right_, line_;
+  std::vector<double> of_block_, three_;  // numbers of a block, and three sides of them
   std::vector<Vec3> Jt_, Minv_Jt_;  // of the block at hand, per arm and unknown: columns of J' and A^-1 J'
   std::vector<JacobianBlock> arm_;
   std::vector<Factors> factors_;

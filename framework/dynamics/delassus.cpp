@@ -30,9 +30,11 @@ size_t ContactSpace::begin(const Island& island) noexcept {
   for (uint32_t m = 0; m < island.blocks.size(); ++m) {
     const DofBlock& block = *island.blocks[m];
     collect(m);
-    work += 9 * arm_.size() * arm_.size() * std::max(1u, block.size);
+    work += 9 * arm_.size() * arm_.size() * std::clamp(block.size, 1u, BandedBody::kOfPoint);
     if (block.kind == DofBlock::Kind::kFlexible)
       add_flexible(block);
+    else if (block.kind == DofBlock::Kind::kBanded)
+      add_banded(block);
     else
       add_rigid(block, block.kind == DofBlock::Kind::kHinge ? hinge++ : 0);
   }
@@ -45,9 +47,11 @@ void ContactSpace::collect(uint32_t block) noexcept {
   for (uint32_t i = 0; i < n_constraints_; ++i) {
     const Constraint& constraint = island_->constraints[i];
     const uint32_t stride = constraint.size_a + constraint.size_b;
-    if (constraint.block_a == block) arm_.push_back({i, constraint.point_a, 1, constraint.J, stride});
+    const uint32_t first = island_->blocks[block]->offset;
+    if (constraint.block_a == block)
+      arm_.push_back({i, constraint.point_a, 1, constraint.J, stride, constraint.offset_a - first});
     if (constraint.block_b == block)
-      arm_.push_back({i, constraint.point_b, -1, constraint.J + constraint.size_a, stride});
+      arm_.push_back({i, constraint.point_b, -1, constraint.J + constraint.size_a, stride, constraint.offset_b - first});
   }
 }
 
@@ -104,6 +108,40 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
     }
   }
   if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);
+}
+
+/// J A^-1 J' of a band: for each side three solves, of which the other sides take what they touch.
+void ContactSpace::add_banded(const DofBlock& block) noexcept {
+  constexpr uint32_t kColumns = BandedBody::kOfPoint;
+  block.to_free(of_block_.data());
+  work += 120 * arm_.size() * block.size;
+  for (size_t p = 0; p < arm_.size(); ++p) {
+    const JacobianBlock& a = arm_[p];
+    Vec3 *Jt = &Jt_[kColumns * p], moves = Vec3::Zero();
+    for (uint32_t u = 0; u < kColumns; ++u) {
+      Jt[u] = in_world(island_->constraints[a.constraint], a.J[u], a.J[a.stride + u], a.J[2 * a.stride + u]);
+      moves += of_block_[a.first + u] * Jt[u];
+    }
+    for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
+  }
+  for (size_t p = 0; p < arm_.size(); ++p) {
+    const JacobianBlock& a = arm_[p];
+    std::fill_n(three_.begin(), size_t{3} * block.size, 0.0);
+    for (uint32_t u = 0; u < kColumns; ++u) put(Jt_[kColumns * p + u], &three_[size_t{3} * (a.first + u)]);
+    block.band->apply_inverse<3>(three_.data());
+    for (size_t q = p; q < arm_.size(); ++q) {
+      const JacobianBlock& b = arm_[q];
+      Mat3 W_ba = Mat3::Zero();
+      for (uint32_t u = 0; u < kColumns; ++u)
+        W_ba += Jt_[kColumns * q + u] * Eigen::Map<const Vec3>(&three_[size_t{3} * (b.first + u)]).transpose();
+      for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k) {
+          const double w = W_ba(index(i), index(k));
+          line(3 * b.constraint + i)[3 * a.constraint + k] += w;
+          if (p != q) line(3 * a.constraint + k)[3 * b.constraint + i] += w;
+        }
+    }
+  }
 }
 
 /// The force of a drive acts on the angle: a constraint of its own, beside those that the hinge is on.

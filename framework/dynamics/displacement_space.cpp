@@ -9,11 +9,8 @@
 
 namespace swage::dynamics {
 
-DisplacementSpace::DisplacementSpace(uint32_t max_unknowns)
-    : F_(max_unknowns),
-      negative_F_(max_unknowns),
-      H_(size_t{max_unknowns} * max_unknowns),
-      pivot_(max_unknowns) {}
+DisplacementSpace::DisplacementSpace(uint32_t max_unknowns, uint32_t max_dense)
+    : F_(max_unknowns), negative_F_(max_dense), H_(size_t{max_dense} * max_dense), pivot_(max_dense) {}
 
 size_t DisplacementSpace::begin(const Island& island) noexcept {
   island_ = &island;
@@ -45,14 +42,20 @@ double DisplacementSpace::merit() noexcept {
   return sum;
 }
 
-/// Between kinks H does not change, and its factors are still there.
-bool DisplacementSpace::search_direction(const double* d, bool same, double* step) noexcept {
+bool DisplacementSpace::update_drives(const double* d) noexcept {
+  bool same = true;
   for (DofBlock* block : island_->blocks) {
     if (block->kind != DofBlock::Kind::kHinge) continue;
     const double now = block->drive.stiffness(block->angle + d[block->offset]);
     same = same && now == block->stiffness;
     block->stiffness = now;
   }
+  return same;
+}
+
+/// Between kinks H does not change, and its factors are still there.
+bool DisplacementSpace::search_direction(const double* d, bool same, double* step) noexcept {
+  same = update_drives(d) && same;
   if (!same || !factored_) {
     std::fill_n(H_.begin(), size_ * size_, 0.0);
     for (const DofBlock* block : island_->blocks) block->add_stiffness(d + block->offset, size_, H_.data());

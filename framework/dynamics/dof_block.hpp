@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the contact solve can move: a rigid body, a hinge, a particle, or an object with its own mechanics. All look alike
+// What the contact solve can move: a rigid body, a hinge, a particle, a band, or an object with its own mechanics. All look alike
 // to the solve: unknowns x, inertia A = M / h^2, a force A (x - x_hat) that contacts must balance, and for a hinge the torque
 // of its drive. Unknowns count from the pose at which the geometry was last evaluated.
 //
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "dynamics/banded_body.hpp"
 #include "dynamics/hinge_drive.hpp"
 #include "dynamics/rotation.hpp"
 
@@ -23,7 +24,7 @@ struct PointMobility {
 };
 
 struct DofBlock {
-  enum class Kind : uint8_t { kRigid, kHinge, kParticle, kFlexible };
+  enum class Kind : uint8_t { kRigid, kHinge, kParticle, kFlexible, kBanded };
   Kind kind = Kind::kRigid;
   uint32_t index = 0;            // body, hinge, particle of the world, or place among the self solvers
   uint32_t size = 6;             // unknowns; kFlexible: none, it answers for its points (contact_space.hpp)
@@ -42,6 +43,7 @@ struct DofBlock {
   double angle = 0;                                 // kHinge: x itself [rad], not relative to x_hat
   Vec3 axis = Vec3::Zero(), anchor = Vec3::Zero();  // kHinge: in W
   PointMobility own;                                // kFlexible
+  BandedBody* band = nullptr;                       // kBanded
 
   /// F = A (x + d - x_hat) - t(x + d): forces that contacts must balance. Writes `size` numbers at F.
   void residual(const double* d, double* F) const noexcept {
@@ -57,6 +59,9 @@ struct DofBlock {
       case Kind::kParticle:
         for (int i = 0; i < 3; ++i) F[i] = m_hh * (x[i] + d[i]);
         break;
+      case Kind::kBanded:
+        band->residual(d, F);
+        break;
       case Kind::kFlexible:
         break;
     }
@@ -64,6 +69,7 @@ struct DofBlock {
 
   /// Where it would go from here without contacts, a hinge without its drive.
   void to_free(double* d) const noexcept {
+    if (kind == Kind::kBanded) return band->to_free(d);
     if (kind == Kind::kHinge) {
       d[0] = drive.x_hat - angle;
       return;
@@ -76,6 +82,10 @@ struct DofBlock {
 
   /// A^-1 F.
   void apply_inverse_mass(const double* F, double* d) const noexcept {
+    if (kind == Kind::kBanded) {
+      for (uint32_t i = 0; i < size; ++i) d[i] = F[i];
+      return band->apply_inverse(d);
+    }
     if (kind == Kind::kHinge) {
       d[0] = F[0] / drive.inertia_hh;
       return;
@@ -86,7 +96,7 @@ struct DofBlock {
     for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
-  /// Adds dF/dd to the island's matrix H (n x n, constraint-major).
+  /// Adds dF/dd to the island's matrix H (n x n, constraint-major). Not of a band (sparse_space.hpp).
   void add_stiffness(const double* d, size_t n, double* H) const noexcept {
     double* at = H + offset * n + offset;
     for (uint32_t i = 0; i < size; ++i) at[i * n + i] += m_hh;
@@ -104,14 +114,15 @@ struct DofBlock {
       const Vec3 f(F[0], F[1], F[2]), t(F[3], F[4], F[5]);
       return f.squaredNorm() / m_hh + t.dot(inv_I_hh * t);
     }
+    if (kind == Kind::kBanded) return band->merit(F);
     double sum = 0;
     for (uint32_t i = 0; i < size; ++i) sum += F[i] * F[i];
     return sum / m_hh;
   }
 
-  /// Size of a change [m]: of the centre; turns show at the contacts.
+  /// Size of a change [m]: of the centre; turns, and all of a band, show at the contacts.
   double length(const double* d) const noexcept {
-    if (kind == Kind::kHinge || kind == Kind::kFlexible) return 0;
+    if (kind != Kind::kRigid && kind != Kind::kParticle) return 0;
     return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   }
 };

@@ -23,18 +23,37 @@ FlexibleBodies::FlexibleBodies(const scene::World& world) : room_(world.capacity
   std::sort(objects.begin(), objects.end());
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   object_.resize(objects.size());
+  for (const uint32_t object : objects) {
+    const auto chain = [&](const scene::Shape& s) { return s.object == object && s.kind == SWAGE_SHAPE_CHAIN; };
+    const auto first = std::find_if(world.shape.begin(), world.shape.end(), chain);
+    if (std::count_if(world.shape.begin(), world.shape.end(), chain) != 1) continue;
+    band_.push_back(std::make_unique<BandedBody>(object, static_cast<uint32_t>(world.chain[first->chain].start.size())));
+  }
+  // a contact may touch one of them twice
+  const size_t points = band_.empty() ? room_ : std::max<size_t>(room_, 2 * (size_t{world.capacity.contacts} + world.capacity.ties));
   const size_t n = size_t{3} * room_;
   for (Object& o : object_) {
-    o.point.resize(room_), o.place.resize(room_);
-    for (std::vector<double>* v : {&o.v_free, &o.u, &o.expected, &o.extra, &o.force, &o.to, &o.impulse})
-      v->resize(n);
+    o.point.resize(points), o.place.resize(points);
+    for (std::vector<double>* v : {&o.v_free, &o.u, &o.expected, &o.extra, &o.to}) v->resize(n);
+    for (std::vector<double>* v : {&o.force, &o.impulse}) v->resize(3 * points);
     o.W.resize(n * n);
   }
 }
 
+uint32_t FlexibleBodies::vertices() const noexcept {
+  uint32_t sum = 0;
+  for (const auto& band : band_) sum += band->vertices();
+  return sum;
+}
+
 void FlexibleBodies::begin(std::span<FlexibleBody* const> self) noexcept {
   flexible_ = self.first(std::min(self.size(), object_.size()));
-  for (Object& o : object_) o.points = 0, o.displaced = o.sound = false;
+  for (Object& o : object_) o.points = 0, o.displaced = o.sound = false, o.band = nullptr;
+  for (uint32_t i = 0; i < flexible_.size(); ++i) {
+    if (!flexible_[i]->banded()) continue;
+    for (const auto& band : band_)
+      if (band->object() == flexible_[i]->object()) object_[i].band = band.get(), band->begin();
+  }
 }
 
 uint32_t FlexibleBodies::slot(uint32_t object) const noexcept {
@@ -46,7 +65,7 @@ uint32_t FlexibleBodies::slot(uint32_t object) const noexcept {
 uint32_t FlexibleBodies::add_point(uint32_t slot, uint32_t body, uint32_t shape, const Vec3& p_W,
                                    const Vec3& into, const contact::ChainPlace& place) noexcept {
   Object& o = object_[slot];
-  if (o.points == room_) return scene::kNone;
+  if (o.points == room(slot)) return scene::kNone;
   o.place[o.points] = {place.segment, 0, place.share, place.s};
   o.point[o.points] = {body, shape, toolkit::raw(p_W), toolkit::raw(into)};
   return o.points++;
@@ -70,6 +89,12 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
     const size_t n = 3 * o.points;
     o.h = h;
     if (n == 0) continue;
+    if (o.band) {
+      std::fill_n(o.force.begin(), n, 0.0);
+      o.sound = o.band->linearise(*flexible_[i]);
+      unanswered += o.sound ? 0 : o.points;
+      continue;
+    }
     std::fill_n(o.v_free.begin(), n, 0.0);
     std::fill_n(o.u.begin(), n, 0.0);
     std::fill_n(o.W.begin(), n * n, 0.0);
@@ -93,6 +118,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
 }
 
 void FlexibleBodies::expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept {
+  if (object_[slot].band) return;  // it starts where it advanced to
   const Vec3 prediction_error_at = displacement - u_free(slot, point);
   for (uint32_t i = 0; i < 3; ++i) object_[slot].expected[3 * point + i] = prediction_error_at[i];
 }
@@ -100,13 +126,14 @@ void FlexibleBodies::expect(uint32_t slot, uint32_t point, const Vec3& displacem
 void FlexibleBodies::start() noexcept {
   for (uint32_t slot = 0; slot < flexible_.size(); ++slot) {
     Object& o = object_[slot];
-    if (o.sound) std::copy_n(o.expected.begin(), 3 * o.points, o.extra.begin());
+    if (o.sound && !o.band) std::copy_n(o.expected.begin(), 3 * o.points, o.extra.begin());
   }
 }
 
 bool FlexibleBodies::release(uint32_t slot) noexcept {
   Object& o = object_[slot];
   if (!o.sound || o.displaced) return false;
+  if (o.band) return o.band->release();
   const auto first = o.extra.begin(), last = first + static_cast<std::ptrdiff_t>(3 * o.points);
   if (std::all_of(first, last, [](double x) { return x == 0; })) return false;
   std::fill(first, last, 0.0);
@@ -144,7 +171,13 @@ void FlexibleBodies::apply_impulses() noexcept {
     Object& o = object_[i];
     if (o.points == 0) continue;
     for (size_t k = 0; k < 3 * o.points; ++k) o.impulse[k] = o.h * o.force[k];
-    flexible_[i]->apply_impulses({o.point.data(), o.points}, o.impulse.data());
+    const std::span<const swage_contact_point> points(o.point.data(), o.points);
+    if (o.band) {
+      flexible_[i]->locate({o.place.data(), o.points});
+      flexible_[i]->displace(o.band->change(), points, o.impulse.data());
+    } else {
+      flexible_[i]->apply_impulses(points, o.impulse.data());
+    }
   }
 }
 

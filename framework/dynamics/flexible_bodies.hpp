@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Objects with their own mechanics inside the contact solve: their points go by u = u_free + h^2 W f, and are given exactly the
-// forces for which they went (contact_space.hpp).
+// forces for which they went (contact_space.hpp). Banded ones have unknowns instead (banded_body.hpp): their points only report.
 //
 // Threads: built on [main]; the rest [rt].
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "contact/contact_set.hpp"
+#include "dynamics/banded_body.hpp"
 #include "dynamics/dof_block.hpp"
 #include "dynamics/flexible_body.hpp"
 #include "scene/world.hpp"
@@ -41,7 +43,17 @@ class FlexibleBodies {
   bool release(uint32_t slot) noexcept;
 
   /// Points that one object may have.
-  uint32_t room() const noexcept { return room_; }
+  uint32_t room(uint32_t slot) const noexcept {
+    return object_[slot].band ? static_cast<uint32_t>(object_[slot].point.size()) : room_;
+  }
+  /// The band of one that has one, or nullptr.
+  BandedBody* band(uint32_t slot) const noexcept { return object_[slot].band; }
+  /// What a point of a banded one is pushed by [N], for its object to know.
+  void report_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept {
+    for (uint32_t i = 0; i < 3; ++i) object_[slot].force[3 * point + i] += force[i];
+  }
+  /// Vertices of all chains that may be bands.
+  uint32_t vertices() const noexcept;
   /// Objects of the scene with flexible bodies; those that answer in this step come first.
   uint32_t capacity() const noexcept { return static_cast<uint32_t>(object_.size()); }
   uint32_t count() const noexcept { return static_cast<uint32_t>(flexible_.size()); }
@@ -84,6 +96,7 @@ class FlexibleBodies {
     std::vector<double> impulse;          // N s
     double h = 0;
     bool displaced = false, sound = false;
+    BandedBody* band = nullptr;  // of this step
   };
   static Vec3 at(const std::vector<double>& v, uint32_t point) noexcept {
     return {v[3 * point], v[3 * point + 1], v[3 * point + 2]};
@@ -92,6 +105,7 @@ class FlexibleBodies {
   const uint32_t room_;
   std::span<FlexibleBody* const> flexible_;
   std::vector<Object> object_;
+  std::vector<std::unique_ptr<BandedBody>> band_;  // of objects with one chain
 };
 
 }  // namespace swage::dynamics

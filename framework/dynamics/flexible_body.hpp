@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // An object with mechanics of its own, as the contact solve sees it. The step implements it on top of the
-// plugin extension swage.object.solver/1 or /2; tests implement it directly.
+// plugin extensions swage.object.solver/1 or /2 and swage.object.band/1; tests implement it directly.
 #pragma once
 
 #include <swage/abi/object.h>
@@ -44,6 +44,12 @@ class FlexibleBody {
   /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
   /// twists.
   virtual void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
+
+  /// Its one chain is a band (swage/abi/band.h): linearise and displace take the places of mobility and apply_impulses.
+  virtual bool banded() const noexcept { return false; }
+  virtual bool linearise(uint32_t /*stiffer*/, double* /*stiffness*/, double* /*gradient*/) noexcept { return false; }
+  virtual void displace(const double* /*change*/, std::span<const swage_contact_point> /*point*/,
+                        const double* /*impulse*/) noexcept {}
 };
 
 }  // namespace swage::dynamics

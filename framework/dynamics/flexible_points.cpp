@@ -73,6 +73,7 @@ bool FlexiblePoints::may_skip(const contact::Contact& c, const ContactWorkspace&
   for (const Side* s : {&k.a, &k.b}) {
     if (!p_.place.is_flexible(s->block)) continue;
     own = true;
+    if (p_.place.is_banded(s->block)) return false;  // what it costs does not grow with its points
     if (!p_.place.flexible().surface_is_shape(p_.place.block(s->block).index)) return false;
   }
   return own;
@@ -169,9 +170,11 @@ void FlexiblePoints::restore(contact::ContactSet& contacts) noexcept {
 void FlexiblePoints::find_who_shares(const contact::ContactSet& contacts,
                                      std::span<const Tie> ties) noexcept {
   const size_t n_ties = std::min<size_t>(ties.size(), p_.room.ties);
-  const uint32_t room = p_.place.flexible().room();
-  const auto fits = [&](uint32_t n) { return n + 2 * n_ties <= room; };
-  if (std::all_of(points_.begin(), points_.end(), fits)) return;
+  const auto room = [&](uint32_t block) { return p_.place.flexible().room(p_.place.block(block).index); };
+  bool fit = true;
+  for (uint32_t m = 0; m < points_.size(); ++m)
+    fit = fit && (points_[m] == 0 || points_[m] + 2 * n_ties <= room(m));
+  if (fit) return;
   // points of ties come first
   std::fill(points_.begin(), points_.end(), 0u);
   for (const Tie& tie : ties.first(n_ties))
@@ -184,7 +187,7 @@ void FlexiblePoints::find_who_shares(const contact::ContactSet& contacts,
     ContactWorkspace& k = p_.contact[i];
     if (k.skipped) continue;
     for (Side* s : {&k.a, &k.b})
-      if (p_.place.is_flexible(s->block)) s->shares = ++points_[s->block] > room;
+      if (p_.place.is_flexible(s->block)) s->shares = ++points_[s->block] > room(s->block);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "dynamics/constraint_law.hpp"
 #include "dynamics/contact_space.hpp"
 #include "dynamics/displacement_space.hpp"
+#include "dynamics/sparse_space.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -30,11 +31,14 @@ bool has_ties(const Island& island) {
 
 }  // namespace
 
-IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_constraints, uint32_t max_hinges)
+IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_constraints, uint32_t max_hinges,
+                           const SparseRoom& bands)
     : displacement_space_(std::make_unique<DisplacementSpace>(max_unknowns)),
-      contact_space_(std::make_unique<ContactSpace>(max_constraints, max_hinges)),
-      d_(max_unknowns) {
-  const size_t numbers = std::max<size_t>(max_unknowns, 2 * (3 * size_t{max_constraints} + max_hinges));
+      contact_space_(
+          std::make_unique<ContactSpace>(max_constraints, max_hinges, BandedBody::kUnknowns * bands.vertices)),
+      d_(max_unknowns + size_t{BandedBody::kUnknowns} * bands.vertices) {
+  if (bands.vertices > 0) sparse_space_ = std::make_unique<SparseSpace>(max_unknowns, bands);
+  const size_t numbers = std::max<size_t>(d_.size(), 2 * (3 * size_t{max_constraints} + max_hinges));
   for (std::vector<double>* z : {&z_, &trial_, &step_, &before_}) z->resize(numbers);
 }
 
@@ -43,9 +47,12 @@ IslandSolver::~IslandSolver() = default;
 void IslandSolver::begin_step(uint64_t budget) noexcept {
   budget_ = budget;
   displacement_space_->work = contact_space_->work = 0;
+  if (sparse_space_) sparse_space_->work = 0;
 }
 
-uint64_t IslandSolver::work() const noexcept { return displacement_space_->work + contact_space_->work; }
+uint64_t IslandSolver::work() const noexcept { 
+  return displacement_space_->work + contact_space_->work + (sparse_space_ ? sparse_space_->work : 0);
+}
 
 /// To the pose of the linearisation.
 void IslandSolver::start() noexcept { consistent_ = space_->start(z_.data()); }
@@ -103,7 +110,7 @@ void IslandSolver::advance(double fraction) noexcept {
 double IslandSolver::negligible_merit(const Island& island, double tolerance) const noexcept {
   double lightest = HUGE_VAL;
   for (const DofBlock* block : island.blocks) {
-    if (block->kind == DofBlock::Kind::kFlexible) return 0;
+    if (block->kind == DofBlock::Kind::kFlexible || block->kind == DofBlock::Kind::kBanded) return 0;
     if (block->kind != DofBlock::Kind::kHinge) lightest = std::min(lightest, block->m_hh);
   }
   const double dx = 0.01 * tolerance;
@@ -215,7 +222,7 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
 
 Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits limits) noexcept {
   const double tolerance = scales.converged;
-  space_ = island.contact_space ? contact_space_.get() : displacement_space_.get();
+  space_ = island.contact_space ? contact_space_.get() : island.banded ? sparse_space_.get() : displacement_space_.get();
   size_ = island.size;
   point_size_ = space_->begin(island);
   newton_ = 0;

@@ -19,6 +19,7 @@
 #include "dynamics/contact_law.hpp"
 #include "dynamics/dof_block.hpp"
 #include "dynamics/scales.hpp"
+#include "dynamics/sparse_room.hpp"
 #include "dynamics/tie.hpp"
 
 namespace swage::dynamics {
@@ -56,6 +57,7 @@ struct Island {
   std::span<Constraint> constraints;
   uint32_t size = 0;           // numbers of d
   bool contact_space = false;  // solved for the forces: flexible bodies are among the blocks
+  bool banded = false;         // bands are among them: sparse, unless it is solved for the forces
 };
 
 /// How a solve ended.
@@ -83,7 +85,9 @@ class Space;
 class IslandSolver {
  public:
   /// `max_constraints`, `max_hinges`: of an island solved in contact space.
-  explicit IslandSolver(uint32_t max_unknowns, uint32_t max_constraints = 0, uint32_t max_hinges = 0);
+  /// `max_unknowns`: of everything but bands.
+  explicit IslandSolver(uint32_t max_unknowns, uint32_t max_constraints = 0, uint32_t max_hinges = 0,
+                        const SparseRoom& bands = {});
   ~IslandSolver();
 
   /// Solves for d, to be added to the blocks' unknowns (d() below), and fills u, f, limit of every constraint.
@@ -126,7 +130,7 @@ class IslandSolver {
   uint32_t newton_ = 0;
   bool consistent_ = false;  // the point is one of the space's, not only the start
   bool law_ = false;         // D of the constraints is of the law, not of its pieces
-  std::unique_ptr<Space> displacement_space_, contact_space_;
+  std::unique_ptr<Space> displacement_space_, sparse_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;
   std::vector<double> before_;  // z_ of the last convex problem

@@ -15,6 +15,7 @@ namespace swage::dynamics {
 namespace {
 
 constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so 5 to 20
+constexpr uint32_t kBandedPathSteps = 150;  // the same of threads, which slide at all of their 10 to 100 contacts
 constexpr uint32_t kHalvings = 6;    // of a step on one piece, where the direction of slip turns
 constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
 
@@ -71,7 +72,8 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
     constraint.piece = piece(constraint.surface, constraint.u);
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
-  for (uint32_t i = 0; i < kPathSteps; ++i) {
+  const uint32_t steps = island.banded ? kBandedPathSteps : kPathSteps;
+  for (uint32_t i = 0; i < steps; ++i) {
     if (over_budget() || !search_direction_on_pieces(island)) return false;
     const bool down = space_->sign() > 0;
     if (!down)

@@ -52,6 +52,12 @@ void Placement::begin(scene::World& world, Motion& motion, std::span<FlexibleBod
   h_ = world.dt;
   ++step_;
   flexible_.begin(self);
+  for (uint32_t slot = 0; slot < flexible_.capacity(); ++slot) {
+    DofBlock& m = block_[first_flexible_ + slot];
+    m.band = flexible_.band(slot);
+    m.kind = m.band ? DofBlock::Kind::kBanded : DofBlock::Kind::kFlexible;
+    m.size = m.band ? m.band->unknowns() : 0;
+  }
 }
 
 Side Placement::side(uint32_t body, uint32_t particle) noexcept {
@@ -80,21 +86,26 @@ Side Placement::side(uint32_t body, uint32_t particle, uint32_t shape,
                      const contact::ChainPlace& place) noexcept {
   Side s = side(body, particle);
   if (place.segment != kNone) s.chain = world_->shape[shape].chain, s.place = place;
+  if (s.chain == kNone && is_banded(s.block)) s.block = kNone;
   return s;
 }
 
 Side Placement::tied_side(uint32_t body, const Vec3& p_W) noexcept {
   Side s = side(body, kNone);
   s.chain = chain_of_body_[body];
-  if (s.chain == kNone) return s;
+  if (s.chain == kNone) {
+    if (is_banded(s.block)) s.block = kNone;
+    return s;
+  }
   s.place = scene::nearest_place(scene::ChainView(*world_, world_->chain[s.chain]), p_W);
   if (s.place.segment == kNone) s.chain = kNone;
+  if (s.chain == kNone && is_banded(s.block)) s.block = kNone;
   return s;
 }
 
 void Placement::take_answers() noexcept {
   for (uint32_t slot = 0; slot < flexible_.count(); ++slot)
-    block_[first_flexible_ + slot].own = flexible_.answer(slot);
+    if (!block_[first_flexible_ + slot].band) block_[first_flexible_ + slot].own = flexible_.answer(slot);
 }
 
 /// Trial of any body at the pose that the world has for it.
@@ -150,6 +161,7 @@ void Placement::prepare_block(uint32_t block) noexcept {
       m.m_hh = world_->particle_mass[m.index] * per_hh;
       m.x = p_[m.index] - motion_->p0[m.index] - h_ * motion_->v_free_p[m.index];
       break;
+    case DofBlock::Kind::kBanded:
     case DofBlock::Kind::kFlexible:
       break;
   }
@@ -179,6 +191,8 @@ Frame Placement::frame(const Side& side) const noexcept {
 
 Vec3 Placement::displacement(const Side& side, const Vec3& p_W) const noexcept {
   if (side.particle != kNone) return p_[side.particle] - motion_->p0[side.particle];
+  if (is_banded(side.block))
+    return advanced(side) + block_[side.block].band->moved(side.place, turn_about_itself(side, p_W));
   if (is_flexible(side.block) && side.point != kNone)
     return flexible_.displacement(side.block - first_flexible_, side.point);
   return carried(side, p_W);
@@ -206,17 +220,41 @@ void Placement::expect(const Side& side, const Vec3& p_W) noexcept {
   flexible_.expect(side.block - first_flexible_, side.point, carried(side, p_W));
 }
 
+/// Displacement of the centre line to where it advanced to. As in its unknowns a piece that tilts does not carry its surface along
+/// itself: with that, and without its derivative, pieces that slide over an edge would rock on it.
+Vec3 Placement::advanced(const Side& side) const noexcept {
+  const scene::ChainView chain(*world_, world_->chain[side.chain]);
+  const double t = side.place.share;
+  return h_ * ((1 - t) * chain.v(side.place.segment) + t * chain.v(side.place.segment + 1));
+}
+
+/// How a point of a chain goes when its piece turns about itself by 1 rad [m].
+Vec3 Placement::turn_about_itself(const Side& side, const Vec3& p_W) const noexcept {
+  const scene::ChainView chain(*world_, world_->chain[side.chain]);
+  const Vec3 p0 = chain.p(side.place.segment), u = chain.p(side.place.segment + 1) - p0;
+  return u.normalized().cross(p_W - (p0 + side.place.share * u));
+}
+
 Vec3 Placement::prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
+  if (is_banded(side.block)) return block_[side.block].band->moved(side.place, turn_about_itself(side, p_W));
   return flexible_.displacement(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
 Vec3 Placement::free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {
+  if (is_banded(side.block))
+    return block_[side.block].band->moved_free(side.place, turn_about_itself(side, p_W));
   return flexible_.u_free(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {
   known = side.body != kNone && !is_flexible(side.block);
   return known ? trial_[side.body].a : Vec3::Zero();
+}
+
+Placement::Columns Placement::columns(const Side& side) const noexcept {
+  if (!moves(side.block)) return {};
+  if (is_banded(side.block)) return {BandedBody::kOfPoint, BandedBody::kUnknowns * side.place.segment};
+  return {block_[side.block].size, 0};
 }
 
 void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double sign,
@@ -235,6 +273,13 @@ void Placement::columns(const Side& side, const Vec3& p_W, const Vec3& e, double
     case DofBlock::Kind::kParticle:
       for (int i = 0; i < 3; ++i) J[i] = sign * e[i];
       break;
+    case DofBlock::Kind::kBanded: {
+      const double s = side.place.share;
+      for (int i = 0; i < 3; ++i) J[i] = sign * (1 - s) * e[i], J[4 + i] = sign * s * e[i];
+      J[3] = sign * turn_about_itself(side, p_W).dot(e);
+      J[7] = 0;
+      break;
+    }
     case DofBlock::Kind::kFlexible:  // contact_space.hpp
       break;
   }
@@ -266,6 +311,9 @@ void Placement::move(uint32_t block, const double* d) noexcept {
       m.x += dp;
       break;
     }
+    case DofBlock::Kind::kBanded:
+      m.band->go(d);
+      break;
     case DofBlock::Kind::kFlexible:
       break;
   }
@@ -290,88 +338,12 @@ bool Placement::release(uint32_t block) noexcept {
       if (!motion_->held_particle[m.index]) return false;
       p_[m.index] = motion_->p_free[m.index];
       break;
+    case DofBlock::Kind::kBanded:
     case DofBlock::Kind::kFlexible:
       return flexible_.release(m.index);
   }
   prepare_block(block);
   return true;
-}
-
-double Placement::gain(uint32_t block) const noexcept {
-  const DofBlock& m = block_[block];
-  const uint32_t i = m.index;
-  if (m.kind == DofBlock::Kind::kRigid)
-    return h_ * (vec(world_->F_B_W[i].f) / motion_->mass[i].mass + vec(world_->gravity)).norm();
-  return m.kind == DofBlock::Kind::kParticle
-             ? 2 * (motion_->v_free_p[i] - (motion_->p_free[i] - motion_->p0[i]) / h_).norm()
-             : 0.0;
-}
-
-void Placement::slow_down(uint32_t block, double speed) noexcept {
-  DofBlock& m = block_[block];
-  if (m.kind == DofBlock::Kind::kRigid) {
-    Trial& t = trial_[m.index];
-    // what flew has had its pushes: it stays where it landed
-    if (motion_->flown[m.index]) return set_pose(t, motion_->X_free[m.index]);
-    const Vec3 way = t.X.p - t.X0.p;
-    const double far = way.norm();
-    if (far <= h_ * speed) return;
-    const double keep = h_ * speed / far;
-    // a couple may turn it as far as it does where nothing touches it: who is wrung out of a grip is not held back
-    const double given = (m.inv_I_hh * vec(world_->F_B_W[m.index].t)).norm(), angle = t.a.norm();
-    const double keep_turn = given >= angle ? 1 : std::max(keep, given / angle);
-    set_pose(t, Pose(t.X0.p + keep * way, turn(keep_turn * t.a) * t.X0.q));
-  } else if (m.kind == DofBlock::Kind::kParticle) {
-    const Vec3 way = p_[m.index] - motion_->p0[m.index];
-    const double far = way.norm();
-    if (far > h_ * speed) p_[m.index] = motion_->p0[m.index] + h_ * speed / far * way;
-  }
-}
-
-void Placement::write_back(std::span<const uint8_t> solved) noexcept {
-  for (uint32_t i = 0; i < first_flexible_; ++i) {
-    const DofBlock& m = block_[i];
-    switch (m.kind) {
-      case DofBlock::Kind::kRigid:
-        write_body(m, solved[i]);
-        break;
-      case DofBlock::Kind::kHinge:
-        write_hinge(m, solved[i]);
-        break;
-      case DofBlock::Kind::kParticle:
-        write_particle(m, solved[i]);
-        break;
-      case DofBlock::Kind::kFlexible:
-        break;
-    }
-  }
-}
-
-void Placement::write_body(const DofBlock& m, bool solved) noexcept {
-  const uint32_t i = m.index;
-  if (solved) {
-    const Trial& t = trial_[i];
-    world_->X_WB[i] = t.X.abi();
-    world_->V_WB[i] = {raw(Vec3((t.X.p - t.X0.p) / h_)), raw(Vec3(t.a / h_))};
-  } else {
-    world_->X_WB[i] = motion_->X_free[i].abi();
-    world_->V_WB[i] = {raw(motion_->v_free[i]), raw(motion_->w_free[i])};
-  }
-}
-
-void Placement::write_hinge(const DofBlock& m, bool solved) noexcept {
-  const double q = solved ? motion_->q0[m.index] + m.angle : motion_->q_free[m.index];
-  place_hinge(*world_, *motion_, m.index, q);
-}
-
-void Placement::write_particle(const DofBlock& m, bool solved) noexcept {
-  const uint32_t i = m.index;
-  const Vec3 p = solved ? p_[i] : motion_->p_free[i];
-  const Vec3 v = solved ? Vec3((p_[i] - motion_->p0[i]) / h_) : motion_->v_free_p[i];
-  for (int k = 0; k < 3; ++k) {
-    world_->particle_p_W[3 * i + static_cast<uint32_t>(k)] = p[k];
-    world_->particle_v_W[3 * i + static_cast<uint32_t>(k)] = v[k];
-  }
 }
 
 }  // namespace swage::dynamics

@@ -55,6 +55,10 @@ class Placement {
   bool is_flexible(uint32_t block) const noexcept {
     return block != scene::kNone && block >= first_flexible_;
   }
+  /// It is flexible, and a band: it has unknowns.
+  bool is_banded(uint32_t block) const noexcept {
+    return is_flexible(block) && block_[block].kind == DofBlock::Kind::kBanded;
+  }
   /// False for a self block that gives nowhere.
   bool moves(uint32_t block) const noexcept {
     return block != scene::kNone && (!is_flexible(block) || flexible_.gives(block - first_flexible_));
@@ -71,7 +75,12 @@ class Placement {
   Vec3 free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
   /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
-  /// d(displacement . e) / d(unknowns), times `sign`, into `columns` numbers at J.
+  /// Unknowns that move a side: so many, from there on among those of its block.
+  struct Columns {
+    uint32_t size = 0, offset = 0;
+  };
+  Columns columns(const Side& side) const noexcept;
+  /// d(displacement . e) / d(unknowns), times `sign`, into as many numbers at J.
   void columns(const Side& side, const Vec3& p_W, const Vec3& e, double sign, double* J) const noexcept;
 
   /// Adds d to the unknowns of a block.
@@ -103,6 +112,8 @@ class Placement {
   void prepare(uint32_t body) noexcept;
   void prepare_block(uint32_t block) noexcept;
   void turn_inertia(DofBlock& m) noexcept;
+  Vec3 advanced(const Side& side) const noexcept;
+  Vec3 turn_about_itself(const Side& side, const Vec3& p_W) const noexcept;
   static Vec3 carried(const Trial& trial, const Vec3& p_W) noexcept;
   Vec3 carried(const Side& side, const Vec3& p_W) const noexcept;
   void set_pose(Trial& trial, const Pose& X) noexcept;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) know a point z, how the constraints
-// stand there and a direction from it; what z is they leave to one of two:
+// stand there and a direction from it; what z is they leave to one of three:
 //
 //     DisplacementSpace     displacements of the blocks: few where many contacts hold one body
+//     SparseSpace           the same where bands are among the blocks: sparse
 //     ContactSpace   forces of the constraints: what objects with flexible bodies answer for
 //
-// Both take the same steps but for rounding. [rt]; built on [main].
+// All take the same steps but for rounding. [rt]; built on [main].
 #pragma once
 
 #include <cstddef>

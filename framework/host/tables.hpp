@@ -3,6 +3,7 @@
 // Whether a plugin's table has all its functions: the step calls them without looking.
 #pragma once
 
+#include <swage/abi/band.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>
@@ -17,6 +18,7 @@ namespace swage::host {
 inline bool complete(const swage_object& t) { return t.forces && t.finish && t.reset; }
 inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
 inline bool complete(const swage_solver_2& t) { return t.advance && t.compliance && t.yield; }
+inline bool complete(const swage_band& t) { return t.linearise && t.displace; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
 inline bool complete(const swage_surface& t) { return t.displacement; }
 inline bool complete(const swage_dents& t) { return t.dents; }

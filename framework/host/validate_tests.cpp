@@ -180,6 +180,7 @@ std::string tables_of(Instance& instance, int32_t kind) {
   if (kind == SWAGE_KIND_OBJECT) {
     find_table<swage_solver>(instance, SWAGE_EXT_SOLVER, false, error);
     find_table<swage_solver_2>(instance, SWAGE_EXT_SOLVER_2, false, error);
+    find_table<swage_band>(instance, SWAGE_EXT_BAND, false, error);
     find_table<swage_object>(instance, SWAGE_EXT_OBJECT, true, error);
   }
   if (kind == SWAGE_KIND_COUPLING) find_table<swage_coupling>(instance, SWAGE_EXT_COUPLING, true, error);

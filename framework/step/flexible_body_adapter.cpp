@@ -4,14 +4,25 @@
 #include <algorithm>
 
 #include "host/guard.hpp"
+#include "host/tables.hpp"
 #include "scene/view.hpp"
 #include "step/limits.hpp"
 
 namespace swage::step {
 
 FlexibleBodyAdapter::FlexibleBodyAdapter(host::ObjectSlot& slot, uint32_t object,
-                                         const swage_object_step& view, uint32_t capacity)
-    : slot_(slot), object_(object), view_(view), local_(capacity) {}
+                                         const swage_object_step& view, const scene::World& world)
+    : slot_(slot), object_(object), view_(view), local_(std::max(world.capacity.points, 2 * (world.capacity.contacts + world.capacity.ties))) {
+  std::string gap;  // a table with gaps is none
+  const auto* band = host::find_table<swage_band>(*slot.instance, SWAGE_EXT_BAND, false, gap);
+  const auto chain = [&](const scene::Shape& s) { return s.object == object && s.kind == SWAGE_SHAPE_CHAIN; };
+  const auto first = std::find_if(world.shape.begin(), world.shape.end(), chain);
+  if (band == nullptr || slot.solver_2 == nullptr || slot.body.count != 1 ||
+      std::count_if(world.shape.begin(), world.shape.end(), chain) != 1)
+    return;
+  band_ = band;
+  unknowns_ = SWAGE_BAND_UNKNOWNS * static_cast<uint32_t>(world.chain[first->chain].start.size());
+}
 
 uint32_t FlexibleBodyAdapter::local(std::span<const swage_contact_point> point) noexcept {
   const auto n = static_cast<uint32_t>(std::min(point.size(), local_.size()));
@@ -56,6 +67,26 @@ void FlexibleBodyAdapter::apply_impulses(std::span<const swage_contact_point> po
     if (slot_.solver_2 == nullptr)
       return slot_.solver->yield(instance.raw, &view_, n, local_.data(), impulse);
     return slot_.solver_2->yield(instance.raw, &view_, n, local_.data(), place_.data(), impulse);
+  });
+}
+
+bool FlexibleBodyAdapter::linearise(uint32_t stiffer, double* stiffness, double* gradient) noexcept {
+  host::Instance& instance = *slot_.instance;
+  const bool given = host::guarded(instance, host::Call::kCompliance, view_.step, [&] {
+    return band_->linearise(instance.raw, &view_, stiffer, stiffness, gradient);
+  });
+  return given &&
+         host::accept(instance, host::Call::kCompliance, view_.step, stiffness,
+                      std::size_t{unknowns_} * SWAGE_BAND_COLUMN, kAnyNumber) &&
+         host::accept(instance, host::Call::kCompliance, view_.step, gradient, unknowns_, kAnyNumber);
+}
+
+void FlexibleBodyAdapter::displace(const double* change, std::span<const swage_contact_point> point,
+                                   const double* impulse) noexcept {
+  const uint32_t n = local(point);
+  host::Instance& instance = *slot_.instance;
+  host::guarded(instance, host::Call::kYield, view_.step, [&] {
+    return band_->displace(instance.raw, &view_, change, n, local_.data(), place_.data(), impulse);
   });
 }
 

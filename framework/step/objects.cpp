@@ -66,7 +66,7 @@ bool Objects::sound_chains(uint32_t object, const Accept& accept) noexcept {
   return all;
 }
 
-Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteGuard& writes)
+Objects::Objects(host::Rig& rig, const Hands& hands, WriteGuard& writes)
     : rig_(rig), hands_(hands), writes_(writes) {
   scene::World& world = rig.world;
   particle_start_ = world.particle_p_W;
@@ -84,7 +84,7 @@ Objects::Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteG
     host::ObjectSlot& slot = rig.objects[i];
     view_[i] = scene::view(world, slices(slot), hands.input(i));
     if (slot.moves_itself() && moves_itself(world, slot.body))
-      self_.push_back(std::make_unique<FlexibleBodyAdapter>(slot, i, view_[i], max_points));
+      self_.push_back(std::make_unique<FlexibleBodyAdapter>(slot, i, view_[i], world));
   }
   self_now_.reserve(self_.size());
 }

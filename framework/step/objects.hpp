@@ -16,8 +16,8 @@ namespace swage::step {
 
 class Objects {
  public:
-  /// `max_points`: contact points of one flexible body in a step. [main]
-  Objects(host::Rig& rig, const Hands& hands, uint32_t max_points, WriteGuard& writes);
+  /// [main]
+  Objects(host::Rig& rig, const Hands& hands, WriteGuard& writes);
 
   void reset() noexcept;                 // [rt] all of them, and the world
   void reset(uint32_t object) noexcept;  // [rt] one of them

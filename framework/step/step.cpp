@@ -55,7 +55,7 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
       events_(rig.script),
       hands_(rig, std::move(ports)),
       writes_(rig.world),
-      objects_(rig, hands_, rig.world.capacity.points, writes_),
+      objects_(rig, hands_, writes_),
       couplings_(rig, objects_, events_, writes_),
       judging_(rig, objects_, events_, writes_) {
   detector_.reserve(contacts_);

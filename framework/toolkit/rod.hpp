@@ -139,6 +139,12 @@ class Rod {
   /// change() is how far the rod goes from there without contacts. False where there is no such step.
   bool linearise(const RodState& start, const RodState& s, const RodLoad& load);
   const double* change() const { return change_.data(); }
+  /// The same for one who solves for contacts himself: the columns of its matrix (kStride numbers each, 0 on the diagonal of what is
+  /// held) and its gradient. `stiffer` 1, 2 ..: for as long as it cannot be factored, as a rod that is not stable is made so.
+  void linearise(const RodState& start, const RodState& s, const RodLoad& load, int stiffer, double* columns,
+                 double* gradient);
+  /// After that: goes from `s` by a change of all unknowns.
+  void go(const RodState& s, const double* change, RodState& to);
   /// After linearise() about `s`: where that linear step leads under more forces on the unknowns [N, N m], which become their
   /// changes. Exactly so: what an edge is stretched by turning, of second order, the next step takes back.
   void respond(const RodState& s, const RodLoad& load, double* force, RodState& to);
@@ -171,6 +177,7 @@ class Rod {
  private:
   /// An edge turns in one iteration by so much at most [rad], across itself and about itself: the linear model holds no farther.
   static constexpr double kMostAcross = 0.5, kMostAbout = 1;
+  static constexpr int kStiffer = 14;  // ways to make the matrix definite
 
   static size_t at(int i) { return static_cast<size_t>(i); }
   struct Edge {
@@ -195,6 +202,7 @@ class Rod {
   static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
   void system(const RodState& s, const RodLoad& load, bool hessian);
+  void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
   bool factor(const RodState& s, const RodLoad& load);
   void slow_turns();
   bool solve(const RodState& s, const RodLoad& load);

@@ -100,25 +100,26 @@ inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
 /// Factors the system. Where it is not positive definite, rotations stiffen; then compressed edges (what is pressed together would
 /// buckle) do as stretched ones would; then the diagonal grows until it is.
 inline bool Rod::factor(const RodState& s, const RodLoad& load) {
-  system(s, load, true);
-  slow_turns();
-  if (A_.factor()) return true;
-  double shift = 0;  // N/m
-  for (int attempt = 0; attempt < 14; ++attempt) {
-    if (attempt == 0) slow_ = true;
-    if (attempt == 1)
-      for (double& T : tension_) T = std::abs(T);
-    system(s, load, true);
-    slow_turns();
-    double largest = 0;
-    for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) {
-      largest = std::max(largest, A_.at(k, k));
-      A_.at(k, k) += shift;
-    }
+  for (int stiffer = 0; stiffer <= kStiffer; ++stiffer) {
+    stiffened_system(s, load, stiffer);
     if (A_.factor()) return true;
-    if (attempt > 0) shift = shift == 0 ? 1e-9 * largest : 30 * shift;
   }
   return false;
+}
+
+/// The system, in one of the ways to make it definite: 0 as it is.
+inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int stiffer) {
+  if (stiffer > 0) slow_ = true;
+  if (stiffer > 1)
+    for (double& T : tension_) T = std::abs(T);
+  system(s, load, true);
+  slow_turns();
+  if (stiffer < 3) return;
+  double largest = 0;
+  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) largest = std::max(largest, A_.at(k, k));
+  double shift = 1e-9 * largest;  // N/m
+  for (int i = 3; i < stiffer; ++i) shift *= 30;
+  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) A_.at(k, k) += shift;
 }
 
 /// Rotations that hardly anything holds back: the rod that bends the way it remembers turns all of its edges together. They stiffen
@@ -262,6 +263,25 @@ inline bool Rod::linearise(const RodState& start, const RodState& s, const RodLo
   for (int k = 0; k < unknowns(); ++k) change_[at(k)] = -gradient_[at(k)];
   A_.solve(change_.data());
   return true;
+}
+
+inline void Rod::linearise(const RodState& start, const RodState& s, const RodLoad& load, int stiffer, double* columns,
+                           double* gradient) {
+  prepare(start, load);
+  take_tension(s);
+  slow_ = false;
+  stiffened_system(s, load, stiffer);
+  std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);
+  for (int k = 0; k < unknowns(); ++k) {
+    gradient[k] = gradient_[at(k)];
+    if (k % 4 == 3 ? turn_held_[at(k / 4)] != 0 : held_[at(k / 4)] != 0) columns[at(k) * Matrix::kStride] = 0;
+  }
+}
+
+inline void Rod::go(const RodState& s, const double* change, RodState& to) {
+  follow_tension(s, change, 1);
+  move(s, change, 1, to);
+  for (int k = 0; k < 3 * n_; ++k) to.v[k] = (to.x[k] - x0_[at(k)]) / g_;
 }
 
 inline void Rod::respond(const RodState& s, const RodLoad& load, double* force, RodState& to) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contract of swage.object.solver/1 and /2 (abi/object.h), asked of the tables alone.
+// The contract of swage.object.solver/1 and /2 (abi/object.h) and of swage.object.band/1 (abi/band.h), asked of the tables alone.
+#include <swage/abi/band.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -10,8 +12,10 @@
 
 #include "base/rng.hpp"
 #include "host/services.hpp"
+#include "host/tables.hpp"
 #include "scene/chain.hpp"
 #include "scene/view.hpp"
+#include "toolkit/band.hpp"
 #include "toolkit/math.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
@@ -39,6 +43,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kExact = 1e-9;
 // relative to the change that the impulses make; small angles in a solver's equations leave 1e-6
 constexpr double kMotion = 1e-3;
+// relative: rounding of a factor of a thread that is 1e5 times stiffer along than across
+constexpr double kBand = 1e-6;
 
 /// What a solver answers for some points.
 struct Answer {
@@ -70,6 +76,7 @@ class Solver {
     if (std::string wrong = matrix(all.W); !wrong.empty()) return wrong;
     if (std::string wrong = part(points, all); !wrong.empty()) return wrong;
     if (std::string wrong = surface(points); !wrong.empty()) return wrong;
+    if (std::string wrong = band(points, all); !wrong.empty()) return wrong;
     return motion_after(points, all);
   }
   const std::string& note() const { return note_; }
@@ -154,6 +161,67 @@ class Solver {
       if (!one.allFinite()) return "displacement() leaves a number unwritten, or writes one that is not finite.";
     }
     return u[0] == u[1] ? "" : "displacement() gives other bits when it is asked the same again.";
+  }
+
+  /// The band says of the points what compliance says: v_free and W are those of its linear step.
+  std::string band(const Points& points, const Answer& all) {
+    std::string gap;
+    const auto* table = host::find_table<swage_band>(*slot_.instance, SWAGE_EXT_BAND, false, gap);
+    if (table == nullptr) return gap;
+    if (points.place.front().segment == SWAGE_NONE) return "It offers " SWAGE_EXT_BAND " without a chain.";
+    const scene::ChainView chain(world_, world_.chain[world_.shape[slot_.shape.first + points.point.front().shape].chain]);
+    const int n = SWAGE_BAND_UNKNOWNS * static_cast<int>(chain.vertices());
+    toolkit::Band<SWAGE_BAND_REACH> A(n);
+    Vector gradient = Vector::Zero(n);
+    if (std::string wrong = factor(*table, A, gradient); !wrong.empty()) return wrong;
+    const Eigen::Index rows = all.v_free.size();
+    Vector v_free(rows), free = -gradient;
+    A.solve(free.data());
+    const auto at = [](const swage_chain_place& p, const Vector& q) {
+      return Vec3((1 - p.share) * q.segment<3>(4 * p.segment) + p.share * q.segment<3>(4 * p.segment + 4));
+    };
+    Matrix W(rows, rows);
+    const double h = world_.dt;
+    for (Eigen::Index c = 0; c < rows; ++c) {
+      const swage_chain_place& p = points.place[static_cast<size_t>(c / 3)];
+      Vector x = Vector::Zero(n);
+      x[4 * p.segment + c % 3] = 1 - p.share, x[4 * p.segment + 4 + c % 3] = p.share;
+      for (int k = 0; k < n; ++k)
+        if (A.column(k)[0] == 0) x[k] = 0;
+      A.solve(x.data());
+      for (Eigen::Index i = 0; i < rows / 3; ++i)
+        W.col(c).segment<3>(3 * i) = at(points.place[static_cast<size_t>(i)], x) / (h * h);
+    }
+    for (Eigen::Index i = 0; i < rows / 3; ++i) {
+      const swage_chain_place& p = points.place[static_cast<size_t>(i)];
+      v_free.segment<3>(3 * i) =
+          (1 - p.share) * chain.v(p.segment) + p.share * chain.v(p.segment + 1) + at(p, free) / h;
+    }
+    if ((W - all.W).cwiseAbs().maxCoeff() > kBand * all.W.cwiseAbs().maxCoeff())
+      return "linearise() gives another compliance than compliance() does.";
+    const double speed = std::max(all.v_free.cwiseAbs().maxCoeff(), 1e-6);
+    return (v_free - all.v_free).cwiseAbs().maxCoeff() > kBand * speed
+               ? "linearise() leads elsewhere than v_free of compliance() says."
+               : "";
+  }
+
+  /// Of what is held the reciprocal pivot is 0.
+  std::string factor(const swage_band& table, toolkit::Band<SWAGE_BAND_REACH>& A, Vector& gradient) {
+    for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
+      A.set_zero();
+      gradient.setZero();
+      if (std::string wrong = call(host::Call::kCompliance,
+                                   [&] { return table.linearise(raw(), &view(), stiffer, A.column(0), gradient.data()); });
+          !wrong.empty())
+        return wrong;
+      std::vector<int> held;
+      for (int k = 0; k < A.size(); ++k)
+        if (A.at(k, k) == 0) A.hold(k), gradient[k] = 0, held.push_back(k);
+      if (!A.factor()) continue;
+      for (const int k : held) A.column(k)[0] = 0;
+      return "";
+    }
+    return "linearise() gives no positive definite matrix, however often it is asked for a stiffer one.";
   }
 
   // the points after the impulses `j`, from the state of now, which is put back

@@ -114,7 +114,7 @@ void Thread::declare(ObjectBuilder& builder) {
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
   builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 3);
-  point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), kPoints));
+  point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), vertices() + kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");
   tension_last_ = builder.signal("thread.tension_last", "N", "Tension at the last end.");
   tension_grip_ = builder.signal("thread.tension_grip", "N",

@@ -3,7 +3,7 @@
 // swage.object.thread: a suture that hangs, bends, twists, touches, is held and breaks. Model and limits: thread.md.
 #pragma once
 
-#include <swage/object.hpp>
+#include <swage/band.hpp>
 #include <swage/strand.hpp>
 #include <swage/units.hpp>
 
@@ -38,7 +38,7 @@ struct ThreadParams {
   double pull_off = 0;   // N
 };
 
-class Thread final : public Object<ThreadParams>, public Solid, public Graspable, public ChainSolver, public Strand {
+class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand {
  public:
   static constexpr auto id = "swage.object.thread";
   static constexpr auto version = "1.0.0";
@@ -105,9 +105,13 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
                   std::span<const swage_chain_place> place, double* v_free, double* W) override;
   void yield(const Step& step, std::span<const swage_contact_point> points,
              std::span<const swage_chain_place> place, const double* impulse) override;
+  void linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) override;
+  void displace(const Step& step, const double* change, std::span<const swage_contact_point> points,
+                std::span<const swage_chain_place> place, const double* impulse) override;
 
  private:
-  static constexpr uint32_t kPoints = 96;  // room that it asks for: a tight throw has 60 to 100
+  // contacts that it asks room for beyond one a segment: lying flat it has two a segment, a tight throw 60 to 100
+  static constexpr uint32_t kPoints = 32;
   static constexpr int kSides = 6;         // right-hand sides that are solved together
 
   /// A point of contact as the rod has it.
@@ -146,6 +150,7 @@ class Thread final : public Object<ThreadParams>, public Solid, public Graspable
   toolkit::Vec3 at_point(const Point& p, const double* unknowns, int line) const;
   void push(const Point& p, const toolkit::Vec3& f, double* unknowns, int line) const;
   void hold_sides();
+  void press(const Step& step, std::span<const swage_chain_place> place, const double* impulse);
   void find_grip(const Step& step, int hardest) const;
 
   ThreadParams params_;

@@ -5,7 +5,7 @@
 //
 //   v_free = (x1 - x0 + d) / h,  d = -A^-1 F(x1),     W = J A^-1 J' / h^2
 //
-// with the band A = M/h^2 + K. The impulses j are forces j / h of that linear step, and the thread goes exactly where it leads: a
+// with the band A = M/h^2 + K. A host that knows bands is given A and F and finds d itself. The impulses j are forces j / h of that linear step, and the thread goes exactly where it leads: a
 // held place stays where the contacts have it. What an edge is stretched by turning, of second order, the next step takes back.
 #include <algorithm>
 
@@ -143,22 +143,43 @@ void Thread::yield(const Step& step, std::span<const swage_contact_point> points
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
   if (!linear_ || n == 0) return;
   std::fill_n(sides_.begin(), rod_.unknowns(), 0.0);
-  std::fill(pressed_.begin(), pressed_.end(), char{0});
-  double most = 0;
-  int hardest = -1;
-  for (int i = 0; i < n; ++i) {
-    const Vec3 f = Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt();
-    const Point p = point(points[at(i)], place[at(i)]);
-    push(p, f, sides_.data(), 1);
-    const double hard = f.squaredNorm();
-    if (hard > 0) pressed_[at(p.edge)] = 1;
-    if (hard > most) most = hard, hardest = p.edge;
-  }
-  held(step) = hardest >= 0;
-  find_grip(step, hardest);
+  for (int i = 0; i < n; ++i)
+    push(point(points[at(i)], place[at(i)]), Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt(),
+         sides_.data(), 1);
+  press(step, place.first(at(n)), impulse);
   rod_.respond(base, load(step), sides_.data(), s);
   part(step);
   write(step, begun, s);
+}
+
+void Thread::linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) {
+  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  rod_.linearise(begun, base, load(step), static_cast<int>(stiffer), stiffness, gradient);
+}
+
+void Thread::displace(const Step& step, const double* change, std::span<const swage_contact_point>,
+                      std::span<const swage_chain_place> place, const double* impulse) {
+  RodState s = state(step);
+  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  press(step, place, impulse);
+  rod_.go(base, change, s);
+  part(step);
+  write(step, begun, s);
+}
+
+/// What contacts press, and the hardest of them.
+void Thread::press(const Step& step, std::span<const swage_chain_place> place, const double* impulse) {
+  std::fill(pressed_.begin(), pressed_.end(), char{0});
+  double most = 0;
+  int hardest = -1;
+  for (size_t i = 0; i < place.size(); ++i) {
+    const int edge = std::min(static_cast<int>(place[i].segment), params_.segments - 1);
+    const double hard = (Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt()).squaredNorm();
+    if (hard > 0) pressed_[at(edge)] = 1;
+    if (hard > most) most = hard, hardest = edge;
+  }
+  held(step) = hardest >= 0;
+  find_grip(step, hardest);
 }
 
 void Thread::find_grip(const Step& step, int hardest) const {

@@ -3,6 +3,7 @@
  * The layout as a C compiler sees it. Compiling is the test.
  */
 #include <stddef.h>
+#include <swage/abi/band.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>

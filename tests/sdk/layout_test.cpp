@@ -2,6 +2,7 @@
 //
 // The layout as a C++ compiler sees it, and that no struct has been forgotten.
 #include <gtest/gtest.h>
+#include <swage/abi/band.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
 #include <swage/abi/lesson.h>

@@ -117,7 +117,7 @@ TEST(FlexibleBodies, RefusesPointsBeyondItsCapacity) {
   PointMass mass;
   FlexibleBody* const all[] = {&mass};
   blocks.begin(all);
-  for (uint32_t i = 0; i < blocks.room(); ++i)
+  for (uint32_t i = 0; i < blocks.room(0); ++i)
     EXPECT_EQ(blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), i);
   EXPECT_EQ(blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), scene::kNone);
 }

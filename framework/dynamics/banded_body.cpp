@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dynamics/banded_body.hpp"
+
+#include <swage/abi/band.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/flexible_body.hpp"
+
+namespace swage::dynamics {
+
+using toolkit::Vec3;
+
+static_assert(toolkit::Band<10>::kStride == SWAGE_BAND_COLUMN && SWAGE_BAND_REACH == 10 &&
+              BandedBody::kUnknowns == SWAGE_BAND_UNKNOWNS);
+
+namespace {
+/// 0 x is 0 for all but infinity and NaN, in whatever order it is summed.
+bool finite(const double* x, size_t n) noexcept {
+  return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
+}
+}  // namespace
+
+BandedBody::BandedBody(uint32_t object, uint32_t vertices)
+    : object_(object),
+      vertices_(vertices),
+      A_(static_cast<int>(kUnknowns * vertices)),
+      factors_(static_cast<int>(kUnknowns * vertices)),
+      block_(3 * static_cast<size_t>(vertices)) {
+  for (std::vector<double>* v : {&gradient_, &free_, &q_, &line_}) v->assign(unknowns(), 0.0);
+}
+
+void BandedBody::begin() noexcept {
+  std::fill(q_.begin(), q_.end(), 0.0);
+  std::fill(free_.begin(), free_.end(), 0.0);
+}
+
+bool BandedBody::linearise(FlexibleBody& object) noexcept {
+  const size_t numbers = size_t{unknowns()} * SWAGE_BAND_COLUMN;
+  for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
+    A_.set_zero();
+    std::fill(gradient_.begin(), gradient_.end(), 0.0);
+    if (!object.linearise(stiffer, A_.column(0), gradient_.data())) return false;
+    if (!finite(A_.column(0), numbers) || !finite(gradient_.data(), unknowns())) return false;
+    hold();
+    factors_ = A_;  // of the same size: nothing allocates
+    if (!factors_.factor()) continue;
+    for (uint32_t i = 0; i < unknowns(); ++i) free_[i] = -gradient_[i];
+    factors_.solve(free_.data());
+    keep_blocks();
+    return true;
+  }
+  return false;
+}
+
+/// What has no stiffness stays where it is.
+void BandedBody::hold() noexcept {
+  for (int j = 0; j < A_.size(); ++j) {
+    double* a = A_.column(j);
+    const int last = A_.size() - 1 - j;
+    for (int k = std::min(last, SWAGE_BAND_REACH) + 1; k < SWAGE_BAND_COLUMN; ++k) a[k] = 0;
+    if (a[0] != 0) continue;
+    A_.hold(j);
+    a[0] = kHeld;
+    gradient_[static_cast<size_t>(j)] = 0;
+  }
+}
+
+void BandedBody::keep_blocks() noexcept {
+  for (uint32_t j = 0; j < vertices_; ++j)
+    for (uint32_t below = 0; below < 3 && j + below < vertices_; ++below) {
+      BandedBlocks::Block& M = block_[3 * j + below];
+      for (int c = 0; c < 4; ++c) {
+        const int column = static_cast<int>(4 * j) + c;
+        for (int r = 0; r < 4; ++r) {
+          const int row = static_cast<int>(4 * (j + below)) + r, low = std::max(row, column),
+                    high = std::min(row, column);
+          M(r, c) = low - high <= SWAGE_BAND_REACH ? A_.at(low, high) : 0;
+        }
+      }
+    }
+}
+
+void BandedBody::add_stiffness(BandedBlocks& H, uint32_t first, bool symmetric) const noexcept {
+  for (uint32_t j = 0; j < vertices_; ++j)
+    for (uint32_t below = 0; below < 3 && j + below < vertices_; ++below) {
+      const BandedBlocks::Block& M = block_[3 * j + below];
+      H.add(first + j + below, first + j, M);
+      if (!symmetric && below > 0) H.add(first + j, first + j + below, M.transpose());
+    }
+}
+
+void BandedBody::go(const double* d) noexcept {
+  for (uint32_t i = 0; i < unknowns(); ++i) q_[i] += d[i];
+}
+
+bool BandedBody::release() noexcept {
+  if (q_ == free_) return false;
+  std::copy(free_.begin(), free_.end(), q_.begin());
+  return true;
+}
+
+void BandedBody::residual(const double* d, double* F) const noexcept {
+  for (uint32_t i = 0; i < unknowns(); ++i) line_[i] = q_[i] + d[i];
+  A_.multiply(line_.data(), F);
+  for (uint32_t i = 0; i < unknowns(); ++i) F[i] += gradient_[i];
+}
+
+void BandedBody::to_free(double* d) const noexcept {
+  for (uint32_t i = 0; i < unknowns(); ++i) d[i] = free_[i] - q_[i];
+}
+
+double BandedBody::merit(const double* F) const noexcept {
+  std::copy_n(F, unknowns(), line_.begin());
+  factors_.solve(line_.data());
+  double sum = 0;
+  for (uint32_t i = 0; i < unknowns(); ++i) sum += F[i] * line_[i];
+  return sum;
+}
+
+Vec3 BandedBody::moved(const contact::ChainPlace& at, const Vec3& turn, const double* q) noexcept {
+  const double* a = q + kUnknowns * at.segment;
+  const double s = at.share;
+  return Vec3((1 - s) * a[0] + s * a[4], (1 - s) * a[1] + s * a[5], (1 - s) * a[2] + s * a[6]) + a[3] * turn;
+}
+
+}  // namespace swage::dynamics

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A chain whose mechanics is a band (swage.object.band/1), in one step: unknowns q are the changes of its vertices, and the
+// rotations of its pieces about themselves, from where it advanced to. With what contacts push it by, J' f,
+//
+//     A q + g = J' f,    A = M/h^2 + K,    g = M/h^2 (x - x_free) + dE/dx
+//
+// A point of its surface goes with the two vertices of its piece and turns with the piece: 8 unknowns side by side.
+//
+// Threads: built on [main]; the rest [rt], nothing allocates or throws.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_set.hpp"
+#include "dynamics/banded_blocks.hpp"
+#include "toolkit/band.hpp"
+#include "toolkit/math.hpp"
+
+namespace swage::dynamics {
+
+class FlexibleBody;
+
+class BandedBody {
+ public:
+  static constexpr uint32_t kUnknowns = 4;       // of a vertex
+  static constexpr uint32_t kOfPoint = 8;        // of a point: those of two vertices
+  static constexpr double kHeld = 1e30;          // N/m, of what cannot move: 1 N moves it by less than an atom
+
+  BandedBody(uint32_t object, uint32_t vertices);
+
+  uint32_t object() const noexcept { return object_; }
+  uint32_t vertices() const noexcept { return vertices_; }
+  uint32_t unknowns() const noexcept { return kUnknowns * vertices_; }
+
+  /// A step begins: it stands where it advanced to.
+  void begin() noexcept;
+  /// Asks its object for A and g. False: there is no such step.
+  bool linearise(FlexibleBody& object) noexcept;
+  /// q += d.
+  void go(const double* d) noexcept;
+  /// To where it goes without contacts. False when it is there.
+  bool release() noexcept;
+  const double* change() const noexcept { return q_.data(); }
+
+  // of DofBlock, `unknowns` numbers each
+  /// A (q + d) + g.
+  void residual(const double* d, double* F) const noexcept;
+  /// From q to where it goes without contacts.
+  void to_free(double* d) const noexcept;
+  /// x = A^-1 x, of R right-hand sides side by side.
+  template <int R = 1>
+  void apply_inverse(double* x) const noexcept {
+    factors_.solve<R>(x);
+  }
+  /// F' A^-1 F.
+  double merit(const double* F) const noexcept;
+  void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) const noexcept;
+
+  /// How a point goes with q: `turn` = tangent x arm.
+  toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
+    return moved(at, turn, q_.data());
+  }
+  toolkit::Vec3 moved_free(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
+    return moved(at, turn, free_.data());
+  }
+
+ private:
+  using Matrix = toolkit::Band<10>;
+  static toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn, const double* q) noexcept;
+  void hold() noexcept;
+  void keep_blocks() noexcept;
+
+  const uint32_t object_, vertices_;
+  Matrix A_, factors_;
+  std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A, 3 below each other per vertex
+  std::vector<double> gradient_, free_, q_;
+  mutable std::vector<double> line_;
+};
+
+}  // namespace swage::dynamics

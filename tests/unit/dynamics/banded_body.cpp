@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Threads that are bands in the solve go as threads that answer with the compliance of their points: alone, with each other, with
+// bodies, and one of each.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "contact/detector.hpp"
+#include "dynamics/dynamics.hpp"
+#include "rod_body.hpp"
+
+namespace swage::dynamics {
+namespace {
+
+using toolkit::Vec3;
+
+constexpr double kRadius = 11e-6, kPiece = 0.3e-3;  // m
+constexpr double kApart = 0.12e-3, kBall = 0.2e-3, kPost = 3e-3;  // m
+constexpr int kPieces = 16;
+
+std::vector<Vec3> line(const Vec3& middle, const Vec3& along, double bow) {
+  std::vector<Vec3> p;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double x = (i - 0.5 * kPieces) / (0.5 * kPieces);
+    p.push_back(middle + 0.5 * kPieces * kPiece * x * along + bow * x * x * Vec3::UnitZ());
+  }
+  return p;
+}
+
+/// A ball of 40 ug lies on two threads that are held at their ends; two round posts rise below and go along them.
+struct Heap {
+  Heap(bool first_as_band, bool second_as_band) : world(make()) {
+    const auto section = toolkit::RodSection::round(2 * kRadius, 2.5e9, 0.39, 1140);
+    a = std::make_unique<RodBody>(world, 0, 0, section, first_as_band);
+    b = std::make_unique<RodBody>(world, 1, 1, section, second_as_band);
+    for (const int end : {0, kPieces}) a->hold(end), b->hold(end);
+    std::vector<contact::Pair> pairs;
+    for (const auto& [x, y] : {std::pair{0u, 1u}, {0u, 2u}, {1u, 2u}}) pairs.push_back({x, y, {0.2, 1e4, 0}});
+    detector = std::make_unique<contact::Detector>(world, pairs, contact::Options{});
+    dynamics = std::make_unique<Dynamics>(world, Options());
+    detector->reserve(contacts);
+  }
+  static scene::World make() {
+    scene::World w;
+    w.gravity = {0, 0, -9.80665};
+    for (const uint32_t k : {0u, 1u})
+      add_chain(w, line({0, k == 0 ? -kApart : kApart, 0}, Vec3::UnitX(), 0), kRadius, k);
+    for (const double x : {-1e-3, 1.2e-3}) {
+      const uint32_t post = add_body(w, SWAGE_MOTION_FOLLOWS, 2, {x, 0, -kRadius - kPost - 1e-6});
+      w.shape.push_back(shape_on(post, 2, SWAGE_SHAPE_SPHERE, kPost));
+    }
+    const uint32_t ball = add_body(w, SWAGE_MOTION_DYNAMIC, 2, {0.1e-3, 0, 1.0001 * std::sqrt((kBall + kRadius) * (kBall + kRadius) - kApart * kApart)});
+    w.body[ball].mass = 4e-8;
+    for (double& I : w.body[ball].inertia) I = 6.4e-16;
+    w.shape.push_back(shape_on(ball, 2, SWAGE_SHAPE_SPHERE, kBall));
+    scene::reset(w);
+    return w;
+  }
+  void step() {
+    const Vec3 v = world.step < 60 ? Vec3(0, 0, 0.5e-3) : Vec3(0.4e-3, 0.1e-3, 0);  // m/s
+    for (const uint32_t post : {2u, 3u}) {
+      world.X_WB[post].p = toolkit::raw(Vec3(toolkit::vec(world.X_WB[post].p) + world.dt * v));
+      world.V_WB[post].v = toolkit::raw(v);
+    }
+    ++world.step;
+    dynamics->free_motion(world);
+    a->advance(), b->advance();
+    detector->detect(world, contacts);
+    FlexibleBody* const self[] = {a.get(), b.get()};
+    dynamics->solve(world, contacts, self);
+    dynamics->finish(world);
+  }
+  /// Stands as another does.
+  void take(Heap& other) {
+    world = other.world;
+    contacts = other.contacts;
+    a->take(*other.a), b->take(*other.b);
+  }
+  double most_force() const {
+    double most = 0;
+    for (const contact::Contact& c : contacts.contact) most = std::max(most, c.f_a_W.norm());
+    return most;
+  }
+
+  scene::World world;
+  std::unique_ptr<RodBody> a, b;
+  std::unique_ptr<contact::Detector> detector;
+  std::unique_ptr<Dynamics> dynamics;
+  contact::ContactSet contacts;
+};
+
+/// How far two heaps are apart [m].
+double apart(Heap& x, Heap& y) {
+  double most = (toolkit::vec(x.world.X_WB.back().p) - toolkit::vec(y.world.X_WB.back().p)).norm();
+  for (int i = 0; i <= kPieces; ++i) {
+    most = std::max(most, (x.a->state().node(i) - y.a->state().node(i)).norm());
+    most = std::max(most, (x.b->state().node(i) - y.b->state().node(i)).norm());
+  }
+  return most;
+}
+
+/// From the same state, step by step; where Newton stalls there may be several ends.
+TEST(BandedBody, GoesAsItsComplianceDoes) {
+  Heap dense(false, false), bands(true, true), mixed(true, false);
+  uint32_t alike = 0, same = 0, slid = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (Heap* h : {&bands, &mixed}) h->take(dense);
+    for (Heap* h : {&dense, &bands, &mixed}) h->step();
+    const double off = std::max(apart(dense, bands), apart(dense, mixed));
+    EXPECT_LT(off, 1e-7) << i;
+    alike += off < 1e-8, same += off < 1e-12;
+    for (const contact::Contact& c : bands.contacts.contact) slid += c.slip > 0;
+    EXPECT_GT(bands.most_force(), 1e-8);
+  }
+  EXPECT_GT(alike, 190u);
+  EXPECT_GT(same, 150u);
+  EXPECT_GT(slid, 400u);
+  for (Heap* h : {&dense, &bands, &mixed}) {
+    EXPECT_EQ(h->dynamics->stats().health.unanswered, 0u);
+    EXPECT_LE(h->dynamics->stats().health.not_converged, 3u) << "of 200, where the ball has just come down";
+  }
+}
+
+}  // namespace
+}  // namespace swage::dynamics
