@@ -21,15 +21,22 @@ void take_product(const Block& L, const Block& B, Block& A) noexcept {
   }
 }
 
-/// L B.
-Block product(const Block& L, const Block& B) noexcept {
-  Block out;
+/// X U = A, in place; U: the upper half of LU.
+void divide_by_upper(const Block& LU, Block& A) noexcept {
   for (int c = 0; c < 4; ++c) {
-    Vec4 a = B(0, c) * L.col(0);
-    for (int k = 1; k < 4; ++k) a += B(k, c) * L.col(k);
-    out.col(c) = a;
+    Vec4 a = A.col(c);
+    for (int k = 0; k < c; ++k) a -= LU(k, c) * A.col(k);
+    A.col(c) = a / LU(c, c);
   }
-  return out;
+}
+
+/// X L' = A, in place; L: the lower half of LU, its diagonal 1.
+void divide_by_lower(const Block& LU, Block& A) noexcept {
+  for (int c = 1; c < 4; ++c) {
+    Vec4 a = A.col(c);
+    for (int k = 0; k < c; ++k) a -= LU(c, k) * A.col(k);
+    A.col(c) = a;
+  }
 }
 
 /// y -= L x and y -= L' x.
@@ -141,22 +148,16 @@ void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
     upper_[place(j, i)] += M.transpose();
 }
 
-/// D^-1 in place, by Gauss and Jordan without pivoting.
-bool BandedBlocks::invert(Block& D) noexcept {
+/// D = L U in place, without pivoting. Not its inverse: where a thread is a million times stiffer along than across, that would lose the
+/// stiffness across when it is multiplied by the stiffness along.
+bool BandedBlocks::split(Block& D) noexcept {
   for (int k = 0; k < 4; ++k) {
     const double pivot = D(k, k);
     if (!std::isfinite(pivot) || pivot == 0 || (symmetric_ && pivot < 0)) return false;
     negative_ += pivot < 0;
-    const double inverse = 1 / pivot;
-    const Vec4 column = D.col(k);
-    for (int c = 0; c < 4; ++c) {
-      if (c == k) continue;
-      const double share = D(k, c) * inverse;
-      D.col(c) -= share * column;
-      D(k, c) = share;
-    }
-    D.col(k) = -inverse * column;
-    D(k, k) = inverse;
+    for (int r = k + 1; r < 4; ++r) D(r, k) /= pivot;
+    for (int c = k + 1; c < 4; ++c)
+      for (int r = k + 1; r < 4; ++r) D(r, c) -= D(r, k) * D(k, c);
   }
   return true;
 }
@@ -167,12 +168,13 @@ bool BandedBlocks::factor(bool symmetric) noexcept {
   if (symmetric)
     for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
   for (uint32_t k = 0; k < n_; ++k) {
-    if (!invert(diagonal_[k])) return false;
+    if (!split(diagonal_[k])) return false;
     const uint32_t first = first_[k], size = first_[k + 1] - first;
-    // column: L' = A D^-1; row: U' kept transposed, as it stands. Symmetric: U' is the column before it is divided
+    // column: A U^-1; row, kept transposed: A' L'^-1. Symmetric: the row is the column that was given
     for (uint32_t i = 0; i < size; ++i) {
       if (symmetric) upper_[first + i] = lower_[first + i];
-      lower_[first + i] = product(lower_[first + i], diagonal_[k]);
+      divide_by_upper(diagonal_[k], lower_[first + i]);
+      divide_by_lower(diagonal_[k], upper_[first + i]);
       take_product(lower_[first + i], upper_[first + i], diagonal_[row_[first + i]]);
     }
     for (uint32_t u = first_update_[k]; u < first_update_[k + 1]; ++u) {
@@ -190,16 +192,21 @@ void BandedBlocks::solve(double* x) const noexcept {
   for (uint32_t k = 0; k < n_; ++k)
     for (int r = 0; r < 4; ++r)
       y[4 * k + static_cast<uint32_t>(r)] = x[4 * of_[k] + static_cast<uint32_t>(r)];
-  for (uint32_t k = 0; k < n_; ++k)
-    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take(lower_[e], y + 4 * k, y + 4 * row_[e]);
+  for (uint32_t k = 0; k < n_; ++k) {
+    double* yk = y + 4 * k;
+    const Block& D = diagonal_[k];
+    for (int r = 1; r < 4; ++r)
+      for (int c = 0; c < r; ++c) yk[r] -= D(r, c) * yk[c];
+    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take(lower_[e], yk, y + 4 * row_[e]);
+  }
   for (uint32_t k = n_; k-- > 0;) {
     double* yk = y + 4 * k;
+    const Block& D = diagonal_[k];
     for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take_transposed(upper_[e], y + 4 * row_[e], yk);
-    const Vec4 right = Eigen::Map<const Vec4>(yk);
-    Vec4 z = right[0] * diagonal_[k].col(0);
-    for (int c = 1; c < 4; ++c) z += right[c] * diagonal_[k].col(c);
-    Eigen::Map<Vec4> to(yk);
-    to = z;
+    for (int r = 4; r-- > 0;) {
+      for (int c = r + 1; c < 4; ++c) yk[r] -= D(r, c) * yk[c];
+      yk[r] /= D(r, r);
+    }
   }
   for (uint32_t k = 0; k < n_; ++k)
     for (int r = 0; r < 4; ++r)

@@ -7,7 +7,7 @@
 // what is coupled, not with the square of the contacts.
 //
 // analyse() orders the blocks so that little fills in (least degree, the lowest index of equals) and lists every update; it is
-// repeated only when pairs change. factor() does L D L' (symmetric) or L D U, each without pivoting. Its order of operations is fixed:
+// repeated only when pairs change. factor() does L U without pivoting, of its blocks too; symmetric, U = D L'. Its order of operations is fixed:
 // the same bits at every level of optimisation.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates.
@@ -57,7 +57,7 @@ class BandedBlocks {
   bool order(std::span<const Pair> coupled) noexcept;
   bool list_updates() noexcept;
   uint32_t place(uint32_t row, uint32_t column) const noexcept;
-  bool invert(Block& D) noexcept;
+  bool split(Block& D) noexcept;
   uint64_t* line(uint32_t i) noexcept { return near_.data() + static_cast<size_t>(i) * words_; }
 
   uint32_t max_blocks_, max_fill_, words_;

@@ -184,7 +184,9 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
             : jacobian(p_.contact[i].a, p_.contact[i].b, contacts.contact[i].p_W, constraint);
   }
 
-  const Island problem{islands_.blocks(island), constraints, island.unknowns, island.own, island.banded};
+  // few contacts of a thread cost less by their forces; and tied to a light body its sparse factors lose what is soft beside the tie
+  const bool forces = island.own || (island.banded && (island.tied || island.constraints <= few_));
+  const Island problem{islands_.blocks(island), constraints, island.unknowns, forces, island.banded};
   const Limits limits = island.passes < kFreePasses && !island.held ? Limits::kCoulomb : Limits::kHeld;
   ++island.passes;
   const Outcome outcome = solver_.solve(problem, p_.scales, limits);

@@ -22,6 +22,9 @@ class ContactSolve {
  public:
   ContactSolve(const scene::World& world, const Options& options);
 
+  /// Contacts of an island with threads up to which it is solved for its forces; 0: it never is but where ties hold. [main]
+  void set_few(uint32_t contacts) noexcept { few_ = contacts; }
+
   /// Final poses and twists of all dynamic bodies, hinges and particles; results in `contacts` and `ties`; impulses to
   /// `self`.
   void solve(scene::World& world, Motion& motion, contact::ContactSet& contacts, std::span<Tie> ties,
@@ -50,6 +53,7 @@ class ContactSolve {
   void count(const contact::ContactSet& contacts, Stats& stats) noexcept;
 
   const Options options_;
+  uint32_t few_ = 32;  // more cost more by their forces, whose matrix is dense, than by displacements
   ContactProblem p_;
   ContactIslands islands_;
   FlexiblePoints points_;

@@ -110,6 +110,7 @@ void Dynamics::finish(scene::World& world) noexcept {
   std::fill(world.particle_f_W.begin(), world.particle_f_W.end(), 0.0);
 }
 
+void Dynamics::solve_sparse_beyond(uint32_t contacts) noexcept { core_->contact_solve.set_few(contacts); }
 const Stats& Dynamics::stats() const noexcept { return core_->stats; }
 std::span<const Waypoint> Dynamics::waypoints() const noexcept { return core_->rebound.waypoints(); }
 const Options& Dynamics::options() const noexcept { return core_->options; }

@@ -55,6 +55,9 @@ class Dynamics {
   /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.
   void finish(scene::World& world) noexcept;
 
+  /// [main] Contacts of an island with threads from which on it is solved sparse, and not for its forces. For tests of the two.
+  void solve_sparse_beyond(uint32_t contacts) noexcept;
+
   const Stats& stats() const noexcept;
   /// Poses within the last step at which something that flew was pushed or looked at anew.
   std::span<const Waypoint> waypoints() const noexcept;

@@ -46,6 +46,8 @@ class FlexibleBodies {
   uint32_t room(uint32_t slot) const noexcept {
     return object_[slot].band ? static_cast<uint32_t>(object_[slot].point.size()) : room_;
   }
+  /// m, in W, of a point when it was added.
+  Vec3 place(uint32_t slot, uint32_t point) const noexcept { return toolkit::vec(object_[slot].point[point].p_W); }
   /// The band of one that has one, or nullptr.
   BandedBody* band(uint32_t slot) const noexcept { return object_[slot].band; }
   /// What a point of a banded one is pushed by [N], for its object to know.

@@ -92,6 +92,7 @@ Side Placement::side(uint32_t body, uint32_t particle, uint32_t shape,
 
 Side Placement::tied_side(uint32_t body, const Vec3& p_W) noexcept {
   Side s = side(body, kNone);
+  s.tied = true;
   s.chain = chain_of_body_[body];
   if (s.chain == kNone) {
     if (is_banded(s.block)) s.block = kNone;
@@ -228,11 +229,13 @@ Vec3 Placement::advanced(const Side& side) const noexcept {
   return h_ * ((1 - t) * chain.v(side.place.segment) + t * chain.v(side.place.segment + 1));
 }
 
-/// How a point of a chain goes when its piece turns about itself by 1 rad [m].
+/// How a point of a band goes when its piece turns about itself by 1 rad [m]. Of a tie the arm is that of the place that was asked about:
+/// where it is later in the solve, its other side may have gone far from where the band advanced to.
 Vec3 Placement::turn_about_itself(const Side& side, const Vec3& p_W) const noexcept {
   const scene::ChainView chain(*world_, world_->chain[side.chain]);
   const Vec3 p0 = chain.p(side.place.segment), u = chain.p(side.place.segment + 1) - p0;
-  return u.normalized().cross(p_W - (p0 + side.place.share * u));
+  const Vec3 p = side.tied && side.point != kNone ? flexible_.place(block_[side.block].index, side.point) : p_W;
+  return u.normalized().cross(p - (p0 + side.place.share * u));
 }
 
 Vec3 Placement::prediction_error_at(const Side& side, const Vec3& p_W) const noexcept {

@@ -25,6 +25,7 @@ struct Side {
   uint32_t point = scene::kNone;  // flexible bodies: among the points of their block
   uint32_t chain = scene::kNone;  // of the world, where the body's surface is one there
   contact::ChainPlace place;      // on it
+  bool tied = false;              // of a tie
   bool shares = false;            // it is the nearest point of another contact: there is no room for its own
 };
 

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the host does with a thread of 100 nodes, beside ODE's exact grasp step:
+//
+//   direction   Newton's direction of an island (dynamics/sparse_space.hpp) with a needle and so many contacts, a third each with what
+//               stands, with the needle and with the thread itself; begin() finds the sides of its contacts, once an island
+//   held        a step of a thread that two round jaws hold, still or moved at 30 mm/s: its own mechanics, contacts found, solved
+//   lying       a step of one that lies flat on a plate, with two contacts a segment
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include "../unit/dynamics/rod_body.hpp"
+#include "contact/detector.hpp"
+#include "dynamics/axes.hpp"
+#include "dynamics/dynamics.hpp"
+#include "dynamics/sparse_space.hpp"
+#include "grip.hpp"
+
+namespace {
+
+using namespace swage;
+using namespace swage::dynamics;
+using toolkit::Vec3;
+
+constexpr uint32_t kNodes = 100;
+constexpr double kPiece = 0.3e-3, kWire = 11e-6;  // m
+
+toolkit::RodSection nylon() { return toolkit::RodSection::round(2 * kWire, 2.5e9, 0.39, 1140); }
+
+scene::World with_thread() {
+  scene::World w;
+  std::vector<Vec3> p;
+  for (uint32_t i = 0; i < kNodes; ++i) p.emplace_back(kPiece * i, 0, 0);
+  w.gravity = {0, 0, -9.80665};
+  w.capacity.contacts = 512;
+  add_chain(w, p, kWire, 0);
+  return w;
+}
+
+void direction(benchmark::State& state) {
+  const auto n = static_cast<uint32_t>(state.range(0));
+  scene::World world = with_thread();
+  scene::reset(world);
+  RodBody rod(world, 0, 0, nylon(), true);
+  rod.advance();
+  BandedBody band(0, kNodes);
+  band.begin();
+  if (!band.linearise(rod)) return state.SkipWithError("no step");
+  DofBlock thread, needle;
+  thread.kind = DofBlock::Kind::kBanded, thread.band = &band, thread.size = band.unknowns();
+  needle.m_hh = 0.4, needle.offset = thread.size;
+  needle.I_hh = Vec3(1.3e-6, 1e-7, 1.3e-6).asDiagonal(), needle.inv_I_hh = needle.I_hh.inverse();
+  DofBlock* const blocks[] = {&thread, &needle};
+  std::vector<Constraint> all(n);
+  std::vector<std::array<double, 48>> J(n);
+  for (uint32_t i = 0; i < n; ++i) {
+    Constraint& c = all[i];
+    const uint32_t node = 10 + i * 38 / n;
+    c.n = Vec3::UnitZ();
+    axes_across(c.n, c.t1, c.t2);
+    c.block_a = 0, c.size_a = 8, c.offset_a = 4 * node;
+    if (i % 3 == 1) c.block_b = 1, c.size_b = 6, c.offset_b = needle.offset;
+    if (i % 3 == 2) c.block_b = 0, c.size_b = 8, c.offset_b = 4 * (kNodes - 2 - node);
+    const uint32_t columns = c.size_a + c.size_b;
+    J[i].fill(0);
+    const Vec3* axis[] = {&c.n, &c.t1, &c.t2};
+    for (uint32_t r = 0; r < 3; ++r)
+      for (uint32_t k = 0; k < 3; ++k) {
+        const double e = (*axis[r])[static_cast<int>(k)];
+        J[i][r * columns + k] = 0.6 * e, J[i][r * columns + 4 + k] = 0.4 * e;
+        if (c.size_b == 6) J[i][r * columns + 8 + k] = -e;
+        if (c.size_b == 8) J[i][r * columns + 8 + k] = -0.4 * e, J[i][r * columns + 12 + k] = -0.6 * e;
+      }
+    c.J = J[i].data();
+    c.surface = {1e4, 8e3, 0.2};
+    c.at = {-1e-7, 0, 0};
+    c.D.nn = 1e4, c.D.t11 = c.D.t22 = 8e3;
+    // every other one slides: the system is not symmetric
+    if (state.range(1) != 0 && i % 2 == 0) c.D.t11 = 0, c.D.n1 = 2e3;
+  }
+  const Island island{blocks, all, needle.offset + 6, false, true};
+  SparseSpace space(6, {kNodes, n});
+  std::vector<double> d(island.size), step(island.size);
+  space.begin(island);
+  space.start(d.data());
+  space.displace(d.data());
+  space.residual(d.data());
+  for (auto _ : state) {
+    if (!space.search_direction(d.data(), false, step.data())) return state.SkipWithError("no direction");
+    benchmark::DoNotOptimize(step.data());
+  }
+}
+
+/// Between two balls of 0.5 mm, which stand or go across the thread.
+struct Scene {
+  Scene(bool lying, double speed) : world(make(lying)), lies(lying), v(0, speed, 0), rod(world, 0, 0, nylon(), true) {
+    contact::Law law{0.2, 1e5, 0};
+    detector = std::make_unique<contact::Detector>(world, std::vector<contact::Pair>{{0, 1, law}}, contact::Options{});
+    solve = std::make_unique<Dynamics>(world, Options());
+    detector->reserve(contacts);
+  }
+  static scene::World make(bool lying) {
+    scene::World w = with_thread();
+    if (lying) {
+      const uint32_t plate = add_body(w, SWAGE_MOTION_FIXED, 1, {15e-3, 0, -1e-3 - kWire});
+      scene::Shape shape = shape_on(plate, 1, SWAGE_SHAPE_CONVEX, 1e-3);
+      std::vector<Vec3> corner;
+      for (int i = 0; i < 8; ++i) corner.emplace_back((i & 1) ? 30e-3 : -30e-3, (i & 2) ? 30e-3 : -30e-3, (i & 4) ? 1e-3 : -1e-3);
+      const uint32_t start[7] = {0, 4, 8, 12, 16, 20, 24};
+      const uint32_t face[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+      w.convex.emplace_back();
+      toolkit::build_convex(corner, start, face, w.convex.back());
+      shape.convex = 0;
+      w.shape.push_back(shape);
+    } else {
+      for (const double side : {1.0, -1.0}) {
+        const uint32_t jaw = add_body(w, SWAGE_MOTION_FOLLOWS, 1, {15.1e-3, 0, side * (0.5e-3 + kWire - 1e-7)});
+        w.shape.push_back(shape_on(jaw, 1, SWAGE_SHAPE_SPHERE, 0.5e-3));
+      }
+    }
+    scene::reset(w);
+    return w;
+  }
+  void step() {
+    for (uint32_t jaw = 1; !lies && jaw < 3; ++jaw) {
+      world.X_WB[jaw].p = toolkit::raw(Vec3(toolkit::vec(world.X_WB[jaw].p) + world.dt * v));
+      world.V_WB[jaw].v = toolkit::raw(v);
+    }
+    solve->free_motion(world);
+    rod.advance();
+    detector->detect(world, contacts);
+    FlexibleBody* const self[] = {&rod};
+    solve->solve(world, contacts, self);
+    solve->finish(world);
+  }
+  scene::World world;
+  bool lies;
+  Vec3 v;
+  RodBody rod;
+  std::unique_ptr<contact::Detector> detector;
+  std::unique_ptr<Dynamics> solve;
+  contact::ContactSet contacts;
+};
+
+void steps(benchmark::State& state, bool lying, double speed) {
+  Scene s(lying, speed);
+  for (int i = 0; i < 300; ++i) s.step();
+  for (auto _ : state) s.step();
+  const Stats& stats = s.solve->stats();
+  state.counters["contacts"] = static_cast<double>(s.contacts.contact.size());
+  state.counters["newton"] = static_cast<double>(stats.newton) / static_cast<double>(stats.steps);
+  state.counters["not_converged"] = static_cast<double>(stats.health.not_converged);
+}
+
+/// ODE's exact solver with soft contacts holds a needle between two jaws: the yardstick.
+void ode_grasp_step(benchmark::State& state) {
+  using namespace swage::bench;
+  for (const Method& m : ode_methods()) {
+    if (m.name != "ODE exact, soft contacts") continue;
+    const Setup setup;
+    const auto engine = m.make(setup);
+    const Openings openings(m, setup.needle, 1e-6);
+    engine->set_gravity(bench::Vec3::Zero());
+    openings.apply(*engine, Pose{}, true);
+    engine->set_needle(grip_pose(setup.needle), bench::Vec3::Zero(), bench::Vec3::Zero());
+    for (auto _ : state) {
+      openings.apply(*engine, Pose{}, false);
+      engine->step();
+    }
+    return;
+  }
+  state.SkipWithError("ODE is not installed");
+}
+
+BENCHMARK(ode_grasp_step)->Unit(benchmark::kMicrosecond);
+BENCHMARK(direction)->ArgNames({"contacts", "slide"})->Args({20, 0})->Args({60, 0})->Args({60, 1})->Args({100, 0})->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_still, false, 0.0)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_moved, false, 30e-3)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, lying, true, 0.0)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
