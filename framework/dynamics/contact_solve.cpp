@@ -86,7 +86,8 @@ void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<FlexibleBody* const> self, bool ask_all) noexcept {
   p_.scales = Scales::of(world, options_);
-  p_.begin(world, motion, contacts, self);
+  // tied to a light body the sparse factors lose what is soft beside the tie: then threads answer for their points, as they always can
+  p_.begin(world, motion, contacts, self, ties.empty());
   points_.add(contacts, ties, ask_all);
   ties_.begin(ties);
   p_.health.unanswered += p_.place.flexible().ask(p_.h);
@@ -184,8 +185,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
             : jacobian(p_.contact[i].a, p_.contact[i].b, contacts.contact[i].p_W, constraint);
   }
 
-  // few contacts of a thread cost less by their forces; and tied to a light body its sparse factors lose what is soft beside the tie
-  const bool forces = island.own || (island.banded && (island.tied || island.constraints <= few_));
+  const bool forces = island.own || (island.banded && island.constraints <= few_);
   const Island problem{islands_.blocks(island), constraints, island.unknowns, forces, island.banded};
   const Limits limits = island.passes < kFreePasses && !island.held ? Limits::kCoulomb : Limits::kHeld;
   ++island.passes;
