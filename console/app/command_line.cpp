@@ -49,7 +49,7 @@ Launch read_command_line(const QStringList& arguments) {
       option("cues", "thesis or safe: colours of the cues.", "cues"),
       option("view", "orbit, side, top or near.", "view"),
       option("trainee", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right.", "layout"),
-      option("page", "run, lessons, people, review or setup.", "page"),
+      option("page", "run, lessons, courses, people, review or setup.", "page"),
       option("review", "Open a recorded attempt: its id, or latest.", "attempt"),
       option("size", "Size of the window, as in 1440x900.", "size"),
       option("screenshot", "Write a picture of the window (with --trainee: of the trainee's) and quit.",

@@ -119,6 +119,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("Ctrl+← →"), tr("1 s")},
                               {tr("Home,  End"), tr("Start, end")},
                               {tr(",  ."), tr("Event before, after")},
+                              {tr("L"), tr("Loop around the cursor")},
+                              {tr("N"), tr("Note at the cursor")},
                               {tr("Ctrl+E"), tr("Save the attempt")},
                               {tr("Ctrl+Shift+E"), tr("Save its signals")}},
                              this)

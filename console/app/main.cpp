@@ -41,6 +41,9 @@ int run(int argc, char** argv) {
     doors.open_store = [where = launch.options.store_path](std::string& error) {
       return record::Store::open_as_allowed(where, error);
     };
+    doors.open_school = [where = launch.options.store_path](std::string& error) {
+      return record::School::open(where, error);
+    };
   }
   const session::Options& options = launch.options;
   doors.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,

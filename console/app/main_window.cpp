@@ -36,7 +36,8 @@ QByteArray layout_key(const QSplitter& splitter) { return "layout/" + splitter.o
 MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
       settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)),
-      store_(std::move(doors.open_store)) {
+      store_(std::move(doors.open_store)),
+      desk_(std::move(doors.open_school)) {
   setWindowTitle(tr("Swage"));
   lessons_.set_folders(launch.lesson_folders);
   auto* middle = new QWidget(this);
@@ -70,18 +71,24 @@ void MainWindow::add_pages(Doors& doors) {
       &lessons_, [this](const QString& path) { return read_criteria(path.toStdString(), run_->catalogue()); }, pages_);
   pages_->add({QStringLiteral("lessons"), tr("Lessons"), tr("What can be practised, and what does it ask for?"),
                lessons_page_, true, [this] { lessons_page_->select(run_->setup()->lesson()); }});
-  people_ = new PeoplePage(&store_, pages_);
+  courses_ = new CoursesPage(
+      &desk_, &store_, &lessons_, [this](const QString& lesson) { return metrics_of(lesson); }, pages_);
+  pages_->add({QStringLiteral("courses"), tr("Courses"), tr("In what order, and when is it passed?"), courses_, true,
+               [this] { courses_->refresh(); }, {}, nullptr, desk_.course_edits()});
+  people_ = new PeoplePage(&store_, &desk_, pages_);
   pages_->add({QStringLiteral("people"), tr("People"), tr("Who is where, and who needs help?"), people_, true,
                [this] {
                  people_->refresh();
                  people_->focus_people();
                },
-               [this](const UiTheme& ui, const CueTheme&) { people_->set_theme(ui); }});
+               [this](const UiTheme& ui, const CueTheme&) { people_->set_theme(ui); }, nullptr, desk_.people_edits()});
   review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
+  review_->set_desk(&desk_);
   review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
   pages_->add({QStringLiteral("review"), tr("Review"), tr("What happened in that attempt?"), review_, true,
                [this] { review_->setFocus(); },
-               [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view()});
+               [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view(),
+               desk_.note_edits()});
   setup_ = new SetupPage(pages_);
   pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_});
 }
@@ -134,6 +141,16 @@ void MainWindow::connect_pages() {
   connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
   connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
   connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
+}
+
+// as the card of the lesson's plugin says
+QVector<LessonMetric> MainWindow::metrics_of(const QString& lesson_id) {
+  QVector<LessonMetric> out;
+  const int row = lessons_.row_of(lesson_id);
+  if (row < 0) return out;
+  for (const host::MetricInfo& m : lesson_metrics(lessons_.at(row).path.toStdString(), run_->catalogue()))
+    if (m.show != SWAGE_SHOW_POINTS) out += {QString::fromStdString(m.id), QString::fromStdString(m.unit), m.better};
+  return out;
 }
 
 void MainWindow::select_lesson(const QString& path) {

@@ -11,6 +11,7 @@
 #include "console/app/settings.hpp"
 #include "console/app/trainee_window.hpp"
 #include "console/models/lessons_model.hpp"
+#include "console/pages/courses_page.hpp"
 #include "console/pages/lessons_page.hpp"
 #include "console/pages/people_page.hpp"
 #include "console/pages/review_page.hpp"
@@ -27,6 +28,7 @@ struct Doors {
   PlayerOpener open_player;
   FileOpener open_file;  // an attempt out of a file
   FileReader read_file;
+  SchoolOpener open_school = {};  // none: people and courses cannot be changed
 };
 
 class MainWindow : public QMainWindow {
@@ -39,6 +41,8 @@ class MainWindow : public QMainWindow {
   PeoplePage* people_page() { return people_; }
   ReviewPage* review_page() { return review_; }
   LessonsPage* lessons_page() { return lessons_page_; }
+  CoursesPage* courses_page() { return courses_; }
+  SchoolDesk* desk() { return &desk_; }
   /// More sections can be added to it: equipment has its own.
   SetupPage* setup_page() { return setup_; }
   /// The trainee's window; nullptr while it is closed.
@@ -67,6 +71,7 @@ class MainWindow : public QMainWindow {
   void connect_pages();
   void fill_top_bar();
   void select_lesson(const QString& path);
+  QVector<LessonMetric> metrics_of(const QString& lesson_id);
   void add_actions();
   void fit_screen();
   void restore(const Launch& launch);
@@ -80,6 +85,7 @@ class MainWindow : public QMainWindow {
   QTimer frames_timer_;
   LessonsModel lessons_;
   StoreLink store_;
+  SchoolDesk desk_;
   QString ui_id_, cues_id_;
   TraineeLook trainee_look_;
   std::unique_ptr<TraineeWindow> trainee_;
@@ -88,6 +94,7 @@ class MainWindow : public QMainWindow {
   Pages* pages_ = nullptr;
   RunPage* run_ = nullptr;
   LessonsPage* lessons_page_ = nullptr;
+  CoursesPage* courses_ = nullptr;
   PeoplePage* people_ = nullptr;
   ReviewPage* review_ = nullptr;
   SetupPage* setup_ = nullptr;

@@ -2,11 +2,13 @@
 #include "console/models/attempts_model.hpp"
 
 #include <QDateTime>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
+#include "judge/learning.hpp"
 
 namespace swage::console {
 namespace {
@@ -67,6 +69,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kTime:
       return clock_text(a.simulated_s);
     case kReason:
+      if (a.is_void && !a.void_reason.empty()) return tr("%1 (voided by %2)").arg(qt(a.void_reason), qt(a.void_by));
       return a.remark.empty() ? human_id(qt(a.reason))
                               : QStringLiteral("%1 (%2)").arg(human_id(qt(a.reason)), qt(a.remark));
     default:
@@ -100,7 +103,7 @@ QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int
   }
 }
 
-bool is_hand(const record::AttemptRow& attempt) { return attempt.mode == "hand"; }
+bool is_hand(const record::AttemptRow& attempt) { return attempt.is_scripted || attempt.mode == "hand"; }
 
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
   QStringList ids = {kScoreId, kTimeId};
@@ -140,6 +143,41 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
                       when_text(qt(a->started_utc)) + QStringLiteral(", ") + verdict(*a)};
   }
   return series;
+}
+
+void fit_series(MetricSeries& series) {
+  const auto n = static_cast<int>(series.points.size()), fewest = static_cast<int>(judge::kFewestForCurve);
+  series.curve.clear();
+  series.fit.clear();
+  if (n < fewest) {
+    series.fit = QObject::tr("A curve needs %1 finished attempts. %2 more.").arg(fewest).arg(fewest - n);
+    return;
+  }
+  std::vector<double> values;
+  for (const MetricPoint& p : series.points) values.push_back(p.value);
+  const auto text = [&](double v) { return QStringLiteral("%1 %2").arg(QLocale().toString(v, 'g', 3), series.unit).trimmed(); };
+  const judge::Curve curve = judge::fit_curve(values);
+  if (!curve.fitted) {
+    const judge::Recent last = judge::recent(values);
+    series.fit = QObject::tr("No curve: %1 Median of the last %2: %3 (%4 to %5).")
+                     .arg(QString::fromStdString(curve.why_not))
+                     .arg(last.n)
+                     .arg(text(last.median), text(last.low), text(last.high));
+    return;
+  }
+  for (int i = 0; i < n; ++i) series.curve += curve.at(i + 1);
+  // a level that lies further outside than the attempts spread is no level that anybody has seen
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double span = *most - *least;
+  const bool level = curve.low >= *least - span && curve.high <= *most + span;
+  series.fit = QObject::tr("Learning curve: %1 at the first attempt, %2 at the latest").arg(text(curve.at(1)), text(curve.at(n)));
+  if (!level) {
+    series.fit += QObject::tr("; the level that is being reached is not bounded by these attempts yet.");
+    return;
+  }
+  series.fit += QObject::tr(", towards %1 (95 %: %2 to %3).").arg(text(curve.a), text(curve.low), text(curve.high));
+  if (std::isfinite(curve.half_way) && curve.half_way > 0 && curve.half_way < 1000)
+    series.fit += QLatin1Char(' ') + QObject::tr("Half-way after %1 attempts.").arg(QLocale().toString(curve.half_way, 'f', 1));
 }
 
 }  // namespace swage::console

@@ -45,10 +45,16 @@ struct MetricSeries {
   QString formula;      // how it is computed, where the lesson says
   MetricTarget target;  // as shown
   double factor = 1;    // from SI to what is shown
+  QVector<double> curve;  // a value per point, where a law of learning was fitted; empty otherwise
+  QString fit;            // what the fit says, or why there is none
+  std::optional<std::pair<double, double>> experts;  // their band, 10 % to 90 %, as shown
+  QString who;                                       // the experts are
   QVector<MetricPoint> points;
 };
 
 /// The metrics that these attempts have (score and time first), and the series of one of them.
+/// Fits the curve of learning and says what it means.
+void fit_series(MetricSeries& series);
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts);
 MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id);
 

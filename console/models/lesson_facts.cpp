@@ -140,6 +140,11 @@ MetricTarget metric_target(const std::string& lesson_path, const std::string& me
   return {};
 }
 
+std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, const host::Catalogue& catalogue) {
+  const Judged lesson = read_judged(lesson_path, catalogue);
+  return lesson.plugin ? lesson.plugin->metrics : std::vector<host::MetricInfo>();
+}
+
 Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& catalogue) {
   const Judged lesson = read_judged(lesson_path, catalogue);
   Criteria out;

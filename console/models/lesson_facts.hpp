@@ -29,6 +29,9 @@ Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& ca
 /// defaults included. Nothing when the file, the plugin or the parameter is not there.
 std::optional<ForceBand> force_band(const std::string& lesson_path, const host::Catalogue& catalogue);
 
+/// The metrics of a lesson as its plugin's card says; none where it cannot be read.
+std::vector<host::MetricInfo> lesson_metrics(const std::string& lesson_path, const host::Catalogue& catalogue);
+
 /// What the lesson asks of a metric, SI: at most so much peak force, time, drops; a mean force inside its interval.
 MetricTarget metric_target(const std::string& lesson_path, const std::string& metric_id,
                            const host::Catalogue& catalogue);

@@ -2,26 +2,11 @@
 #include "console/models/metric_facts.hpp"
 
 #include <QObject>
-#include <QStringList>
 #include <algorithm>
 
+#include "console/models/metric_titles.hpp"
+
 namespace swage::console {
-namespace {
-
-// what is known of the metrics that the stock lessons use; of others no direction is claimed
-int32_t guess(const QString& id) {
-  static const QStringList lower = {"time", "tries",  "drops",   "error",     "over_",   "peak",
-                                    "tilt", "path",   "regrasp", "different", "balance", "slip",
-                                    "snap", "tremor", "bend",    "tear"};
-  static const QStringList higher = {"score", "in_zone", "success", "progress", "smooth"};
-  const auto names = [&](const QStringList& words) {
-    return std::any_of(words.begin(), words.end(), [&](const QString& w) { return id.contains(w); });
-  };
-  return names(higher) ? SWAGE_BETTER_HIGHER : names(lower) ? SWAGE_BETTER_LOWER : SWAGE_BETTER_NONE;
-}
-
-}  // namespace
-
 MetricFacts metric_facts(const snapshot::SceneCard* card, const std::string& id) {
   const size_t n = card ? std::min(card->metrics.size(), card->script.metrics.size()) : 0;
   for (size_t i = 0; i < n; ++i) {
@@ -29,7 +14,11 @@ MetricFacts metric_facts(const snapshot::SceneCard* card, const std::string& id)
     if (card->script.metrics[i].id == id && m.evidence != SWAGE_EVIDENCE_NONE)
       return {m.better, QString::fromStdString(m.formula)};
   }
-  return {guess(QString::fromStdString(id)), {}};
+  // the host's own two
+  if (id == "score") return {SWAGE_BETTER_HIGHER, {}};
+  if (id == "time") return {SWAGE_BETTER_LOWER, {}};
+  const QString said = QString::fromStdString(id);
+  return {metric_better(said), metric_formula(said)};
 }
 
 QString better_words(int32_t better, bool arrow) {

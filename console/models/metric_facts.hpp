@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Which way a metric is better, and how it is computed: as the lesson's card says, else guessed at from what it is called.
+// Which way a metric is better, and how it is computed: as the lesson's card says, else the first card that knows it; else nothing is claimed.
 #pragma once
 
 #include <swage/abi/lesson_card.h>
@@ -15,7 +15,7 @@ namespace swage::console {
 
 struct MetricFacts {
   int32_t better = SWAGE_BETTER_NONE;
-  QString formula;  // "" when only guessed
+  QString formula;  // "" where no card says it
 };
 
 /// What a lesson asks of a metric: at most, at least, or between. Neither where it does not say.

@@ -14,6 +14,16 @@ struct Label {
   int32_t show = SWAGE_SHOW_QUANTITY;
 };
 
+struct Card {
+  int32_t better = SWAGE_BETTER_NONE;
+  QString formula;
+};
+
+QHash<QString, Card>& cards() {
+  static QHash<QString, Card> all;
+  return all;
+}
+
 QHash<QString, Label>& labels() {
   static QHash<QString, Label> all;
   return all;
@@ -27,6 +37,8 @@ void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
       const QString id = QString::fromStdString(m.id);
       if (!m.title.empty() && !labels().contains(id))
         labels().insert(id, {QByteArray::fromStdString(m.title), m.show});
+      if (m.evidence != SWAGE_EVIDENCE_NONE && !cards().contains(id))
+        cards().insert(id, {m.better, QString::fromStdString(m.formula)});
     }
   }
 }
@@ -44,5 +56,8 @@ QString shown_unit(int32_t show, const QString& unit) {
 QString metric_unit(const QString& id, const QString& unit) { return shown_unit(metric_show(id), unit); }
 
 int32_t metric_show(const QString& id) { return labels().value(id).show; }
+
+int32_t metric_better(const QString& id) { return cards().value(id).better; }
+QString metric_formula(const QString& id) { return cards().value(id).formula; }
 
 }  // namespace swage::console

@@ -20,6 +20,10 @@ QString metric_unit(const QString& id, const QString& unit);
 /// SWAGE_SHOW_* of the label, SWAGE_SHOW_QUANTITY without one.
 int32_t metric_show(const QString& id);
 
+/// SWAGE_BETTER_* and the formula, as the first card of that metric says; SWAGE_BETTER_NONE where no card does.
+int32_t metric_better(const QString& id);
+QString metric_formula(const QString& id);
+
 /// The unit that `show` makes of `unit`.
 QString shown_unit(int32_t show, const QString& unit);
 

@@ -63,7 +63,7 @@ QVariant PeopleModel::text(int row, int column) const {
     case kName:
       return qt(p.name);
     case kGroup:
-      return {};
+      return groups_.value(qt(p.group_id));
     case kLast:
       return signs(s.last);
     case kPassed:
@@ -85,13 +85,14 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return text(index.row(), index.column());
     case Qt::ToolTipRole:
-      return index.column() == kLast ? tr("The last %n attempt(s), newest at the right: ✓ passed, ✗ not passed", nullptr,
+      return index.column() == kName && p.code != p.name && !p.code.empty() ? tr("%1, kept as %2").arg(qt(p.name), qt(p.code))
+             : index.column() == kLast ? tr("The last %n attempt(s), newest at the right: ✓ passed, ✗ not passed", nullptr,
                                             static_cast<int>(s.last.size()))
                                        : text(index.row(), index.column());
     case kId:
       return qt(p.id);
     case kGroupRole:
-      return QString();
+      return qt(p.group_id);
     case kSortRole:
       if (index.column() == kAttention) return attention(s);
       if (index.column() == kSeen) return s.last_utc;

@@ -14,13 +14,6 @@ namespace {
 
 constexpr int kMostCounters = 4;
 
-// metrics of unit "1" are counts or shares; these are counts
-bool is_count(const std::string& id) {
-  static const char* const kWords[] = {"tries", "drops", "regrasps", "touches", "grasps", "different"};
-  return std::any_of(std::begin(kWords), std::end(kWords),
-                     [&](const char* w) { return id.find(w) != std::string::npos; });
-}
-
 bool ends_with(const std::string& text, const char* end) {
   return QString::fromStdString(text).endsWith(QLatin1String(end));
 }
@@ -41,8 +34,7 @@ Reader::Reader(const snapshot::SceneCard& card) {
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
     const auto row = static_cast<size_t>(i);
-    const bool said = row < card.metrics.size() && !card.metrics[row].title.empty();
-    if (said ? card.metrics[row].show == SWAGE_SHOW_COUNT : m.unit == "1" && is_count(m.id))
+    if (row < card.metrics.size() && card.metrics[row].show == SWAGE_SHOW_COUNT)
       counters_.append({i, metric_title(QString::fromStdString(m.id)), QString::fromStdString(m.unit)});
   }
   for (size_t i = 0; i < script.metrics.size(); ++i) {

@@ -2,6 +2,7 @@
 #include "console/pages/people_page.hpp"
 
 #include <QHBoxLayout>
+#include <QRegularExpression>
 #include <QHeaderView>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -15,10 +16,11 @@ constexpr int kWatch_ms = 2000;  // what others have written appears that soon; 
 
 }  // namespace
 
-PeoplePage::PeoplePage(StoreLink* link, QWidget* parent)
-    : QWidget(parent), link_(link), people_(new PeopleModel(this)), sorted_(new QSortFilterProxyModel(this)) {
+PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
+    : QWidget(parent), link_(link), desk_(desk), people_(new PeopleModel(this)), sorted_(new QSortFilterProxyModel(this)) {
   sorted_->setSourceModel(people_);
   sorted_->setSortRole(PeopleModel::kSortRole);
+  sorted_->setFilterRole(PeopleModel::kGroupRole);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 10, 12, 6);
   stack_ = new QStackedWidget(this);
@@ -30,12 +32,26 @@ PeoplePage::PeoplePage(StoreLink* link, QWidget* parent)
   splitter->addWidget(person_);
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
+  splitter->setSizes({300, 400});  // seven people and a curve on a screen of 800 lines
   stack_->addWidget(splitter);
   stack_->addWidget(make_empty());
   row->addWidget(stack_);
   watch_.setInterval(kWatch_ms);
   connect(&watch_, &QTimer::timeout, this, &PeoplePage::look);
   watch_.start();
+  connect(desk_, &SchoolDesk::changed, this, &PeoplePage::refresh);
+  connect(desk_, &SchoolDesk::failed, this, [this](const QString& why) {
+    problem_->setText(tr("▲ %1").arg(why));
+    problem_->show();
+  });
+  person_->set_expert_finder([this](const std::string& lesson, const QString& metric) {
+    std::vector<std::string> experts;
+    for (int i = 0; i < people_->rowCount(); ++i)
+      if (is_expert_group(people_->index(i, PeopleModel::kGroup).data().toString())) experts.push_back(people_->at(i).id);
+    return experts_of(all_, experts, lesson, metric);
+  });
+  connect(person_, &PersonPanel::void_attempt, this, &PeoplePage::void_attempt);
+  connect(person_, &PersonPanel::give_attempt, this, &PeoplePage::give_attempt);
 }
 
 // what other programs and stations have written; nothing is asked while nobody looks
@@ -47,9 +63,26 @@ QWidget* PeoplePage::make_people() {
   Card card = make_card({}, this);
   auto* head = new QHBoxLayout;
   head->addWidget(make_heading(tr("People"), card.frame));
+  group_ = new QComboBox(card.frame);
+  group_->setObjectName(QStringLiteral("group_filter"));
+  group_->setAccessibleName(tr("Group"));
+  group_->setToolTip(tr("Whose people are listed"));
+  group_->addItem(tr("All groups"), QString());
+  group_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  connect(group_, &QComboBox::activated, this, [this] {
+    const QString id = group_->currentData().toString();
+    sorted_->setFilterRegularExpression(id.isEmpty() ? QString() : QStringLiteral("^%1$").arg(QRegularExpression::escape(id)));
+    if (!table_->currentIndex().isValid()) table_->selectRow(0);
+  });
+  head->addWidget(group_);
   count_ = make_muted({}, card.frame);
   head->addWidget(count_, 1);
+  add_buttons(head, card.frame);
   card.body->addLayout(head);
+  problem_ = make_muted({}, card.frame);
+  problem_->setObjectName(QStringLiteral("people_problem"));
+  problem_->hide();
+  card.body->addWidget(problem_);
   table_ = new QTableView(card.frame);
   table_->setObjectName(QStringLiteral("people"));
   table_->setAccessibleName(tr("People"));
@@ -80,12 +113,24 @@ QWidget* PeoplePage::make_empty() {
   empty_->setObjectName(QStringLiteral("empty"));
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
-  auto* go = make_button(tr("Run a lesson"), QStringLiteral("Ctrl+1"), QStringLiteral("run_lesson"), box);
-  connect(go, &QPushButton::clicked, this, &PeoplePage::run_lesson);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  const auto add = [&](const QString& words, const QString& key, const char* name, auto call) {
+    auto* button = make_button(words, key, QString::fromLatin1(name), box);
+    connect(button, &QPushButton::clicked, this, call);
+    buttons->addWidget(button);
+    return button;
+  };
+  add(tr("Run a lesson"), QStringLiteral("Ctrl+1"), "run_lesson", &PeoplePage::run_lesson);
+  add(tr("Add a person…"), QStringLiteral("Ctrl+N"), "first_person", &PeoplePage::add_person)
+      ->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
+  add(tr("Paste a list…"), QStringLiteral("Ctrl+L"), "first_list", &PeoplePage::add_list)
+      ->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  buttons->addStretch(1);
   column->addStretch(2);
   column->addWidget(empty_);
   column->addSpacing(10);
-  column->addWidget(go, 0, Qt::AlignHCenter);
+  column->addLayout(buttons);
   column->addStretch(3);
   return box;
 }
@@ -113,12 +158,14 @@ void PeoplePage::refresh() {
   const std::vector<record::Person> people = store->people();
   all_ = store->attempts("");
   if (!link_->reads()) return show_empty(link_->problem());
-  people_->set_people(people, all_);
+  fill_groups();
+  people_->set_people(people, all_, groups_);
+  problem_->hide();
   count_->setText(people.size() == 1 ? tr("1 person") : tr("%1 people, those who need attention first").arg(people.size()));
   if (people.empty())
     return show_empty(
         tr("No one here yet. Attempts appear here after the first lesson; without a name they are kept for "
-           "Guest."));
+           "Guest, and can be given a name later."));
   stack_->setCurrentIndex(0);
   choose(id);
   show_chosen();
@@ -131,7 +178,8 @@ void PeoplePage::select_person(const QString& name) {
 
 void PeoplePage::show_chosen() {
   const std::string id = chosen().toStdString();
-  if (id.empty()) return;
+  for (QPushButton* b : of_person_) b->setEnabled(!id.empty());
+  if (id.empty()) return person_->show_person({}, {});
   std::vector<record::AttemptRow> own;
   for (const record::AttemptRow& a : all_)
     if (a.person_id == id) own.push_back(a);

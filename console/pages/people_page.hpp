@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The People page: everybody, those who need attention first, and below one of them.
+// The People page: everybody, those who need attention first, and below one of them. What is changed goes through the desk.
 #pragma once
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
@@ -12,6 +13,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "console/link/school_desk.hpp"
 #include "console/link/store_link.hpp"
 #include "console/models/people_model.hpp"
 #include "console/pages/person_panel.hpp"
@@ -21,8 +23,8 @@ namespace swage::console {
 class PeoplePage : public QWidget {
   Q_OBJECT
  public:
-  /// `link` outlives the page.
-  explicit PeoplePage(StoreLink* link, QWidget* parent = nullptr);
+  /// Both outlive the page.
+  PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent = nullptr);
   void set_theme(const UiTheme& theme) { person_->set_theme(theme); }
   PeopleModel* people() { return people_; }
   PersonPanel* person() { return person_; }
@@ -35,6 +37,16 @@ class PeoplePage : public QWidget {
   void select_person(const QString& name);
   /// The keyboard goes to the table of people: Enter shows the attempts of one.
   void focus_people() { table_->setFocus(); }
+  void add_person();
+  void add_list();
+  void change_person();
+  void erase_person();
+  void export_person();
+  /// One page about the chosen person and lesson. "" or what went wrong.
+  QString write_report_to(const QString& file);
+  void report_person();
+  void void_attempt();
+  void give_attempt();
 
  Q_SIGNALS:
   void run_lesson();
@@ -42,6 +54,10 @@ class PeoplePage : public QWidget {
  private:
   QWidget* make_people();
   QWidget* make_empty();
+  void add_buttons(QHBoxLayout* row, QWidget* parent);
+  void fill_groups();
+  QStringList taken_names(const QString& but = {}) const;
+  QString export_file(const QString& what, const QString& ending) const;
   void look();
   void show_empty(const QString& words);
   void show_chosen();
@@ -49,6 +65,7 @@ class PeoplePage : public QWidget {
   void choose(const QString& id);
 
   StoreLink* link_;
+  SchoolDesk* desk_;
   QTimer watch_;  // what other programs write
   PeopleModel* people_;
   QSortFilterProxyModel* sorted_;
@@ -56,7 +73,10 @@ class PeoplePage : public QWidget {
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   PersonPanel* person_ = nullptr;
-  QLabel *empty_ = nullptr, *count_ = nullptr;
+  QLabel *empty_ = nullptr, *count_ = nullptr, *problem_ = nullptr;
+  QComboBox* group_ = nullptr;
+  QHash<QString, QString> groups_;  // name by id
+  QVector<QPushButton*> of_person_;  // what needs one
 };
 
 }  // namespace swage::console

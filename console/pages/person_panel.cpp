@@ -9,14 +9,9 @@
 #include "console/models/metric_titles.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
-namespace {
-
-constexpr int kCurve = 8;  // fewer points tell no curve
-
-}  // namespace
-
 PersonPanel::PersonPanel(QWidget* parent)
     : QWidget(parent), attempts_(new AttemptsModel(this)), sorted_(new QSortFilterProxyModel(this)) {
   sorted_->setSourceModel(attempts_);
@@ -65,13 +60,48 @@ QWidget* PersonPanel::make_head() {
 }
 
 QWidget* PersonPanel::make_curve() {
-  Card plot = make_card({}, this);
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 6, 0, 0);
+  Card plot = make_card({}, box);
   chart_ = new MetricChart(plot.frame);
+  offer_picture(chart_, QStringLiteral("progress"));
   plot.body->addWidget(chart_, 1);
   curve_ = make_muted({}, plot.frame);
   curve_->setObjectName(QStringLiteral("curve_words"));
   plot.body->addWidget(curve_);
-  return plot.frame;
+  row->addWidget(plot.frame, 5);
+  Card latest = make_card(tr("Latest attempt, experts' band"), box);
+  bars_ = new BandBars(latest.frame);
+  offer_picture(bars_, QStringLiteral("latest"));
+  QScrollArea* scroll = make_scroll(latest.frame);
+  scroll->setWidget(bars_);
+  latest.body->addWidget(scroll, 1);
+  row->addWidget(latest.frame, 3);
+  return box;
+}
+
+// the lesson that is chosen, or the only one there is
+std::string PersonPanel::only_lesson() const {
+  std::string lesson = lesson_->currentData().toString().toStdString();
+  for (const record::AttemptRow& a : attempts_->attempts()) {
+    if (lesson.empty()) lesson = a.lesson_id;
+    if (lesson != a.lesson_id) return {};
+  }
+  return lesson;
+}
+
+void PersonPanel::show_bars() {
+  if (!isVisible()) return;
+  const std::string lesson = only_lesson();
+  if (lesson.empty() || !experts_) return bars_->set_bars({}, tr("Choose a lesson to see its values beside the experts'."));
+  bars_->set_bars(metric_bars(attempts_->attempts(), experts_,
+                              [&](const QString& id) {
+                                return finder_ ? finder_(QString::fromStdString(lesson), id.toStdString()).facts.better
+                                               : metric_facts(nullptr, id.toStdString()).better;
+                              }),
+                  tr("No expert has done this lesson. Experts are the people of the group \"Experts\"; without them the recorded "
+                     "expert's attempts stand in."));
 }
 
 QWidget* PersonPanel::make_attempts() {
@@ -96,20 +126,45 @@ QWidget* PersonPanel::make_attempts() {
   list.body->addWidget(table_, 1);
   review_ =
       make_button(tr("Review this attempt"), QStringLiteral("Enter"), QStringLiteral("review"), list.frame);
-  review_->setEnabled(false);
   auto* open = make_button(tr("Open..."), QStringLiteral("Ctrl+O"), QStringLiteral("open_attempt"), list.frame);
   open->setToolTip(tr("Look at an attempt that was saved to a file (Ctrl+O)"));
   connect(open, &QPushButton::clicked, this, &PersonPanel::open_file);
-  attempt_buttons_ = new QHBoxLayout;
-  attempt_buttons_->addStretch(1);
-  attempt_buttons_->addWidget(open);
-  attempt_buttons_->addWidget(review_);
-  list.body->addLayout(attempt_buttons_);
+  void_ = make_button(tr("Void…"), QStringLiteral("Ctrl+D"), QStringLiteral("void_attempt"), list.frame);
+  void_->setShortcut(QKeySequence(QStringLiteral("Ctrl+D")));
+  connect(void_, &QPushButton::clicked, this, &PersonPanel::void_attempt);
+  give_ = make_button(tr("Give to…"), QStringLiteral("Ctrl+G"), QStringLiteral("give_attempt"), list.frame);
+  give_->setToolTip(tr("This attempt is another person's: a guest's, or of a name that was mistaken (Ctrl+G)"));
+  give_->setShortcut(QKeySequence(QStringLiteral("Ctrl+G")));
+  connect(give_, &QPushButton::clicked, this, &PersonPanel::give_attempt);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(void_);
+  buttons->addWidget(give_);
+  buttons->addStretch(1);
+  buttons->addWidget(open);
+  buttons->addWidget(review_);
+  list.body->addLayout(buttons);
   connect(review_, &QPushButton::clicked, this, &PersonPanel::review_current);
   connect(table_, &QTableView::activated, this, &PersonPanel::review_current);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-          [this] { review_->setEnabled(table_->selectionModel()->hasSelection()); });
+          &PersonPanel::update_buttons);
+  update_buttons();
   return list.frame;
+}
+
+void PersonPanel::update_buttons() {
+  const record::AttemptRow* row = chosen_row();
+  for (QPushButton* b : {review_, void_, give_}) b->setEnabled(row);
+  const bool is_void = row && row->is_void;
+  void_->setText((is_void ? tr("Count again") : tr("Void…")) + QStringLiteral("   Ctrl+D"));
+  void_->setToolTip(is_void ? tr("This attempt counts again (Ctrl+D)")
+                            : tr("It stays, with a reason, and counts for nothing: a fault, a wrong lesson (Ctrl+D)"));
+}
+
+const record::AttemptRow* PersonPanel::chosen_row() const {
+  const std::string id = chosen_attempt().toStdString();
+  for (const record::AttemptRow& a : all_)
+    if (a.id == id) return &a;
+  return nullptr;
 }
 
 QString PersonPanel::chosen_attempt() const {
@@ -144,7 +199,10 @@ void PersonPanel::ask_lesson(MetricSeries& series) const {
   if (said.target.high) series.target.high = series.factor * *said.target.high;
 }
 
-void PersonPanel::set_theme(const UiTheme& theme) { chart_->set_theme(theme); }
+void PersonPanel::set_theme(const UiTheme& theme) {
+  chart_->set_theme(theme);
+  bars_->set_theme(theme);
+}
 
 void PersonPanel::focus_attempts() {
   tabs_->setCurrentIndex(1);
@@ -166,10 +224,12 @@ void PersonPanel::show_person(const QString& name, std::vector<record::AttemptRo
   }
 }
 
-// the lessons that this person has done
+// the lessons that this person has done, the newest first
 void PersonPanel::fill_lessons() {
+  const bool same = lesson_->count() > 0 && shown_id_ == (all_.empty() ? std::string() : all_.front().person_id);
   const QString before = lesson_->currentData().toString();
   const QSignalBlocker quiet(lesson_);
+  shown_id_ = all_.empty() ? std::string() : all_.front().person_id;
   lesson_->clear();
   lesson_->addItem(tr("All lessons"), QString());
   for (const record::AttemptRow& a : all_) {
@@ -177,7 +237,9 @@ void PersonPanel::fill_lessons() {
     if (lesson_->findData(id) < 0)
       lesson_->addItem(QString::fromStdString(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), id);
   }
-  lesson_->setCurrentIndex(std::max(0, lesson_->findData(before)));
+  // of somebody else the newest lesson is looked at first; several together have no curve
+  const int at = lesson_->findData(before), newest = lesson_->count() > 1 ? 1 : 0;
+  lesson_->setCurrentIndex(same && at >= 0 ? at : newest);
 }
 
 void PersonPanel::show_attempts() {
@@ -190,7 +252,7 @@ void PersonPanel::show_attempts() {
     met += a.outcome == "passed" && !a.is_void && !is_hand(a);
   }
   attempts_->set_attempts(shown);
-  review_->setEnabled(false);
+  update_buttons();
   summary_->setText(shown.size() == 1 ? tr("1 attempt, %1 passed").arg(met)
                                       : tr("%1 attempts, %2 passed").arg(shown.size()).arg(met));
   const QString before = metric_->currentData().toString();
@@ -204,12 +266,18 @@ void PersonPanel::show_attempts() {
 void PersonPanel::show_metric() {
   MetricSeries series = metric_series(attempts_->attempts(), metric_->currentData().toString());
   ask_lesson(series);
+  const std::string lesson = only_lesson();
+  if (!lesson.empty()) fit_series(series);
+  if (lesson.empty() && !series.points.isEmpty()) series.fit = tr("These are several lessons. Choose one to see its learning curve.");
+  if (!lesson.empty() && experts_ && isVisible()) {
+    const Experts them = experts_(lesson, series.id);
+    const judge::Band band = judge::expert_band(them.values);
+    if (band.attempts > 0) series.experts = {{series.factor * band.p10, series.factor * band.p90}};
+    series.who = them.who;
+  }
   chart_->set_series(series);
-  const auto n = static_cast<int>(series.points.size());
-  curve_->setText(n >= kCurve
-                      ? QString()
-                      : tr("A curve needs %1 finished attempts. %2 more.").arg(kCurve).arg(kCurve - n));
-  curve_->setVisible(n < kCurve);
+  curve_->setText(series.fit);
+  show_bars();
 }
 
 }  // namespace swage::console

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
@@ -14,6 +13,8 @@
 #include <functional>
 
 #include "console/models/attempts_model.hpp"
+#include "console/models/metric_bars.hpp"
+#include "console/widgets/band_bars.hpp"
 #include "console/widgets/metric_chart.hpp"
 
 namespace swage::console {
@@ -30,14 +31,21 @@ class PersonPanel : public QWidget {
   /// What a lesson says about a metric: which way it is better, and what is asked.
   using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
   void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
+  void set_expert_finder(ExpertFinder experts) { experts_ = std::move(experts); }
+  BandBars* bars() { return bars_; }
+  QString lesson_title() const { return lesson_->currentText(); }
   /// The keyboard goes to the attempts, the newest chosen: Enter reviews it.
   void focus_attempts();
   QString chosen_attempt() const;  // id; "" for none
+  const record::AttemptRow* chosen_row() const;
 
  Q_SIGNALS:
   void review(const QString& attempt_id);
   /// An attempt out of a file is wanted.
   void open_file();
+  /// About the chosen attempt.
+  void void_attempt();
+  void give_attempt();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -50,19 +58,25 @@ class PersonPanel : public QWidget {
   void show_attempts();
   void show_metric();
   void review_current();
+  void update_buttons();
+  std::string only_lesson() const;
   void ask_lesson(MetricSeries& series) const;
 
+  void show_bars();
+
   MetricFinder finder_;
+  ExpertFinder experts_;
+  BandBars* bars_ = nullptr;
   AttemptsModel* attempts_;
   QSortFilterProxyModel* sorted_;
   std::vector<record::AttemptRow> all_;
+  std::string shown_id_;  // of the person
   QLabel *name_ = nullptr, *summary_ = nullptr, *curve_ = nullptr;
   QComboBox *lesson_ = nullptr, *metric_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   QTableView* table_ = nullptr;
   MetricChart* chart_ = nullptr;
-  QPushButton* review_ = nullptr;
-  QHBoxLayout* attempt_buttons_ = nullptr;
+  QPushButton *review_ = nullptr, *void_ = nullptr, *give_ = nullptr;
 };
 
 }  // namespace swage::console

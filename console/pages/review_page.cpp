@@ -9,6 +9,7 @@
 
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -59,8 +60,19 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   play->setShortcut(Qt::Key_Space);
   play->setShortcutContext(Qt::WidgetShortcut);
   connect(play, &QAction::triggered, this, &ReviewPage::toggle_play);
+  const auto key = [this](const QString& text, Qt::Key k, auto call) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(k);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, call);
+    timeline_->addAction(action);
+    view_->addAction(action);
+  };
+  key(tr("Loop"), Qt::Key_L, [this] { loop_->toggle(); });
+  key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
   timeline_->addAction(play);
   view_->addAction(play);
+  offer_picture(timeline_, QStringLiteral("traces"));
   setFocusProxy(timeline_);
 }
 
@@ -144,10 +156,13 @@ QWidget* ReviewPage::make_transport() {
     return button;
   };
   add(tr("Start"), "to_start", tr("To the start (Home)"), [this] { go(0); });
-  add(QStringLiteral("−10 ms"), "step_back", tr("10 ms back"), [this] { step_by(-kFrame_s); });
+  add(QStringLiteral("−10 ms"), "step_back", tr("10 ms back (←; with Shift 1 ms, with Ctrl 1 s)"), [this] { step_by(-kFrame_s); });
   play_ = add(tr("Play"), "play", tr("Play, pause (Space)"), [this] { toggle_play(); });
   play_->setMinimumWidth(90);
-  add(QStringLiteral("+10 ms"), "step_on", tr("10 ms on"), [this] { step_by(kFrame_s); });
+  add(QStringLiteral("+10 ms"), "step_on", tr("10 ms on (→; with Shift 1 ms, with Ctrl 1 s)"), [this] { step_by(kFrame_s); });
+  loop_ = add(tr("Loop"), "review_loop", tr("Play a second before and after the cursor again and again (L)"), [] {});
+  loop_->setCheckable(true);
+  connect(loop_, &QPushButton::toggled, this, &ReviewPage::set_loop);
   speed_ = new QComboBox(box);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
@@ -164,6 +179,8 @@ QWidget* ReviewPage::make_transport() {
   time_->setKeyboardTracking(false);
   connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
   row->addWidget(time_);
+  note_button_ = add(tr("Note…"), "review_note_button", tr("Write a note at the cursor (N)"), [this] { ask_note(); });
+  note_button_->hide();
   row->addStretch(1);
   add_cameras(row, box);
   return box;
@@ -214,6 +231,7 @@ void ReviewPage::set_file_doors(FileOpener open, FileReader read) {
 
 bool ReviewPage::open(std::shared_ptr<record::Store> store, const QString& id) {
   store_ = std::move(store);
+  from_store_ = true;
   return show_attempt(id, reader_);
 }
 
@@ -221,6 +239,7 @@ bool ReviewPage::open_file(const QString& file) {
   const std::string path = file.toStdString();
   std::string error;
   store_.reset();
+  from_store_ = false;
   if (open_file_) store_ = open_file_(path, error);
   const std::vector<record::AttemptRow> attempts = store_ ? store_->attempts("") : std::vector<record::AttemptRow>();
   if (attempts.size() != 1) {
@@ -257,11 +276,19 @@ bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) 
   }
   base::Problems problems;
   if (opener_) player_ = opener_(recording_, problems);
-  review_ =
-      make_review(row, recording_, store_->events(id.toStdString()), player_ ? &player_->card() : nullptr);
+  loop_->setChecked(false);
+  review_.attempt = row;
+  read_moments();
   show_review(problems);
   go(0);
   return true;
+}
+
+void ReviewPage::set_loop(bool on) {
+  constexpr double kAround_s = 1;  // enough to see what led to a moment and what came of it
+  loop_from_s_ = on ? std::max(0.0, wanted_s_ - kAround_s) : 0;
+  loop_to_s_ = on ? std::min(review_.length_s, wanted_s_ + kAround_s) : 0;
+  timeline_->set_loop(loop_from_s_, loop_to_s_);
 }
 
 void ReviewPage::show_review(const base::Problems& problems) {
@@ -271,6 +298,7 @@ void ReviewPage::show_review(const base::Problems& problems) {
   headline_->setText(review_.headline());
   verdict_->setText(review_.verdict());
   play_->setText(tr("Play"));
+  note_button_->setVisible(from_store_ && desk_ && desk_->school());
   timeline_->set_review(&review_, &recording_);
   const QSignalBlocker quiet(time_);
   time_->setRange(0, review_.length_s);
@@ -310,6 +338,7 @@ void ReviewPage::tick() {
   if (playing_) {
     const double on = static_cast<double>(clock_.restart()) * 1e-3 * speed_->currentData().toDouble();
     wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
+    if (loop_to_s_ > loop_from_s_ && (wanted_s_ >= loop_to_s_ || wanted_s_ < loop_from_s_)) wanted_s_ = loop_from_s_;
     // a machine that cannot keep up plays slower, and skips nothing
     if (player_) {
       const double reach = static_cast<double>(player_->at() + kMostSteps) * review_.dt_s;

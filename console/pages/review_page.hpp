@@ -19,6 +19,7 @@
 #include <memory>
 
 #include "console/link/player.hpp"
+#include "console/link/school_desk.hpp"
 #include "console/models/reading.hpp"
 #include "console/models/review.hpp"
 #include "console/view3d/scene_view.hpp"
@@ -50,10 +51,17 @@ class ReviewPage : public QWidget {
   SceneView* view() { return view_; }
   const Player* player() const { return player_.get(); }
   bool playing() const { return playing_; }
+  /// Through which notes are kept; without it none can be made. It outlives the page.
+  void set_desk(SchoolDesk* desk);
+  /// Writes a note at the cursor.
+  bool add_note(const QString& text);
   void go(double time_s);
 
  public Q_SLOTS:
   void toggle_play();
+  /// Plays a second before and after the cursor again and again, or no longer.
+  void set_loop(bool on);
+  void ask_note();
 
  Q_SIGNALS:
   void back();
@@ -74,7 +82,10 @@ class ReviewPage : public QWidget {
   void show_player();
   void step_by(double seconds) { go(timeline_->cursor() + seconds); }
 
+  void read_moments();
+
   RecordingReader reader_;
+  SchoolDesk* desk_ = nullptr;
   PlayerOpener opener_;
   bool show_attempt(const QString& attempt_id, const RecordingReader& reader);
 
@@ -103,8 +114,10 @@ class ReviewPage : public QWidget {
   UiTheme ui_;
   QTimer timer_;
   QElapsedTimer clock_;
-  double wanted_s_ = 0;
+  double wanted_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
+  QPushButton *loop_ = nullptr, *note_button_ = nullptr;
   bool playing_ = false, technical_ = false;
+  bool from_store_ = false;  // notes can be kept
 };
 
 }  // namespace swage::console

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The right side of the Review page: metrics, what happened, which traces; and the ways out of the program.
+// The right side of the Review page: metrics, what happened, notes, which traces; and the ways out of the program.
 #include <QFileDialog>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QSaveFile>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "console/pages/review_page.hpp"
 
@@ -151,6 +153,45 @@ void ReviewPage::save(const QString& title, const QString& ending,
   if (file.isEmpty()) return;
   const QString problem = (this->*write)(file);
   note_->setText(problem.isEmpty() ? tr("Saved to: %1").arg(file) : problem);
+  note_->show();
+}
+
+// the attempt's own events, and what people noted since
+void ReviewPage::read_moments() {
+  const record::AttemptRow row = review_.attempt;
+  std::vector<record::EventRow> events = store_->events(row.id);
+  record::School* school = desk_ ? desk_->school() : nullptr;
+  if (school)
+    for (const record::Note& n : school->notes(row.id)) events.push_back({n.step, n.time_s, "note", n.text, 0});
+  review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr);
+}
+
+void ReviewPage::set_desk(SchoolDesk* desk) {
+  desk_ = desk;
+  connect(desk_, &SchoolDesk::changed, this, [this] {
+    if (!store_ || review_.attempt.id.empty() || !isVisible()) return;
+    read_moments();
+    timeline_->set_review(&review_, &recording_);
+    timeline_->set_cursor(wanted_s_);
+    fill_side();
+  });
+}
+
+bool ReviewPage::add_note(const QString& text) {
+  if (!desk_ || !desk_->school() || review_.attempt.id.empty() || text.trimmed().isEmpty()) return false;
+  record::Note note;
+  note.attempt_id = review_.attempt.id;
+  note.time_s = wanted_s_;
+  note.step = static_cast<uint64_t>(std::llround(wanted_s_ / review_.dt_s));
+  note.text = text.trimmed().toStdString();
+  return desk_->add_note(note);
+}
+
+void ReviewPage::ask_note() {
+  if (!note_button_->isVisible()) return;
+  const QString text = QInputDialog::getText(this, tr("Note"), tr("At %1 s:").arg(wanted_s_, 0, 'f', 2));
+  if (text.trimmed().isEmpty() || add_note(text)) return;
+  note_->setText(tr("▲ The note was not kept: %1").arg(desk_->problem()));
   note_->show();
 }
 

@@ -102,8 +102,10 @@ void RunPage::set_base_options(const session::Options& options) {
 }
 
 MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& metric_id) {
-  return {metric_facts(card_of(lesson_path), metric_id),
-          metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
+  MetricSaid said{metric_facts(nullptr, metric_id), metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
+  for (const host::MetricInfo& m : lesson_metrics(lesson_path.toStdString(), catalogue_))
+    if (m.id == metric_id && m.evidence != SWAGE_EVIDENCE_NONE) said.facts = {m.better, QString::fromStdString(m.formula)};
+  return said;
 }
 
 // a lesson's card does not change while the program runs; a running session is not disturbed for it

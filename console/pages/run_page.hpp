@@ -47,7 +47,7 @@ class RunPage : public QWidget {
   /// Shown at the bottom until the next start.
   void set_notice(const QString& text);
   RunControl* control() { return control_; }
-  /// What a lesson says about a metric. Opens the lesson once, unless an attempt runs.
+  /// What a lesson says about a metric, in its plugin's card.
   MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
   const host::Catalogue& catalogue() const { return catalogue_; }
   SetupPanel* setup() { return setup_; }

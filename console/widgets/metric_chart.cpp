@@ -54,6 +54,7 @@ void MetricChart::set_series(const MetricSeries& series) {
   for (const std::optional<double>& target : {series_.target.low, series_.target.high}) {
     if (target) high = std::max(high, *target), low = std::min(low, *target);
   }
+  if (series_.experts) low = std::min(low, series_.experts->first), high = std::max(high, series_.experts->second);
   if (high <= low) high = low + 1;
   step_ = nice_step(low, high, 4);
   low_ = std::floor(low / step_) * step_;
@@ -129,6 +130,31 @@ void MetricChart::paint_target(QPainter& p) const {
              Qt::AlignRight | Qt::AlignVCenter, words.arg(series_.unit).trimmed());
 }
 
+// hatched, so that it is told from the lesson's own band without colour; its words stand at the left, the target's at the right
+void MetricChart::paint_experts(QPainter& p) const {
+  if (!series_.experts) return;
+  const QRectF a = area();
+  const auto y = [&](double v) { return a.bottom() - a.height() * (v - low_) / (high_ - low_); };
+  const QRectF band(QPointF(a.left(), y(series_.experts->second)), QPointF(a.right(), y(series_.experts->first)));
+  QColor colour = theme_["plot_2"];
+  colour.setAlpha(70);
+  p.fillRect(band, QBrush(colour, Qt::BDiagPattern));
+  p.setPen(QPen(colour, 1));
+  p.drawLine(band.topLeft(), band.topRight());
+  p.drawLine(band.bottomLeft(), band.bottomRight());
+  p.setPen(theme_["plot_2"]);
+  p.drawText(QRectF(a.left() + 4, band.top() - 17, a.width(), 16), Qt::AlignLeft | Qt::AlignVCenter, series_.who);
+}
+
+void MetricChart::paint_curve(QPainter& p) const {
+  QPolygonF line;
+  const QRectF a = area();
+  for (int i = 0; i < series_.curve.size(); ++i)
+    line << QPointF(place(i).x(), a.bottom() - a.height() * (std::clamp(series_.curve[i], low_, high_) - low_) / (high_ - low_));
+  p.setPen(QPen(theme_["text"], 2, Qt::DashLine));
+  p.drawPolyline(line);
+}
+
 void MetricChart::paint_points(QPainter& p) const {
   QPolygonF line;
   for (int i = 0; i < series_.points.size(); ++i) line << place(i);
@@ -158,7 +184,7 @@ void MetricChart::paint_key(QPainter& p) const {
   const struct {
     QString text;
     bool test, filled;
-  } key[] = {{tr("not met yet"), false, false}, {tr("met"), false, true}, {tr("Test"), true, true}};
+  } key[] = {{tr("not passed"), false, false}, {tr("passed"), false, true}, {tr("Test"), true, true}};
   x = width() - 12;
   for (const auto& k : key) {
     x -= metrics.horizontalAdvance(k.text);
@@ -179,8 +205,10 @@ void MetricChart::paintEvent(QPaintEvent*) {
     return;
   }
   paint_axes(p);
+  paint_experts(p);
   paint_target(p);
   paint_points(p);
+  paint_curve(p);
   paint_key(p);
 }
 

@@ -31,6 +31,8 @@ class MetricChart : public QWidget {
   QPointF place(int i) const;
   void paint_axes(QPainter& p) const;
   void paint_target(QPainter& p) const;
+  void paint_experts(QPainter& p) const;
+  void paint_curve(QPainter& p) const;
   void paint_points(QPainter& p) const;
   void paint_key(QPainter& p) const;
   UiTheme theme_;

@@ -85,6 +85,12 @@ QRectF Timeline::plot(int i) const {
   return {a.left(), a.top() + i * h + kGap_px, a.width(), h - kGap_px};
 }
 
+void Timeline::set_loop(double from_s, double to_s) {
+  loop_from_s_ = from_s;
+  loop_to_s_ = to_s;
+  update();
+}
+
 double Timeline::x_of(double time_s) const {
   const QRectF a = area();
   return a.left() + a.width() * (review_ && review_->length_s > 0 ? time_s / review_->length_s : 0);
@@ -262,6 +268,13 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.setPen(theme_["muted"]);
     p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Nothing was recorded of this attempt."));
     return;
+  }
+  if (loop_to_s_ > loop_from_s_) {
+    const QRectF loop(QPointF(x_of(loop_from_s_), 16), QPointF(x_of(loop_to_s_), area().bottom()));
+    p.fillRect(loop, theme_["raised"]);
+    p.setPen(QPen(theme_["accent"], 1, Qt::DashLine));
+    p.drawLine(loop.topLeft(), loop.bottomLeft());
+    p.drawLine(loop.topRight(), loop.bottomRight());
   }
   paint_axis(p);
   const char* const colours[] = {"plot", "plot_2"};

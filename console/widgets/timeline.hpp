@@ -23,6 +23,8 @@ class Timeline : public QWidget {
   void set_technical(bool shown);
   void set_cursor(double time_s);  // moves the line, tells nobody
   double cursor() const { return cursor_s_; }
+  /// What is played again and again, s; an empty span: nothing.
+  void set_loop(double from_s, double to_s);
   double x_of(double time_s) const;  // pixels
 
   QSize sizeHint() const override { return {800, 320}; }
@@ -53,7 +55,7 @@ class Timeline : public QWidget {
   const record::Recording* recording_ = nullptr;
   QVector<int> shown_;
   UiTheme theme_;
-  double cursor_s_ = 0;
+  double cursor_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
   bool technical_ = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fake_session.hpp"
 
+#include <swage/abi/lesson_card.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -97,6 +99,8 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   region.mark.number[0] = 0.5;
   region.mark.number[1] = 0.75;
   s.marks = {region};
+  card.metrics.resize(s.metrics.size());
+  for (const size_t counted : {0, 1}) card.metrics[counted].show = SWAGE_SHOW_COUNT;
   return card;
 }
 

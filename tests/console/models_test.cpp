@@ -14,6 +14,7 @@
 #include "console/models/words.hpp"
 #include "fake_session.hpp"
 #include "fake_store.hpp"
+#include "known_metrics.hpp"
 
 namespace swage::console {
 namespace {
@@ -124,6 +125,7 @@ TEST(Attempts, SortByWhatTheyMeanNotByText) {
 }
 
 TEST(Metrics, AreOldestFirstAndLeaveOutWhatWasStopped) {
+  test::learn_known_metrics();
   AttemptsModel model;
   auto rows = test::sample_attempts();
   rows[3].outcome = "aborted";

@@ -2,6 +2,7 @@
 //
 // The page of people in the whole window: empty, without a store, with attempts.
 #include <QComboBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QTableView>
 
@@ -35,6 +36,9 @@ TEST_F(PeoplePages, ProgressShowsAPersonsAttempts) {
   EXPECT_GE(child<QComboBox>("person")->findText("Bea L."), 0);
   click("page_people");
   console::PeoplePage* progress = window->people_page();
+  progress->select_person("Arun P.");
+  EXPECT_EQ(child<QComboBox>("lesson_filter")->currentIndex(), 1) << "the newest lesson first";
+  child<QComboBox>("lesson_filter")->setCurrentIndex(0);
   EXPECT_EQ(progress->attempts()->rowCount(), 14);
   auto* metric = child<QComboBox>("metric");
   metric->setCurrentIndex(metric->findData("force.peak"));
@@ -56,6 +60,8 @@ TEST_F(PeoplePages, WhatOthersWriteAppearsByItself) {
   open();
   click("page_people");
   console::PeoplePage* progress = window->people_page();
+  progress->select_person("Arun P.");
+  child<QComboBox>("lesson_filter")->setCurrentIndex(0);
   auto* table = child<QTableView>("attempts");
   table->selectRow(3);
   const QString chosen = table->selectionModel()->selectedRows().first().data(console::AttemptsModel::kId).toString();
@@ -117,7 +123,20 @@ TEST_F(PeoplePages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
   EXPECT_FALSE(window->people_page()->chart()->grab().isNull());
 }
 
-// --- cues and what may be adjusted
+TEST_F(PeoplePages, AReportIsOnePage) {
+  attempts = sample_attempts();
+  open();
+  click("page_people");
+  window->people_page()->select_person("Arun P.");
+  const QString file = dir.filePath("report.pdf");
+  EXPECT_EQ(window->people_page()->write_report_to(file), QString());
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray text = written.readAll();
+  EXPECT_TRUE(text.startsWith("%PDF"));
+  EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
+  EXPECT_TRUE(window->people_page()->write_report_to(QStringLiteral("/nowhere/r.pdf")).contains("/nowhere"));
+}
 
 }  // namespace
 }  // namespace swage::test

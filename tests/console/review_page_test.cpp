@@ -8,6 +8,7 @@
 #include <QTableWidget>
 #include <cmath>
 
+#include "console/widgets/plot_file.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -131,6 +132,35 @@ TEST_F(ReviewPages, WritesCsvAndSaysWhatItCannotWrite) {
   EXPECT_EQ(review()->write_summary(dir.filePath("summary.csv")), QString());
   EXPECT_TRUE(review()->write_signals("/no/such/folder/x.csv").contains("cannot be written"));
   EXPECT_TRUE(review()->write_swage(dir.filePath("a.swage")).contains("is a fake"));
+}
+
+TEST_F(ReviewPages, ALoopGoesRoundUntilItIsLeft) {
+  open_review();
+  review()->go(1.0);
+  EXPECT_TRUE(arrives(1000));
+  QTest::keyClick(review()->timeline(), Qt::Key_L);
+  EXPECT_TRUE(child<QPushButton>("review_loop")->isChecked());
+  child<QComboBox>("speed")->setCurrentIndex(5);
+  // the whole attempt of 2 s is in the loop: past its end the cursor is at the start again, and it plays on
+  review()->go(1.9);
+  review()->toggle_play();
+  EXPECT_TRUE(eventually([&] { return review()->timeline()->cursor() < 0.8; }));
+  EXPECT_TRUE(review()->playing());
+  QTest::keyClick(review()->timeline(), Qt::Key_L);
+  EXPECT_TRUE(eventually([&] { return !review()->playing(); })) << "it ends at the end";
+}
+
+TEST_F(ReviewPages, APictureOfAPlotIsAFile) {
+  open_review();
+  for (const char* name : {"plot.png", "plot.pdf"}) {
+    const QString file = dir.filePath(QLatin1String(name));
+    EXPECT_EQ(console::save_plot(*review()->timeline(), file), QString());
+    QFile written(file);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(written.read(4).contains(name[5] == 'p' && name[6] == 'n' ? "PNG" : "%PDF"));
+    EXPECT_GT(written.size(), 2000);
+  }
+  EXPECT_TRUE(console::save_plot(*review()->timeline(), QStringLiteral("/nowhere/plot.png")).contains("/nowhere/plot.png"));
 }
 
 }  // namespace

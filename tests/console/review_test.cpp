@@ -9,6 +9,7 @@
 
 #include "console/models/live_params.hpp"
 #include "fake_recording.hpp"
+#include "known_metrics.hpp"
 
 namespace swage::console {
 namespace {
@@ -42,6 +43,7 @@ TEST(ReviewModel, MomentsAreInOrderWithMeaningAndKnowWhoSaidThem) {
 }
 
 TEST(ReviewModel, MetricsHaveUnitAndDirection) {
+  test::learn_known_metrics();
   const Review review = make_review(test::fake_attempt(), test::fake_recording(10), {});
   ASSERT_EQ(review.metrics.size(), 2);
   EXPECT_TRUE(review.metrics[0].value.endsWith("N"));
@@ -51,7 +53,8 @@ TEST(ReviewModel, MetricsHaveUnitAndDirection) {
   EXPECT_EQ(review.verdict(), "✓ Passed, 87 of 100");
 }
 
-TEST(ReviewModel, TheLessonsCardKnowsBetterThanANameWhichWayIsBetter) {
+TEST(ReviewModel, TheLessonsOwnCardComesBeforeAnothers) {
+  test::learn_known_metrics();
   const record::Recording recording = test::fake_recording(10);
   snapshot::SceneCard card;
   card.script = recording.info.script;
@@ -62,7 +65,7 @@ TEST(ReviewModel, TheLessonsCardKnowsBetterThanANameWhichWayIsBetter) {
   EXPECT_TRUE(review.metrics[0].doc.contains("max(f)"));
   EXPECT_EQ(review.metrics[1].better, SWAGE_BETTER_HIGHER);
   EXPECT_NE(summary_csv(review).find("\"best inside its band\""), std::string::npos);
-  // a card that says nothing leaves it to the name
+  // a card that says nothing leaves it to another that knows the metric
   card.metrics[0].evidence = SWAGE_EVIDENCE_NONE;
   review = make_review(test::fake_attempt(), recording, {}, &card);
   EXPECT_EQ(review.metrics[0].better, SWAGE_BETTER_LOWER);
@@ -91,6 +94,7 @@ TEST(ReviewModel, SignalsAsCsvAreExactAndHaveUnits) {
 }
 
 TEST(ReviewModel, SummaryAsCsvQuotesWhatPeopleWrote) {
+  test::learn_known_metrics();
   std::vector<record::EventRow> events = test::fake_events();
   events[1].id = "said \"slow, slow\"";
   const std::string csv = summary_csv(make_review(test::fake_attempt(), test::fake_recording(2000), events));

@@ -12,6 +12,7 @@
 #include "fake_recording.hpp"
 #include "fake_session.hpp"
 #include "fake_store.hpp"
+#include "record/school.hpp"
 #include "test_places.hpp"
 
 namespace swage::test {
@@ -32,6 +33,10 @@ class WindowTest : public testing::Test {
         store->shared = shared;
         return store;
       };
+    }
+    if (with_school) {
+      doors.open_store = [this](std::string& error) { return record::Store::open(school_file(), error); };
+      doors.open_school = [this](std::string& error) { return record::School::open(school_file(), error); };
     }
     doors.open_file = [](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
       if (file.find("damaged") != std::string::npos) error = file + " is damaged and cannot be read.";
@@ -104,7 +109,10 @@ class WindowTest : public testing::Test {
 
   QTemporaryDir dir;
   FakeScript script;
+  std::string school_file() const { return dir.filePath("school.db").toStdString(); }
+
   bool with_store = true;
+  bool with_school = false;  // a real store, in which people and courses can be changed
   bool first_start = false;  // no size is given or remembered
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();

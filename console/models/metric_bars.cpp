@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/metric_bars.hpp"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "console/models/metric_titles.hpp"
+#include "console/models/words.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kMargin = 0.15;  // of the bar on each side of what is drawn
+
+QString tr(const char* text) { return QCoreApplication::translate("metric_bars", text); }
+
+bool judged(const record::AttemptRow& a) { return !a.is_void && (a.outcome == "passed" || a.outcome == "failed"); }
+
+MetricBar make_bar(const QString& id, const QString& unit, double value, const judge::Band& band, bool higher_is_better) {
+  MetricBar bar;
+  bar.id = id;
+  bar.name = metric_title(id);
+  bar.value = quantity_text(value, unit);
+  bar.band = tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
+  const double first = std::min(value, band.p10), last = std::max(value, band.p90);
+  const double span = std::max(last - first, 1e-12), left = first - kMargin * span, width = (1 + 2 * kMargin) * span;
+  const auto place = [&](double v) {
+    const double at = (v - left) / width;
+    return higher_is_better ? 1 - at : at;
+  };
+  bar.latest = place(value);
+  bar.low = std::min(place(band.p10), place(band.p90));
+  bar.high = std::max(place(band.p10), place(band.p90));
+  bar.inside = bar.latest <= bar.high + 1e-9;
+  return bar;
+}
+
+}  // namespace
+
+double metric_value(const record::AttemptRow& a, const QString& metric) {
+  if (metric == QLatin1String("score")) return a.score;
+  if (metric == QLatin1String("time")) return a.simulated_s;
+  const std::string id = metric.toStdString();
+  for (const record::MetricValue& m : a.metrics)
+    if (m.id == id) return m.value;
+  return std::nan("");
+}
+
+bool is_expert_group(const QString& name) {
+  return name.compare(tr("Experts"), Qt::CaseInsensitive) == 0 || name.compare(QLatin1String("Experts"), Qt::CaseInsensitive) == 0;
+}
+
+std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record::AttemptRow>& all,
+                                                       const std::vector<std::string>& expert_ids, const std::string& lesson_id) {
+  std::vector<const record::AttemptRow*> people, hands;
+  for (const record::AttemptRow& a : all) {
+    if (a.lesson_id != lesson_id || !judged(a)) continue;
+    const bool expert = std::find(expert_ids.begin(), expert_ids.end(), a.person_id) != expert_ids.end();
+    if (expert && !is_hand(a)) people.push_back(&a);
+    if (is_hand(a) && a.device.find("expert") != std::string::npos) hands.push_back(&a);
+  }
+  return people.empty() ? hands : people;
+}
+
+Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector<std::string>& expert_ids,
+                   const std::string& lesson_id, const QString& metric) {
+  std::map<std::string, std::vector<double>> people;
+  bool hands = false;
+  for (const record::AttemptRow* a : expert_attempts(all, expert_ids, lesson_id)) {
+    const double value = metric_value(*a, metric);
+    hands |= is_hand(*a);
+    if (std::isfinite(value)) people[a->person_id].push_back(value);
+  }
+  Experts out;
+  for (auto& [id, values] : people) out.values.push_back(std::move(values));
+  out.who = hands ? tr("recorded expert hand") : out.values.size() == 1 ? tr("1 expert") : tr("%1 experts").arg(out.values.size());
+  return out;
+}
+
+QVector<MetricBar> metric_bars(const QVector<record::AttemptRow>& attempts, const ExpertFinder& experts,
+                               const std::function<int32_t(const QString&)>& better) {
+  QVector<MetricBar> out;
+  const auto newest = std::find_if(attempts.begin(), attempts.end(), [](const auto& a) { return judged(a) && !is_hand(a); });
+  if (newest == attempts.end()) return out;
+  for (const QString& id : metric_ids({*newest})) {
+    const int32_t direction = better(id);
+    const double value = metric_value(*newest, id);
+    if (!std::isfinite(value) || (direction != SWAGE_BETTER_LOWER && direction != SWAGE_BETTER_HIGHER)) continue;
+    if (id == QLatin1String("score") && newest->outcome != "passed") continue;  // none was given
+    const Experts them = experts(newest->lesson_id, id);
+    const judge::Band band = judge::expert_band(them.values);
+    if (band.attempts == 0) continue;
+    QString unit = id == QLatin1String("time") ? QStringLiteral("s") : QStringLiteral("1");
+    for (const record::MetricValue& m : newest->metrics)
+      if (QString::fromStdString(m.id) == id) unit = metric_unit(id, QString::fromStdString(m.unit));
+    out += make_bar(id, unit, value, band, direction == SWAGE_BETTER_HIGHER);
+  }
+  return out;
+}
+
+}  // namespace swage::console

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What the Courses page shows of a course, and how its widgets change it.
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "console/models/course_words.hpp"
+#include "console/models/metric_bars.hpp"
+#include "console/models/metric_titles.hpp"
+#include "console/models/words.hpp"
+#include "console/pages/courses_page.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+enum LimitColumn { kMetric, kLeast, kMost, kGate, kSource };
+
+QString shown(double value, const QString& unit) {
+  return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', 6) : QString();
+}
+
+}  // namespace
+
+record::CourseStep* CoursesPage::step() {
+  const int at = steps_->currentRow();
+  return at >= 0 && static_cast<size_t>(at) < course_.steps.size() ? &course_.steps[static_cast<size_t>(at)] : nullptr;
+}
+
+void CoursesPage::edit(const QString& words, const std::function<void(record::Course&)>& change, int field) {
+  if (filling_ || course_.id.empty()) return;
+  record::Course after = course_;
+  change(after);
+  problem_->hide();
+  desk_->change_course(course_, after, words, field);
+}
+
+void CoursesPage::edit_step(const QString& words, const std::function<void(record::CourseStep&)>& change, int field) {
+  const int at = steps_->currentRow();
+  if (!step()) return;
+  edit(words, [&](record::Course& c) { change(c.steps[static_cast<size_t>(at)]); }, field < 0 ? -1 : field + 1000 * at);
+}
+
+// what is chosen stays chosen; the widget that is typed into is not touched when it says what is kept
+void CoursesPage::refresh() {
+  record::School* school = desk_->school();
+  if (!school) {
+    empty_->setText(desk_->problem());
+    return stack_->setCurrentIndex(1);
+  }
+  courses_ = school->courses();
+  std::erase_if(courses_, [](const record::Course& c) { return !c.archived_utc.empty(); });
+  if (const std::shared_ptr<record::Store> store = link_->store()) attempts_ = store->attempts("");
+  empty_->setText(tr("No course yet. A course is a row of lessons with a rule that says when each is passed."));
+  stack_->setCurrentIndex(courses_.empty() ? 1 : 0);
+  const bool before = std::exchange(filling_, true);
+  std::vector<std::string> known;
+  for (int i = 0; i < list_->count(); ++i) known.push_back(list_->item(i)->data(Qt::UserRole).toString().toStdString());
+  list_->clear();
+  int chosen = 0;
+  for (const record::Course& c : courses_) {
+    auto* item = new QListWidgetItem(QString::fromStdString(c.title), list_);
+    item->setData(Qt::UserRole, QString::fromStdString(c.id));
+    const bool fresh = course_.id.empty() && std::find(known.begin(), known.end(), c.id) == known.end();
+    if (c.id == course_.id || fresh) chosen = list_->count() - 1;
+  }
+  if (lesson_->count() != lessons_->rowCount()) {
+    lesson_->clear();
+    for (int i = 0; i < lessons_->rowCount(); ++i) lesson_->addItem(lessons_->at(i).title, lessons_->at(i).id);
+  }
+  list_->setCurrentRow(chosen);
+  filling_ = before;
+  choose_course(list_->currentRow());
+}
+
+void CoursesPage::choose_course(int row) {
+  course_ = row >= 0 && static_cast<size_t>(row) < courses_.size() ? courses_[static_cast<size_t>(row)] : record::Course{};
+  show_course();
+}
+
+void CoursesPage::show_course() {
+  const bool before = std::exchange(filling_, true);
+  const QString title = QString::fromStdString(course_.title);
+  if (title_->text() != title) title_->setText(title);
+  in_order_->setChecked(course_.in_order);
+  const int at = steps_->currentRow();
+  steps_->clear();
+  int number = 0;
+  for (const record::CourseStep& s : course_.steps) {
+    const QString known = QString::fromStdString(s.lesson_id);
+    const QString gone = lessons_->row_of(known) < 0 ? tr("▲ not installed: ") : QString();
+    steps_->addItem(tr("%1  %3%2").arg(++number).arg(QString::fromStdString(s.title.empty() ? s.lesson_id : s.title), gone));
+  }
+  steps_->setCurrentRow(std::clamp(at, course_.steps.empty() ? -1 : 0, static_cast<int>(course_.steps.size()) - 1));
+  filling_ = before;
+  show_step();
+}
+
+void CoursesPage::show_step() {
+  const record::CourseStep* s = step();
+  step_stack_->setCurrentIndex(s ? 0 : 1);
+  if (!s) return;
+  const bool before = std::exchange(filling_, true);
+  step_title_->setText(QString::fromStdString(s->title.empty() ? s->lesson_id : s->title));
+  open_->setChecked(s->is_open);
+  const bool streak = s->rule.kind == judge::PassRule::Kind::kStreak;
+  kind_->setCurrentIndex(streak ? 0 : 1);
+  for (const auto& [box, field] : counts_) {
+    box->setValue(static_cast<int>(s->rule.*field));
+    const bool of_streak = field == &judge::PassRule::in_a_row || field == &judge::PassRule::later_day;
+    box->setVisible(!of_streak || streak);
+    rule_form_->labelForField(box)->setVisible(!of_streak || streak);
+  }
+  for (const auto& [box, field] : rates_) {
+    box->setValue(s->rule.*field);
+    box->setVisible(!streak);
+    rule_form_->labelForField(box)->setVisible(!streak);
+  }
+  rule_says_->setText(rule_words(s->rule));
+  show_limits();
+  filling_ = before;
+  simulate_timer_.start();
+}
+
+void CoursesPage::show_limits() {
+  const record::CourseStep* s = step();
+  const int row = limits_->currentRow(), column = limits_->currentColumn();
+  limits_->setRowCount(static_cast<int>(s->limits.size()));
+  for (int i = 0; i < limits_->rowCount(); ++i) {
+    const judge::Limit& l = s->limits[static_cast<size_t>(i)];
+    const QString id = QString::fromStdString(l.metric), unit = metric_unit(id, QString::fromStdString(l.unit));
+    const QString suffix = display_unit(unit);
+    const QString cells[] = {suffix.isEmpty() ? metric_title(id) : tr("%1, %2").arg(metric_title(id), suffix), shown(l.least, unit),
+                             shown(l.most, unit), QString(), QString::fromStdString(l.source)};
+    for (int c = 0; c < limits_->columnCount(); ++c) {
+      auto* item = new QTableWidgetItem(cells[c]);
+      item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+      if (c == kLeast || c == kMost) item->setFlags(item->flags() | Qt::ItemIsEditable);
+      if (c == kGate) item->setFlags(item->flags() | Qt::ItemIsUserCheckable), item->setCheckState(l.is_gate ? Qt::Checked : Qt::Unchecked);
+      limits_->setItem(i, c, item);
+    }
+  }
+  if (row >= 0) limits_->setCurrentCell(std::min(row, limits_->rowCount() - 1), column);
+  metric_->clear();
+  for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id))) {
+    const auto same = [&](const judge::Limit& l) { return l.metric == m.id.toStdString(); };
+    if (std::none_of(s->limits.begin(), s->limits.end(), same)) metric_->addItem(metric_title(m.id), m.id);
+  }
+  together_->setText(s->limits.empty() ? tr("No limits: the lesson's own verdict is all that is asked.")
+                                       : together_words(s->limits, experts()));
+}
+
+void CoursesPage::simulate() {
+  const record::CourseStep* s = step();
+  if (!s) return;
+  const QStringList odds = rule_odds(s->rule);
+  odds_->setText(odds.isEmpty() ? QString() : QStringLiteral("• ") + odds.join(QStringLiteral("\n• ")));
+}
+
+void CoursesPage::add_lesson() {
+  const int row = lessons_->row_of(lesson_->currentData().toString()), at = steps_->currentRow() + 1;
+  if (row < 0) return;
+  record::CourseStep fresh;
+  fresh.lesson_id = lessons_->at(row).id.toStdString();
+  fresh.title = lessons_->at(row).title.toStdString();
+  edit(tr("Add a lesson"), [&](record::Course& c) { c.steps.insert(c.steps.begin() + at, fresh); });
+  steps_->setCurrentRow(at);
+  if (lesson_->currentIndex() + 1 < lesson_->count()) lesson_->setCurrentIndex(lesson_->currentIndex() + 1);
+}
+
+void CoursesPage::move_step(int by) {
+  const int at = steps_->currentRow(), to = at + by;
+  if (at < 0 || to < 0 || to >= steps_->count()) return;
+  edit(tr("Order"), [&](record::Course& c) { std::swap(c.steps[static_cast<size_t>(at)], c.steps[static_cast<size_t>(to)]); });
+  steps_->setCurrentRow(to);
+}
+
+void CoursesPage::add_limit() {
+  const record::CourseStep* s = step();
+  if (!s) return;
+  judge::Limit fresh;
+  fresh.metric = metric_->currentData().toString().toStdString();
+  int32_t better = 0;
+  for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id)))
+    if (m.id.toStdString() == fresh.metric) fresh.unit = m.unit.toStdString(), better = m.better;
+  if (fresh.metric.empty()) return;
+  suggest_limit(fresh, experts(), better);
+  edit_step(tr("Add a limit"), [&](record::CourseStep& c) { c.limits.push_back(fresh); });
+}
+
+void CoursesPage::limit_edited(int row, int column) {
+  if (filling_ || !step()) return;
+  const QString text = limits_->item(row, column)->text().trimmed();
+  const judge::Limit& now = step()->limits[static_cast<size_t>(row)];
+  const QString unit = metric_unit(QString::fromStdString(now.metric), QString::fromStdString(now.unit));
+  bool ok = false;
+  double value = QLocale().toDouble(text, &ok);
+  if (!ok) value = text.toDouble(&ok);
+  if (column != kGate && !text.isEmpty() && !ok) {
+    problem_->setText(tr("▲ \"%1\" is no number; the limit stays as it was.").arg(text));
+    problem_->show();
+    return show_step();
+  }
+  const bool gate = limits_->item(row, kGate)->checkState() == Qt::Checked;
+  edit_step(tr("Limit"), [&](record::CourseStep& s) {
+    judge::Limit& l = s.limits[static_cast<size_t>(row)];
+    const double si = value / display_factor(unit);
+    if (column == kLeast) l.least = text.isEmpty() ? -kInfinite : si;
+    if (column == kMost) l.most = text.isEmpty() ? kInfinite : si;
+    if (column == kGate) l.is_gate = gate;
+    if (column != kGate) l.source = "instructor";
+  });
+}
+
+void CoursesPage::suggest() {
+  const record::CourseStep* s = step();
+  if (!s) return;
+  const auto metrics = metrics_(QString::fromStdString(s->lesson_id));
+  const auto them = experts();
+  edit_step(tr("Limits from experts"), [&](record::CourseStep& c) {
+    for (judge::Limit& l : c.limits)
+      for (const LessonMetric& m : metrics)
+        if (m.id.toStdString() == l.metric) suggest_limit(l, them, m.better);
+  });
+}
+
+std::vector<const record::AttemptRow*> CoursesPage::experts() {
+  std::vector<std::string> ids;
+  const record::CourseStep* s = step();
+  record::School* school = desk_->school();
+  if (!s || !school) return {};
+  for (const record::Group& g : school->groups()) {
+    if (!is_expert_group(QString::fromStdString(g.name))) continue;
+    for (const record::Person& p : school->people())
+      if (p.group_id == g.id) ids.push_back(p.id);
+  }
+  return expert_attempts(attempts_, ids, s->lesson_id);
+}
+
+}  // namespace swage::console

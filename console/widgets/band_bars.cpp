@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/band_bars.hpp"
+
+#include <QPainter>
+
+namespace swage::console {
+namespace {
+
+constexpr double kRow_px = 40, kBar_px = 10, kHead_px = 20;
+
+}  // namespace
+
+BandBars::BandBars(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("band_bars"));
+  setAccessibleName(tr("Latest values against the experts"));
+}
+
+void BandBars::set_theme(const UiTheme& theme) {
+  theme_ = theme;
+  update();
+}
+
+void BandBars::set_bars(const QVector<MetricBar>& bars, const QString& empty) {
+  bars_ = bars;
+  empty_ = empty;
+  QStringList words;
+  for (const MetricBar& b : bars) words += tr("%1 %2, experts %3").arg(b.name, b.value, b.band);
+  setAccessibleDescription(words.isEmpty() ? empty : words.join(QStringLiteral("; ")));
+  updateGeometry();
+  update();
+}
+
+QSize BandBars::sizeHint() const {
+  return {320, static_cast<int>(kHead_px + kRow_px * std::max(2.0, static_cast<double>(bars_.size())))};
+}
+
+void BandBars::paint(QPainter& p, const QRectF& area, const UiTheme& theme) const {
+  p.setPen(theme["muted"]);
+  p.drawText(QRectF(area.left(), area.top(), area.width(), kHead_px), Qt::AlignLeft | Qt::AlignVCenter, tr("← better"));
+  for (int i = 0; i < bars_.size(); ++i) {
+    const MetricBar& b = bars_[i];
+    const QRectF row(area.left(), area.top() + kHead_px + i * kRow_px, area.width(), kRow_px);
+    const QRectF bar(row.left(), row.top() + 20, row.width(), kBar_px);
+    const double value_px = p.fontMetrics().horizontalAdvance(b.value) + 8;
+    p.setPen(theme["text"]);
+    p.drawText(QRectF(row.left(), row.top(), row.width() - value_px, 18), Qt::AlignLeft | Qt::AlignVCenter,
+               p.fontMetrics().elidedText(b.name, Qt::ElideRight, static_cast<int>(row.width() - value_px)));
+    p.drawText(QRectF(row.left(), row.top(), row.width(), 18), Qt::AlignRight | Qt::AlignVCenter, b.value);
+    p.setPen(QPen(theme["border"], 1));
+    p.setBrush(theme["raised"]);
+    p.drawRoundedRect(bar, 3, 3);
+    p.setBrush(theme["band"]);
+    p.setPen(QPen(theme["good"], 1));
+    p.drawRect(QRectF(bar.left() + b.low * bar.width(), bar.top(), std::max(2.0, (b.high - b.low) * bar.width()), kBar_px));
+    p.setPen(QPen(theme["plot"], 2));
+    p.setBrush(b.inside ? theme["plot"] : theme["card"]);
+    p.drawEllipse(QPointF(bar.left() + b.latest * bar.width(), bar.center().y()), 6, 6);
+  }
+}
+
+void BandBars::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  if (!bars_.isEmpty()) return paint(p, rect().adjusted(8, 0, -8, 0), theme_);
+  p.setPen(theme_["muted"]);
+  p.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, empty_);
+}
+
+}  // namespace swage::console

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/widgets/plot_file.hpp"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QPixmap>
+#include <QSaveFile>
+
+namespace swage::console {
+namespace {
+
+constexpr int kPng_scale = 2;      // sharp on paper and on a screen of 200 %
+constexpr int kPdf_dpi = 96;       // a point of the screen is one of the page
+
+void draw(QWidget& plot, QPaintDevice& to, double scale) {
+  QPainter p(&to);
+  p.scale(scale, scale);
+  plot.render(&p, {}, {}, QWidget::DrawChildren);
+}
+
+}  // namespace
+
+QString save_plot(QWidget& plot, const QString& file) {
+  const auto failed = [&](const QString& why) { return QObject::tr("%1 cannot be written: %2.").arg(file, why); };
+  QSaveFile out(file);
+  if (!out.open(QIODevice::WriteOnly)) return failed(out.errorString());
+  if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+    QPdfWriter pdf(&out);
+    pdf.setResolution(kPdf_dpi);
+    pdf.setPageMargins({});
+    pdf.setPageSize(QPageSize(QSizeF(plot.size()) * 25.4 / kPdf_dpi, QPageSize::Millimeter));
+    draw(plot, pdf, 1);
+  } else {
+    QPixmap picture(plot.size() * kPng_scale);
+    picture.fill(plot.palette().color(QPalette::Base));
+    draw(plot, picture, kPng_scale);
+    if (!picture.save(&out, "PNG")) return failed(QObject::tr("no room"));
+  }
+  return out.commit() ? QString() : failed(out.errorString());
+}
+
+void offer_picture(QWidget* plot, const QString& name) {
+  auto* action = new QAction(QObject::tr("Save picture…"), plot);
+  action->setObjectName(QStringLiteral("save_picture"));
+  action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+P")));
+  action->setShortcutContext(Qt::WidgetShortcut);
+  plot->addAction(action);
+  plot->setContextMenuPolicy(Qt::ActionsContextMenu);
+  QObject::connect(action, &QAction::triggered, plot, [plot, name] {
+    const QString file = QFileDialog::getSaveFileName(plot, QObject::tr("Save picture"), name + QStringLiteral(".png"),
+                                                      QObject::tr("Picture (*.png);;Page (*.pdf)"));
+    if (file.isEmpty()) return;
+    if (const QString problem = save_plot(*plot, file); !problem.isEmpty())
+      QMessageBox::warning(plot, QObject::tr("Save picture"), problem);
+  });
+}
+
+}  // namespace swage::console

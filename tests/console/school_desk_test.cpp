@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What an instructor changes, on a real store: written at once, undone and done again.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "console/link/school_desk.hpp"
+#include "console/models/course_words.hpp"
+#include "console/models/exports.hpp"
+#include "console/models/metric_bars.hpp"
+#include "fake_store.hpp"
+
+namespace swage::console {
+namespace {
+
+class Desk : public testing::Test {
+ protected:
+  std::string file() const { return dir.filePath("s.db").toStdString(); }
+  std::unique_ptr<record::School> reader() {
+    std::string error;
+    auto s = record::School::open(file(), error);
+    EXPECT_TRUE(s) << error;
+    return s;
+  }
+  QStringList names() {
+    QStringList out;
+    for (const record::Person& p : reader()->people()) out += QString::fromStdString(p.name);
+    out.removeAll(QStringLiteral("Guest"));
+    return out;
+  }
+  QTemporaryDir dir;
+  SchoolDesk desk{[this](std::string& error) { return record::School::open(file(), error); }};
+};
+
+TEST_F(Desk, AListIsAddedAndTakenBackAsOne) {
+  ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Arun P., Spring, left\nBea L., Spring\nArun P.\n"), {})));
+  EXPECT_EQ(names(), QStringList({"Arun P.", "Bea L."}));
+  ASSERT_EQ(reader()->groups().size(), 1u);
+  record::Person arun;
+  ASSERT_TRUE(reader()->find_person("Arun P.", arun));
+  EXPECT_EQ(arun.handedness, "left");
+  EXPECT_EQ(arun.group_id, reader()->groups()[0].id);
+  EXPECT_FALSE(arun.code.empty());
+  EXPECT_NE(arun.code, arun.name);
+  desk.people_edits()->undo();
+  EXPECT_TRUE(names().isEmpty());
+  desk.people_edits()->redo();
+  record::Person again;
+  ASSERT_TRUE(reader()->find_person("Arun P.", again));
+  EXPECT_EQ(again.code, arun.code) << "the same person comes back";
+}
+
+TEST_F(Desk, AListOfWhichOneFailsAddsNobody) {
+  QString said;
+  QObject::connect(&desk, &SchoolDesk::failed, [&](const QString& why) { said = why; });
+  ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Bea L."), {})));
+  // the page did not know her: somebody added her on another station
+  EXPECT_FALSE(desk.add_people(read_roster(QStringLiteral("Ada\nBea L.\n"), {})));
+  EXPECT_FALSE(said.isEmpty());
+  EXPECT_EQ(names(), QStringList({"Bea L."}));
+  EXPECT_EQ(desk.people_edits()->count(), 1);
+}
+
+TEST_F(Desk, APersonIsChangedAndChangedBack) {
+  ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Bea L."), {})));
+  record::Person bea;
+  ASSERT_TRUE(reader()->find_person("Bea L.", bea));
+  bea.name = "Bea Long";
+  bea.group_id = desk.group_id(QStringLiteral("Spring"));
+  ASSERT_TRUE(desk.change_person(bea));
+  EXPECT_EQ(names(), QStringList({"Bea Long"}));
+  desk.people_edits()->undo();
+  EXPECT_EQ(names(), QStringList({"Bea L."}));
+}
+
+TEST_F(Desk, ErasingIsFinal) {
+  ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Bea L."), {})));
+  record::Person bea;
+  ASSERT_TRUE(reader()->find_person("Bea L.", bea));
+  ASSERT_TRUE(desk.erase_person(QString::fromStdString(bea.id)));
+  EXPECT_TRUE(names().isEmpty());
+  EXPECT_FALSE(desk.people_edits()->canUndo());
+}
+
+// every edit of a course, taken back one by one, leaves what there was; done again, what there is
+TEST_F(Desk, EditsOfACourseUndoToTheStartAndRedoToTheEnd) {
+  std::vector<std::string> states = {""};
+  const auto kept = [&] {
+    const auto all = reader()->courses();
+    if (all.empty()) return std::string();
+    record::Course c = all[0];
+    c.changed_utc.clear();
+    return record::to_json(c) + c.title;
+  };
+  const auto now = [&] { return reader()->courses().at(0); };
+  const auto change = [&](const std::function<void(record::Course&)>& how) {
+    record::Course after = now();
+    how(after);
+    ASSERT_TRUE(desk.change_course(now(), after, QStringLiteral("edit")));
+    states.push_back(kept());
+  };
+  record::Course fresh;
+  fresh.title = "Basic";
+  ASSERT_TRUE(desk.change_course({}, fresh, QStringLiteral("new")));
+  states.push_back(kept());
+  for (const char* lesson : {"a", "b", "c"})
+    change([&](record::Course& c) { c.steps.push_back({lesson, lesson, "", {}, {}, false}); });
+  change([](record::Course& c) { std::swap(c.steps[0], c.steps[2]); });
+  change([](record::Course& c) { c.steps[1].rule.in_a_row = 3; });
+  change([](record::Course& c) { c.steps[1].limits.push_back({"force.peak", "N", 0, 0.9, true, "instructor"}); });
+  change([](record::Course& c) { c.steps.erase(c.steps.begin()); });
+  ASSERT_TRUE(desk.change_course(now(), {}, QStringLiteral("remove")));
+  states.push_back(kept());
+  EXPECT_EQ(states.back(), "");
+  for (size_t i = states.size(); i-- > 1;) {
+    EXPECT_EQ(kept(), states[i]) << i;
+    desk.course_edits()->undo();
+  }
+  EXPECT_EQ(kept(), "");
+  EXPECT_FALSE(desk.course_edits()->canUndo());
+  for (size_t i = 1; i < states.size(); ++i) {
+    desk.course_edits()->redo();
+    EXPECT_EQ(kept(), states[i]) << i;
+  }
+}
+
+TEST_F(Desk, TypingATitleIsOneUndo) {
+  record::Course c;
+  c.title = "B";
+  ASSERT_TRUE(desk.change_course({}, c, QStringLiteral("new")));
+  for (const char* title : {"Ba", "Bas", "Basic"}) {
+    record::Course after = reader()->courses().at(0), before = after;
+    after.title = title;
+    ASSERT_TRUE(desk.change_course(before, after, QStringLiteral("title"), 1));
+  }
+  desk.course_edits()->undo();
+  EXPECT_EQ(reader()->courses().at(0).title, "B");
+}
+
+// --- sentences about rules
+
+TEST(CourseWords, TheRuleAndItsOddsAreThoseOfTheReference) {
+  QLocale::setDefault(QLocale::c());
+  judge::PassRule rule;
+  EXPECT_TRUE(rule_words(rule).contains("2 Test attempts in a row"));
+  EXPECT_TRUE(rule_words(rule).contains("a later day"));
+  // ux-assessment 12.1: 41, 73 and 97 of 100 for the two-day rule
+  const QStringList odds = rule_odds(rule);
+  ASSERT_EQ(odds.size(), 3);
+  const double expected[] = {41, 73, 97};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(odds[i].section(QStringLiteral("passes in "), 1).section(QLatin1Char(' '), 0, 0).toDouble(), expected[i], 2.5) << odds[i].toStdString();
+  rule.in_a_row = 0;
+  EXPECT_TRUE(rule_words(rule).startsWith(QStringLiteral("▲"))) << rule_words(rule).toStdString();
+  EXPECT_TRUE(rule_odds(rule).isEmpty());
+}
+
+TEST(CourseWords, LimitsAreTriedTogetherOnExperts) {
+  std::vector<record::AttemptRow> all;
+  for (int i = 0; i < 10; ++i) {
+    record::AttemptRow a;
+    a.person_id = i < 5 ? "e1" : "e2";
+    a.lesson_id = "l";
+    a.outcome = "passed";
+    a.mode = "test";
+    a.metrics = {{"x", "N", static_cast<double>(i)}, {"y", "N", static_cast<double>(9 - i)}};
+    all.push_back(a);
+  }
+  const auto experts = expert_attempts(all, {"e1", "e2"}, "l");
+  ASSERT_EQ(experts.size(), 10u);
+  judge::Limit x, y;
+  x.metric = "x", x.most = 7;  // kept by 8
+  y.metric = "y", y.most = 5;  // kept by 6, and by 4 both
+  const QString words = together_words({x, y}, experts);
+  EXPECT_TRUE(words.contains("4 of 10")) << words.toStdString();
+  EXPECT_TRUE(words.contains("6.")) << words.toStdString();
+  ASSERT_TRUE(suggest_limit(x, experts, SWAGE_BETTER_LOWER));
+  EXPECT_NEAR(x.most, 8.1, 1e-9);
+  EXPECT_NE(x.source.find("fewer than 5 people"), std::string::npos) << x.source;
+  EXPECT_FALSE(suggest_limit(y, experts, SWAGE_BETTER_NONE));
+  EXPECT_TRUE(expert_attempts(all, {}, "l").empty()) << "nobody is an expert by chance";
+}
+
+// --- bars, curves and tables
+
+TEST(MetricBars, BetterIsLeftWhicheverWayAMetricGoes) {
+  std::vector<record::AttemptRow> all = test::sample_attempts();
+  QVector<record::AttemptRow> own = {all[12]};
+  own[0].metrics = {{"up", "N", 5}, {"down", "N", 5}, {"none", "N", 5}};
+  const ExpertFinder experts = [](const std::string&, const QString&) { return Experts{{{6, 7, 8}}, QStringLiteral("1 expert")}; };
+  const auto better = [](const QString& id) {
+    return id == "up" ? SWAGE_BETTER_HIGHER : id == "down" ? SWAGE_BETTER_LOWER : SWAGE_BETTER_NONE;
+  };
+  const auto bars = metric_bars(own, experts, better);
+  ASSERT_EQ(bars.size(), 2);
+  EXPECT_EQ(bars[0].id, "up");
+  EXPECT_GT(bars[0].latest, bars[0].high) << "less than experts, and more is better";
+  EXPECT_FALSE(bars[0].inside);
+  EXPECT_LT(bars[1].latest, bars[1].low);
+  EXPECT_TRUE(bars[1].inside);
+  for (const MetricBar& b : bars) EXPECT_TRUE(b.latest > 0 && b.latest < 1 && b.low > 0 && b.high < 1 && b.low < b.high);
+}
+
+TEST(Curves, AreFittedFromEightAttemptsOn) {
+  QLocale::setDefault(QLocale::c());
+  MetricSeries series;
+  series.unit = QStringLiteral("°");
+  for (int i = 0; i < 7; ++i) series.points += {10 + 24 * std::exp(-i / 4.0) + 0.3 * ((i * 7) % 3 - 1), true, false, {}, {}};
+  fit_series(series);
+  EXPECT_TRUE(series.curve.isEmpty());
+  EXPECT_TRUE(series.fit.contains("1 more")) << series.fit.toStdString();
+  for (int i = 7; i < 24; ++i) series.points += {10 + 24 * std::exp(-i / 4.0) + 0.3 * ((i * 7) % 3 - 1), true, false, {}, {}};
+  fit_series(series);
+  ASSERT_EQ(series.curve.size(), 24);
+  EXPECT_NEAR(series.curve[0], 34, 1.5);
+  EXPECT_NEAR(series.curve[23], 10, 0.5);
+  EXPECT_TRUE(series.fit.contains("95 %")) << series.fit.toStdString();
+}
+
+TEST(Exports, SayTheCodeAndNeverTheName) {
+  std::vector<record::AttemptRow> all = test::sample_attempts();
+  all[0].person_code = "4F2AK";
+  all[0].lesson_title = "Grasp, the \"needle\"";
+  all[0].void_reason = "Light, \"off\"";
+  const std::string csv = attempts_csv({all[0]});
+  EXPECT_EQ(csv.find("Arun"), std::string::npos);
+  EXPECT_NE(csv.find("4F2AK,a0,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\"Light, \"\"off\"\"\""), std::string::npos) << csv;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + static_cast<long>(all[0].metrics.size()));
+}
+
+}  // namespace
+}  // namespace swage::console
