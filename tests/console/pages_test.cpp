@@ -381,6 +381,9 @@ TEST_F(Pages, ASignalEndsTheAttemptAsStopDoes) {
   window->leave();
   EXPECT_EQ(log->stopped, 1);
   EXPECT_EQ(control()->state(), RunControl::State::kFinished);
+  // the program was told to quit, and would open no dialog any more until it has been run again
+  QTimer::singleShot(0, qApp, [] { QCoreApplication::exit(); });
+  QCoreApplication::exec();
 }
 
 }  // namespace
