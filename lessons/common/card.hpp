@@ -35,10 +35,13 @@ inline constexpr swage_metric_label kDropsLabel = label("grasp.drops", "Drops", 
 inline constexpr swage_metric_label kForceMeanLabel = label("force.mean", "Grip force, mean", SWAGE_SHOW_QUANTITY, 0, "force", "force");
 inline constexpr swage_metric_label kPathLabel = label("motion.path", "Tip path length");
 inline constexpr swage_metric_label kPointsBendingLabel = label("points.bending", "Needle bending", SWAGE_SHOW_POINTS);
+inline constexpr swage_metric_label kPointsDropsLabel = label("points.drops", "Drops", SWAGE_SHOW_POINTS);
+inline constexpr swage_metric_label kPointsForceLabel = label("points.force", "Grip force", SWAGE_SHOW_POINTS);
 inline constexpr swage_metric_label kPointsTimeLabel = label("points.time", "Time", SWAGE_SHOW_POINTS);
 
 inline constexpr swage_criterion kParTime = {"Slower than {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};
 inline constexpr swage_criterion kMaxTime = {"The time limit is {max_time}.", nullptr, SWAGE_CRITERION_LIMIT, 0};
+inline constexpr swage_criterion kMaxOverTime = {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 inline constexpr swage_criterion kMaxDrops = {"More drops than {max_drops} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 
 inline constexpr uint32_t kHeard = SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | SWAGE_CHANNEL_SOUND;

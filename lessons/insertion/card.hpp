@@ -154,7 +154,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.entry", "Entry point", SWAGE_SHOW_POINTS),
     lessons::kPointsBendingLabel,
     lessons::label("points.refused", "Failed punctures", SWAGE_SHOW_POINTS),
-    lessons::label("points.drops", "Drops", SWAGE_SHOW_POINTS),
+    lessons::kPointsDropsLabel,
     lessons::label("points.suture", "Grasps at the swage", SWAGE_SHOW_POINTS),
     lessons::kPointsTimeLabel,
 };

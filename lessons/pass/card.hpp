@@ -69,7 +69,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("hold.progress", "Hold completed", SWAGE_SHOW_SHARE),
     lessons::label("points.drops", "Drops and resets", SWAGE_SHOW_POINTS),
     lessons::label("points.snatches", "Changes of hand without a pass", SWAGE_SHOW_POINTS),
-    lessons::label("points.force", "Grip force", SWAGE_SHOW_POINTS),
+    lessons::kPointsForceLabel,
     lessons::kPointsTimeLabel,
 };
 
@@ -77,7 +77,7 @@ inline constexpr swage_criterion kCriteria[] = {
     {"Take the needle with one gripper and bring it to within {place_radius} of the place.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Take it there with the other, hold it with both for {share_time}, then let go with the first: {passes} times.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Hold it with the last one alone for {hold_time} with {force}.", nullptr, SWAGE_CRITERION_PASS, 0},
-    {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    lessons::kMaxOverTime,
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,

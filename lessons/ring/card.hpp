@@ -82,8 +82,8 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("ring.posts", "Posts completed", SWAGE_SHOW_COUNT),
     lessons::label("points.touches", "Touches", SWAGE_SHOW_POINTS),
     lessons::label("points.touch_time", "Time touching", SWAGE_SHOW_POINTS),
-    lessons::label("points.drops", "Drops", SWAGE_SHOW_POINTS),
-    lessons::label("points.force", "Grip force", SWAGE_SHOW_POINTS),
+    lessons::kPointsDropsLabel,
+    lessons::kPointsForceLabel,
     lessons::kPointsTimeLabel,
 };
 
@@ -92,7 +92,7 @@ inline constexpr swage_criterion kCriteria[] = {
     {"Carry the ring along the wire and off its free end.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Lower it over each post in turn: {posts}; let go over the last.", "posts", SWAGE_CRITERION_PASS, 0},
     {"More touches than {max_touches} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
-    {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
+    lessons::kMaxOverTime,
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
