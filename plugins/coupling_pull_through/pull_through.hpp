@@ -42,7 +42,8 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
       "way, and cutting where it is pulled hard or sawn.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr std::array needs_a{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_SOLID}, needs_b{SWAGE_TRAIT_PIERCEABLE};
+  static constexpr std::array needs_a{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_SOLID};
+  static constexpr std::array needs_b{SWAGE_TRAIT_PIERCEABLE};
   static constexpr bool detects = true;
 
   static constexpr const char* kLeads[] = {"first", "last", nullptr};

@@ -51,7 +51,8 @@ class Swage final : public Coupling<SwageParams>, public Ties {
       "harder than the swage bears. Beside it needle and thread touch.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr std::array needs_a{SWAGE_TRAIT_PIERCING, SWAGE_TRAIT_GRASPABLE}, needs_b{SWAGE_TRAIT_STRAND};
+  static constexpr std::array needs_a{SWAGE_TRAIT_PIERCING, SWAGE_TRAIT_GRASPABLE};
+  static constexpr std::array needs_b{SWAGE_TRAIT_STRAND};
   static constexpr bool detects = true;
 
   static constexpr const char* kEnds[] = {"first", "last", nullptr};
