@@ -100,7 +100,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   region.mark.number[1] = 0.75;
   s.marks = {region};
   card.metrics.resize(s.metrics.size());
-  for (const size_t counted : {0, 1}) card.metrics[counted].show = SWAGE_SHOW_COUNT;
+  for (const size_t counted : {0u, 1u}) card.metrics[counted].show = SWAGE_SHOW_COUNT;
   return card;
 }
 
