@@ -39,6 +39,13 @@ void divide_by_lower(const Block& LU, Block& A) noexcept {
   }
 }
 
+/// X D = A, D: the pivots of LU. What is symmetric must be taken from one half alone: the two halves of a block differ by rounding,
+/// which grows as often as what it couples (a thread tied to a needle, 1e5 N/m) is stiffer than what is left when that is eliminated
+/// (the inertia of both, 1e-2 N/m), until it is the larger.
+void divide_by_pivots(const Block& LU, const Block& A, Block& X) noexcept {
+  for (int c = 0; c < 4; ++c) X.col(c) = A.col(c) / LU(c, c);
+}
+
 /// y -= L x and y -= L' x.
 void take(const Block& L, const double* x, double* y) noexcept {
   Eigen::Map<Vec4> to(y);
@@ -149,15 +156,15 @@ void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
 }
 
 /// D = L U in place, without pivoting. Not its inverse: where a thread is a million times stiffer along than across, that would lose the
-/// stiffness across when it is multiplied by the stiffness along.
+/// stiffness across when it is multiplied by the stiffness along. Symmetric: L is made of U, which is made of the upper half alone.
 bool BandedBlocks::split(Block& D) noexcept {
   for (int k = 0; k < 4; ++k) {
     const double pivot = D(k, k);
     if (!std::isfinite(pivot) || pivot == 0 || (symmetric_ && pivot < 0)) return false;
     negative_ += pivot < 0;
-    for (int r = k + 1; r < 4; ++r) D(r, k) /= pivot;
+    for (int r = k + 1; r < 4; ++r) D(r, k) = (symmetric_ ? D(k, r) : D(r, k)) / pivot;
     for (int c = k + 1; c < 4; ++c)
-      for (int r = k + 1; r < 4; ++r) D(r, c) -= D(r, k) * D(k, c);
+      for (int r = k + 1; r < (symmetric_ ? c + 1 : 4); ++r) D(r, c) -= D(r, k) * D(k, c);
   }
   return true;
 }
@@ -170,12 +177,16 @@ bool BandedBlocks::factor(bool symmetric) noexcept {
   for (uint32_t k = 0; k < n_; ++k) {
     if (!split(diagonal_[k])) return false;
     const uint32_t first = first_[k], size = first_[k + 1] - first;
-    // column: A U^-1; row, kept transposed: A' L'^-1. Symmetric: the row is the column that was given
+    // column: A U^-1; row, kept transposed: A' L'^-1
     for (uint32_t i = 0; i < size; ++i) {
-      if (symmetric) upper_[first + i] = lower_[first + i];
-      divide_by_upper(diagonal_[k], lower_[first + i]);
-      divide_by_lower(diagonal_[k], upper_[first + i]);
-      take_product(lower_[first + i], upper_[first + i], diagonal_[row_[first + i]]);
+      Block &column = lower_[first + i], &row = upper_[first + i];
+      if (symmetric) row = column;
+      divide_by_lower(diagonal_[k], row);
+      if (symmetric)
+        divide_by_pivots(diagonal_[k], row, column);
+      else
+        divide_by_upper(diagonal_[k], column);
+      take_product(column, row, diagonal_[row_[first + i]]);
     }
     for (uint32_t u = first_update_[k]; u < first_update_[k + 1]; ++u) {
       const Update& p = update_[u];

@@ -7,8 +7,8 @@
 // what is coupled, not with the square of the contacts.
 //
 // analyse() orders the blocks so that little fills in (least degree, the lowest index of equals) and lists every update; it is
-// repeated only when pairs change. factor() does L U without pivoting, of its blocks too; symmetric, U = D L'. Its order of operations is fixed:
-// the same bits at every level of optimisation.
+// repeated only when pairs change. factor() does L U without pivoting, of its blocks too; symmetric, L D L' of
+// one half alone. Its order of operations is fixed: the same bits at every level of optimisation.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates.
 #pragma once

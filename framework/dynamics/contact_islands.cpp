@@ -134,18 +134,15 @@ IslandWorkspace* ContactIslands::moving(const Side& side) noexcept {
 /// Rows of an island that is solved for its forces: what is too much of them takes no part in this step. Ties always do.
 void ContactIslands::make_room(const contact::ContactSet& contacts, uint32_t index) noexcept {
   const auto in_island = [&](uint32_t block) { return block != kNone && island_of_[block] == index; };
-  bool flexible = false, banded = false;
+  bool flexible = false;
   uint32_t constraints = 0, ties = 0;
-  for (uint32_t m = 0; m < parent_.size(); ++m) {
-    if (!in_island(m) || !p_.place.is_flexible(m)) continue;
-    (p_.place.is_banded(m) ? banded : flexible) = true;
-  }
-  if (!flexible && !banded) return;
+  for (uint32_t m = 0; m < parent_.size(); ++m)
+    flexible = flexible || (in_island(m) && p_.place.is_flexible(m) && !p_.place.is_banded(m));
+  if (!flexible) return;  // of bands alone it is sparse where it is large
   for (uint32_t i = 0; i < p_.n; ++i)
     constraints += p_.contact[i].active && in_island(p_.first_block(p_.contact[i]));
   for (uint32_t i = 0; i < p_.tie.size(); ++i)
     ties += p_.tie_workspace[i].active && in_island(p_.first_block(p_.tie_workspace[i]));
-  if (!flexible && ties == 0) return;  // sparse
   if (constraints + ties <= p_.room.rows) return;
 
   p_.rank(contacts);

@@ -18,10 +18,10 @@ ContactProblem::ContactProblem(const scene::World& world) : room(world.capacity)
 }
 
 void ContactProblem::begin(scene::World& world, Motion& motion, const contact::ContactSet& contacts,
-                           std::span<FlexibleBody* const> self, bool bands) noexcept {
+                           std::span<FlexibleBody* const> self) noexcept {
   h = world.dt;
   health = {};
-  place.begin(world, motion, self, bands);
+  place.begin(world, motion, self);
   std::fill(solved.begin(), solved.end(), uint8_t{0});
 
   n = static_cast<uint32_t>(std::min({contacts.contact.size(), contacts.candidate.size(), contact.size()}));

@@ -68,7 +68,7 @@ struct ContactProblem {
 
   /// A step begins: contacts and their sides. [rt]
   void begin(scene::World& world, Motion& motion, const contact::ContactSet& contacts,
-             std::span<FlexibleBody* const> self, bool bands) noexcept;
+             std::span<FlexibleBody* const> self) noexcept;
 
   /// Gap, place and normal of a contact at the present poses.
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;

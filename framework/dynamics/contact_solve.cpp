@@ -86,8 +86,7 @@ void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& 
 void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSet& contacts,
                          std::span<Tie> ties, std::span<FlexibleBody* const> self, bool ask_all) noexcept {
   p_.scales = Scales::of(world, options_);
-  // tied to a light body the sparse factors lose what is soft beside the tie: then threads answer for their points, as they always can
-  p_.begin(world, motion, contacts, self, ties.empty());
+  p_.begin(world, motion, contacts, self);
   points_.add(contacts, ties, ask_all);
   ties_.begin(ties);
   p_.health.unanswered += p_.place.flexible().ask(p_.h);

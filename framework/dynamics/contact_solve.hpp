@@ -22,7 +22,7 @@ class ContactSolve {
  public:
   ContactSolve(const scene::World& world, const Options& options);
 
-  /// Contacts of an island with threads up to which it is solved for its forces; 0: it never is but where ties hold. [main]
+  /// Contacts and ties of an island with threads up to which it is solved for its forces; 0: it never is. [main]
   void set_few(uint32_t contacts) noexcept { few_ = contacts; }
 
   /// Final poses and twists of all dynamic bodies, hinges and particles; results in `contacts` and `ties`; impulses to

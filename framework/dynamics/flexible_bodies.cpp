@@ -46,11 +46,11 @@ uint32_t FlexibleBodies::vertices() const noexcept {
   return sum;
 }
 
-void FlexibleBodies::begin(std::span<FlexibleBody* const> self, bool bands) noexcept {
+void FlexibleBodies::begin(std::span<FlexibleBody* const> self) noexcept {
   flexible_ = self.first(std::min(self.size(), object_.size()));
   for (Object& o : object_) o.points = 0, o.displaced = o.sound = false, o.band = nullptr;
   for (uint32_t i = 0; i < flexible_.size(); ++i) {
-    if (!bands || !flexible_[i]->banded()) continue;
+    if (!flexible_[i]->banded()) continue;
     for (const auto& band : band_)
       if (band->object() == flexible_[i]->object()) object_[i].band = band.get(), band->begin();
   }

@@ -24,8 +24,8 @@ class FlexibleBodies {
  public:
   explicit FlexibleBodies(const scene::World& world);
 
-  /// Forgets the last step. `self`: who answers, one per object; `bands`: those that are one are solved as such.
-  void begin(std::span<FlexibleBody* const> self, bool bands = true) noexcept;
+  /// Forgets the last step. `self`: who answers, one per object.
+  void begin(std::span<FlexibleBody* const> self) noexcept;
   /// Place of the object among the blocks of this step, or kNone when nobody answers for it.
   uint32_t slot(uint32_t object) const noexcept;
   /// Adds a touch; returns its point, or kNone beyond the capacity. `into`: unit normal into the object.

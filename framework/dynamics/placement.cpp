@@ -47,11 +47,11 @@ uint32_t Placement::unknowns() const noexcept {
   return sum;
 }
 
-void Placement::begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self, bool bands) noexcept {
+void Placement::begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept {
   world_ = &world, motion_ = &motion;
   h_ = world.dt;
   ++step_;
-  flexible_.begin(self, bands);
+  flexible_.begin(self);
   for (uint32_t slot = 0; slot < flexible_.capacity(); ++slot) {
     DofBlock& m = block_[first_flexible_ + slot];
     m.band = flexible_.band(slot);

@@ -34,7 +34,7 @@ class Placement {
   explicit Placement(const scene::World& world);
 
   /// Forgets the last step; bodies are looked at when a contact first names them.
-  void begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self, bool bands) noexcept;
+  void begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept;
   /// The side of a contact, its block ready at the predicted pose.
   Side side(uint32_t body, uint32_t particle) noexcept;
   /// The same of a place on a chain.

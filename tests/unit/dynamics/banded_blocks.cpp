@@ -9,6 +9,7 @@
 #include <random>
 
 #include "dynamics/banded_assembly.hpp"
+#include "toolkit/rod.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -87,6 +88,75 @@ TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
       EXPECT_LT((k.dense * x - b).norm(), 1e-11 * b.norm()) << symmetric << " " << contacts;
       EXPECT_EQ(k.blocks.negative_pivots(), 0u);
     }
+}
+
+/// A thread of 61 nodes, a little bent, whose first segment three ties of 1e5 N/m hold to a body of 0.5 mg: what both weigh together is
+/// a millionth of what ties them. Where halves of blocks that differ by rounding were both used, the solution was another one.
+TEST(BandedBlocks, LoseNothingBesideTiesToALightBody) {
+  constexpr int kNodes = 61, kUnknowns = 4 * (kNodes + 2);
+  constexpr double kPiece = 0.5e-3, kWire = 11e-6, kTie = 1e5, per_hh = 1e6;
+  toolkit::Rod rod(toolkit::RodSection::round(2 * kWire, 2.5e9, 0.39, 25000), std::vector<double>(kNodes - 1, kPiece));
+  std::vector<double> numbers(toolkit::RodState::size(kNodes));
+  toolkit::RodState s(kNodes, numbers.data());
+  for (int i = 0; i < kNodes; ++i) {
+    const double u = kPiece * (i - 0.5);
+    Eigen::Map<Vec3>(s.x + 3 * i) = Vec3(u, 0.03 * u, -0.02 * u - u * u);
+  }
+  rod.start(s);
+  toolkit::RodLoad load;
+  load.h = 1e-3, load.gravity = {0, 0, -9.80665};
+  rod.step(s, load, 6, 1e-12);  // no edge is stretched any more
+  toolkit::Band<10> band(4 * kNodes);
+  std::vector<double> gradient(4 * kNodes);
+  rod.linearise(s, s, load, 0, band.column(0), gradient.data());
+  band.at(4 * kNodes - 1, 4 * kNodes - 1) = 1;
+
+  std::vector<BandedBlocks::Pair> pairs{{kNodes, kNodes + 1}};
+  for (uint32_t i = 0; i < kNodes; ++i)
+    for (uint32_t k = 1; k < 3 && i + k < kNodes; ++k) pairs.push_back({i + k, i});
+  for (const uint32_t i : {0u, 1u})
+    for (const uint32_t k : {61u, 62u}) pairs.push_back({i, k});
+  BandedBlocks H(kNodes + 2, 40 * (kNodes + 2));
+  ASSERT_TRUE(H.analyse(kNodes + 2, pairs));
+  H.set_zero();
+  using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+  using Numbers = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  Matrix exact = Matrix::Zero(kUnknowns, kUnknowns);
+  for (int j = 0; j < 4 * kNodes; ++j)
+    for (int i = j; i < std::min(4 * kNodes, j + 11); ++i) exact(i, j) = exact(j, i) = band.at(i, j);
+  for (uint32_t j = 0; j < kNodes; ++j)
+    for (uint32_t i = j; i < std::min<uint32_t>(kNodes, j + 3); ++i)
+      H.add(i, j, exact.block<4, 4>(4 * static_cast<int>(i), 4 * static_cast<int>(j)).cast<double>());
+  const Vec3 inertia(3e-12, 1e-12, 3.5e-12), centre(-2.5e-3, 0.9e-3, 0);  // kg m2, m
+  BandedBlocks::Block mass = BandedBlocks::Block::Identity(), turn = mass;
+  for (int r = 0; r < 3; ++r) mass(r, r) = 4.84e-7 * per_hh, turn(r, r) = inertia[r] * per_hh;
+  H.add(kNodes, kNodes, mass), H.add(kNodes + 1, kNodes + 1, turn);
+  exact.block<4, 4>(4 * kNodes, 4 * kNodes) = mass.cast<long double>();
+  exact.block<4, 4>(4 * kNodes + 4, 4 * kNodes + 4) = turn.cast<long double>();
+  const auto tie = [&](const Vec3& p, double share, const Vec3& arm, const Vec3& stiffness) {
+    const BlockPoint body = body_point(kNodes, p - centre), thread = thread_point(0, 0, share, s.edge(0).normalized(), arm);
+    add_contact(H, body, thread, kTie * Mat3(stiffness.asDiagonal()), true);
+    Eigen::Matrix<long double, 3, Eigen::Dynamic> J = Eigen::Matrix<long double, 3, Eigen::Dynamic>::Zero(3, kUnknowns);
+    for (uint32_t k = 0; k < 2; ++k) {
+      J.middleCols<4>(4 * static_cast<int>(body.block[k])) += body.J[k].cast<long double>();
+      J.middleCols<4>(4 * static_cast<int>(thread.block[k])) -= thread.J[k].cast<long double>();
+    }
+    const Matrix DJ = (kTie * stiffness.cast<long double>()).asDiagonal() * J;
+    exact += J.transpose() * DJ;
+  };
+  tie(Vec3::Zero(), 0.5, Vec3::Zero(), Vec3::Ones());
+  tie(s.node(0), 0, Vec3::Zero(), Vec3(0, 1, 1));
+  tie(kWire * Vec3::UnitY(), 0.5, kWire * Vec3::UnitY(), Vec3(0, 0, 1));
+
+  ASSERT_TRUE(H.factor(true));
+  const Eigen::PartialPivLU<Matrix> inverse(exact);
+  for (const int pushed : {2, 4 * 40 + 1, 4 * kNodes + 2, 4 * kNodes + 4}) {
+    const Numbers f = 1e-6L * Numbers::Unit(kUnknowns, pushed), x = inverse.solve(f);
+    Eigen::VectorXd y = f.cast<double>();
+    H.solve(y.data());
+    EXPECT_LT((y.cast<long double>() - x).norm(), 1e-7L * x.norm()) << pushed;
+    EXPECT_LT((exact * y.cast<long double>() - f).norm(), 1e-7L * f.norm()) << pushed;
+  }
 }
 
 TEST(BandedBlocks, AThreadAloneFillsNothingIn) {
