@@ -133,7 +133,8 @@ class Rod {
   /// One step in time, or (h = 0) the shape at rest. `tolerance` [m], of the last change.
   RodEffort step(RodState& s, const RodLoad& load, int iterations, double tolerance);
 
-  /// All nodes go on by h v, unless that would stretch an edge by more than `most_strain` or turn it by much.
+  /// All nodes go on by h v, but for what alternates from node to node; only held ones where that would stretch an edge by more than
+  /// `most_strain` or turn it by much.
   void go_on(RodState& s, const RodLoad& load, double most_strain);
   /// For contacts: the step that begins at `start`, linear about the state `s`. Afterwards matrix() is its Hessian, factored, and
   /// change() is how far the rod goes from there without contacts. False where there is no such step.

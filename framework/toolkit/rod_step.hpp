@@ -194,10 +194,21 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
 }
 
 /// Newton's method starts where the nodes would be if they went on; or where they are, if that would stretch an edge or turn it by
-/// much (held nodes go on nevertheless).
+/// much (held nodes go on nevertheless). What alternates from node to node does not go on: contacts are looked for there, and edges
+/// that lie on a round surface would rock on it. A joint of edges of length l under the tension T bends with EI / l and T l; what a
+/// contact does when its edge tilts, T l too, comes one step late, and what goes on tilts twice as far: beyond T = 2 EI / l^2 it would
+/// be amplified.
 inline void Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
   if (load.h == 0) return;
-  for (int k = 0; k < unknowns(); ++k) change_[at(k)] = k % 4 == 3 ? 0.0 : load.h * s.v[k / 4 * 3 + k % 4];
+  for (int k = 0; k < unknowns(); ++k) {
+    const int i = k / 4, at_k = 3 * i + k % 4;
+    if (k % 4 == 3) {
+      change_[at(k)] = 0;
+      continue;
+    }
+    const bool inner = i > 0 && i < n_ - 1 && held_[at(i)] == 0;
+    change_[at(k)] = load.h * (inner ? 0.25 * (s.v[at_k - 3] + s.v[at_k + 3]) + 0.5 * s.v[at_k] : s.v[at_k]);
+  }
   bool far = bounded(s) < 1;
   for (int j = 0; j < edges(); ++j) {
     const double* d = change_.data() + 4 * j;

@@ -128,6 +128,8 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
     double* all = step.state().data();
     return {nodes(), all, all + ChainState::doubles(vertices())};
   }
+  /// How often it has passed through itself.
+  double& passed(const Step& step) const { return step.state()[step.state().size() - 4]; }
   /// What lasts beside: whether contacts pushed in the last step, and the first and last of the neighbouring edges that were pressed
   /// around the one that was pressed hardest; the last is before the first where none was.
   double& held(const Step& step) const { return step.state()[step.state().size() - 3]; }
@@ -144,6 +146,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   toolkit::RodLoad load(const Step& step) const;
   void take_parted(const Step& step);
   void part(const Step& step) const;
+  void count_passages(const Step& step);
   void write(const Step& step, const toolkit::RodState& before, const toolkit::RodState& now) const;
   Point point(const swage_contact_point& c, const swage_chain_place& place) const;
   /// Velocity-like numbers of all unknowns (`line` apart) at a point.
@@ -158,13 +161,14 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   toolkit::Rod rod_;
   toolkit::Pose X_OB0_;
   Body body_;
-  Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_;
+  Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_;
 
   // of the present step
   std::vector<double> begun_, base_;  // states: at its start, and about which it is linear
   std::vector<double> sides_;         // kSides right-hand sides
   std::vector<Point> point_;
   std::vector<char> pressed_;  // per edge
+  std::vector<double> boxes_;  // room to look for passages
   bool linear_ = false;  // there is a linear step
 };
 

@@ -99,8 +99,10 @@ TEST(ThreadInScene, does_not_pass_through_itself_at_0_3_m_s) {
       EXPECT_LT(above(), 100e-6) << "they touch";
       EXPECT_GT(deepest, -8e-6) << "of 22 um: where the contact passes from piece to piece";
       EXPECT_EQ(s.troubles(), "");
+      EXPECT_EQ(s.signal("thread.passed"), 0);
     } else {
       EXPECT_LT(above(), -1e-3);
+      EXPECT_EQ(s.signal("thread.passed"), 1);
     }
   }
 }
@@ -183,15 +185,17 @@ TEST(ThreadInScene, slides_over_a_cylinder_as_the_capstan_says) {
       R"({"name": "hand", "plugin": "swage.device.scripted", "params": {"file": ")" + hand + R"("}})");
   ASSERT_TRUE(s.engine);
   s.run(2300);
-  for (int i = 0; i < 250; ++i) {
+  double T1 = 0;
+  for (int i = 0; i < 1200 && T1 < 12e-3; ++i) {
     s.run(1);
-    const double T1 = s.signal("thread.tension_first"), T2 = s.signal("thread.tension_grip");
+    T1 = s.signal("thread.tension_first");
+    const double T2 = s.signal("thread.tension_grip");
     const double a1 = std::acos(1 - kBend / (2 * T1 * kRadius * kRadius)), a2 = std::acos(1 - kBend / (2 * T2 * kRadius * kRadius));
     const double said = (std::cos(a1) + kFriction * std::sin(a1)) / (std::cos(a2) - kFriction * std::sin(a2)) *
                         std::exp(kFriction * (0.5 * M_PI - a1 - a2));
-    ASSERT_NEAR(T2 / T1, said, 0.01 * said) << i;
+    ASSERT_NEAR(T2 / T1, said, 0.01 * said) << i << " at " << T1 << " N";
   }
-  EXPECT_GT(s.signal("thread.tension_first"), 1.5e-3) << "from 0.6 mN on; from 2 mN on segments rock (thread.md, Limits)";
+  EXPECT_GE(T1, 12e-3) << "from 0.6 mN on; then segments rock (thread.md, Limits)";
   // while it is laid round, a piece that comes to lie may take a step that ends at its best point
   EXPECT_LE(s.engine->stats().health.not_converged, 3u) << s.troubles();
 }
