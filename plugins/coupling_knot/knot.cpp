@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "toolkit/knot_form.hpp"
+#include "toolkit/knot/form.hpp"
 
 namespace swage::coupling_knot {
 

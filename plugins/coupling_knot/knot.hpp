@@ -6,8 +6,8 @@
 #include <swage/coupling.hpp>
 #include <swage/strand.hpp>
 
-#include "toolkit/knot_passage.hpp"
-#include "toolkit/knot_reader.hpp"
+#include "toolkit/knot/passage.hpp"
+#include "toolkit/knot/reader.hpp"
 
 namespace swage::coupling_knot {
 

@@ -8,10 +8,10 @@
 #include <random>
 
 #include "ties.hpp"
-#include "toolkit/knot_form.hpp"
-#include "toolkit/knot_passage.hpp"
-#include "toolkit/knot_reader.hpp"
-#include "toolkit/knot_writhe.hpp"
+#include "toolkit/knot/form.hpp"
+#include "toolkit/knot/passage.hpp"
+#include "toolkit/knot/reader.hpp"
+#include "toolkit/knot/writhe.hpp"
 
 namespace swage::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "toolkit/knot_diagram.hpp"
+#include "toolkit/knot/diagram.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::test {

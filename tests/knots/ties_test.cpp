@@ -6,7 +6,7 @@
 #include <map>
 
 #include "ties.hpp"
-#include "toolkit/knot_reader.hpp"
+#include "toolkit/knot/reader.hpp"
 
 namespace swage::test {
 namespace {

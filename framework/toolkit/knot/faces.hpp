@@ -6,7 +6,7 @@
 // Threads: [rt], nothing allocates.
 #pragma once
 
-#include "toolkit/knot_diagram.hpp"
+#include "toolkit/knot/diagram.hpp"
 
 namespace swage::toolkit {
 

@@ -2,7 +2,7 @@
 //
 // A thread, as a polyline on a grid whose two ends are led far away, pulled straight wherever nothing is in the way: a vertex goes
 // when no other piece pierces the triangle with its two neighbours (Koniaris and Muthukumar 1991). What is left is knotted as before and
-// has a few straight sticks: about 6 for a half knot, 20 for three throws. Every decision is exact (knot_grid.hpp).
+// has a few straight sticks: about 6 for a half knot, 20 for three throws. Every decision is exact (grid.hpp).
 //
 // The thread is read in slices of bounded work, so that a step of the loop pays for a little of it. All that lasts is doubles (whole
 // numbers), so it can be kept among the private numbers of a plugin.
@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-#include "toolkit/knot_grid.hpp"
+#include "toolkit/knot/grid.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::toolkit {
@@ -25,7 +25,7 @@ struct KnotVertex {
   GridPoint grid() const { return {static_cast<int64_t>(x), static_cast<int64_t>(y), static_cast<int64_t>(z)}; }
 };
 
-/// What the views of a thread have said so far (knot_reader.hpp).
+/// What the views of a thread have said so far (reader.hpp).
 struct KnotFindings {
   static constexpr int kThrows = 12;
   struct Throw {

@@ -7,8 +7,8 @@
 // Threads: [rt], nothing allocates.
 #pragma once
 
-#include "toolkit/knot_faces.hpp"
-#include "toolkit/knot_grid.hpp"
+#include "toolkit/knot/faces.hpp"
+#include "toolkit/knot/grid.hpp"
 
 namespace swage::toolkit {
 

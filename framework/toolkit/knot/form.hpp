@@ -7,7 +7,7 @@
 // Threads: [rt], pure, nothing allocates.
 #pragma once
 
-#include "toolkit/knot_word.hpp"
+#include "toolkit/knot/word.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::toolkit {

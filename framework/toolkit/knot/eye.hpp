@@ -7,8 +7,8 @@
 // Threads: [rt], nothing allocates.
 #pragma once
 
-#include "toolkit/knot_diagram.hpp"
-#include "toolkit/knot_thread.hpp"
+#include "toolkit/knot/diagram.hpp"
+#include "toolkit/knot/thread.hpp"
 
 namespace swage::toolkit {
 

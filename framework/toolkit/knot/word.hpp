@@ -9,8 +9,8 @@
 // Threads: [rt], nothing allocates.
 #pragma once
 
-#include "toolkit/knot_invariants.hpp"
-#include "toolkit/knot_thread.hpp"
+#include "toolkit/knot/invariants.hpp"
+#include "toolkit/knot/thread.hpp"
 
 namespace swage::toolkit {
 

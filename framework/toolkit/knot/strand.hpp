@@ -6,7 +6,7 @@
 // Threads: [rt], nothing allocates.
 #pragma once
 
-#include "toolkit/knot_faces.hpp"
+#include "toolkit/knot/faces.hpp"
 
 namespace swage::toolkit {
 

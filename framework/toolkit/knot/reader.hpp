@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names the knot in a thread: straightened a little, and wholly where that is not enough (knot_thread.hpp), seen from several
-// directions (knot_eye.hpp), each view reduced (knot_strand.hpp) and read (knot_word.hpp). A name is certain when two views or more
+// Names the knot in a thread: straightened a little, and wholly where that is not enough (thread.hpp), seen from several
+// directions (eye.hpp), each view reduced (strand.hpp) and read (word.hpp). A name is certain when two views or more
 // give the same word, the plainest (which had least to be taken off) among them, none gives another knot, and determinant and
 // signature are those of that word. Where its throws are on the thread is told by the plainest view. Reading goes in slices: so much
 // work a call. Header-only.
@@ -12,9 +12,9 @@
 // Threads: [rt], nothing allocates; the reader is scratch, the thread keeps what lasts.
 #pragma once
 
-#include "toolkit/knot_eye.hpp"
-#include "toolkit/knot_strand.hpp"
-#include "toolkit/knot_word.hpp"
+#include "toolkit/knot/eye.hpp"
+#include "toolkit/knot/strand.hpp"
+#include "toolkit/knot/word.hpp"
 
 namespace swage::toolkit {
 
