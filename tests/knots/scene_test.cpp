@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "plugins/thread_scene.hpp"
 #include "ties.hpp"
+#include "toolkit/knot/writhe.hpp"
 #include "toolkit/rod.hpp"
 
 namespace swage::test {
@@ -20,10 +22,11 @@ constexpr char kKnot[] = R"({"plugin": "swage.coupling.contact", "between": ["th
 struct Laid : ThreadScene {
   int nodes;
   double edge;
-  Laid(double length, int segments, const std::string& young, const std::string& couplings)
+  Laid(double length, int segments, const std::string& young, const std::string& couplings, const std::string& beside = "",
+       const std::string& ends = "", const std::string& devices = "")
       : ThreadScene(R"({"name": "thread", "plugin": "swage.object.thread", "params": {"length": )" + std::to_string(length) +
-                        R"(, "segments": )" + std::to_string(segments) + R"(, "young": ")" + young + R"("}})",
-                    couplings),
+                        R"(, "segments": )" + std::to_string(segments) + R"(, "young": ")" + young + "\"" + ends + "}}" + (beside.empty() ? "" : ", " + beside),
+                    couplings, devices),
         nodes(segments + 1),
         edge(length / segments) {}
   toolkit::RodState rod() {
@@ -135,6 +138,128 @@ TEST(KnotPassage, is_counted_once) {
   s.run(1);
   EXPECT_EQ(s.signal("knot.passages"), 1);
   EXPECT_EQ(s.signal("knot.throws"), 0);
+}
+
+/// Linking number of the centre line with a line on its surface, both closed far away: a whole number, the sum of twist and writhe. No
+/// motion of the thread changes it but a passage, which changes it by 2.
+double self_linking(const toolkit::RodState& s) {
+  constexpr double kBeside = 1e-6, kFar = 0.2;  // m
+  std::vector<Vec3> line, beside;
+  const int last = s.n - 1;
+  for (int i = 0; i <= last; ++i) {
+    const Vec3 d = (s.material(std::max(0, i - 1)) + s.material(std::min(last - 1, i))).normalized();
+    line.push_back(s.node(i));
+    beside.push_back(s.node(i) + kBeside * d);
+  }
+  const Vec3 out = line.back() - line[static_cast<size_t>(last - 1)], in = line[0] - line[1];
+  const Vec3 away[] = {kFar * out.normalized(), kFar * (out.normalized() + in.normalized() + Vec3(0, 0, 3)), kFar * in.normalized()};
+  for (auto* of : {&line, &beside}) {
+    const Vec3 first = of->front(), end = of->back();
+    of->push_back(end + away[0]), of->push_back(0.5 * (first + end) + away[1]), of->push_back(first + away[2]);
+  }
+  return toolkit::linking(line.front().data(), static_cast<int>(line.size()), beside.front().data(), static_cast<int>(beside.size()));
+}
+
+/// A loop that crosses itself, both ends held, is thrown on itself: its self-linking number stays, step by step. Laid through itself it
+/// jumps by 2, and that is a passage.
+TEST(KnotGuard, SelfLinkingIsConstantButForPassages) {
+  constexpr double kLeg = 6e-3, kRadius = 2e-3, kArc = 1.5 * M_PI * kRadius;
+  Laid s(24e-3, 48, "0.01 GPa", kKnot, "", R"(, "first": "fixed", "last": "fixed")");
+  ASSERT_TRUE(s.engine);
+  const auto lay = [&](double above) {
+    s.lay([&](int i) {
+      const double at = 0.5e-3 * i, up = above * std::clamp((at - kLeg) / kArc, 0.0, 1.0), turn = (at - kLeg) / kRadius;
+      if (at < kLeg) return Vec3(at - kLeg + kRadius, 0, up);
+      if (at < kLeg + kArc) return Vec3(kRadius + kRadius * std::sin(turn), kRadius - kRadius * std::cos(turn), up);
+      return Vec3(0, kRadius - (at - kLeg - kArc), up);
+    });
+  };
+  lay(60e-6);
+  const toolkit::RodState rod = s.rod();
+  for (int i = 13; i < 47; ++i) rod.v[3 * i + 2] = -0.3 * std::min(1.0, (i - 12) / 19.0);  // the upper leg comes down on the lower one
+  const double before = self_linking(rod);
+  EXPECT_NEAR(before, std::round(before), 1e-6);
+  double pressed = 0;
+  for (int k = 0; k < 60; ++k) {
+    s.run(1);
+    ASSERT_NEAR(self_linking(s.rod()), before, 1e-6) << k;
+    pressed = std::max(pressed, s.signal("contact.force"));
+  }
+  EXPECT_GT(pressed, 0) << "they touch";
+  EXPECT_EQ(s.signal("knot.passages"), 0);
+
+  lay(60e-6);
+  s.run(1);
+  const double above = self_linking(s.rod()), passages = s.signal("knot.passages");
+  lay(-60e-6);
+  s.run(1);
+  EXPECT_NEAR(std::abs(self_linking(s.rod()) - above), 2, 1e-6);
+  EXPECT_EQ(s.signal("knot.passages"), passages + 1);
+}
+
+/// Closed jaws along x with their tips in the origin, and a thread wound about them 2 mm behind the tips.
+struct Wound : Laid {
+  static constexpr char kJaws[] = R"({"name": "holder", "plugin": "swage.object.jaws", "follows": {"pose": "hand", "closure": "hand"}})";
+  static constexpr char kWinding[] = R"({"plugin": "swage.coupling.contact", "between": ["holder", "thread"]}, {"plugin": "swage.coupling.winding", "between": ["holder", "thread"], "params": {"places": 49}})";
+  Wound() : Laid(24e-3, 48, "0.01 GPa", std::string(kKnot) + "," + kWinding, kJaws, "", hand()) {}
+  static std::string hand() {
+    const std::string path = ::testing::TempDir() + "swage_winding_hand.json";
+    std::ofstream(path) << R"({"format": "swage-hand/1", "title": "Rests", "keys": [
+        {"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0], "closing": [0, 0, 1], "closure": 0.7}]})";
+    return R"({"name": "hand", "plugin": "swage.device.scripted", "params": {"file": ")" + path + R"("}})";
+  }
+  /// The thread comes from -y below, goes round so many times and leaves to +y.
+  void lay_turns(double turns, double behind = 2e-3) {
+    const double wound = 12e-3, radius = turns == 0 ? 0 : wound / (2 * M_PI * std::abs(turns));
+    lay([&](int i) {
+      const double s = 0.5e-3 * i - 6e-3;
+      if (turns == 0) return Vec3(-behind, s, -1e-3);
+      const double a = s / radius * (turns < 0 ? -1 : 1), in = std::clamp(s, 0.0, wound);
+      const double x = -behind - 0.05e-3 * in / wound;
+      if (s < 0) return Vec3(x, (turns < 0 ? -1 : 1) * s, -radius);
+      if (s > wound) return Vec3(x, (turns < 0 ? -1 : 1) * (s - wound), -radius);
+      return Vec3(x, radius * std::sin(a), -radius * std::cos(a));
+    });
+  }
+};
+
+// whole turns of a thread about closed jaws, right-handed about the way to the tips; beyond the tips it is not wound
+TEST(WindingInScene, IsTold) {
+  for (const double turns : {1.0, 2.0, -1.0, 0.0}) {
+    Wound s;
+    ASSERT_TRUE(s.engine);
+    s.lay_turns(turns);
+    s.run(1);
+    EXPECT_NEAR(s.signal("winding.turns"), turns, turns == 0 ? 0.5 : 0.55) << turns;
+    EXPECT_EQ(s.signal("winding.whole"), turns) << turns;
+    EXPECT_EQ(s.signal("winding.passages"), 0);
+    EXPECT_NEAR(s.signal("winding.behind"), 2e-3, 0.2e-3);
+  }
+  Wound off;
+  ASSERT_TRUE(off.engine);
+  off.lay_turns(2, -2e-3);
+  off.run(1);
+  EXPECT_EQ(off.signal("winding.turns"), 0);
+}
+
+// laid from one side of the jaws to the other within a step, as a solver that fails would have it
+TEST(WindingInScene, APassageThroughTheInstrumentIsToldOnce) {
+  Wound s;
+  ASSERT_TRUE(s.engine);
+  const auto beside = [&](double z) { s.lay([&](int i) { return Vec3(-2e-3, 0.5e-3 * i - 12.1e-3, z); }); };
+  beside(2e-3);
+  s.run(1);
+  beside(1.8e-3);
+  s.run(1);
+  EXPECT_EQ(s.signal("winding.passages"), 0);
+  const double before = s.signal("winding.turns");
+  beside(-1.8e-3);
+  s.run(1);
+  EXPECT_EQ(s.signal("winding.passages"), 1);
+  EXPECT_NEAR(std::abs(s.signal("winding.turns") - before), 1, 0.2);
+  int told = 0;
+  for (const judge::Event& e : s.engine->events()) told += s.rig->script.events[e.event].id == "winding.passage";
+  EXPECT_EQ(told, 1);
 }
 
 }  // namespace

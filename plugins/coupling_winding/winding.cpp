@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "winding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::coupling_winding {
+
+using toolkit::vec;
+using toolkit::Vec3;
+
+namespace {
+
+// A turn counts as whole when so much of it is still missing, and no more when twice as much is: the thread leaves the instrument in
+// whatever direction the other hand is.
+constexpr double kMissing = 0.25;
+
+}  // namespace
+
+void Winding::build(const WindingParams& params, CouplingBuilder& builder) {
+  params_ = params;
+  builder.state<WindingState>();
+  turns_ = builder.signal("winding.turns", "1",
+                          "Turns of the thread about the instrument, right-handed about the way from hinge to tips; half a turn at most "
+                          "where it only passes.");
+  whole_ = builder.signal("winding.whole", "1", "Whole turns, with their sign.");
+  behind_ = builder.signal("winding.behind", "m", "How far behind the tips the thread is wound.");
+  passages_ = builder.signal("winding.passages", "1", "How often the thread has gone through the instrument.");
+  wound_ = builder.event("winding.wound", "A whole turn more; value: whole turns now, with their sign.");
+  unwound_ = builder.event("winding.unwound", "A whole turn less; value: whole turns now, with their sign.");
+  passage_ = builder.event("winding.passage",
+                           "The thread has gone through the instrument: what is wound from here on is not to be trusted; value: where, in "
+                           "m from its first end.");
+}
+
+void Winding::bind(const Peer& a, const Peer& b) {
+  tool_ = a;
+  thread_ = StrandPeer(b);
+  if (!thread_.valid()) refuse("the thread has no table of " SWAGE_TRAIT_STRAND);
+}
+
+void Winding::reset(const CouplingStep& step) { step.state<WindingState>() = {}; }
+
+/// Places of the thread in the tool's frame.
+bool Winding::look(const CouplingStep& step) {
+  const auto law = thread_.law(step.b());
+  const auto jaws = tool_.describe(step.a());
+  if (!law || !jaws) return false;
+  length_ = law->length;
+  const Vec3 tip = vec(jaws->tip_W), x = vec(jaws->axis_W), z = vec(jaws->closing_W), y = z.cross(x);
+  for (int i = 0; i < params_.places; ++i) {
+    const auto place = thread_.place(step.b(), length_ * i / (params_.places - 1));
+    if (!place) return false;
+    const Vec3 d = vec(place->p_W) - tip;
+    p_T_[3 * i] = d.dot(x), p_T_[3 * i + 1] = d.dot(y), p_T_[3 * i + 2] = d.dot(z);
+  }
+  return true;
+}
+
+void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
+  for (int i = 0; i + 1 < params_.places; ++i) {
+    const int gained =
+        toolkit::wound_through(place(state.p_T, i), place(state.p_T, i + 1), place(p_T_, i), place(p_T_, i + 1), params_.reach);
+    if (gained == 0) continue;
+    state.passages += std::abs(gained);
+    step.event(passage_, length_ * (i + 0.5) / (params_.places - 1));
+  }
+}
+
+/// A turn that was told stands until half of it is missing.
+void Winding::tell(const CouplingStep& step, WindingState& state, double turns) const {
+  const double sign = turns < 0 ? -1 : 1, size = std::abs(turns), before = sign * state.whole;
+  double whole = std::floor(size + kMissing);
+  if (whole < before && size + 2 * kMissing >= before) whole = before;
+  const double now = whole == 0 ? 0 : sign * whole;
+  if (now == state.whole) return;
+  step.event(std::abs(now) > std::abs(state.whole) ? wound_ : unwound_, now);
+  state.whole = now;
+}
+
+void Winding::finish(const CouplingStep& step) {
+  if (!look(step)) return discard();
+  WindingState& state = step.state<WindingState>();
+  toolkit::Winding winding(params_.reach);
+  const int last = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
+  for (int i = 0; i < last; ++i) winding.add(place(p_T_, i), place(p_T_, i + 1));
+  if (state.known != 0) find_passages(step, state);
+  std::copy_n(p_T_, 3 * params_.places, state.p_T);
+  state.known = 1;
+  tell(step, state, winding.turns());
+  step.signal(turns_, winding.turns());
+  step.signal(whole_, state.whole);
+  step.signal(behind_, winding.behind());
+  step.signal(passages_, state.passages);
+}
+
+}  // namespace swage::coupling_winding
+
+SWAGE_EXPORT(swage::coupling_winding::Winding)

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// swage.coupling.winding: how often a thread is wound about an instrument. It changes nothing. Model and limits: coupling_winding.md.
+#pragma once
+
+#include <swage/coupling.hpp>
+#include <swage/strand.hpp>
+
+#include "toolkit/knot/winding.hpp"
+
+namespace swage::coupling_winding {
+
+inline constexpr int kPlaces = 401;  // most places of the thread that are looked at
+
+struct WindingParams {
+  int places = 101;
+  double reach = 6e-3;  // m
+  double to = 1;        // share of the thread
+};
+
+/// The private numbers.
+struct WindingState {
+  double known = 0;             // 1: p_T is that of the step before
+  double whole = 0;             // whole turns that are told, with their sign
+  double passages = 0;
+  double p_T[3 * kPlaces] = {};  // m, places in the tool's frame, the tips in its origin
+};
+
+class Winding final : public Coupling<WindingParams> {
+ public:
+  static constexpr auto id = "swage.coupling.winding";
+  static constexpr auto version = "1.0.0";
+  static constexpr auto name = "Winding";
+  static constexpr auto summary =
+      "Counts how often a thread is wound about the tips of an instrument, with its sign, and notices when the thread goes through it.";
+  static constexpr auto author = "Swage";
+  static constexpr auto licence = "Apache-2.0";
+  static constexpr std::array needs_a{SWAGE_TRAIT_GRIPPER}, needs_b{SWAGE_TRAIT_STRAND};
+  static constexpr bool detects = false;
+
+  static constexpr std::array fields = {
+      integer<&WindingParams::places>("places", "Places", 16, kPlaces,
+                                      "Of the thread that are looked at, ends included. One more than its segments, or than a multiple of "
+                                      "them, sees it exactly as it is."),
+      real<&WindingParams::reach>("reach", "Reach", "m", "mm", 0.1e-3, 0.1, "Length of the instrument that counts, from its tips back."),
+      real<&WindingParams::to>("to", "To", "1", "1", 0.05, 1,
+                               "Share of the thread, from its first end, whose turns count: beyond is the tail behind the hand that holds it."),
+  };
+
+  void build(const WindingParams& params, CouplingBuilder& builder) override;
+  void bind(const Peer& a, const Peer& b) override;
+  void reset(const CouplingStep& step) override;
+  void finish(const CouplingStep& step) override;
+
+ private:
+  bool look(const CouplingStep& step);
+  toolkit::Vec3 place(const double* of, int i) const { return Eigen::Map<const toolkit::Vec3>(of + 3 * i); }
+  void find_passages(const CouplingStep& step, WindingState& state) const;
+  void tell(const CouplingStep& step, WindingState& state, double turns) const;
+
+  WindingParams params_;
+  Peer tool_;
+  StrandPeer thread_;
+  Signal turns_, whole_, behind_, passages_;
+  Event wound_, unwound_, passage_;
+
+  // of the present step
+  double length_ = 0;  // m
+  double p_T_[3 * kPlaces];
+};
+
+}  // namespace swage::coupling_winding
