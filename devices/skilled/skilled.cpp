@@ -34,12 +34,6 @@ Mat3 frame(const Vec3& x, const Vec3& z) {
   return R;
 }
 
-Signal find_signal(const Scene& scene, const std::string& id) {
-  for (uint32_t i = 0; i < scene->n_signal; ++i)
-    if (view(scene->signal[i].id) == id) return Signal(i);
-  return {};
-}
-
 }  // namespace
 
 void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
@@ -52,86 +46,22 @@ void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
     builder.error("file", problem.what());
   }
   seeks_.assign(plan_.acts.size(), {});
+  build_wrist(builder);
 }
 
-void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) {
-  gripper_ = scene.find_object(params_.gripper);
-  needle_ = scene.find_object(params_.needle);
-  if (gripper_ == kNone) return refuse("there is no object \"" + params_.gripper + "\" (parameter gripper)");
-  if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
-  needle_peer_ = Peer(scene->object[needle_].instance);
-  if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
-  force_ = params_.grasp.empty() ? find_signal(scene, "grasp.force") : scene.find_signal(params_.grasp, "grasp.force");
-  if (!params_.grasp.empty() && !force_.valid())
-    return refuse("there is no signal \"grasp.force\" of \"" + params_.grasp + "\" (parameter grasp)");
-  hole_ = {};
-  if (params_.steady > 0) {
-    hole_.s = find_signal(scene, "pierce.s");
-    for (int i = 0; i < 3; ++i) {
-      hole_.entry[i] = find_signal(scene, std::string("pierce.entry_") + "xyz"[i]);
-      hole_.at[i] = find_signal(scene, std::string("pierce.at_") + "xyz"[i]);
-    }
-    if (!hole_.valid())
-      return refuse(
-          "nothing here has a signal \"pierce.s\" by which to see where the needle goes in (parameter "
-          "steady)");
-  }
-
-  for (size_t i = 0; i < plan_.acts.size(); ++i) {
-    const Act& act = plan_.acts[i];
-    const std::string where = "act " + std::to_string(i + 1) + " of " + params_.file;
-    if (act.force > 0 && !force_.valid())
-      return refuse(
-          where +
-          " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
-    if (!find_marks(marks, i, where) || !find_things(scene, i, where) || !find_signals(scene, i, where)) return;
-  }
-}
-
-uint32_t Skilled::find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const {
-  for (uint32_t m = 0; m < marks.size(); ++m)
-    if (view(marks[m].meaning) == meaning && marks[m].kind == SWAGE_MARK_POINT) return m;
-  return kNone;
-}
-
-bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where) {
-  const Act& act = plan_.acts[i];
-  for (const auto& [meaning, index] :
-       {std::pair{&act.mark, &seeks_[i].mark}, {&act.other, &seeks_[i].other}}) {
-    if (meaning->empty()) continue;
-    *index = find_mark(marks, *meaning);
-    if (*index != kNone) continue;
-    refuse(where + " looks for the point \"" + *meaning + "\", which this lesson does not show");
-    return false;
-  }
-  return true;
-}
-
-bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where) {
-  const Act& act = plan_.acts[i];
-  Seeks& seeks = seeks_[i];
-  if (!act.of.empty() && act.verb != Verb::kAwait) {
-    seeks.thing = scene.find_object(act.of);
-    if (seeks.thing == kNone) return refuse(where + " judges \"" + act.of + "\", which is not there"), false;
-    seeks.thing_peer = Peer(scene->object[seeks.thing].instance);
-  }
-  if (act.tissue.empty()) return true;
-  seeks.tissue = scene.find_object(act.tissue);
-  if (seeks.tissue == kNone)
-    return refuse(where + " aims into \"" + act.tissue + "\", which is not there"), false;
-  seeks.tissue_peer = Peer(scene->object[seeks.tissue].instance);
-  if (!seeks.tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
-    return refuse(where + ": \"" + act.tissue + "\" cannot be pierced"), false;
-  return true;
-}
-
-bool Skilled::find_signals(const Scene& scene, size_t i, const std::string& where) {
-  const Act& act = plan_.acts[i];
-  if (act.signal.empty()) return true;
-  seeks_[i].signal = scene.find_signal(act.of, act.signal);
-  if (seeks_[i].signal.valid()) return true;
-  refuse(where + " waits for \"" + act.signal + "\" of \"" + act.of + "\", which nobody tells here");
-  return false;
+void Skilled::build_wrist(DeviceBuilder& builder) {
+  const SkilledParams& p = params_;
+  const Vec3 forearm(p.forearm[0], p.forearm[1], 0);
+  if (!(forearm.norm() > 0)) builder.error("forearm", "the forearm needs a horizontal direction");
+  for (const auto& [key, range] : {std::pair{"rotation", &p.rotation}, {"flexion", &p.flexion}, {"deviation", &p.deviation}})
+    if (!(range->low < 0 && range->high > 0)) builder.error(key, "the range must reach to both sides of 0");
+  const auto side = [](const Interval& i) { return Wrist::Range{i.low, i.high}; };
+  wrist_ = Wrist({.left = p.wrist == WhoseWrist::kLeft,
+                  .forearm_W = forearm,
+                  .swing = p.swing,
+                  .hold = p.hold,
+                  .ease = p.ease,
+                  .range = {side(p.rotation), side(p.flexion), side(p.deviation)}});
 }
 
 /// Its arc from two places on it. A hand that reaches looks beside its jaws; else it looks at the point, and not at what a bent
@@ -189,6 +119,8 @@ void Skilled::restart() {
   act_ = 0;
   act_began_s_ = 0;
   from_ = goal_ = now_ = plan_.start;
+  asked_ = now_.q;
+  turn_W_.setZero();
   from_closure_ = closure_ = plan_.closure;
   fresh_ = true;
   shown_W_.setZero();
@@ -210,6 +142,10 @@ void Skilled::begin_act(double time_s) {
   from_ = goal_ = now_;
   from_closure_ = closure_;
   act_began_s_ = time_s;
+  // what a wrist was asked for stays so while the tool has the attitude that it gave
+  constexpr double kSame = 1e-6;  // rad
+  asked_ = toolkit::exp_rotation(turn_W_) * asked_;
+  if (has_wrist() && wrist_.given(asked_).angularDistance(now_.q) > kSame) asked_ = now_.q;
   turn_W_.setZero();
   brought_W_.setZero();
   fresh_ = true;
@@ -227,17 +163,35 @@ Pose Skilled::reach_goal(const Act& act) const {
   return {p.p_W + (act.past - act.back) * R.col(0), Quat(R).normalized()};
 }
 
-/// The tool where the needle it holds has its point at the target, leading in; then back along the arc by the hover.
-Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) const {
+/// How the needle that it holds turns for its point to lead in, the normal of its plane being `across`, but for its leans.
+Quat Skilled::turned_to(const Vec3& into, const Vec3& across) const {
+  const Vec3 forward = -seen_.wire.place(0).tangent_W;
+  const Mat3 R = frame(into, across) * frame(forward, seen_.wire.axis_W).transpose();
+  const Quat leaning = toolkit::exp_rotation(params_.lean * across) * Quat(R);
+  if (params_.side_lean == 0) return leaning;
+  return toolkit::exp_rotation(params_.side_lean * across.cross(into)) * leaning;
+}
+
+/// The normal of the needle's plane: to whichever side is the smaller turn, or to where a wrist gets with less strain.
+Vec3 Skilled::side(const Act& act, const Vec3& into) const {
+  const Vec3 flat = act.across - act.across.dot(into) * into;
+  Vec3 across = flat.normalized();
+  if (across.dot(seen_.wire.axis_W) < 0) across = -across;
+  if (!has_wrist()) return across;
+  const auto strain = [&](const Vec3& n) { return wrist_.strain(wrist_.asked(turned_to(into, n) * from_.q)); };
+  return strain(-across) < strain(across) ? Vec3(-across) : across;
+}
+
+/// The tool where the needle it holds has its point at the target, leading in; then back along the arc by the hover. A wrist that does not
+/// turn so far leans about the point.
+Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) {
   const Wire& wire = seen_.wire;
   const Place point = wire.place(0);
-  const Vec3 forward = -point.tangent_W;
-  const Vec3 flat = act.across - act.across.dot(into) * into;
-  // the plane's normal is found from whichever side needs the smaller turn
-  Vec3 across = flat.normalized();
-  if (across.dot(wire.axis_W) < 0) across = -across;
-  const Mat3 R = frame(into, across) * frame(forward, wire.axis_W).transpose();
-  const Quat q = toolkit::exp_rotation(params_.lean * across) * Quat(R);
+  Quat q = turned_to(into, side(act, into));
+  if (has_wrist()) {
+    asked_ = q * from_.q;
+    q = wrist_.given(asked_) * from_.q.conjugate();
+  }
   const Vec3 to_centre = q * (wire.centre_W - point.p_W);
   const Vec3 at = target + act.inside * wire.curvature * to_centre;
   const Pose held{at + q * (from_.p - point.p_W), (q * from_.q).normalized()};
@@ -248,7 +202,7 @@ Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) const {
 }
 
 /// The needle it holds, or its own jaws, held up and pointing to the mark.
-Pose Skilled::show_goal(const Act& act) const {
+Pose Skilled::show_goal(const Act& act) {
   const Vec3 way = (seen_.mark_W - act.at).normalized();
   if (!act.jaws) return lead(act, act.at, way);
   const Vec3 closing = act.across - act.across.dot(way) * way;
@@ -327,9 +281,14 @@ void Skilled::set_goal(const Act& act) {
   }
 }
 
-/// A share of the way of a drive: along the arc, and down from where the aim was lifted.
+/// A share of the way of a drive: along the arc, and down from where the aim was lifted. The arm takes the tool where it is to be, but the
+/// wrist may not turn it so far.
 Pose Skilled::driven(double u) const {
   Pose X = turned(from_, turn_centre_W_, u * turn_W_);
+  if (has_wrist()) {
+    const Quat from_given = wrist_.given(asked_).conjugate() * from_.q;
+    X.q = (wrist_.given(toolkit::exp_rotation(u * turn_W_) * asked_) * from_given).normalized();
+  }
   X.p -= (u < lowered_ ? u / lowered_ : 1) * lift_W_;
   return X;
 }

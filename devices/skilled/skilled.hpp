@@ -11,10 +11,14 @@
 #include "hand/tremor.hpp"
 #include "plan.hpp"
 #include "wire.hpp"
+#include "wrist.hpp"
 
 namespace swage::skilled {
 
 inline constexpr double kMaxLean = 1.4835298641951802;  // 85 deg
+inline constexpr double kDegree = 0.017453292519943295;  // rad
+
+enum class WhoseWrist : int { kNone, kRight, kLeft };
 
 struct SkilledParams {
   std::string file;
@@ -24,11 +28,18 @@ struct SkilledParams {
   Interval tremor_band = {8, 12};  // Hz
   double spot_error = 0;           // m
   double aim_error = 0;            // m
-  double lean = 0;                 // rad
+  double lean = 0, side_lean = 0;  // rad
   double pivot_error = 0;          // m
   double angle_bias = 0;           // rad
   double angle_noise = 0;          // rad
   double steady = 0;               // s; 0: it does not
+  WhoseWrist wrist = WhoseWrist::kNone;
+  std::array<double, 3> forearm = {-0.7, 0.7, 0};
+  double swing = 60 * kDegree;  // rad
+  double hold = 90 * kDegree;   // rad
+  double ease = 0.65;           // 1
+  Interval rotation = {-80 * kDegree, 80 * kDegree}, flexion = {-70 * kDegree, 80 * kDegree},
+           deviation = {-20 * kDegree, 30 * kDegree};  // rad
 };
 
 class Skilled final : public SeeingDevice<SkilledParams> {
@@ -44,6 +55,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   static constexpr auto licence = "Apache-2.0";
   static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED};
 
+  static constexpr const char* kWrists[] = {"none", "right", "left", nullptr};
   static constexpr std::array fields = {
       file<&SkilledParams::file>("file", "Plan", "File of acts, format swage-plan/1.").required(),
       text<&SkilledParams::gripper>("gripper", "Gripper", "The object that this hand leads."),
@@ -77,6 +89,10 @@ class Skilled final : public SeeingDevice<SkilledParams> {
           "lean", "Lean", "rad", "deg", -kMaxLean, kMaxLean,
           "Every aim is off by this angle, in the plane of the needle: how wrongly it judges angles.")
           .group("Flaws"),
+      real<&SkilledParams::side_lean>(
+          "side_lean", "Sideways lean", "rad", "deg", -kMaxLean, kMaxLean,
+          "Every aim is off by this angle, out of the plane of the needle: what presses on the point then twists the needle in loose jaws.")
+          .group("Flaws"),
       real<&SkilledParams::pivot_error>(
           "pivot_error", "Pivot error", "m", "um", -5e-3, 5e-3,
           "It drives the needle about a centre that is this much too far from the needle: "
@@ -90,6 +106,31 @@ class Skilled final : public SeeingDevice<SkilledParams> {
           "angle_noise", "Angle noise", "rad", "deg", 0, kMaxLean,
           "Root mean square of the angle by which it misjudges a lean; drawn anew for each answer.")
           .group("Flaws"),
+      choice<&SkilledParams::wrist>("wrist", "Wrist", kWrists,
+                                    "Whose arm leads the tool while it aims and drives; none: it turns as far as it likes.")
+          .group("Wrist"),
+      vector<&SkilledParams::forearm>("forearm", "Forearm", "1", "1", -1, 1,
+                                      "Direction from elbow to hand where the arm rests, in the world.")
+          .group("Wrist"),
+      real<&SkilledParams::swing>("swing", "Swing", "rad", "deg", 0, 120 * kDegree,
+                                  "The shoulder turns the forearm about the vertical by so much to either side, free of cost.")
+          .group("Wrist"),
+      real<&SkilledParams::hold>(
+          "hold", "Hold", "rad", "deg", -180 * kDegree, 180 * kDegree,
+          "How the tool lies in the fingers: from the thumb's side of the hand to the closing direction, as a supination.")
+          .group("Wrist"),
+      real<&SkilledParams::ease>("ease", "Ease", "1", "%", 0.05, 1,
+                                 "Share of each range within which a posture costs nothing; 100 %: up to its end.")
+          .group("Wrist"),
+      interval<&SkilledParams::rotation>("rotation", "Forearm rotation", "rad", "deg", -180 * kDegree, 180 * kDegree,
+                                         "Greatest pronation (negative) and supination.")
+          .group("Wrist"),
+      interval<&SkilledParams::flexion>("flexion", "Flexion", "rad", "deg", -120 * kDegree, 120 * kDegree,
+                                        "Greatest extension (negative) and flexion.")
+          .group("Wrist"),
+      interval<&SkilledParams::deviation>("deviation", "Deviation", "rad", "deg", -90 * kDegree, 90 * kDegree,
+                                          "Greatest radial (negative) and ulnar deviation.")
+          .group("Wrist"),
   };
 
   void build(const SkilledParams& params, DeviceBuilder& builder) override;
@@ -124,9 +165,13 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Vec3 answer();
   void set_goal(const Act& act);
   Pose reach_goal(const Act& act) const;
-  Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W) const;
-  Pose show_goal(const Act& act) const;
+  Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W);
+  Pose show_goal(const Act& act);
   Pose driven(double u) const;
+  Vec3 side(const Act& act, const Vec3& into_W) const;
+  Quat turned_to(const Vec3& into_W, const Vec3& across_W) const;
+  bool has_wrist() const { return params_.wrist != WhoseWrist::kNone; }
+  void build_wrist(DeviceBuilder& builder);
   uint32_t find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const;
   bool find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where);
   bool find_things(const Scene& scene, size_t i, const std::string& where);
@@ -154,6 +199,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   double last_s_ = -1, act_began_s_ = 0;  // s, simulated
   bool drawn_ = false, fresh_ = true;     // fresh: the act under way has not set its goal yet
   Pose from_, goal_, now_;                // X_WT
+  Wrist wrist_;
+  Quat asked_ = Quat::Identity();  // q_WT that a wrist was asked for where the act under way began
   double from_closure_ = 0, closure_ = 0;
   Vec3 turn_centre_W_ = Vec3::Zero(), turn_W_ = Vec3::Zero();
   Vec3 lift_W_ = Vec3::Zero();     // m, by which the aim just done is straight above its mark

@@ -9,6 +9,7 @@
 
 #include "devices/skilled/plan.hpp"
 #include "devices/skilled/wire.hpp"
+#include "devices/skilled/wrist.hpp"
 #include "stage.hpp"
 
 namespace swage::skilled {
@@ -366,14 +367,55 @@ TEST_F(SkilledHand, AnswersOnceTheMarksPartAndToTheSideThatItSees) {
 }
 
 TEST_F(SkilledHand, FlawsAreWhatTheySay) {
-  make(
-      kGrasp +
-          R"(, {"act": "aim", "mark": "target.point", "into": [0, 0, -1], "across": [1, 0, 0], "time": "1 s"})",
-      {{"lean", 0.2}});
+  for (const char* flaw : {"lean", "side_lean"}) {
+    make(
+        kGrasp +
+            R"(, {"act": "aim", "mark": "target.point", "into": [0, 0, -1], "across": [1, 0, 0], "time": "1 s"})",
+        {{flaw, 0.2}});
+    held_ = false;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    run();
+    const Place point = needle_at(0);
+    EXPECT_NEAR(std::acos(point.tangent_W.z()), 0.2, 1e-9) << flaw;
+    EXPECT_LT((point.p_W - vec(mark_)).norm(), 1e-9);
+    // in the needle's plane, which stays upright, or with it
+    EXPECT_NEAR(std::abs(point.normal_W.z()), flaw == std::string("lean") ? 0 : std::sin(0.2), 1e-9);
+  }
+}
+
+const std::string kAim =
+    R"(, {"act": "aim", "mark": "target.point", "into": [0, 0, -1], "across": [0, 1, 0], "time": "0.5 s"})";
+
+/// The wrist that the device has with {"wrist": right} and a range of its forearm's rotation.
+Wrist right_wrist(double rotation) {
+  constexpr double kDeg = kPi / 180;
+  return Wrist({.forearm_W = Vec3(-1, 1, 0),
+                .swing = 60 * kDeg,
+                .hold = 90 * kDeg,
+                .ease = 0.65,
+                .range = {Wrist::Range{-rotation, rotation}, {-70 * kDeg, 80 * kDeg}, {-20 * kDeg, 30 * kDeg}}});
+}
+
+TEST_F(SkilledHand, AWristAimsAtTheMarkAndLeansByWhatItDoesNotTurn) {
+  make(kGrasp + kAim);
   ASSERT_EQ(bind(), SWAGE_OK);
   run();
-  EXPECT_NEAR(std::acos(needle_at(0).tangent_W.z()), 0.2, 1e-9);
-  EXPECT_LT((needle_at(0).p_W - vec(mark_)).norm(), 1e-9);
+  const Quat one = X_WT_.q, other = toolkit::exp_rotation({0, 0, kPi}) * one;
+  for (const double rotation : {179.0, 40.0}) {
+    make(kGrasp + kAim, {{"wrist", 1}, {"rotation", std::vector<double>{-rotation * kPi / 180, rotation * kPi / 180}}});
+    X_WN_ = {Vec3(1e-3, 0, 0), toolkit::exp_rotation({0.3, -0.2, 0.5})};
+    held_ = false;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    run();
+    const Wrist wrist = right_wrist(rotation * kPi / 180);
+    const Quat asked = wrist.strain(wrist.asked(one)) <= wrist.strain(wrist.asked(other)) ? one : other;
+    EXPECT_LT(X_WT_.q.angularDistance(wrist.given(asked)), 1e-9) << rotation;
+    EXPECT_LT((needle_at(0).p_W - vec(mark_)).norm(), 1e-9) << "the point is where it is to go in";
+    const double lean = X_WT_.q.angularDistance(asked);
+    EXPECT_EQ(lean > 0.05, rotation < 100) << lean;
+  }
 }
 
 TEST_F(SkilledHand, SaysWhatItCannotFind) {
