@@ -168,9 +168,9 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   tilt_.set_visible(reader.has_tilt());
   hold_.set_visible(reader.has_hold());
   tilt_.name->setText(reader.inserts() ? tr("Angle") : tr("Tilt"));
-  tilt_.name->setToolTip(reader.inserts() ? tr("Between the needle and the straight way into the tissue")
+  tilt_.name->setToolTip(reader.inserts() ? tr("Between the needle and the perpendicular to the tissue")
                                           : tr("Away from a right-angled grasp"));
-  tilt_plot_->set_title(reader.inserts() ? tr("Angle to the straight way in") : tr("Tilt"));
+  tilt_plot_->set_title(reader.inserts() ? tr("Deviation from perpendicular") : tr("Tilt"));
   const double axis = nice_end(1.4 * band.high);
   meter_->set_range(axis, band.low, band.high);
   force_plot_->set_range(0, axis);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "angles_lesson.hpp"
 
+#include "common/declare.hpp"
+
 namespace swage::lesson_angles {
 
 using lessons::index;
@@ -21,17 +23,16 @@ void AnglesLesson::build(const AnglesParams& params, LessonBuilder& builder) {
   if (params.questions % static_cast<int>(kTracks) != 0)
     builder.error("questions", "must be divisible by four: there are four staircases");
   builder.state<Memory>();
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
-  phase_[index(Stage::kShow)] = builder.phase("show", "Look: it is being held up.");
-  phase_[index(Stage::kAsk)] = builder.phase("ask", "Close the jaws where it leans to.");
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
+  phase_[index(Stage::kShow)] = builder.phase("show", "Look at the angle.");
+  phase_[index(Stage::kAsk)] = builder.phase("ask", "Close the jaws at the mark on the side to which it tilts.");
   phase_[index(Stage::kTell)] = builder.phase("tell", "Open the jaws again.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
   answered_ = builder.event("angle.answered",
-                            "An answer was given; value: how far it leant to the right or away, rad.");
+                            "An answer was given; value: the tilt to the right or away, rad.");
   failed_[index(End::kBiased)] =
-      builder.event("failed.biased", "What looks square leans by more than the limit.");
-  failed_[index(End::kUnsure)] = builder.event("failed.unsure", "Only leans above the limit are told apart.");
+      builder.event("failed.biased", "The bias is greater than the limit.");
+  failed_[index(End::kUnsure)] = builder.event("failed.unsure", "The just-noticeable difference is greater than the limit.");
   failed_[index(End::kOutOfTime)] =
       builder.event("failed.out_of_time", "Time ran out before the questions were answered.");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage.lesson.angles: to which side does it lean? Trains and measures the eye for angles. See angles.md.
+// swage.lesson.angles: to which side does it tilt? Trains and measures the eye for angles. See angles.md.
 #pragma once
 
 #include <swage/lesson.hpp>
@@ -37,8 +37,8 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   static constexpr auto version = "1.0.0";
   static constexpr auto name = "Judge angles";
   static constexpr auto summary =
-      "An assistant holds up a needle over a surface, or jaws before a needle: say to which side it leans. "
-      "Finds the smallest lean that the eye tells, and by how much it is off.";
+      "An assistant holds up a needle over a surface, or jaws before a needle: say to which side it tilts. "
+      "Finds the smallest tilt that the eye can tell, and its bias.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
   static constexpr std::span<const swage_metric_info> metrics{kMetrics};
@@ -62,24 +62,24 @@ class AnglesLesson final : public Lesson<AnglesParams> {
       vector<&AnglesParams::answer_place>("answer_place", "Answers", "m", "mm", -1, 1,
                                           "Middle between the two places where answers are given."),
       real<&AnglesParams::answer_reach>("answer_reach", "Reach", "m", "mm", 1e-4, 0.1,
-                                        "Distance of either from that middle."),
+                                        "Distance of each of the two places from that middle."),
       integer<&AnglesParams::questions>("questions", "Questions", 4, 120,
-                                        "In all; each of four staircases gets a quarter of them."),
-      real<&AnglesParams::start>("start", "First lean", "rad", "deg", 1 * kDegree, 40 * kDegree,
-                                 "Of each staircase; twice this is the widest that is ever shown."),
+                                        "Number of questions; each of the four staircases gets a quarter of them."),
+      real<&AnglesParams::start>("start", "First tilt", "rad", "deg", 1 * kDegree, 40 * kDegree,
+                                 "First tilt of each staircase; the widest tilt shown is twice this."),
       real<&AnglesParams::least>("least", "Least step", "rad", "deg", 0.05 * kDegree, 10 * kDegree,
                                  "The steps of a staircase are halved down to this."),
-      real<&AnglesParams::show_time>("show_time", "Show", "s", "s", 0.05, 60,
-                                     "From the movement of what is shown to the question."),
-      real<&AnglesParams::tell_time>("tell_time", "Tell", "s", "s", 0.05, 60,
-                                     "For how long the sign of right or wrong is shown."),
+      real<&AnglesParams::show_time>("show_time", "Viewing time", "s", "s", 0.05, 60,
+                                     "Time from the movement of needle or jaws to the question."),
+      real<&AnglesParams::tell_time>("tell_time", "Feedback time", "s", "s", 0.05, 60,
+                                     "Time for which the cue says whether the answer was right."),
       boolean<&AnglesParams::stereo>(
           "stereo", "Stereo", "Whether the view has stereo; told with the metrics, changes nothing else."),
       real<&AnglesParams::max_bias>("max_bias", "Bias", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
-                                    "The attempt fails when the eye is off by more than this on either axis.")
+                                    "The attempt fails when the bias is greater than this on either axis.")
           .group("Limits"),
-      real<&AnglesParams::max_jnd>("max_jnd", "Least lean", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
-                                   "It fails when the just noticeable difference is larger on either axis.")
+      real<&AnglesParams::max_jnd>("max_jnd", "Just-noticeable difference", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
+                                   "The attempt fails when the just-noticeable difference is greater than this on either axis.")
           .group("Limits"),
       real<&AnglesParams::par_time>(
           "par_time", "Par time", "s", "s", 0.1, 3600,

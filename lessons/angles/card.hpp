@@ -32,9 +32,9 @@ enum class Measure : size_t {
 inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskTime,
     lessons::kTaskSuccess,
-    {"angle.bias_side", "rad", "Signed error of judging a lean across the line of sight: seen minus real, positive to the right. 0 at best.", "of the curve Phi((lean + bias) / spread) through all answers", "M60", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_D},
+    {"angle.bias_side", "rad", "Signed error in judging a tilt across the line of sight: seen minus real, positive to the right. 0 at best.", "of the curve Phi((lean + bias) / spread) through all answers", "M60", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_D},
     {"angle.bias_depth", "rad", "The same along the line of sight, positive away from the viewer. 0 at best.", "of the curve Phi((lean + bias) / spread) through all answers", "M60", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_D},
-    {"angle.jnd_side", "rad", "Just noticeable difference across the line of sight.", "0.674 spread: told right in 75 % of the answers but for the bias", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"angle.jnd_side", "rad", "Just-noticeable difference across the line of sight.", "0.674 spread: told right in 75 % of the answers but for the bias", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"angle.jnd_depth", "rad", "The same along the line of sight.", "0.674 spread: told right in 75 % of the answers but for the bias", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"angle.right", "1", "Share of right answers; the staircases hold it near 71 %.", "right answers / answers", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     {"angle.answers", "1", "Answers given.", "count", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
@@ -42,7 +42,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"view.stereo", "1", "1 when the view had stereo, as the lesson says: compare only within one of the two.", "parameter stereo", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     lessons::kPath,
     lessons::points("points.bias", "Points lost for the bias of judging.", "35 mean over the axes of the share of max_bias"),
-    lessons::points("points.jnd", "Points lost for a coarse eye.", "35 mean over the axes of the share of max_jnd"),
+    lessons::points("points.jnd", "Points lost for the just-noticeable difference.", "35 mean over the axes of the share of max_jnd"),
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -69,7 +69,7 @@ inline constexpr swage_metric_label kLabels[] = {
 inline constexpr swage_criterion kCriteria[] = {
     {"Answer {questions} questions.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Be off by at most {max_bias} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},
-    {"Tell a lean of {max_jnd} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Tell a tilt of {max_jnd} on either axis.", nullptr, SWAGE_CRITERION_PASS, 0},
     lessons::kMaxTime,
     lessons::kParTime,
 };
@@ -79,7 +79,7 @@ enum class Sign : size_t { kRight, kWrong, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
     {"answer.right", "The answer was right.", lessons::kHeard, 0},
-    {"answer.wrong", "It leans to the other side.", lessons::kHeard, 0},
+    {"answer.wrong", "It tilts to the other side.", lessons::kHeard, 0},
 };
 // clang-format on
 static_assert(sizeof kCues / sizeof kCues[0] == static_cast<size_t>(Sign::kCount));

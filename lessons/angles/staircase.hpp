@@ -66,7 +66,7 @@ struct AnswersState {
 
 class Answers {
  public:
-  /// Just noticeable difference over spread: the lean that is told right in 75 % of the answers by an eye without bias.
+  /// Just-noticeable difference over spread: the lean that is told right in 75 % of the answers by an eye without bias.
   static constexpr double kNoticed = 0.674489750196082;
 
   /// [rt]

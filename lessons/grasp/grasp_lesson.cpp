@@ -2,7 +2,8 @@
 #include "grasp_lesson.hpp"
 
 #include <algorithm>
-#include <iterator>
+
+#include "common/declare.hpp"
 
 namespace swage::lesson_grasp {
 
@@ -11,19 +12,15 @@ using toolkit::vec;
 
 void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
   params_ = params;
-  const auto ordered = [&](const char* key, const Interval& range) {
-    if (range.low >= range.high) builder.error(key, "the first number must be below the second");
-  };
-  ordered("region", params.region);
-  ordered("tip_zone", params.tip_zone);
-  ordered("force", params.force);
+  lessons::require_ordered(builder, "region", params.region);
+  lessons::require_ordered(builder, "tip_zone", params.tip_zone);
+  lessons::require_ordered(builder, "force", params.force);
   builder.state<Memory>();
   declare(builder);
 }
 
 void GraspLesson::declare(LessonBuilder& builder) {
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
 
   phase_[index(Stage::kApproach)] = builder.phase("approach", ("Bring the open jaws to the " + params_.needle + ".").c_str());
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift what they hold.");

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "common/declare.hpp"
+
 namespace swage::lesson_insertion {
 
 using lessons::index;
@@ -16,14 +18,12 @@ constexpr double kMarkRadius = 60e-6;  // m, drawn; the hole in its middle leave
 
 void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builder) {
   params_ = params;
-  if (params.force.low >= params.force.high)
-    builder.error("force", "the first number must be below the second");
+  lessons::require_ordered(builder, "force", params.force);
   builder.state<Kept>();
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
-  phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, square to the tissue.");
+  phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
   phase_[index(Stage::kDrive)] = builder.phase("drive", "Drive it in along its own curve.");
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
@@ -39,7 +39,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   failure(End::kDropped, "failed.dropped", "The needle was dropped too often.");
   failure(End::kMissed, "failed.missed", "The needle went in too far from the mark.");
   failure(End::kTorn, "failed.torn", "The wound became too large.");
-  failure(End::kDeflected, "failed.deflected", "The tissue refused the point too often.");
+  failure(End::kDeflected, "failed.deflected", "The point failed to puncture the tissue too often.");
   failure(End::kOutOfTime, "failed.out_of_time",
           "Time ran out before the needle was where it should be.");
   failure(End::kOffAngle, "failed.off_angle",

@@ -48,7 +48,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   static constexpr auto version = "1.0.0";
   static constexpr auto name = "Insert a needle";
   static constexpr auto summary =
-      "Take the needle, put its point to a mark on the tissue and drive it in square and along its own "
+      "Take the needle, put its point to a mark on the tissue and drive it in perpendicular to it and along its own "
       "curve; as a stitch also "
       "out again, let go, taken on the other side and pulled through.";
   static constexpr auto author = "Swage";
@@ -75,10 +75,10 @@ class InsertionLesson final : public Lesson<InsertionParams> {
                                         "The point must go in within this distance from the mark."),
       real<&InsertionParams::in_angle>(
           "in_angle", "Angle", "rad", "deg", 0.5 * kDegree, 85 * kDegree,
-          "Up to this angle to the tissue's normal a needle counts as square to it."),
+          "Up to this angle to the tissue's normal a needle counts as perpendicular to it."),
       real<&InsertionParams::least_in_angle>(
-          "least_in_angle", "Way within the angle", "1", "%", 0, 1,
-          "So much of the needle's way through the surface must be within that angle; 0: the angle costs points only."),
+          "least_in_angle", "Path within angle tolerance", "1", "%", 0, 1,
+          "Least share of the needle's path through the surface that must be within that angle; 0: the angle costs points only."),
       real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
                                     "Share of the needle that is to be inside at the end."),
       interval<&InsertionParams::force>(
@@ -99,7 +99,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
                                            "The attempt fails with one drop more than this.")
           .group("Limits"),
       integer<&InsertionParams::max_deflections>("max_deflections", "Deflections", 0, 1000,
-                                                 "The attempt fails with one refused entry more than this.")
+                                                 "The attempt fails with one failed puncture more than this.")
           .group("Limits"),
       real<&InsertionParams::drop_distance>(
           "drop_distance", "Drop distance", "m", "mm", 1e-5, 1,

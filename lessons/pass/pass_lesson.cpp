@@ -2,7 +2,8 @@
 #include "pass_lesson.hpp"
 
 #include <algorithm>
-#include <iterator>
+
+#include "common/declare.hpp"
 
 namespace swage::lesson_pass {
 
@@ -10,11 +11,10 @@ using lessons::index;
 using toolkit::vec;
 
 void PassLesson::build(const P& params, LessonBuilder& builder) {
-  if (params.force.low >= params.force.high) builder.error("force", "the first number must be below the second");
+  lessons::require_ordered(builder, "force", params.force);
   if (params.first == params.second) builder.error("second", "two grippers are needed, not one");
   builder.state<Memory>();
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle with one of the two.");
   phase_[index(Stage::kBring)] = builder.phase("bring", "Bring it to the mark.");
   phase_[index(Stage::kPass)] = builder.phase("pass", "Take it with the other one; let go only when both hold it.");

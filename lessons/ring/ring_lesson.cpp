@@ -2,8 +2,8 @@
 #include "ring_lesson.hpp"
 
 #include <algorithm>
-#include <iterator>
 
+#include "common/declare.hpp"
 #include "common/names.hpp"
 
 namespace swage::lesson_ring {
@@ -13,15 +13,11 @@ using toolkit::vec;
 
 void RingLesson::build(const RingParams& params, LessonBuilder& builder) {
   params_ = params;
-  const auto ordered = [&](const char* key, const Interval& range) {
-    if (range.low >= range.high) builder.error(key, "the first number must be below the second");
-  };
-  ordered("course", params.course);
-  ordered("force", params.force);
+  lessons::require_ordered(builder, "course", params.course);
+  lessons::require_ordered(builder, "force", params.force);
   if (lessons::names_in(params.posts).size() > kMostPosts) builder.error("posts", "at most four names are allowed");
   builder.state<Memory>();
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Grasp the ring by its rim and lift it off the wire.");
   phase_[index(Stage::kCarry)] = builder.phase("carry", "Carry it along the wire; the wire stays in its middle.");

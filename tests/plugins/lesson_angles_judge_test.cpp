@@ -4,6 +4,8 @@
 // order of questions, each way to end.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include <random>
 
 #include "lessons/angles/judge.hpp"
@@ -83,8 +85,8 @@ TEST(Curve, HasAValueWhenAllIsRightAndWhenNothingIs) {
 
 /// An eye with bias and noise, and a hand that answers at once.
 struct Attempt {
-  Attempt(double bias, double noise, const Rules& rules = {})
-      : judge(rules, 1e-3), bias_(bias), noise_(0, noise) {
+  Attempt(double bias, double noise, const Rules& rules = {}, unsigned seed = 7)
+      : judge(rules, 1e-3), bias_(bias), random_(seed), noise_(0, noise) {
     now.one_W = Vec3(-2e-3, 0, 0);
     now.other_W = Vec3(2e-3, 0, 0);
     now.opening = 0.2;
@@ -114,7 +116,7 @@ struct Attempt {
 
  private:
   double bias_;
-  std::mt19937 random_{7};
+  std::mt19937 random_;
   std::normal_distribution<double> noise_;
 };
 
@@ -148,6 +150,25 @@ TEST(AngleJudge, EachWayToFail) {
   Rules rules;
   rules.max_time = 5;
   EXPECT_EQ(Attempt(0, 0.01, rules).go().end, End::kOutOfTime);
+}
+
+/// Share of 200 eyes that pass the lesson as it is.
+double passing(double bias_deg, double noise_deg) {
+  int passed = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed)
+    passed += Attempt(bias_deg * kDegree, noise_deg * kDegree, {}, seed).go().end == End::kPassed;
+  std::printf("bias %4.0f deg, noise %5.1f deg: %5.1f %% pass\n", bias_deg, noise_deg, passed / 2.0);
+  return passed / 200.0;
+}
+
+// the rules of angles.md by simulation: who sees well passes, who guesses or is off by more than the limit does not
+TEST(AngleJudge, WhoPasses) {
+  EXPECT_GT(passing(0, 1.5), 0.99);
+  EXPECT_GT(passing(5, 4), 0.9);
+  EXPECT_LT(passing(15, 1.5), 0.05);
+  EXPECT_LT(passing(0, 25), 0.15);
+  EXPECT_LT(passing(0, 1000), 0.02) << "answers at random";
+  EXPECT_EQ(passing(80, 1.5), 0) << "always the same side";
 }
 
 TEST(AngleJudge, ClosingElsewhereIsNoAnswerAndJawsMustOpenInBetween) {

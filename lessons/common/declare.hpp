@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What every lesson says in build(): the cues and metrics of its card, and intervals that must be in order. [main]
+#pragma once
+
+#include <swage/lesson.hpp>
+
+#include <cstddef>
+
+namespace swage::lessons {
+
+/// Declares the cues and metrics of a card; each array has one entry for each row of its table.
+template <size_t cues, size_t metrics>
+void declare_card(LessonBuilder& builder, const swage_cue_info (&cue_info)[cues], Cue (&cue)[cues],
+                  const swage_metric_info (&metric_info)[metrics], Metric (&metric)[metrics]) {
+  for (size_t i = 0; i < cues; ++i) cue[i] = builder.cue(cue_info[i]);
+  for (size_t i = 0; i < metrics; ++i) metric[i] = builder.metric(metric_info[i]);
+}
+
+/// Reports an interval whose first number is not below its second.
+inline void require_ordered(LessonBuilder& builder, const char* key, const Interval& range) {
+  if (range.low >= range.high) builder.error(key, "the first number must be below the second");
+}
+
+}  // namespace swage::lessons
