@@ -10,7 +10,7 @@ namespace {
 
 using toolkit::Arc;
 
-/// Samples along a are this share of the thinner wire's radius apart: two minima nearer together are one touch.
+/// Samples along a are this share of the thinner wire's radius apart: minima closer together than this are one contact.
 constexpr double kSpacing = 0.5;
 
 /// A sample of the distance along arc a.
@@ -35,12 +35,12 @@ class ArcPairSearch {
     arc_.centre = X_BA * arc_.centre, arc_.x = X_BA.turn(arc_.x), arc_.y = X_BA.turn(arc_.y);
   }
 
-  /// Walks along a in steps that the distance allows: it changes by no more than the way.
+  /// Samples the distance along arc a. The distance changes by no more than the step, so a large distance allows a large step.
   void search() {
     const double spacing = kSpacing * std::min(a_.radius, b_.radius);
     const int last = std::max(2, static_cast<int>(arc_.length() / spacing) + 1);
     const double way = arc_.length() / last;
-    // the least distance is by half a step at most below that of the sample beside it
+    // between two samples the distance is at most half a step below the smaller of theirs
     const double near = reach_ + 0.5 * way;
     Sample before, middle;
     for (int i = 0; i <= last;) {
@@ -61,7 +61,7 @@ class ArcPairSearch {
     return {e, (p - b_.arc.point(closest(b_.arc, p))).norm()};
   }
 
-  /// The minimum near a place of a, as a contact.
+  /// Contact at the local minimum of the distance near a place of arc a.
   void refine(Turn start) {
     const Turn on_b = closest(b_.arc, arc_.point(start));
     const Vec3 w = arc_.point(start) - b_.arc.point(on_b);

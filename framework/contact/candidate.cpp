@@ -10,7 +10,7 @@ using toolkit::ArcLine;
 using toolkit::Segment;
 using toolkit::Turn;
 
-/// A feature carried over to the world.
+/// A feature with its points and directions in the world frame.
 struct Carrier {
   Feature::Kind kind;
   Vec3 p, u, v;
@@ -24,13 +24,13 @@ struct Carrier {
   Vec3 on_circle(Turn e) const { return p + feature.radius * (e.c * u + e.s * v); }
 };
 
-/// Whether e lies in the feature's stretch.
+/// Whether e lies within the interval of the feature.
 bool inside(const Feature& f, Turn e) {
   const auto follows = [](Turn a, Turn b) { return a.c * b.s >= a.s * b.c; };
   return follows(f.from, e) && follows(e, f.upto);
 }
 
-/// e, or the end of the feature's stretch that is nearer to it.
+/// e, clamped to the interval of the feature.
 Turn within(const Feature& f, Turn e) {
   if (inside(f, e)) return e;
   return e.c * f.from.c + e.s * f.from.s >= e.c * f.upto.c + e.s * f.upto.s ? f.from : f.upto;
@@ -39,7 +39,7 @@ Turn within(const Feature& f, Turn e) {
 Vec3 lowest_on_circle(const Carrier& circle, const Vec3& n) {
   const Feature& f = circle.feature;
   const Turn e = Turn::along(-n.dot(circle.u), -n.dot(circle.v), f.e);
-  // a stretch that arches over the face is lowest at its ends: at the one where it was found
+  // an arc that is convex away from the face is lowest at one of its ends: the end where the contact was found
   const bool arches = e.c * f.e.c + e.s * f.e.s < 0;
   return circle.on_circle(within(f, arches && !inside(f, e) ? f.e : e));
 }
@@ -66,10 +66,10 @@ PointPair circle_segment(const Carrier& circle, const Carrier& segment) {
   const Vec3 u = segment.u / length;
   const ArcLine g(circle.p - segment.p, circle.u, circle.v, f.radius, u);
 
-  // closest place to the carrying line, near the one where the contact was found
+  // closest point to the line of the edge, near the point where the contact was found
   const Turn e = within(f, toolkit::minimum_near(g, f.e));
 
-  // beyond an end of the segment, that end is closest
+  // beyond an end of the segment that end is the closest point
   const double t = g.along(e);
   if (t >= 0 && t <= length) return {circle.on_circle(e), segment.p + t * u};
   const Vec3 end = t < 0 ? segment.p : Vec3(segment.p + segment.u);
@@ -116,7 +116,7 @@ PointPair ordered_closest(const Carrier& a, const Carrier& b) {
   return {swapped.b, swapped.a};
 }
 
-/// Place of `body` that is deepest below the plane.
+/// Point of `body` that is deepest below the plane.
 Vec3 lowest(const Carrier& body, const Vec3& n) {
   if (body.kind == Feature::kCircle) return lowest_on_circle(body, n);
   if (body.kind == Feature::kSegment && n.dot(body.u) < 0) return body.p + body.u;
@@ -144,7 +144,7 @@ Touch reevaluate(const Candidate& candidate, const Frame& X_WA, const Frame& X_W
     distance = a.u.dot(pb - a.p);
     pa = pb - distance * a.u;
   } else {
-    // two curves: along the shortest connection, with the sign it had when the contact was found
+    // two curves: the normal is the shortest connection, with its sign as when the contact was found
     const PointPair pair = a.kind <= b.kind ? ordered_closest(a, b) : [&] {
       const PointPair swapped = ordered_closest(b, a);
       return PointPair{swapped.b, swapped.a};

@@ -28,7 +28,7 @@ struct Axis {
   uint32_t a = 0, b = 0;   // face, or edges
 };
 
-/// A corner of the touching polygon and where it comes from.
+/// A vertex of the contact polygon and the feature it comes from.
 struct Corner {
   Vec3 p = Vec3::Zero();
   uint32_t id = 0;
@@ -58,7 +58,7 @@ class ConvexPair {
       add_edges(axis_.a, axis_.b, axis_.n);
     else
       add_polygon();
-    // apart across no face and no pair of edges: a corner is closest
+    // neither a face nor a pair of edges separates them: a vertex is closest
     double least = 1e300;
     for (int i = before; i < out_.count; ++i)
       least = std::min(least, out_.candidate[static_cast<size_t>(i)].touch.gap);
@@ -112,20 +112,20 @@ class ConvexPair {
     const double apart = n.dot(X_BA_ * a_.vertex[e.v0] - b_.vertex[f.v0]);
     return consider(Axis::kEdges, n, apart, i, j);
   }
-  /// Whether u runs along p x q or against it.
+  /// Whether u points along p x q (true) or against it.
   static double sign(const Vec3& p, const Vec3& q, const Vec3& u) {
     return p.cross(q).dot(u) < 0 ? -1.0 : 1.0;
   }
 
   // --- faces
 
-  /// The face of the other one that faces it most, cut to what lies over it.
+  /// Incident face of the other polyhedron, clipped to the reference face.
   void add_polygon() {
     const bool of_b = axis_.kind == Axis::kFaceOfB;
     const Convex &base = of_b ? b_ : a_, &other = of_b ? a_ : b_;
     const uint32_t f = of_b ? axis_.b : axis_.a;
     const Convex::Face& face = base.face[f];
-    // from the frame of the other one to that of the base
+    // from the frame of the incident polyhedron to that of the reference polyhedron
     const Frame X = of_b ? X_BA_ : X_WA_.inverse_times(X_WB_);
     const uint32_t facing = most_facing(other, X.turn_back(face.n));
     Polygon polygon;
@@ -143,7 +143,7 @@ class ConvexPair {
       finish(*found, axis_.kind, uint64_t{f} << 12 | facing, c.id, 1.0 / touching);
     }
   }
-  /// Of the faces at the lowest vertex along n, the one turned most against n.
+  /// Face at the lowest vertex along n whose normal is most opposed to n.
   static uint32_t most_facing(const Convex& c, const Vec3& n) {
     uint32_t lowest = 0, best = 0;
     for (uint32_t v = 1; v < c.vertex.size(); ++v)
@@ -156,7 +156,7 @@ class ConvexPair {
     }
     return best;
   }
-  /// Keeps what lies inside of side k of the face (Sutherland, Hodgman).
+  /// Clips the polygon by side k of the face (Sutherland and Hodgman).
   static void cut(Polygon& polygon, const Vec3& side, double d, uint32_t k) {
     Polygon kept;
     for (int i = 0; i < polygon.size(); ++i) {
@@ -183,7 +183,7 @@ class ConvexPair {
     finish(*found, Axis::kEdges, uint64_t{i} << 12 | j, 0, 1);
   }
 
-  /// The closest pair of edges, ends included, of two that are apart: what vertices over faces do not say. Added when nearer
+  /// Closest pair of edges, end points included, of two separated polyhedra, which vertices over faces do not give. Added when nearer
   /// than `least`.
   void add_closest(double least) {
     Candidate best;

@@ -86,7 +86,7 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
         bodies_.push_back(shape_a.body);
         bodies_.push_back(shape_b.body);
       }
-  // what was last found apart saves time where polyhedra say so themselves
+  // the last separating feature is tried first, for polyhedra only
   for (ShapePair& pair : shape_pairs_)
     pair.remembers = pair.group == kNoGroup && !is_chain(pair.shape_a) && !is_chain(pair.shape_b);
   std::sort(bodies_.begin(), bodies_.end());
@@ -135,7 +135,7 @@ void Detector::reset(ContactSet& set) noexcept {
 }
 
 void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
-  // keep last step's contacts to inherit from
+  // contacts of the last step, from which friction memory is inherited
   last_.swap(set.contact);
   last_of_pair_.swap(set.of_pair);
   set.contact.clear();
@@ -154,7 +154,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
   }
 }
 
-/// Where everything is and how far it comes in this step, and which chains are far from what.
+/// Updates poses and motions over this step, and which chains are far from which shapes.
 void Detector::look_around(const scene::World& world) noexcept {
   for (const uint32_t body : bodies_) {
     X_WB_[body] = Frame(world.X_WB[body]);
@@ -166,7 +166,7 @@ void Detector::look_around(const scene::World& world) noexcept {
       continue;
     }
     if (solids_[i].kind == SWAGE_SHAPE_HEIGHT_FIELD) update_field(solids_[i], world, i);
-    // the ball in which the shape is at the end of the step, and how far any point of it has come
+    // bounding sphere at the end of the step, and the greatest displacement of any point of the shape
     const swage_twist& V = world.V_WB[body_[i]];
     const double arm = solids_[i].centre.norm() + solids_[i].bound;
     ball_[i] = {X_WB_[body_[i]] * solids_[i].centre, solids_[i].bound,
@@ -184,7 +184,7 @@ void Detector::look_around(const scene::World& world) noexcept {
   }
 }
 
-/// The cheapest way out: balls that hold all that the shapes pass through in the step, and planes of a polyhedron beside one.
+/// Early exit: bounding spheres of the volumes swept in this step, then the face planes of a polyhedron.
 bool Detector::far_apart(const Ball& ball, uint32_t other, double margin) const noexcept {
   const Ball& b = ball_[other];
   const double beside = ball.radius + ball.moves + b.moves + margin, reach = beside + b.radius;
@@ -237,7 +237,7 @@ void Detector::detect_shapes(const scene::World& world, ShapePair& pair, Contact
   if (!chains_[pair.shape_a].node.empty() || !chains_[pair.shape_b].node.empty())
     return detect_chain(world, pair, query, set);
 
-  // whoever moves farther than the wires are thick may have passed through: touch where the bodies first touched
+  // a body that moves farther than the wires are thick may have passed through: use the first contact of the sweep
   const double thickness = swept_from(a, b, world.length);
   if (moves > thickness) {
     const double tolerance = kTouchGap * world.length;
@@ -267,7 +267,7 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
     const double reach = radius + other.bound + query.margin;
     return (centre - centre_C).squaredNorm() <= reach * reach;
   };
-  // the spheres stand for a wire, not for balls: each touches in a point
+  // each sphere stands for a piece of wire and touches in one point
   Query point = query;
   point.flatness = 0;
   chain.visit(near, [&](uint32_t i) {
@@ -290,7 +290,7 @@ void Detector::append(const scene::World& world, const ShapePair& pair, uint64_t
     keep(world, pair, manifold_.candidate[static_cast<size_t>(i)], part, {}, set);
 }
 
-/// Adds a contact, of which the caller has told where it is on chains.
+/// Adds a contact whose places on chains the caller has set.
 void Detector::keep(const scene::World& world, const ShapePair& pair, const Candidate& found, uint64_t part,
                     Contact c, ContactSet& set) noexcept {
   if (set.contact.size() >= options_.capacity) {
@@ -323,7 +323,7 @@ void Detector::inherit(const scene::World& world, Contact& contact) const noexce
     if (old.shape_a != contact.shape_a || old.shape_b != contact.shape_b) continue;
     if (old.feature == contact.feature) {
       contact.bristle_W = old.bristle_W;
-      // couplings see them before the solve writes anew
+      // couplings read the values of the last solve before this one writes
       contact.f_a_W = old.f_a_W;
       contact.slip = old.slip;
       return;

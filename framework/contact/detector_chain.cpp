@@ -30,7 +30,7 @@ constexpr int kPiecePoints = 2;
 /// scene's length (0.2 mm for a 1 mm scene, as far as a contact rolls in a step at 0.2 m/s) and with a normal alike.
 constexpr double kReach = 0.2, kCosine = 0.7;
 
-/// A feature found in the frame of a piece, in that of its body.
+/// Feature of a piece, transformed to the frame of its body.
 void carry(Feature& f, const Frame& X_BS) {
   f.p = X_BS * f.p;
   f.u = X_BS.turn(f.u);
@@ -53,7 +53,7 @@ struct Detector::Part {
   ChainPlace place(const Touch& t, const Vec3& n) const {
     return chain != nullptr ? chain->place(segment, t.p_W + (solid->radius + 0.5 * t.gap) * n) : ChainPlace{};
   }
-  /// Whether it is the next piece's to tell.
+  /// Whether the next piece reports this contact.
   bool left_to_next(double share, const Vec3& n) const {
     if (chain == nullptr) return false;
     if (share > kEnd && share < 1 - kEnd) return false;
@@ -141,7 +141,7 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
     if ((c.feature & 0xF) == kFarEnd) continue;
     Contact contact;
     contact.place_a = a.place(t, t.n_W), contact.place_b = b.place(t, -t.n_W);
-    // a neighbour that did not pass through knows nothing of a piece that did
+    // a piece that did not pass through the surface does not report for a neighbour that did
     if (!swept && (a.left_to_next(contact.place_a.share, t.n_W) || b.left_to_next(contact.place_b.share, -t.n_W)))
       continue;
     if (a.chain != nullptr) carry(c.a, a.X_BS);
@@ -154,7 +154,7 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
   }
 }
 
-/// True when they are found where they first touched.
+/// Returns whether the contacts are those of the first touch of the sweep.
 bool Detector::collide_parts(const Part& a, const Part& b, double moves, const Query& query,
                              double length) noexcept {
   Separation none;
@@ -176,7 +176,7 @@ bool Detector::collide_parts(const Part& a, const Part& b, double moves, const Q
   return false;
 }
 
-/// A line weighs as much of a touch as it is long.
+/// Weight of a line contact, in proportion to its length.
 void Detector::weigh_lines(double radius) noexcept {
   for (int i = 0; i + 1 < manifold_.count; ++i) {
     Candidate &c = manifold_.candidate[static_cast<size_t>(i)],
@@ -188,7 +188,7 @@ void Detector::weigh_lines(double radius) noexcept {
   }
 }
 
-/// Touches that are one, but for how the chain is cut into pieces, share its weight.
+/// Contacts that are one contact on the uncut chain share one weight.
 void Detector::share_near(const scene::World& world, ContactSet& set, size_t first) const noexcept {
   const auto is_touch = [](const Contact& c) { return (c.feature & 0xF) == 0; };
   for (size_t i = first; i < set.contact.size(); ++i) {
@@ -208,7 +208,7 @@ void Detector::share_near(const scene::World& world, ContactSet& set, size_t fir
   for (size_t i = first; i < set.contact.size(); ++i) set.candidate[i].weight = set.contact[i].weight;
 }
 
-/// What a contact of a chain remembers goes along with the material: it is that of the same pieces, or of the nearest place.
+/// Friction memory travels with the material: it is inherited from a contact of the same pieces, or else from the nearest place.
 void Detector::inherit_along(const scene::World& world, Contact& contact, scene::Range range) const noexcept {
   const Contact* best = nullptr;
   double nearest = kReach * world.length;
@@ -220,7 +220,7 @@ void Detector::inherit_along(const scene::World& world, Contact& contact, scene:
         best = &old;
         break;
       }
-      // it was there and bore nothing: only what was right beside it has passed on
+      // the contact existed without load: inherit only from its immediate neighbours
       nearest = std::min(nearest, world.shape[is_chain(old.shape_a) ? old.shape_a : old.shape_b].radius);
       if (best != nullptr && way_along(*best, contact) > nearest) best = nullptr;
       continue;

@@ -6,7 +6,7 @@
 namespace swage::contact {
 namespace {
 
-/// One contact in plain words; candidates are found anew.
+/// One contact as plain numbers; candidates are computed again after loading.
 struct Record {
   uint64_t pair, shape_a, shape_b, body_a, body_b, feature;
   swage_vec3 p_W, n_W, bristle_W, f_a_W;
@@ -45,7 +45,7 @@ Contact contact(const Record& r) {
   return c;
 }
 
-/// Where on a chain, kept for contacts of chains alone.
+/// Place on a chain, saved for contacts of chains only.
 struct PlaceRecord {
   uint64_t segment;
   double share, s;

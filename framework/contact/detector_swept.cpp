@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The detector's queries within a step, for what flies and rebounds in it.
+// Queries of the detector within a step, for bodies that rebound in it.
 #include <algorithm>
 
 #include "contact/chain_line.hpp"
@@ -22,7 +22,7 @@ bool moves_itself(const scene::World& world, uint32_t body) {
   return world.body[body].motion == SWAGE_MOTION_SELF;
 }
 
-/// How far any point of a solid comes, at most [m].
+/// Upper bound of the displacement of any point of a solid [m].
 double way_of(const Solid& solid, const Motion& motion) {
   return motion.d.norm() + motion.turn.norm() * (solid.centre.norm() + solid.bound);
 }
@@ -59,7 +59,7 @@ FirstTouch Detector::first_overlap(const scene::World& world, uint32_t i, const 
   Separation none;
   if (!(radius > 0))
     return contact::first_touch(solid_a, a, solid_b, b, near / (1 + touches), none, manifold_);
-  // in so deep, the thinnest overlaps as well: only the touches where a look ends tell of it
+  // so deep that even the thinnest wire overlaps: only the contacts at the end of a query show it
   if (sunk + near > (1 - kThinnest) * radius) return {};
   const double less = std::min(kThinner * radius, kThinnerMost * near);
   thinner.radius = std::max(radius - sunk - near - less * (1 + touches), kThinnest * radius);
@@ -71,7 +71,7 @@ FirstTouch Detector::first_overlap(const scene::World& world, uint32_t i, const 
 const Manifold& Detector::touches(const scene::World& world, uint32_t i, const Frame& X_WA, const Frame& X_WB,
                                   double margin) noexcept {
   const Solid &a = solids_[swept_[i].shape_a], &b = solids_[swept_[i].shape_b];
-  // a ball that rebounds does so at one point
+  // a sphere rebounds at one point
   const bool ball = a.kind == SWAGE_SHAPE_SPHERE || b.kind == SWAGE_SHAPE_SPHERE;
   Query query{margin, world.length, ball ? 0.0 : options_.flatness, options_.line_points};
   Separation none;
@@ -102,7 +102,7 @@ void Detector::look_again(const scene::World& world, ShapePair& pair, ContactSet
                           std::span<const uint8_t> moved, std::span<const Struck> struck) noexcept {
   const uint32_t a = body_[pair.shape_a], b = body_[pair.shape_b];
   const bool anew = moved[a] || moved[b];
-  // pieces of a chain share what they bear: where they touch what flew, the same contacts are looked at elsewhere
+  // pieces of a chain share their load; their contacts with a rebounding body are handled with the whole chain
   const bool itself = moves_itself(world, a) || moves_itself(world, b);
   const bool spheres = !chains_[pair.shape_a].node.empty() || !chains_[pair.shape_b].node.empty();
   if (!anew || itself || spheres) return keep(world, pair, set, anew);
@@ -115,7 +115,7 @@ void Detector::look_again(const scene::World& world, ShapePair& pair, ContactSet
   if (set.contact.size() == first) add_struck(world, pair, set, struck);
 }
 
-/// The contacts of two shapes as they were; evaluated at the poses of now when one of them moved.
+/// Contacts of two shapes as last found; re-evaluated at the current poses when a shape has moved.
 void Detector::keep(const scene::World& world, const ShapePair& pair, ContactSet& set, bool moved) noexcept {
   if (pair.pair >= last_of_pair_.size()) return;
   const scene::Range range = last_of_pair_[pair.pair];
@@ -143,7 +143,7 @@ void Detector::add_struck(const scene::World& world, const ShapePair& pair, Cont
     Candidate* c = manifold_.add(0);
     *c = s.candidate;
     c->touch = reevaluate(*c, X_WB_[body_[pair.shape_a]], X_WB_[body_[pair.shape_b]]);
-    // it may be far from its face by now, and the plane of a face has no end: it bears nothing, and only tells of the impulse
+    // the point may be far from its face by now, and a plane has no end: the contact bears nothing and only records the impulse
     c->weight = 0;
     return append(world, pair, 0, set);
   }

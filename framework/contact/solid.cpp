@@ -89,7 +89,7 @@ double support(const Solid& s, const Vec3& n) noexcept {
     case SWAGE_SHAPE_ARC:
       return n.dot(s.arc.point(lowest(s.arc, -n))) + s.radius * n.norm();
     case SWAGE_SHAPE_HEIGHT_FIELD: {
-      // of the box around it: enough to see what is apart
+      // volume of the bounding box: enough for a separation test
       const Vec3 m = s.X_BH.turn_back(n), half = 0.5 * Vec3(s.field.width(), s.field.depth(), s.height);
       return n.dot(s.centre) + half.dot(m.cwiseAbs());
     }

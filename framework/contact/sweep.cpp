@@ -14,7 +14,7 @@ double slab(const Solid& a, const Frame& X_WA, const Solid& b, const Frame& X_WB
   return n.dot(X_WA.p - X_WB.p) - support(a, -X_WA.turn_back(n)) - support(b, X_WB.turn_back(n));
 }
 
-/// What of a and b is nearest, remembered from look to look.
+/// Nearest features of a and b, kept from one query to the next.
 class Nearest {
  public:
   Nearest(const Solid& a, const Solid& b, double tolerance, Separation& memory, Manifold& work)
@@ -22,7 +22,7 @@ class Nearest {
     query_.flatness = 0;  // the least gap is all that counts
   }
 
-  /// How near they are to be expected from what was nearest last time; without that, touching.
+  /// Expected distance from the last nearest features; 0 without them.
   double expected(const Frame& X_WA, const Frame& X_WB) const {
     return known_ ? 1.01 * reevaluate(candidate_, X_WA, X_WB).gap : tolerance_;
   }
@@ -83,7 +83,7 @@ FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, c
     const Frame X_WA(motion_a.at(t)), X_WB(motion_b.at(t));
     motion.look(X_WA.p, X_WB);
     const double rest = speed * (1 - t);
-    // how long the slab across n, which turns with b, stays open at least; 0 when there is none
+    // lower bound of the time for which the slab across n, turning with b, stays open; 0: there is no slab
     const auto open_for = [&](const Vec3& n) {
       const Vec3 n_B = X_WB.turn_back(n), centre_B = X_WB.turn_back(X_WA.turn(a.centre));
       const double closing = -n_B.dot(motion.at(centre_B)) + n_B.cross(motion.spin()).norm() * a.bound +
@@ -92,7 +92,7 @@ FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, c
       return width <= tolerance ? 0.0 : closing * (1 - t) <= width ? 1.0 : width / closing;
     };
 
-    // touching? If not even near, a plane between them holds for a while, and without one the distance says how long
+    // first the contact test; otherwise a separating plane, or without one the distance, gives a safe time
     const double margin = std::min(rest, nearest.expected(X_WA, X_WB));
     if (!nearest.look(X_WA, X_WB, margin)) {
       const double advance = memory.n_B.isZero() ? 0.0 : open_for(X_WB.turn(memory.n_B));
@@ -100,7 +100,7 @@ FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, c
       if (advance > 0) continue;
       if (margin >= rest || !nearest.look(X_WA, X_WB, rest)) return {};
     }
-    // the longer it takes, the closer they slide along each other: accept a little more
+    // many iterations mean that the bodies slide along each other: widen the tolerance a little
     if (nearest.gap() <= tolerance * std::max(1, i - 8)) return {true, t};
 
     // two safe advances: gap over speed, and the slab across the nearest normal over the speed across it

@@ -38,7 +38,7 @@ class WireSweep {
       if (gap_ > a_.radius) wait = until_faces();
       if (wait.width <= kClose * a_.radius) {
         if (!find_nearest(speed * (1 - t_))) return {};
-        // the longer it takes, the closer they slide along each other: accept a little more
+        // many iterations mean that the bodies slide along each other: widen the tolerance a little
         if (gap_ <= tolerance_ * std::max(1, i - 8)) return {true, t_};
         wait.time = std::max({wait.time, until_normal(), until_nearest()});
       }
@@ -75,7 +75,7 @@ class WireSweep {
     curve_ = curve_of<Curve>(a_, X_BA_);
   }
 
-  /// Leaves of the wire what may come within reach of every face before the step is over.
+  /// Reduces the wire to the part that may reach every face before the end of the step.
   bool clip(Separation& memory) {
     const double tubes = a_.radius + b_.radius + tolerance_;
     const Vec3 u = motion_.at(X_BA_.turn(a_.centre));
@@ -86,7 +86,7 @@ class WireSweep {
     };
     return clip_to_reach(stretch_, curve_, b_.convex, reach, 0, Border::kEnd, memory);
   }
-  /// The same for the rest of the step, with the motion of what is left, which is less than that of the whole wire.
+  /// Repeats the reduction for the rest of the step with the smaller motion of the remaining part.
   bool clip_again() {
     const double tubes = a_.radius + b_.radius + tolerance_, rest = 1 - t_;
     for (const Convex::Face& f : b_.convex.face) {
@@ -97,13 +97,13 @@ class WireSweep {
     return !stretch_.empty();
   }
 
-  /// The speed n . u = n . u_A + k . (p - p_A) at which places of the wire go away along n: a height like any other.
+  /// Separation speed n . u = n . u_A + k . (p - p_A) of points of the wire along n, linear in p like a height.
   Height receding(const Vec3& n) const {
     const Vec3 k = n.cross(motion_.spin());
     return curve_.height(k, k.dot(X_BA_.p) - n.dot(motion_.of_origin()));
   }
 
-  /// How long the slab between what is left and the plane n . p = d stays open at least.
+  /// Lower bound of the time for which the slab between the remaining part and the plane n . p = d stays open.
   Wait until(const Vec3& n, double d) const {
     const double rest = 1 - t_, bend = motion_.bend();
     const Height h = curve_.height(n, d + a_.radius + b_.radius);
@@ -134,7 +134,7 @@ class WireSweep {
     const Vec3 n = offset(b_, region_, curve_.point(place_), a_.radius).n;
     return until(n, b_.convex.support(n)).time;
   }
-  /// How long what is left needs at least to go as far as what was nearest is away.
+  /// Lower bound of the time in which the remaining part covers the last distance.
   double until_nearest() const {
     const Vec3 p = curve_.point(place_);
     double far = 0;
@@ -144,7 +144,7 @@ class WireSweep {
     return gap_ / (speed + 0.5 * motion_.bend() * std::min(1 - t_, gap_ / speed));
   }
 
-  /// What is nearest, up to a gap of `margin`.
+  /// Nearest point, up to a gap of `margin`.
   bool find_nearest(double margin) {
     const double tubes = a_.radius + b_.radius;
     Walk<Curve> walk(curve_, b_.convex, a_.radius, tubes + std::max(margin, tolerance_), stretch_);
@@ -160,7 +160,7 @@ class WireSweep {
     return found_;
   }
 
-  /// Whether the place that was nearest has come within the tolerance: an upper bound of the gap.
+  /// Whether the last nearest point is within the tolerance; its distance is an upper bound of the gap.
   bool touches() const {
     if (!found_ || region_.kind == Region::kInside) return false;
     const Vec3 p = curve_.point(place_);
@@ -180,7 +180,7 @@ class WireSweep {
   Frame X_BA_;
   Curve curve_;  // in b
   Stretches<Curve> stretch_;
-  // what was nearest when it was last looked for
+  // nearest features at the last query
   bool found_ = false;
   double gap_ = 1e300;
   Place place_{};

@@ -17,9 +17,9 @@ constexpr double kLevel = 2, kSteep = 20;
 /// each brings lines of its own, less than a fiftieth: the wire then moves by a fiftieth of an overlap, some 10 nm.
 constexpr double kPoint = 0.999, kPointOfPiece = 0.98;
 
-/// Turns pieces and dips of a walk into contact points.
+/// Makes contact points of the pieces and minima that a walk along the wire found.
 ///
-/// A dip is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
+/// A minimum is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
 /// spreads along it, so it becomes a line of points of equal weight at the midpoints of equal parts, which gives an even
 /// pressure its friction moment. `sharp` (1: point, 0: line) fades one into the other, so that no force jumps when a
 /// wire is laid down. A straight wire that lies tilted over a face touches at one end of what lies over it, but may come to touch
@@ -48,7 +48,7 @@ class Writer {
   static size_t at(int i) { return static_cast<size_t>(i); }
   bool joined(int k) const { return k > 0 && k < walk_.pieces().size() && walk_.pieces()[k].joined; }
 
-  /// Finds which pieces lie flat, and shares the weight of one line among the pieces it runs over.
+  /// Finds the pieces that lie flat, and divides the weight of a line contact among the pieces it covers.
   void judge() {
     bool any = false;
     for (int k = 0; k < walk_.pieces().size(); ++k) {
@@ -79,7 +79,7 @@ class Writer {
     const double short_wire = 1 - ramp(curve_.length(piece.from, piece.to), 0.25 * a_.radius, a_.radius);
     if (short_wire >= 1) return 1;
 
-    // the minima in the piece and right beside it; without any, nothing there is within reach
+    // minima in the piece and next to it; without one the piece is out of reach
     double low = 1e300;
     for (const Dip<Place>& dip : walk_.dips()) {
       const bool beside =
@@ -101,7 +101,7 @@ class Writer {
     return std::max({short_wire, ramp(bend, 0.01 * flat, flat), ramp(tilt, kLevel * flat, kSteep * flat)});
   }
 
-  /// From a face or an edge, of its plane or line.
+  /// Distance from the plane of a face or the line of an edge.
   double distance(Region region, Place place) const {
     const Vec3 p = curve_.point(place);
     if (region.kind != Region::kEdge)

@@ -11,7 +11,7 @@ namespace {
 /// Two contacts nearer together than this share of the wire's radius, with one normal, are one.
 constexpr double kSame = 1e-4;
 
-/// Writes what a walk over a height field finds. Point contacts at the minima; where the wire lies flat its two ends, too,
+/// Writes the contacts of a walk over a height field. Point contacts at the minima; where the wire lies flat its two ends, too,
 /// so that it rests on both and not on the lower one in turn.
 template <class Curve>
 class FieldWriter {
@@ -77,7 +77,7 @@ class FieldWriter {
     c->touch = touch;
     return c;
   }
-  /// Whether neighbouring features gave the same contact already.
+  /// Whether a neighbouring feature gave the same contact before.
   bool is_there(const Touch& touch) const {
     for (int i = 0; i < out_.count; ++i) {
       const Touch& other = out_.candidate[static_cast<size_t>(i)].touch;
