@@ -418,6 +418,14 @@ TEST_F(SkilledHand, AWristAimsAtTheMarkAndLeansByWhatItDoesNotTurn) {
   }
 }
 
+TEST_F(SkilledHand, AWristNeedsAForearmAndRangesToBothSides) {
+  make(kGrasp);
+  Stage stage("swage.device.skilled");
+  stage.configure({{"file", path_}, {"wrist", 1}, {"rotation", std::vector<double>{0.1, 0.5}}, {"forearm", std::vector<double>{0, 0, 1}}});
+  EXPECT_EQ(stage.errors, (std::vector<std::string>{"forearm: the forearm needs a horizontal direction",
+                                                    "rotation: the range must reach to both sides of 0"}));
+}
+
 TEST_F(SkilledHand, SaysWhatItCannotFind) {
   make(R"({"act": "bring", "mark": "other.point", "s": 0.5})");
   EXPECT_LT(bind(), 0);
