@@ -41,6 +41,8 @@ const Case kCases[] = {{"010_practice_solids", "expert"},
                        {"031_grasp_advanced_1_three_eighths", "novice"},
                        {"032_grasp_advanced_1_half", "clumsy"},
                        {"040_grasp_advanced_2", "expert"},
+                       {"050_suture_grasp", "expert", kGrasped},
+                       {"051_suture_carry", "expert", kGrasped},
                        {"110_insertion", "expert", kInserted},
                        {"110_insertion", "expert", kInserted, {"needle.level=rigid"}},
                        {"110_insertion", "expert", kInserted, {"needle.level=rigid", "tissue.level=mesh"}}};

@@ -25,6 +25,7 @@ constexpr const char* kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 constexpr const char* kGrasp = "020_grasp_basic.json";
 constexpr const char* kSolids = "010_practice_solids.json";
 constexpr const char* kAdvanced = "032_grasp_advanced_1_half.json";
+constexpr const char* kThread = "050_suture_grasp.json";
 
 Json read(const std::string& lesson) {
   assembly::LessonFile file;
@@ -63,7 +64,7 @@ struct Scene {
 };
 
 class Scenes : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Stock, Scenes, ::testing::Values(kGrasp, kSolids, kAdvanced));
+INSTANTIATE_TEST_SUITE_P(Stock, Scenes, ::testing::Values(kGrasp, kSolids, kAdvanced, kThread));
 
 TEST_P(Scenes, AgainInTheSameProgramBesideAnother) {
   Scene a(read(GetParam())), b(read(GetParam())), other(read(kSolids));
