@@ -70,10 +70,14 @@ bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, cons
 bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where) {
   const Act& act = plan_.acts[i];
   Seeks& seeks = seeks_[i];
-  if (!act.of.empty() && act.verb != Verb::kAwait) {
-    seeks.thing = scene.find_object(act.of);
-    if (seeks.thing == kNone) return refuse(where + " judges \"" + act.of + "\", which is not there"), false;
+  if (act.verb == Verb::kAnswer || act.verb == Verb::kWind) {
+    const std::string& thing = act.verb == Verb::kWind ? act.about : act.of;
+    const char* const does = act.verb == Verb::kWind ? " winds about \"" : " judges \"";
+    seeks.thing = scene.find_object(thing);
+    if (seeks.thing == kNone) return refuse(where + does + thing + "\", which is not there"), false;
     seeks.thing_peer = Peer(scene->object[seeks.thing].instance);
+    if (act.verb == Verb::kWind && !seeks.thing_peer.gripper())
+      return refuse(where + does + thing + "\", which has no tips"), false;
   }
   if (act.tissue.empty()) return true;
   seeks.tissue = scene.find_object(act.tissue);

@@ -37,6 +37,7 @@ const std::map<std::string, Form>& forms() {
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
+      {"wind", {Verb::kWind, {"about", "turns", "along", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
       {"again", {Verb::kAgain, {"from"}, {"from"}}},
   };
   return all;
@@ -83,7 +84,9 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("more", Measure::kNumber, act.more);
   number("less", Measure::kNumber, act.less);
   number("near", Measure::kLength, act.near);
-  if (act.verb == Verb::kBack) number("by", Measure::kLength, act.by);
+  number("turns", Measure::kNumber, act.turns);
+  number("along", Measure::kLength, act.along);
+  if (act.verb == Verb::kBack || act.verb == Verb::kWind) number("by", Measure::kLength, act.by);
 
   if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
   if (act.closure < 0 || act.closure > 1)
@@ -103,6 +106,14 @@ void check_await(const Reader& reader, const Json& value, const std::string& whe
     reader.fail(where, R"(what is awaited is "of", "signal" and "more" or "less", or "mark", "s" and "near")");
 }
 
+// what it feels is said as a whole, or not at all
+void check_wind(const Reader& reader, const Json& value, const std::string& where) {
+  int given = 0;
+  for (const char* key : {"of", "signal", "more", "less", "by"}) given += value.contains(key);
+  if (given != 0 && given != 5)
+    reader.fail(where, R"(a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
+}
+
 Act read_act(const Reader& reader, const Json& value, const std::string& where) {
   if (!value.is_object() || !value.contains("act"))
     reader.fail(where, R"(an act is an object like {"act": "wait"})");
@@ -119,6 +130,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   act.verb = found->second.verb;
   read_numbers(reader, value, where, act);
   if (act.verb == Verb::kAwait) check_await(reader, value, where);
+  if (act.verb == Verb::kWind) check_wind(reader, value, where);
   if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
@@ -135,6 +147,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
     act.jaws = with == "jaws";
   }
   if (value.contains("other")) act.other = word(reader, value["other"], where + "/other");
+  if (value.contains("about")) act.about = word(reader, value["about"], where + "/about");
   if (value.contains("of")) act.of = word(reader, value["of"], where + "/of");
   if (value.contains("signal")) act.signal = word(reader, value["signal"], where + "/signal");
   if (value.contains("across")) act.across = direction(reader, value["across"], where + "/across");

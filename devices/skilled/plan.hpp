@@ -27,6 +27,10 @@
 //          to the mark, `across` being the normal of the needle's plane (or the closing direction)
 //   answer mark, other, of, time: waits until the two marks part, then goes to the one to which the needle, or the shaft of the
 //          gripper named by `of`, leans as it sees it
+//   wind   about, turns, along, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
+//          right-handed about the way from its hinge to its tips (negative: the other way), and by `along` on that way; meanwhile
+//          outwards by `by` in a second while the signal is below `more`, inwards while it is above `less`: a thread is kept drawn
+//          by what the hand feels of it
 //   again  from: on with that act, counted from 0
 #pragma once
 
@@ -53,6 +57,7 @@ enum class Verb : int {
   kDrive,
   kShow,
   kAnswer,
+  kWind,
   kAgain
 };
 
@@ -65,7 +70,7 @@ struct Act {
   double tilt = 0;              // rad, of the jaws about the wire, from square
   double force = 0;             // N; 0: to the closure
   double closure = 1;           // 0..1
-  double by = 0;                // m
+  double by = 0;                // m; of wind: m in a second
   Vec3 way = Vec3::Zero();      // m, W
   std::string mark;             // meaning
   std::string tissue;           // name of an object, or "" for `into`
@@ -78,6 +83,8 @@ struct Act {
   Vec3 at = Vec3::Zero();       // m, W
   bool jaws = false;            // show: the jaws and not the needle
   std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
+  std::string about;            // of wind: name of a gripper
+  double turns = 0, along = 0;  // 1, m
   std::string signal;           // id
   double more = -1e300, less = 1e300;  // of the signal, SI
   double near = 0;              // m

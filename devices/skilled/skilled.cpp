@@ -107,7 +107,7 @@ void Skilled::look(const Sight& sight) {
   if (seen_.wire_good) seen_.up_W = seen_.wire.place(0).tangent_W;
   if (const auto jaws =
           seeks.thing_peer.describe(scene.object(seeks.thing == kNone ? gripper_ : seeks.thing)))
-    seen_.up_W = -vec(jaws->axis_W);
+    seen_.up_W = -vec(jaws->axis_W), seen_.axis_W = vec(jaws->axis_W), seen_.tip_W = vec(jaws->tip_W);
   seen_.into_W = plan_.acts[act_].into;
   if (seeks.tissue == kNone) return;
   if (const auto p = seeks.tissue_peer.inside(scene.object(seeks.tissue), toolkit::raw(seen_.mark_W)))
@@ -272,6 +272,12 @@ void Skilled::set_goal(const Act& act) {
       lowered_ = arc > 0 ? std::min(1.0, lift_W_.norm() / arc) : 0;
       break;
     }
+    case Verb::kWind: {
+      const Vec3 d = from_.p - seen_.tip_W;
+      about_W_ = seen_.tip_W, about_axis_W_ = seen_.axis_W;
+      radius_ = (d - d.dot(about_axis_W_) * about_axis_W_).norm();
+      break;
+    }
     case Verb::kWait:
     case Verb::kAwait:
     case Verb::kClose:
@@ -297,7 +303,8 @@ void Skilled::follow_act(const Act& act, double share, double rate, double dt) {
   if (fresh_ || act.verb == Verb::kReach) set_goal(act);
   fresh_ = false;
   const double u = least_jerk(share);
-  now_ = act.verb == Verb::kDrive ? driven(u) : between(from_, goal_, u);
+  if (act.verb == Verb::kWind && !act.signal.empty()) feel(act, dt);
+  now_ = act.verb == Verb::kDrive ? driven(u) : act.verb == Verb::kWind ? wound(act, u) : between(from_, goal_, u);
   if (act.verb == Verb::kDrive && hole_.valid()) {
     brought_W_ -= std::min(1.0, dt / params_.steady) * seen_.aside_W;
     now_.p += brought_W_;

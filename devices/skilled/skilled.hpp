@@ -45,10 +45,10 @@ struct SkilledParams {
 class Skilled final : public SeeingDevice<SkilledParams> {
  public:
   static constexpr auto id = "swage.device.skilled";
-  static constexpr auto version = "1.1.0";
+  static constexpr auto version = "1.2.0";
   static constexpr auto name = "Skilled hand";
   static constexpr auto summary =
-      "Carries out a plan (reach, close, aim, drive ...) on the scene as it is; sees where needle and target "
+      "Carries out a plan (reach, close, aim, drive, wind ...) on the scene as it is; sees where needle and target "
       "are. "
       "Human flaws can be added.";
   static constexpr auto author = "Swage";
@@ -156,6 +156,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
     Vec3 other_W = Vec3::Zero();   // m
     Vec3 up_W = Vec3::UnitZ();     // unit, of what is to be judged: from its point or tips to its other end
     Vec3 into_W = -Vec3::UnitZ();  // unit
+    Vec3 tip_W = Vec3::Zero(), axis_W = Vec3::UnitX();  // m; unit, from hinge to tips: of the other gripper
   };
 
   void look_at_needle(const View& scene);
@@ -168,6 +169,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W);
   Pose show_goal(const Act& act);
   Pose driven(double u) const;
+  Pose wound(const Act& act, double u) const;
+  void feel(const Act& act, double dt);
   Vec3 side(const Act& act, const Vec3& into_W) const;
   Quat turned_to(const Vec3& into_W, const Vec3& across_W) const;
   bool has_wrist() const { return params_.wrist != WhoseWrist::kNone; }
@@ -206,6 +209,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Vec3 lift_W_ = Vec3::Zero();     // m, by which the aim just done is straight above its mark
   double lowered_ = 0;             // share of a drive's way after which it is not any more
   Vec3 brought_W_ = Vec3::Zero();  // m, by what this drive has brought the needle back
+  Vec3 about_W_ = Vec3::Zero(), about_axis_W_ = Vec3::UnitX();  // m, unit: what this winding goes round
+  double radius_ = 0;              // m, of this winding
   Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
   double missed_m_ = 0;            // along the needle, of this reach
   Vec3 missed_W_ = Vec3::Zero();   // m, of this aim

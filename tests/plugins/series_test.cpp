@@ -38,7 +38,8 @@ const char* const kLessons[] = {"010_practice_solids",
                                 "113_insertion_left_half",
                                 "115_stitch",
                                 "116_insertion_hanging",
-                                "117_needle_with_thread"};
+                                "117_needle_with_thread",
+                                "130_loop"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);

@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The hand with eyes: what a plan may say, and that each act ends where its word says.
-#include <swage/abi/sight.h>
-
-#include <cstdio>
-#include <deque>
-#include <fstream>
-
-#include "devices/skilled/plan.hpp"
-#include "devices/skilled/wire.hpp"
 #include "devices/skilled/wrist.hpp"
-#include "stage.hpp"
+#include "skilled_hand.hpp"
 
 namespace swage::skilled {
 namespace {
-
-using stage::Stage;
-using toolkit::raw;
-using toolkit::vec;
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::string message(const std::string& acts) {
   try {
@@ -37,7 +23,7 @@ TEST(Plan, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
   EXPECT_EQ(message(R"({"act": "jump"})"),
             "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, await, back, bring, "
-            "close, drive, move, open, reach, show, wait");
+            "close, drive, move, open, reach, show, wait, wind");
   EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
   EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
             "plan.json #/acts/0/angle: \"3 mm\" is not an angle (rad, deg)");
@@ -54,19 +40,11 @@ TEST(Plan, SaysWhatIsWrongAndWhere) {
             "plan.json #/acts/0/with: \"needle\" or \"jaws\" is needed here");
   for (const char* wrong : {R"({"act": "await"})", R"({"act": "await", "of": "g", "signal": "x", "less": 1, "mark": "m", "s": 0.5})"})
     EXPECT_NE(message(wrong).find(R"(what is awaited is "of", "signal" and "more" or "less", or "mark")"), std::string::npos);
+  EXPECT_EQ(message(R"({"act": "wind", "about": "holder", "turns": 1, "signal": "contact.force"})"),
+            R"(plan.json #/acts/0: a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
   EXPECT_THROW(parse_plan("[]", "x"), std::runtime_error);
   EXPECT_THROW(load_plan("/no/such/plan.json"), std::runtime_error);
 }
-
-/// A half circle of radius 2 mm in the plane z = 0, centre in the origin; s runs from the point at +x over +y to -x.
-struct Half {
-  static constexpr double kRadius = 2e-3;
-  static Place at(double s) {
-    const double a = kPi * s;
-    return {s, kPi * kRadius, kRadius * Vec3(std::cos(a), std::sin(a), 0), Vec3(-std::sin(a), std::cos(a), 0),
-            Vec3::UnitZ()};
-  }
-};
 
 TEST(Wire, ItsCircleIsFoundFromTwoPlaces) {
   for (const double normal : {1.0, -1.0}) {
@@ -86,136 +64,6 @@ TEST(Wire, ItsCircleIsFoundFromTwoPlaces) {
                                       {0.7, 0.01, Vec3(2e-3, 0, 0), Vec3::UnitX(), Vec3::UnitZ()});
   EXPECT_NEAR(straight.place(0).p_W.x(), -5e-3, 1e-6);
 }
-
-/// The device in front of a half circle that moves as the jaws hold it: rigidly with the hand once it is held.
-class SkilledHand : public ::testing::Test {
- protected:
-  void make(const std::string& acts, stage::Params params = {}) {
-    path_ = ::testing::TempDir() + "swage_plan_" +
-            ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
-    std::ofstream(path_)
-        << R"({"format": "swage-plan/1", "start": {"p": ["8 mm", 0, "5 mm"], "axis": [0, 0, -1], "closing": [0, 1, 0]}, "acts": [)"
-        << acts << "]}";
-    params.insert_or_assign("file", path_);
-    stage_ = std::make_unique<Stage>("swage.device.skilled");
-    ASSERT_EQ(stage_->configure(params), SWAGE_OK);
-    needle_.self = this;
-    needle_.get_extension = [](swage_instance*, const char* id) -> const void* {
-      static const swage_graspable table{locate};
-      static const swage_piercing point{place, nullptr};
-      if (std::strcmp(id, SWAGE_TRAIT_PIERCING) == 0) return &point;
-      return std::strcmp(id, SWAGE_TRAIT_GRASPABLE) == 0 ? &table : nullptr;
-    };
-    objects_ = {{text("holder"), text("x"), 0, 0, 0, 0, &gripper_},
-                {text("needle"), text("x"), 0, 0, 0, 0, &needle_}};
-    gripper_.get_extension = [](swage_instance*, const char*) -> const void* { return nullptr; };
-  }
-  void TearDown() override { std::remove(path_.c_str()); }
-
-  swage_result bind(bool with_force = true) {
-    std::vector<swage_scene_signal> signals;
-    if (with_force) signals.push_back({text("grasp"), text("grasp.force"), text("N")});
-    if (pierces_) {
-      signals.push_back({text("pierce"), text("pierce.s"), text("1")});
-      for (const char* id : {"pierce.entry_x", "pierce.entry_y", "pierce.entry_z", "pierce.at_x",
-                             "pierce.at_y", "pierce.at_z"})
-        signals.push_back({text("pierce"), text(id), text("m")});
-    }
-    const swage_scene_card scene{sizeof(swage_scene_card),
-                                 2,
-                                 static_cast<uint32_t>(signals.size()),
-                                 0,
-                                 objects_.data(),
-                                 signals.data(),
-                                 nullptr,
-                                 1e-3};
-    const swage_scene_mark marks[] = {{SWAGE_MARK_POINT, SWAGE_NONE, text("target.point"), {1e-4, 0}},
-                                      {SWAGE_MARK_POINT, SWAGE_NONE, text("other.point"), {1e-4, 0}}};
-    const swage_sight_card card{sizeof(swage_sight_card), two_marks_ ? 2u : 1u, &scene, marks};
-    const swage_result result = stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).bind(stage_->raw(), &card);
-    EXPECT_EQ(stage_->activate(), SWAGE_OK);
-    stage_->on_rt();
-    return result;
-  }
-
-  /// One millisecond: it looks, answers, and the world follows.
-  void step() {
-    swage_object_step objects[2] = {};
-    swage_view view{};
-    view.n_signal = 8;
-    signal_[0] = force_;
-    view.signal = signal_.data();
-    view.n_object = 2;
-    view.object_step = objects;
-    const swage_vec3 marks[] = {mark_, other_};
-    const swage_sight sight{sizeof(swage_sight), two_marks_ ? 2u : 1u, &view, marks};
-    ASSERT_EQ(stage_->table<swage_device_sight>(SWAGE_EXT_SIGHT).look(stage_->raw(), &sight), SWAGE_OK);
-    swage_command command{};
-    command.time_s = 1e-3 * n_++;
-    ASSERT_EQ(stage_->table<swage_device>(SWAGE_EXT_DEVICE).exchange(stage_->raw(), &command, &sample_),
-              SWAGE_OK);
-    const Pose X_WT(sample_.pose);
-    if (held_) X_WN_ = X_WT * X_TN_;
-    X_WT_ = X_WT;
-    // the jaws begin to bear the wire at closure 0.5, and have 0.6 N at 0.7
-    force_ = held_ ? std::max(0.0, (sample_.closure - 0.5) * 3) : 0;
-    if (!held_ && sample_.closure > 0.5) X_TN_ = X_WT.inverse() * X_WN_, held_ = true;
-  }
-  void run() {
-    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 60000;) step();
-  }
-  Place needle_at(double s) const {
-    Place p = Half::at(s);
-    if (s < kKinkAt) {
-      const Vec3 kink = Half::at(kKinkAt).p_W;
-      const Quat q = toolkit::exp_rotation({0, 0, kink_});
-      p.p_W = kink + q * (p.p_W - kink);
-      p.tangent_W = q * p.tangent_W;
-    }
-    p.p_W = X_WN_ * p.p_W;
-    p.tangent_W = X_WN_.q * p.tangent_W;
-    p.normal_W = X_WN_.q * p.normal_W;
-    return p;
-  }
-
-  static swage_result locate(swage_instance* i, const swage_object_step*, swage_vec3 p,
-                             swage_graspable_place* out) {
-    const auto& self = *static_cast<SkilledHand*>(i->self);
-    const Vec3 p_N = self.X_WN_.inverse() * vec(p), kink = Half::at(kKinkAt).p_W;
-    const Vec3 unbent = kink + toolkit::exp_rotation({0, 0, -self.kink_}) * (p_N - kink);
-    const auto along = [](const Vec3& q, double low, double high) {
-      return std::clamp(std::atan2(q.y(), q.x()) / kPi, low, high);
-    };
-    const Place front = self.needle_at(along(unbent, 0, kKinkAt - 1e-9)),
-                rest = self.needle_at(along(p_N, kKinkAt, 1));
-    const Place& at = (front.p_W - vec(p)).norm() < (rest.p_W - vec(p)).norm() ? front : rest;
-    *out = {at.s, at.length, raw(at.p_W), raw(at.tangent_W), raw(at.normal_W)};
-    return SWAGE_OK;
-  }
-  static swage_result place(swage_instance* i, const swage_object_step*, double s,
-                            swage_piercing_place* out) {
-    const Place at = static_cast<SkilledHand*>(i->self)->needle_at(s);
-    *out = {s, at.length, 50e-6, raw(at.p_W), raw(at.tangent_W), 0, 0};
-    return SWAGE_OK;
-  }
-  static swage_str text(const char* t) { return {t, std::strlen(t)}; }
-
-  std::string path_;
-  std::unique_ptr<Stage> stage_;
-  swage_instance needle_{}, gripper_{};
-  std::vector<swage_scene_object> objects_;
-  Pose X_WN_{Vec3(1e-3, 0, 0), toolkit::exp_rotation({0.3, -0.2, 0.5})}, X_TN_, X_WT_;
-  swage_vec3 mark_{-4e-3, 1e-3, 2e-3}, other_{};
-  bool two_marks_ = false;
-  static constexpr double kKinkAt = 0.3;
-  double kink_ = 0;  // rad, by which what is before kKinkAt is bent
-  bool pierces_ = false;
-  std::array<double, 8> signal_{};  // grip force, where it is pierced, its entry, where it passes now
-  double force_ = 0;
-  bool held_ = false;
-  int n_ = 0;
-  swage_sample sample_{};
-};
 
 const std::string kGrasp = R"({"act": "reach", "s": 0.6, "back": "3 mm", "from": [0, 0, 1], "time": "0.5 s"},
     {"act": "reach", "s": 0.6, "past": "0.4 mm", "from": [0, 0, 1], "time": "0.5 s"},
@@ -433,6 +281,10 @@ TEST_F(SkilledHand, SaysWhatItCannotFind) {
   EXPECT_LT(bind(false), 0);
   make(R"({"act": "aim", "mark": "target.point", "into": "skin", "across": [1, 0, 0]})");
   EXPECT_LT(bind(), 0);
+  for (const char* about : {"nobody", "needle"}) {
+    make(std::string(R"({"act": "wind", "turns": 1, "about": ")") + about + "\"}");
+    EXPECT_LT(bind(), 0) << about;
+  }
 }
 
 TEST_F(SkilledHand, ANewAttemptBeginsAtTheBeginning) {

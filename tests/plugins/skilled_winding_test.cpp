@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The hand with eyes winds about another gripper and keeps the thread drawn.
+#include "fake_objects.hpp"
+#include "skilled_hand.hpp"
+
+namespace swage::skilled {
+namespace {
+
+// five quarters of a circle about the line x through (y, z) = (0, 2 mm), from 3 mm above it to 3 mm before it
+TEST_F(SkilledHand, WindsAboutAnotherGripper) {
+  stage::FakeGripper other;
+  other.state.tip_W = {8e-3, 0, 2e-3};
+  make(R"({"act": "wind", "about": "holder", "turns": 1.25, "along": "0.4 mm", "time": "1 s"})");
+  objects_[0].instance = &other.raw;
+  ASSERT_EQ(bind(), SWAGE_OK);
+  double off = 0;
+  for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) {
+    step();
+    off = std::max(off, std::abs(std::hypot(X_WT_.p.y(), X_WT_.p.z() - 2e-3) - 3e-3));
+  }
+  EXPECT_LT(off, 1e-12);
+  EXPECT_LT((X_WT_.p - Vec3(8.4e-3, -3e-3, 2e-3)).norm(), 1e-9);
+  EXPECT_LT((X_WT_.q * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-9) << "it does not turn";
+}
+
+// a thread that gets shorter draws, one that gets slack is drawn
+TEST_F(SkilledHand, KeepsWhatItWindsDrawn) {
+  stage::FakeGripper other;
+  other.state.tip_W = {8e-3, 0, 2e-3};
+  for (const double pull : {0.0, 0.15, 0.3}) {
+    make(R"({"act": "wind", "about": "holder", "turns": 0, "of": "grasp", "signal": "grasp.force", "more": 0.1, "less": 0.2, "by": "1 mm", "time": "1 s"})");
+    objects_[0].instance = &other.raw;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) force_ = pull, step();
+    EXPECT_NEAR(X_WT_.p.z() - 2e-3, 3e-3 + (pull < 0.1 ? 1e-3 : pull > 0.2 ? -1e-3 : 0), 5e-6) << pull;
+  }
+}
+
+}  // namespace
+}  // namespace swage::skilled
