@@ -24,7 +24,8 @@ const std::vector<Goal>& goals() {
                                         {"S47", bar_couple},
                                         {"insertion", bar_insertion},
                                         {"tissue", bar_tissue},
-                                        {"needle", bar_needle}};
+                                        {"needle", bar_needle},
+                                        {"thread", bar_thread}};
   return all;
 }
 

@@ -76,5 +76,6 @@ std::vector<Line> bar_couple(const Effort&);     // S47: light needles beyond Co
 std::vector<Line> bar_insertion(const Effort&);  // tissue: stays, energy, cost, force
 std::vector<Line> bar_tissue(const Effort&);     // its mesh: off closed forms, build, memory
 std::vector<Line> bar_needle(const Effort&);     // the needle that bends: cost, its bench, slip and creep
+std::vector<Line> bar_thread(const Effort&);     // G4, G5, G8: a thread alone, held, and in the whole loop
 
 }  // namespace swage::bench

@@ -4,18 +4,16 @@
 //
 //   direction   Newton's direction of an island (dynamics/sparse_space.hpp) with a needle and so many contacts, a third each with what
 //               stands, with the needle and with the thread itself; begin() finds the sides of its contacts, once an island
-//   held        a step of a thread that two round jaws hold, still or moved at 30 mm/s: its own mechanics, contacts found, solved
+//   held        a step of a thread that two round jaws hold, still or moved at 3 mm/s: its own mechanics, contacts found, solved
 //   lying       a step of one that lies flat on a plate, with two contacts a segment
 #include <benchmark/benchmark.h>
 
 #include <memory>
 
-#include "../unit/dynamics/rod_body.hpp"
-#include "contact/detector.hpp"
 #include "dynamics/axes.hpp"
-#include "dynamics/dynamics.hpp"
 #include "dynamics/sparse_space.hpp"
 #include "grip.hpp"
+#include "held_thread.hpp"
 
 namespace {
 
@@ -24,25 +22,12 @@ using namespace swage::dynamics;
 using toolkit::Vec3;
 
 constexpr uint32_t kNodes = 100;
-constexpr double kPiece = 0.3e-3, kWire = 11e-6;  // m
-
-toolkit::RodSection nylon() { return toolkit::RodSection::round(2 * kWire, 2.5e9, 0.39, 1140); }
-
-scene::World with_thread() {
-  scene::World w;
-  std::vector<Vec3> p;
-  for (uint32_t i = 0; i < kNodes; ++i) p.emplace_back(kPiece * i, 0, 0);
-  w.gravity = {0, 0, -9.80665};
-  w.capacity.contacts = 512;
-  add_chain(w, p, kWire, 0);
-  return w;
-}
 
 void direction(benchmark::State& state) {
   const auto n = static_cast<uint32_t>(state.range(0));
-  scene::World world = with_thread();
+  scene::World world = bench::with_thread(kNodes);
   scene::reset(world);
-  RodBody rod(world, 0, 0, nylon(), true);
+  RodBody rod(world, 0, 0, bench::nylon(), true);
   rod.advance();
   BandedBody band(0, kNodes);
   band.begin();
@@ -92,59 +77,8 @@ void direction(benchmark::State& state) {
   }
 }
 
-/// Between two balls of 0.5 mm, which stand or go across the thread.
-struct Scene {
-  Scene(bool lying, double speed) : world(make(lying)), lies(lying), v(0, speed, 0), rod(world, 0, 0, nylon(), true) {
-    contact::Law law{0.2, 1e5, 0};
-    detector = std::make_unique<contact::Detector>(world, std::vector<contact::Pair>{{0, 1, law}}, contact::Options{});
-    solve = std::make_unique<Dynamics>(world, Options());
-    detector->reserve(contacts);
-  }
-  static scene::World make(bool lying) {
-    scene::World w = with_thread();
-    if (lying) {
-      const uint32_t plate = add_body(w, SWAGE_MOTION_FIXED, 1, {15e-3, 0, -1e-3 - kWire});
-      scene::Shape shape = shape_on(plate, 1, SWAGE_SHAPE_CONVEX, 1e-3);
-      std::vector<Vec3> corner;
-      for (int i = 0; i < 8; ++i) corner.emplace_back((i & 1) ? 30e-3 : -30e-3, (i & 2) ? 30e-3 : -30e-3, (i & 4) ? 1e-3 : -1e-3);
-      const uint32_t start[7] = {0, 4, 8, 12, 16, 20, 24};
-      const uint32_t face[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-      w.convex.emplace_back();
-      toolkit::build_convex(corner, start, face, w.convex.back());
-      shape.convex = 0;
-      w.shape.push_back(shape);
-    } else {
-      for (const double side : {1.0, -1.0}) {
-        const uint32_t jaw = add_body(w, SWAGE_MOTION_FOLLOWS, 1, {15.1e-3, 0, side * (0.5e-3 + kWire - 1e-7)});
-        w.shape.push_back(shape_on(jaw, 1, SWAGE_SHAPE_SPHERE, 0.5e-3));
-      }
-    }
-    scene::reset(w);
-    return w;
-  }
-  void step() {
-    for (uint32_t jaw = 1; !lies && jaw < 3; ++jaw) {
-      world.X_WB[jaw].p = toolkit::raw(Vec3(toolkit::vec(world.X_WB[jaw].p) + world.dt * v));
-      world.V_WB[jaw].v = toolkit::raw(v);
-    }
-    solve->free_motion(world);
-    rod.advance();
-    detector->detect(world, contacts);
-    FlexibleBody* const self[] = {&rod};
-    solve->solve(world, contacts, self);
-    solve->finish(world);
-  }
-  scene::World world;
-  bool lies;
-  Vec3 v;
-  RodBody rod;
-  std::unique_ptr<contact::Detector> detector;
-  std::unique_ptr<Dynamics> solve;
-  contact::ContactSet contacts;
-};
-
 void steps(benchmark::State& state, bool lying, double speed) {
-  Scene s(lying, speed);
+  bench::HeldThread s(lying, speed, static_cast<uint32_t>(state.range(0)) + 1);
   for (int i = 0; i < 300; ++i) s.step();
   for (auto _ : state) s.step();
   const Stats& stats = s.solve->stats();
@@ -175,8 +109,8 @@ void ode_grasp_step(benchmark::State& state) {
 
 BENCHMARK(ode_grasp_step)->Unit(benchmark::kMicrosecond);
 BENCHMARK(direction)->ArgNames({"contacts", "slide"})->Args({20, 0})->Args({60, 0})->Args({60, 1})->Args({100, 0})->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, held_still, false, 0.0)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, held_moved, false, 30e-3)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, lying, true, 0.0)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_still, false, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_moved, false, 3e-3)->ArgName("segments")->Arg(99)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, lying, true, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
