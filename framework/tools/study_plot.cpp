@@ -108,7 +108,7 @@ class Figure {
       text(x + 18, 57, study_.hands[hand].name, "");
       x += 40 + 8.5 * static_cast<double>(study_.hands[hand].name.size());
     }
-    text(x + 10, 57, "filled: passed, hollow: not; bar: mean", "fill='#666'");
+    text(kLeft, 77, "filled: passed, hollow: not; bar: mean", "fill='#666'");
   }
   void dot(const StudyRow& row) {
     const double v = value(row);
