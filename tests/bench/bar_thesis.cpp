@@ -11,6 +11,7 @@
 #include "scene/kinematics.hpp"
 #include "solids.hpp"
 #include "swage_world.hpp"
+#include "thesis_tables.hpp"
 #include "trajectory.hpp"
 
 namespace swage::bench {
@@ -83,33 +84,32 @@ class ThesisQuery {
   contact::SphereTree tree_;
 };
 
-struct ThesisFigures {
-  int levels = 0;
-  double mean_us, low_us, high_us, build_ms;  // as printed
-  ThesisQuery query{levels};
+/// A row while it is measured.
+struct Measured {
+  ThesisQuery query;
   std::vector<std::vector<double>> ns = {};
   std::vector<Touching> found = {};
 };
 
-std::string range_us(const Times& t, double low) {
+std::string range_us(double low, double high) {
   char text[80];
-  std::snprintf(text, sizeof text, "%.3g to %.3g us, n = 10000", low * 1e-3, t.max * 1e-3);
+  std::snprintf(text, sizeof text, "%.3g to %.3g us, n = 10000", low, high);
   return text;
 }
 
 /// Medians per pose, the trees in turn, block by block.
-void measure(std::vector<ThesisFigures>& all, const std::vector<TrajectoryPose>& poses, int passes) {
-  for (ThesisFigures& f : all) f.ns.resize(poses.size()), f.found.resize(poses.size());
+void measure(std::vector<Measured>& all, const std::vector<TrajectoryPose>& poses, int passes) {
+  for (Measured& f : all) f.ns.resize(poses.size()), f.found.resize(poses.size());
   constexpr size_t kBlock = 500;
   for (int pass = 0; pass < passes; ++pass)
     for (size_t first = 0; first < poses.size(); first += kBlock)
-      for (ThesisFigures& f : all)
+      for (Measured& f : all)
         for (size_t i = first; i < std::min(first + kBlock, poses.size()); ++i) {
           const double start = now_ns();
           f.query.run(poses[i], f.found[i]);
           f.ns[i].push_back(now_ns() - start);
         }
-  for (ThesisFigures& f : all)
+  for (Measured& f : all)
     for (Touching& t : f.found) std::sort(t.begin(), t.end());
 }
 
@@ -144,31 +144,48 @@ int chain_differs(const std::vector<TrajectoryPose>& poses) {
 
 }  // namespace
 
-std::vector<Line> bar_table_61(const Effort& effort) {
+std::vector<TreeRow> table_61(int passes) {
   const auto poses = trajectory(Needle{}, tetra_jaw(1), tetra_jaw(-1));
-  std::vector<ThesisFigures> all = {{0, 927.13, 730, 1100, 0},
-                                    {3, 388.67, 150, 930, 0.18609},
-                                    {4, 490.25, 160, 940, 0.27188},
-                                    {5, 291.38, 150, 630, 0.29920}};
-  measure(all, poses, effort.passes);
-  std::vector<Line> lines;
-  double brute_us = 0;
-  for (const ThesisFigures& f : all) {
+  std::vector<TreeRow> rows = {{0, {927.13, 730, 1100, 0}},
+                               {3, {388.67, 150, 930, 0.18609}},
+                               {4, {490.25, 160, 940, 0.27188}},
+                               {5, {291.38, 150, 630, 0.29920}}};
+  std::vector<Measured> all;
+  for (const TreeRow& row : rows) all.push_back({ThesisQuery(row.levels)});
+  measure(all, poses, passes);
+  for (size_t k = 0; k < rows.size(); ++k) {
     std::vector<double> ns, build;
-    for (const auto& pose : f.ns) ns.push_back(times(pose).median);
+    for (const auto& pose : all[k].ns) ns.push_back(times(pose).median);
     const Times t = times(ns);
-    const std::string name = f.levels == 0 ? "no tree" : std::to_string(f.levels) + " levels";
-    lines.push_back(at_most("6-1", name + ": mean of a query", "us", t.mean * 1e-3, f.mean_us,
-                            range_us(t, *std::min_element(ns.begin(), ns.end()))));
-    if (f.levels == 0) brute_us = t.mean * 1e-3;
-    if (f.levels == 0) continue;
-    lines.push_back(at_most("6-1", name + ": mean over no tree", "x", t.mean * 1e-3 / brute_us, 1,
-                            "thesis " + std::to_string(f.mean_us / all[0].mean_us).substr(0, 4)));
-    int differ = 0;
-    for (size_t i = 0; i < poses.size(); ++i) differ += f.found[i] != all[0].found[i];
-    lines.push_back(none("6-1", name + ": poses whose contacts differ from brute force", differ, "of 10000"));
-    for (int i = 0; i < 200; ++i) build.push_back(f.query.build_ns());
-    lines.push_back(at_most("6-1", name + ": time to build", "ms", times(build).median * 1e-6, f.build_ms));
+    rows[k].ours = {t.mean * 1e-3, *std::min_element(ns.begin(), ns.end()) * 1e-3, t.max * 1e-3, 0};
+    for (size_t i = 0; i < poses.size(); ++i) rows[k].differ += all[k].found[i] != all[0].found[i];
+    if (rows[k].levels == 0) continue;
+    for (int i = 0; i < 200; ++i) build.push_back(all[k].query.build_ns());
+    rows[k].ours.build_ms = times(build).median * 1e-6;
+  }
+  return rows;
+}
+
+std::vector<LoopRow> table_62() {
+  constexpr int kLoops = 10000;
+  std::vector<LoopRow> rows;
+  for (const Method& m : swage_methods())
+    if (m.name == "swage" || m.name == "swage, whole loop of the thesis") rows.push_back({m.name, m.family, loops(m, kLoops)});
+  return rows;
+}
+
+std::vector<Line> bar_table_61(const Effort& effort) {
+  const std::vector<TreeRow> rows = table_61(effort.passes);
+  std::vector<Line> lines;
+  for (const TreeRow& r : rows) {
+    const std::string name = r.levels == 0 ? "no tree" : std::to_string(r.levels) + " levels";
+    lines.push_back(at_most("6-1", name + ": mean of a query", "us", r.ours.mean_us, r.thesis.mean_us,
+                            range_us(r.ours.low_us, r.ours.high_us)));
+    if (r.levels == 0) continue;
+    lines.push_back(at_most("6-1", name + ": mean over no tree", "x", r.ours.mean_us / rows[0].ours.mean_us, 1,
+                            "thesis " + std::to_string(r.thesis.mean_us / rows[0].thesis.mean_us).substr(0, 4)));
+    lines.push_back(none("6-1", name + ": poses whose contacts differ from brute force", r.differ, "of 10000"));
+    lines.push_back(at_most("6-1", name + ": time to build", "ms", r.ours.build_ms, r.thesis.build_ms));
   }
   lines.push_back(none("6-1", "detector's chain: poses whose contacts differ from brute force",
                        chain_differs(trajectory(Needle{}, jaw(1), jaw(-1))), "of 10000"));
@@ -176,15 +193,11 @@ std::vector<Line> bar_table_61(const Effort& effort) {
 }
 
 std::vector<Line> bar_table_62(const Effort&) {
-  constexpr double kThesis = 613.44;  // us
-  constexpr int kLoops = 10000;
   std::vector<Line> lines;
-  for (const Method& m : swage_methods()) {
-    if (m.name != "swage" && m.name != "swage, whole loop of the thesis") continue;
-    const std::vector<double> ns = loops(m, kLoops);
-    const Times t = times(ns);
-    lines.push_back(at_most("6-2", m.name + ": mean of a loop, approach, grasp, carry", "us", t.mean * 1e-3,
-                            kThesis, range_us(t, *std::min_element(ns.begin(), ns.end()))));
+  for (const LoopRow& r : table_62()) {
+    const Times t = times(r.ns);
+    lines.push_back(at_most("6-2", r.name + ": mean of a loop, approach, grasp, carry", "us", t.mean * 1e-3, kThesisLoop_us,
+                            range_us(*std::min_element(r.ns.begin(), r.ns.end()) * 1e-3, t.max * 1e-3)));
   }
   return lines;
 }

@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "bar.hpp"
 #include "charts.hpp"
 #include "stability.hpp"
+#include "thesis_tables.hpp"
 #include "test_places.hpp"
 
 namespace swage::bench {
@@ -25,9 +27,28 @@ std::string machine_note() {
   return text;
 }
 
+/// Tables 6-1 and 6-2 of the thesis: three charts and a page.
+void draw_tables(const std::string& out, bool quick) {
+  const std::vector<TreeRow> tree = table_61(quick ? 1 : 5);
+  const std::vector<LoopRow> loop = table_62();
+  const std::string note = machine_note();
+  for (auto& [name, chart] : {std::pair{"table_6_1", chart_tree(tree)}, {"table_6_1_share", chart_tree_share(tree)}, {"table_6_2", chart_loop(loop)}}) {
+    Sweep c = chart;
+    c.note = note;
+    write(out, name, c);
+    std::printf("%s/%s.svg\n", out.c_str(), name);
+  }
+  const std::string page = out + "/thesis_tables.md";
+  std::ofstream file(page);
+  file << thesis_page(tree, loop, note);
+  if (!file.flush()) throw std::runtime_error("cannot write " + page);
+  std::printf("%s\n", page.c_str());
+}
+
 int run_charts(const std::string& out, bool quick, const std::string& only) {
   std::filesystem::create_directories(out);
   int drawn = 0;
+  if (std::string("tables").starts_with(only)) draw_tables(out, quick), ++drawn;
   for (const ChartOf& chart : kCharts) {
     if (!std::string(chart.name).starts_with(only)) continue;
     Scatter c = chart.draw(quick);
@@ -40,7 +61,7 @@ int run_charts(const std::string& out, bool quick, const std::string& only) {
   }
   if (drawn == 0)
     throw std::runtime_error("no chart \"" + only +
-                             "\"; there are query, free, grasp, slip, bend, keep, dent");
+                             "\"; there are query, free, grasp, slip, bend, keep, dent, tables");
   return 0;
 }
 
@@ -136,7 +157,7 @@ int main(int argc, char** argv) {
   std::string charts_out = "resources/charts", out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
   auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
   charts->add_option("--out", charts_out, "folder")->capture_default_str();
-  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep, dent");
+  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep, dent, tables");
   charts->add_flag("--quick", quick, "fewer poses and shorter runs");
   auto* stability =
       app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");
