@@ -12,7 +12,7 @@ void @NAME@::build(const @NAME@Params&, Builder& builder) {
   nearest_ = builder.metric("reach.nearest", "m", "Smallest distance from the target.");
   there_ = builder.cue("reach.there", "The object is at the target.");
   away_ = builder.cue("reach.away", "The object is away from the target.");
-  late_ = builder.event("failed.out_of_time", "The time was over.");
+  late_ = builder.event("failed.out_of_time", "Time ran out.");
   reach_ = builder.phase("reach", "Bring the object to the target.");
   hold_ = builder.phase("hold", "Keep it there.");
 }
