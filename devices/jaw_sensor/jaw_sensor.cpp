@@ -78,6 +78,7 @@ bool JawSensor::hear_it() {
 
 void JawSensor::open() {
   filled_ = measured_ = warned_ = gauge_ = false;
+  in_use_.clear();
   sensor::LinkSettings settings = settings_;
   if (!choose_port(settings)) return;
   if (const std::string why = link_.open(settings); !why.empty()) return refuse(why);
@@ -109,6 +110,7 @@ void JawSensor::calibrate() {
                 use_this.serial.c_str(), use_this.date.c_str(), use_this.by.c_str(), 1e6 * use_this.displacement.worst,
                 use_this.poses_date.c_str(), use_this.force.empty() ? "no table of forces" : "force by travel");
   note(said);
+  in_use_ = sensor::calibration_text(use_this);
   use(use_this);
 }
 

@@ -4,7 +4,7 @@
 // gives how far the jaws are closed and how hard; the pose comes from another device. See jaw_sensor.md.
 #pragma once
 
-#include <swage/device.hpp>
+#include <swage/calibrated.hpp>
 
 #include <array>
 
@@ -39,7 +39,7 @@ inline constexpr const char* kForces[] = {"travel", "gauge", "jaws", nullptr};
 inline constexpr const char* kFormats[] = {"text",   "u16_big_endian",    "u16_little_endian", "i16_big_endian",
                                            "i16_little_endian", "i24_big_endian", nullptr};
 
-class JawSensor final : public Device<JawSensorParams> {
+class JawSensor final : public CalibratedDevice<JawSensorParams> {
  public:
   using P = JawSensorParams;
   static constexpr auto id = "swage.device.jaw_sensor";
@@ -85,6 +85,8 @@ class JawSensor final : public Device<JawSensorParams> {
   void close() override { link_.close(); }
   void exchange(const swage_command& command, swage_sample& sample) override;
 
+  std::string_view calibration() const override { return in_use_; }
+
   const sensor::SensorLink& link() const { return link_; }
 
  private:
@@ -98,6 +100,7 @@ class JawSensor final : public Device<JawSensorParams> {
   sensor::LinkSettings settings_;
   sensor::SensorLink link_;
   sensor::Calibration calibration_;
+  std::string in_use_;  // JSON of it, "" while volts are taken as they are
   sensor::Displacement displacement_;
   sensor::Handle handle_;
   bool given_ = false, force_known_ = false;

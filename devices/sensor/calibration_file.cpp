@@ -159,10 +159,12 @@ std::string load_calibration(const std::string& path, Calibration& out) {
   return "";
 }
 
+std::string calibration_text(const Calibration& calibration) { return written(calibration).dump(2) + "\n"; }
+
 std::string save_calibration(const std::string& path, const Calibration& calibration) {
   std::error_code code;
   fs::create_directories(fs::path(path).parent_path(), code);
-  const std::string beside = path + ".new", bytes = written(calibration).dump(2) + "\n";
+  const std::string beside = path + ".new", bytes = calibration_text(calibration);
   std::FILE* file = std::fopen(beside.c_str(), "wbe");
   bool good = file != nullptr && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   good = file != nullptr && std::fflush(file) == 0 && fsync(fileno(file)) == 0 && good;

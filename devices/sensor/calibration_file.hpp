@@ -19,6 +19,8 @@ std::vector<std::string> calibration_files();
 
 /// "" or a sentence with file, key, what is wrong and what is allowed. The curve is checked as in the model.
 std::string load_calibration(const std::string& path, Calibration& out);
+/// As it is written, JSON.
+std::string calibration_text(const Calibration& calibration);
 /// Written beside and renamed, so a file is whole or the old one. "" or a sentence.
 std::string save_calibration(const std::string& path, const Calibration& calibration);
 

@@ -39,6 +39,7 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;
 
+  rig_->eyes = overrides_.eyes;
   resolve_mode();
   add_objects();
   add_couplings();

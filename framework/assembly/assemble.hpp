@@ -27,6 +27,7 @@ struct Overrides {
       device;  // an "as" name ("expert"), a plugin id, or its last word ("mouse"); "": the first choice
   std::string device_params;  // JSON object for the device chosen by name or id, "" for what the file says
   std::string mode = {};  // "practice", "test", "demo" (whose hand is the expert's); "": what the file says
+  int32_t eyes = 0;  // SWAGE_EYES_*: how the scene is seen
   std::vector<RecordedHand>
       recorded{};  // of every device, in order: no device plugin is asked; empty: they are
   std::map<std::string, std::string>

@@ -104,6 +104,7 @@ struct Rig {
   swage_pointer pointer{};  // what the person does, in the picture as it is shown
   swage_pointer seen{};  // what swage.host.pointer/1 reads: the same, or its mirror image; the step writes it
   int32_t attempt = SWAGE_ATTEMPT_TEST;
+  int32_t eyes = 0;  // SWAGE_EYES_* as the attempt began
   Shared shared;         // of the instances' services; points into this rig
 
   Rig();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/services.hpp"
 
+#include <swage/abi/display.h>
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -80,10 +82,12 @@ base::Problems Services::take_reports() {
 const void* Services::get_extension(const swage_host*, const char* id) {
   static constexpr swage_host_pointer pointer{read_pointer};
   static constexpr swage_host_attempt attempt{attempt_mode};
+  static constexpr swage_host_display display{display_eyes};
   if (id == nullptr) return nullptr;
   static constexpr swage_host_capacities capacities{reserve_points, read_capacities};
   if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
   if (std::strcmp(id, SWAGE_HOST_ATTEMPT) == 0) return &attempt;
+  if (std::strcmp(id, SWAGE_HOST_DISPLAY) == 0) return &display;
   if (std::strcmp(id, SWAGE_HOST_CAPACITIES) == 0) return &capacities;
   if (std::strcmp(id, SWAGE_HOST_CHAIN) == 0) return &chain_table();
   return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
@@ -92,6 +96,11 @@ const void* Services::get_extension(const swage_host*, const char* id) {
 int32_t Services::attempt_mode(const swage_host* host) {
   const int32_t* mode = of(host).shared_.attempt;
   return mode != nullptr ? *mode : SWAGE_ATTEMPT_TEST;
+}
+
+int32_t Services::display_eyes(const swage_host* host) {
+  const int32_t* eyes = of(host).shared_.eyes;
+  return eyes != nullptr ? *eyes : SWAGE_EYES_NONE;
 }
 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {

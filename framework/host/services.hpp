@@ -71,6 +71,7 @@ struct Shared {
   scene::World* world = nullptr;           // random streams live in its saved state
   const swage_pointer* pointer = nullptr;  // this step's pointer and keyboard
   const int32_t* attempt = nullptr;        // SWAGE_ATTEMPT_*; nullptr: a test
+  const int32_t* eyes = nullptr;           // SWAGE_EYES_*; nullptr: nobody looks
 };
 
 class Services {
@@ -98,6 +99,7 @@ class Services {
   static void read_capacities(const swage_host*, swage_capacities* out);
   static const swage_pointer* read_pointer(const swage_host*);
   static int32_t attempt_mode(const swage_host*);
+  static int32_t display_eyes(const swage_host*);
 
   swage_host host_{};
   std::string name_;

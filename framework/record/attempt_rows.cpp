@@ -132,17 +132,20 @@ bool parse(const std::string& text, const Read& read) {
   }
 }
 
-// Which calibrations an attempt carries, of which sensor and day.
+// Which calibrations an attempt carries, of which sensor and day, and how far the fit is off.
 std::string calibrations_json(const std::vector<FileInfo>& files) {
   json out = json::array();
   for (const FileInfo& f : files) {
     const json c = json::parse(f.bytes, nullptr, false);
-    if (!c.is_object() || !c.contains("format") || !c["format"].is_string() ||
-        !c["format"].get<std::string>().starts_with("swage-calibration/"))
-      continue;
+    const bool in_use = f.name.starts_with(kCalibrationFile);
+    const bool ours = c.is_object() && c.contains("format") && c["format"].is_string() &&
+                      c["format"].get<std::string>().starts_with("swage-calibration/");
+    if (!c.is_object() || (!in_use && !ours)) continue;
     json entry = {{"file", f.name}, {"crc32c", crc32c(f.bytes.data(), f.bytes.size())}};
-    for (const char* key : {"serial", "date", "expires"})
+    for (const char* key : {"serial", "date", "expires", "residual"})
       if (c.contains(key)) entry[key] = c[key];
+    if (c.contains("displacement") && c["displacement"].is_object() && c["displacement"].contains("worst"))
+      entry["residual"] = c["displacement"]["worst"];
     out.push_back(std::move(entry));
   }
   return out.dump();
@@ -210,10 +213,12 @@ Batch attempt_rows(const std::string& attempt_id, const AttemptInfo& info) {
                    {attempt_id, static_cast<int64_t>(i), h.name, h.choice, h.plugin, h.version, h.params,
                     int64_t{h.flags}}});
   }
-  for (const FileInfo& f : info.files)
+  const auto add_file = [&](const std::string& name, const std::string& bytes) {
     out.push_back({Kind::kFile,
-                   {attempt_id, f.name, int64_t{crc32c(f.bytes.data(), f.bytes.size())},
-                    Blob(f.bytes.begin(), f.bytes.end())}});
+                   {attempt_id, name, int64_t{crc32c(bytes.data(), bytes.size())}, Blob(bytes.begin(), bytes.end())}});
+  };
+  for (const FileInfo& f : info.files) add_file(f.name, f.bytes);
+  if (!info.display.mode.empty()) add_file(kDisplayFile, to_json(info.display));
   out.push_back(provenance_row(attempt_id, info));
   return out;
 }

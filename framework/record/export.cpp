@@ -58,12 +58,14 @@ std::vector<Health> health_of(const std::string& loop_health, int64_t steps_not_
 
 // Everything but what Store::attempts gives.
 bool read_details(Database& db, const Selection& which, std::map<std::string, Exported>& out) {
-  const bool school = schema_version(db) >= 4;
+  const int version = schema_version(db);
+  const bool school = version >= 4, files = version >= 2;
   const std::string sql =
       std::string("SELECT a.attempt_id, s.station, s.app_version, a.plugins, a.dt_s, a.realtime, a.loop_health, a.dropped, a.descriptor") +
-      (school ? ", v.input, v.calibration" : ", '', '[]'") +
+      (school ? ", v.input, v.calibration" : ", '', '[]'") + (files ? ", f.data" : "") +
       " FROM attempt a JOIN session s ON s.session_id = a.session_id" +
       (school ? " LEFT JOIN provenance v ON v.attempt_id = a.attempt_id" : "") +
+      (files ? " LEFT JOIN file f ON f.attempt_id = a.attempt_id AND f.name = '" + std::string(kDisplayFile) + "'" : "") +
       " WHERE (? = '' OR s.person_id = ?) AND (? = '' OR a.exercise = ?) AND (? = '' OR a.attempt_id = ?)";
   std::map<std::string, std::string> known;  // lesson plugin of a text: most attempts share one of a few
   return db.each(sql, {which.person_id, which.person_id, which.lesson_id, which.lesson_id, which.attempt_id, which.attempt_id},
@@ -82,6 +84,10 @@ bool read_details(Database& db, const Selection& which, std::map<std::string, Ex
                    e.health = health_of(text(r[6]), integer(r[7]));
                    e.input = text(r[9]);
                    e.calibration = text(r[10]).empty() ? "[]" : text(r[10]);
+                   Display display;
+                   if (const Blob* data = files ? std::get_if<Blob>(&r[11]) : nullptr)
+                     from_json(std::string(data->begin(), data->end()), display);
+                   e.display = words(display);
                    return true;
                  });
 }
@@ -104,14 +110,14 @@ void line(std::string& out, const std::vector<std::string>& fields) {
 const std::vector<std::string> kAboutColumns = {
     "attempt", "person", "lesson", "title", "lesson_version", "mode", "started_utc", "ended_utc", "state", "outcome", "reason",
     "score", "simulated_s", "void", "void_reason", "void_by", "scripted", "synthetic", "input", "device", "station",
-    "app_version", "plugins", "metric_version", "calibration", "realtime", "dt_s", "remark"};
+    "app_version", "plugins", "metric_version", "calibration", "display", "realtime", "dt_s", "remark"};
 
 std::vector<std::string> about(const Exported& e) {
   const AttemptRow& a = e.attempt;
   const auto yes = [](bool b) { return std::string(b ? "1" : "0"); };
   return {a.id, a.person_code, a.lesson_id, a.lesson_title, a.lesson_digest, a.mode, a.started_utc, a.ended_utc, a.state, a.outcome, a.reason,
           number(a.score), number(a.simulated_s), yes(a.is_void), a.void_reason, a.void_by, yes(a.is_scripted), yes(a.is_synthetic), e.input, a.device, e.station,
-          e.app_version, e.plugins, e.metric_version, e.calibration, yes(e.realtime), number(e.dt_s), a.remark};
+          e.app_version, e.plugins, e.metric_version, e.calibration, e.display, yes(e.realtime), number(e.dt_s), a.remark};
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct Exported {
   std::string input;          // "scripted", "force" (device with forces), "position"; "" when nobody kept it
   std::string plugins;        // "swage.object.needle 1.0.0; ..."
   std::string metric_version;  // of the lesson plugin that measured; "" when the recording does not say
-  std::string calibration;    // JSON: sensor, day, checksum of each calibration that was used; "[]" for none
+  std::string calibration;    // JSON: sensor, day, residual, checksum of each calibration that was used; "[]" for none
+  std::string display;        // how the scene was seen: "mono", "side, eyes swapped"; "" when nobody looked
   double dt_s = 0;
   bool realtime = false;
   std::vector<Health> health;

@@ -16,6 +16,7 @@
 
 #include "base/problem.hpp"
 #include "judge/verdict.hpp"
+#include "record/display.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace swage::record {
@@ -43,6 +44,7 @@ struct AttemptInfo {
   std::vector<std::string> devices;                          // names, in the order of StepRecord::sample
   std::vector<HandInfo> hands;                               // one per device; empty in attempts of format 1
   std::vector<FileInfo> files;
+  Display display;  // as the attempt began
   judge::Script script;
   uint64_t seed = 0;
   double dt = 1e-3;  // s

@@ -114,7 +114,9 @@ bool read_luggage(Database& db, const std::string& id, AttemptInfo& info, std::s
       error = "The file \"" + text(r[0]) + "\" of attempt " + id + " does not fit its checksum.";
       return false;
     }
-    info.files.push_back({text(r[0]), std::string(data.begin(), data.end())});
+    std::string bytes(data.begin(), data.end());
+    if (text(r[0]) == kDisplayFile && from_json(bytes, info.display)) continue;
+    info.files.push_back({text(r[0]), std::move(bytes)});
   }
   if (db.trouble() == Trouble::kNone) return true;
   error = "The hands and files of attempt " + id + " cannot be read: " + db.error() + ".";

@@ -75,6 +75,7 @@ Json context(const Exported& e, const std::string& home) {
   add("lesson-version", a.lesson_digest);
   add("plugins", e.plugins);
   add("input", e.input);
+  add("display", e.display);
   add("device", a.device);
   add("scripted", a.is_scripted);
   add("synthetic", a.is_synthetic);

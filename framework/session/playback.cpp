@@ -12,6 +12,7 @@
 
 #include "assembly/assemble.hpp"
 #include "host/catalogue.hpp"
+#include "session/session.hpp"
 
 namespace swage::session {
 
@@ -57,6 +58,7 @@ assembly::Overrides overrides(const record::AttemptInfo& info, const Unpacked& f
   assembly::Overrides out;
   out.files = files.paths();
   out.mode = info.mode;
+  out.eyes = eyes_of(info.display);
   for (const record::HandInfo& hand : info.hands)
     out.recorded.push_back({hand.plugin, hand.version, hand.flags});
   if (info.hands.empty()) out.device = info.device;

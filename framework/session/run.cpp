@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/run.hpp"
 
+#include <swage/abi/calibration.h>
+#include <swage/abi/display.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -65,7 +67,26 @@ void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& prob
   }
 }
 
+// The calibration that an open device measures with, as it says; "" for none.
+std::string calibration_of(host::Instance& instance) {
+  constexpr uint64_t kMost = 1 << 20;  // bytes; ours have some thousand
+  const auto* table = static_cast<const swage_device_calibration*>(instance.extension(SWAGE_EXT_CALIBRATION));
+  std::string out;
+  if (table == nullptr || table->text == nullptr) return out;
+  host::guarded(instance, host::Call::kOpen, 0, [&] {
+    const swage_str text = table->text(instance.raw);
+    if (text.data != nullptr && text.size <= kMost) out.assign(text.data, text.size);
+    return SWAGE_OK;
+  });
+  return out;
+}
+
 }  // namespace
+
+int32_t eyes_of(const record::Display& display) {
+  if (display.mode.empty()) return SWAGE_EYES_NONE;
+  return display.stereo ? SWAGE_EYES_STEREO : SWAGE_EYES_MONO;
+}
 
 // the attempt under way, for whoever has to end the program in the middle of it
 std::atomic<Run*> Run::current_{nullptr};
@@ -206,6 +227,10 @@ void Run::open_record(Problems& problems) {
     if (info.device.empty()) info.device = slot.instance->plugin_id;
   }
   add_luggage(*rig_, info, problems);
+  for (const host::DeviceSlot& slot : rig_->devices)
+    if (std::string text = calibration_of(*slot.instance); !text.empty())
+      info.files.push_back({record::kCalibrationFile + slot.instance->name, std::move(text)});
+  info.display = options_.display;
   info.script = rig_->script;
   info.seed = rig_->seed;
   info.dt = rig_->world.dt;

@@ -56,7 +56,7 @@ std::unique_ptr<Session> Session::open(const Options& options, Problems& problem
   host::Catalogue catalogue(search);
   Sentinel::suspect(foreign_plugins(file, catalogue));
   auto rig =
-      assembly::assemble(file, catalogue, {options.device, options.device_params, options.mode}, problems);
+      assembly::assemble(file, catalogue, {options.device, options.device_params, options.mode, eyes_of(options.display)}, problems);
   if (!rig) return nullptr;
 
   auto run = std::make_unique<Run>(options, std::move(catalogue), std::move(rig), std::move(sentinel));

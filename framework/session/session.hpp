@@ -13,6 +13,7 @@
 
 #include "base/problem.hpp"
 #include "judge/verdict.hpp"
+#include "record/display.hpp"
 #include "session/cue_force.hpp"
 #include "snapshot/scene_card.hpp"
 #include "snapshot/snapshot.hpp"
@@ -42,6 +43,7 @@ struct Options {
   std::string store_path;  // attempts database; "" for the user's own, ":none:" to keep nothing
   std::string
       mode;  // "practice", "test" (no cues), "demo" (the expert's hand, not kept); "": what the file says
+  record::Display display;  // how the scene is seen; kept with the attempt, and lessons may ask how many eyes see it
   Pace pace = Pace::kRealtime;
   bool start_paused = false;
   bool safe_mode = false;  // stock plugins only
@@ -50,6 +52,9 @@ struct Options {
 
 using Problem = base::Problem;
 using Problems = base::Problems;
+
+/// SWAGE_EYES_* of a display.
+int32_t eyes_of(const record::Display& display);
 
 /// How a run ended.
 struct Result {

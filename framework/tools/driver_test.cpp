@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A device with a thread of its own, asked as the session asks it. Nobody is pushed: every force that it is sent is zero.
+#include <swage/abi/calibration.h>
+
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "base/clock.hpp"
@@ -42,12 +45,22 @@ class Driver {
     swage_result result = SWAGE_ERROR;
     host::guarded(instance(), host::Call::kOpen, 0, [&] { return result = slot_.device->open(instance().raw); });
     base::Problems said = instance().services->take_reports();
-    if (result >= 0) return {};
+    if (result >= 0) return calibration();
     if (instance().quarantined.load() != 0 && said.empty() && result != SWAGE_ERROR)
       return {Mark::kFailed, host::quarantine_text(instance())};
     if (said.empty()) return {Mark::kFailed, "open() refuses and does not say why."};
     // hardware that is not here is no fault of the plugin
     return {Mark::kSkipped, "It did not open: " + said[0].message};
+  }
+  /// Its calibration is JSON that the record can tell, or there is none.
+  Finding calibration() {
+    const auto* table = static_cast<const swage_device_calibration*>(instance().extension(SWAGE_EXT_CALIBRATION));
+    if (table == nullptr) return {};
+    if (table->text == nullptr) return {Mark::kFailed, "The table " SWAGE_EXT_CALIBRATION " has gaps."};
+    const swage_str text = table->text(instance().raw);
+    if (text.data == nullptr || text.size == 0) return {};
+    if (nlohmann::json::parse(text.data, text.data + text.size, nullptr, false).is_object()) return {};
+    return {Mark::kFailed, "The text of its calibration is no JSON object."};
   }
   void close() {
     host::detail::contained(instance(), host::Call::kClose, 0, [&] { slot_.device->close(instance().raw); });

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "record/export.hpp"
 #include "record/recorder.hpp"
+#include "sensor/calibration_file.hpp"
 #include "sensor_thread.hpp"
 #include "session/session.hpp"
 #include "temp_folder.hpp"
@@ -147,6 +149,34 @@ TEST_F(JawAndPad, PlayTheBasicGraspToAPassInRealTime) {
   EXPECT_EQ(result.health.quarantined, 0u);
   expect_replay(result.attempt_id);
   std::printf("score %g after %.1f s, speed %.2f\n", result.score, result.simulated_s, result.speed);
+}
+
+// The calibration that the sensor found by its serial number, and how the scene was seen, stay with the attempt.
+TEST_F(JawAndPad, TheCalibrationInUseAndTheDisplayAreKept) {
+  sensor::Calibration c;
+  c.serial = "SIM1", c.date = "2026-11-01", c.by = "Ada", c.expires = "2099-01-01";
+  c.displacement.slope = 1e-3, c.displacement.worst = 27e-6;
+  c.poses = {2e-3, -1e-3, -2e-3};
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("SIM1"), c), "");
+  options_.display = {"side", true, true, "", 0};
+  auto session = open();
+  ASSERT_NE(session, nullptr);
+  session->start();
+  snapshot::Snapshot now;
+  for (; now.step < 300 && !session->finished(); nap(5e-3)) lead(*session, now);
+  session->stop();
+  const std::string id = session->result().attempt_id;
+  std::vector<record::Exported> kept;
+  std::string error;
+  ASSERT_TRUE(record::read_for_export(options_.store_path, {"", "", id}, kept, error)) << error;
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].display, "side, eyes swapped");
+  const nlohmann::json used = nlohmann::json::parse(kept[0].calibration);
+  ASSERT_EQ(used.size(), 1u) << kept[0].calibration;
+  EXPECT_EQ(used[0]["file"], "swage:calibration:handle");
+  EXPECT_EQ(used[0]["serial"], "SIM1");
+  EXPECT_EQ(used[0]["date"], "2026-11-01");
+  EXPECT_EQ(used[0]["residual"], 27e-6);
 }
 
 TEST_F(JawAndPad, AHundredPulledPlugsLeaveNoLeapOfToolOrForce) {

@@ -73,6 +73,9 @@ class Driver : public testing::Test {
     for (const std::string& r : bench.host.reports) out += r + "\n";
     return out;
   }
+  static std::string calibration_of(Bench& bench) {
+    return std::string(view(bench.get<swage_device_calibration>(SWAGE_EXT_CALIBRATION)->text(bench.raw)));
+  }
   static bool closed(const Bench& bench) { return (bench.sample.valid & SWAGE_VALID_CLOSURE) != 0; }
 
   test::TempFolder folder_;
@@ -123,6 +126,7 @@ TEST_F(Driver, VoltsBecomeClosureInLinesAndInFrames) {
     bench.set("rate", binary ? 1000 : 500);
     ASSERT_TRUE(start(bench)) << said(bench);
     EXPECT_THAT(said(bench), HasSubstr("SIM1: not calibrated"));
+    EXPECT_EQ(calibration_of(bench), "") << "volts as they are";
     for (const auto& [volts, closure] : {std::pair{2.0, 0.0}, {0.5, 0.3}, {-1.0, 0.6}, {-1.5, 0.8}, {-2.0, 1.0}}) {
       volts_ = volts;
       ask(bench, 0.05);  // what was on its way
@@ -161,6 +165,7 @@ TEST_F(Driver, TheStoredCalibrationOfTheSensorIsUsedAndTold) {
   ASSERT_TRUE(start(bench));
   EXPECT_THAT(said(bench), HasSubstr("calibrated on 2026-11-01 by Ada, residuals up to 27 um"));
   EXPECT_THAT(said(bench), HasSubstr("expired on 2000-01-01"));
+  EXPECT_EQ(calibration_of(bench), sensor::calibration_text(c)) << "what the host keeps with the attempt";
   ask_for(bench, 50);
   EXPECT_NEAR(bench.sample.closure, 0.6, 1e-3);
   EXPECT_EQ(bench.sample.grip_force, 0) << "the jaws have not met";

@@ -4,8 +4,10 @@
  */
 #include <stddef.h>
 #include <swage/abi/band.h>
+#include <swage/abi/calibration.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
+#include <swage/abi/display.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/lesson_card.h>
 #include <swage/abi/object.h>

@@ -3,8 +3,10 @@
 // The layout as a C++ compiler sees it, and that no struct has been forgotten.
 #include <gtest/gtest.h>
 #include <swage/abi/band.h>
+#include <swage/abi/calibration.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
+#include <swage/abi/display.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/lesson_card.h>
 #include <swage/abi/object.h>

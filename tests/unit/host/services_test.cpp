@@ -2,6 +2,7 @@
 #include "host/services.hpp"
 
 #include <gtest/gtest.h>
+#include <swage/display.hpp>
 
 #include <cstring>
 #include <thread>
@@ -75,6 +76,17 @@ TEST(Services, ThePointerIsOfferedAndNothingElse) {
   EXPECT_EQ(table->read(without.abi())->dx, 0) << "never NULL";
   EXPECT_EQ(with.abi()->get_extension(with.abi(), "swage.host.pointer/2"), nullptr);
   EXPECT_EQ(with.abi()->get_extension(with.abi(), nullptr), nullptr);
+}
+
+TEST(Services, HowManyEyesSeeTheSceneIsSaid) {
+  const int32_t eyes = SWAGE_EYES_STEREO;
+  Services with("lesson", {nullptr, nullptr, nullptr, &eyes}, swage::scene::kNone, 0),
+      without("lesson", {}, swage::scene::kNone, 0);
+  EXPECT_EQ(swage::eyes(*with.abi()), SWAGE_EYES_STEREO);
+  EXPECT_EQ(swage::eyes(*without.abi()), SWAGE_EYES_NONE);
+  swage_host older = *with.abi();
+  older.get_extension = [](const swage_host*, const char*) -> const void* { return nullptr; };
+  EXPECT_EQ(swage::eyes(older), SWAGE_EYES_NONE) << "a host that does not say";
 }
 
 TEST(FaultRing, KeepsTheLatestAndCountsTheRest) {

@@ -191,6 +191,46 @@ TEST_F(Export, TablesReadBackWithTheirProvenanceAndWithoutNames) {
   EXPECT_FALSE(read_for_export(folder_ / "absent.db", {}, none, error_));
 }
 
+// How it was seen and what it was measured with stand in every export, and come back with the recording.
+TEST_F(Export, TheDisplayAndTheCalibrationStandInEveryExport) {
+  AttemptInfo info = make_info(3, "Bo");
+  info.display = {"lines", true, true, "up_down", 1};
+  const std::string ours = R"({"format": "swage-calibration/1", "serial": "SN7", "date": "2026-11-01", "expires": "2027-11-01",
+    "displacement": {"slope": 0.001, "worst": 2.5e-05}})", theirs = R"({"serial": "T1", "date": "2026-10-01", "residual": 0.25})";
+  info.files.push_back({kCalibrationFile + std::string("handle"), ours});
+  info.files.push_back({kCalibrationFile + std::string("pedal"), theirs});
+  base::Problems problems;
+  auto recorder = Recorder::open(path_, info, problems);
+  ASSERT_NE(recorder, nullptr);
+  recorder->step(make_step(3, 0));
+  recorder->finish(make_end());
+  const std::string id = recorder->attempt_id();
+
+  const std::vector<Exported> one = read({"", "", id});
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].display, "lines, eyes swapped, mirrored up_down, scale 1");
+  const json calibrations = json::parse(one[0].calibration);
+  ASSERT_EQ(calibrations.size(), 2u) << one[0].calibration;
+  EXPECT_EQ(calibrations[0]["serial"], "SN7");
+  EXPECT_EQ(calibrations[0]["date"], "2026-11-01");
+  EXPECT_EQ(calibrations[0]["residual"], 2.5e-05) << "m, the worst of the fit";
+  EXPECT_EQ(calibrations[1]["residual"], 0.25);
+  EXPECT_THAT(csv_wide(one), HasSubstr("\"lines, eyes swapped, mirrored up_down, scale 1\""));
+  EXPECT_THAT(about_json(one[0]), HasSubstr("mirrored up_down"));
+  std::string said;
+  ASSERT_TRUE(xapi_statements(one, kHome, said, error_));
+  EXPECT_EQ(json::parse(said)[0]["context"]["extensions"][std::string(kHome) + "/x/display"], one[0].display);
+  EXPECT_EQ(broken_rule(json::parse(said)[0]), "");
+  EXPECT_EQ(read({"", "", first_})[0].display, "") << "nobody said";
+
+  Recording back;
+  const std::string file = folder_ / "one.swage";
+  ASSERT_TRUE(Store::open(path_, error_)->export_attempt(id, file, error_)) << error_;
+  ASSERT_TRUE(read_recording(file, "", back, error_)) << error_;
+  EXPECT_EQ(back.info.display, info.display);
+  EXPECT_TRUE(same_luggage(back.info, info)) << "the display is no file of the lesson";
+}
+
 TEST_F(Export, StatementsKeepTheRulesOfXapi) {
   const json all = statements();
   ASSERT_EQ(all.size(), 2u);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Recorded attempts again: bit for bit, to any step, in another place.
+#include <swage/display.hpp>
+
 #include <algorithm>
 
+#include "host/services.hpp"
 #include "session/playback.hpp"
 #include "session_bed.hpp"
 #include "test_places.hpp"
@@ -139,6 +142,26 @@ TEST_F(SessionTest, AReplayNeedsNoFileBesideIt) {
   EXPECT_NE(told(problems).find("there is no file " + folder + "/school/hands/020_expert.json"),
             std::string::npos)
       << told(problems);
+}
+
+// A lesson that asks how many eyes see the scene is told the same in a replay.
+TEST_F(SessionTest, TheDisplayIsKeptAndTheReplayHasIt) {
+  options.store_path = folder + "/attempts.db";
+  options.max_time_s = 0.05;
+  options.display = {"side", true, true, "up_down", 1};
+  const record::Recording attempt = recording(run().attempt_id);
+  EXPECT_EQ(attempt.info.display, options.display);
+  Problems problems;
+  const auto eyes_in = [&](const record::Recording& r) {
+    const auto again = Playback::open(r, options.plugin_dirs, problems);
+    EXPECT_NE(again, nullptr) << told(problems);
+    return again ? eyes(*again->rig().lesson.instance->services->abi()) : -1;
+  };
+  EXPECT_EQ(eyes_in(attempt), SWAGE_EYES_STEREO);
+  options.display = {"mono"};
+  EXPECT_EQ(eyes_in(recording(run().attempt_id)), SWAGE_EYES_MONO);
+  options.display = {};
+  EXPECT_EQ(eyes_in(recording(run().attempt_id)), SWAGE_EYES_NONE) << "nobody looked";
 }
 
 TEST_F(SessionTest, ReplaySaysWhatItCannotDo) {
