@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/clock.hpp"
+#include "sensor/bench.hpp"
 #include "sensor/calibration_file.hpp"
-#include "sensor/sensor_link.hpp"
 #include "tools/number_table.hpp"
 #include "tools/print.hpp"
 #include "tools/sensor_verbs.hpp"
@@ -19,54 +19,26 @@ namespace {
 
 using sensor::Calibration;
 
-// a sensor that is asked for means
+// a sensor that is asked for means, and waited for
 class Bench {
  public:
   std::string open(const CalibrateOptions& o) {
-    sensor::LinkSettings settings;
-    settings.port = o.port;
-    settings.bits_per_s = o.bits_per_s;
-    if (settings.port.empty()) {
-      const auto all = sensor::serial_adapters();
-      if (all.size() != 1) return "Name the sensor's port with --port; there are " + std::to_string(all.size()) + " serial adapters.";
-      settings.port = all[0];
-    }
-    if (std::string why = link_.open(settings); !why.empty()) return why;
-    sensor::Measurement m;
-    for (const double until = sensor::now_s() + 4; sensor::now_s() < until && link_.info("serial").empty(); pause())
-      while (link_.next(sensor::now_s(), m)) {
-      }
-    return link_.info("serial").empty() ? settings.port + " does not say who it is. Is it a sensor that speaks JAW1, and powered?" : "";
+    if (std::string why = bench_.open(o.port, o.bits_per_s); !why.empty()) return why;
+    for (const double until = sensor::now_s() + 4; sensor::now_s() < until && !bench_.known(); pause()) bench_.listen(sensor::now_s());
+    return bench_.known() ? "" : bench_.port() + " does not say who it is. Is it a sensor that speaks JAW1, and powered?";
   }
-  std::string serial() const { return link_.info("serial"); }
-  std::string name() const { return link_.info("name"); }
+  std::string serial() const { return bench_.serial(); }
+  std::string name() const { return bench_.name(); }
 
   /// Mean volts from now on. "" or why not.
   std::string mean(double seconds, double& volts) {
-    // 20 mV, 20 um: a hand or a bench that still moves is no point
-    constexpr double kStill = 20e-3;
-    sensor::Measurement m;
-    while (link_.next(sensor::now_s(), m)) {
-    }
-    double sum = 0, low = 1e300, high = -1e300;
-    int n = 0;
-    for (const double until = sensor::now_s() + seconds; sensor::now_s() < until; pause()) {
-      while (link_.next(sensor::now_s(), m)) {
-        if (m.kind != sensor::Reading::kJaw) continue;
-        if ((m.status & sensor::kNoMeasurement) != 0) return "The sensor is beyond its range, or its cable is off.";
-        sum += m.value, ++n;
-        low = std::min(low, m.value), high = std::max(high, m.value);
-      }
-    }
-    if (n < 5) return "The sensor sent " + std::to_string(n) + " measurements in that time. Is it still plugged in?";
-    if (high - low > kStill) return format("It moved meanwhile (%.0f mV). Hold it still and try again.", 1e3 * (high - low));
-    volts = sum / n;
-    return "";
+    for (bench_.begin(sensor::now_s(), seconds); bench_.measuring(); pause()) bench_.listen(sensor::now_s());
+    return bench_.mean(volts);
   }
 
  private:
   static void pause() { base::sleep_until_ns(base::wall_ns() + 2'000'000); }
-  sensor::SensorLink link_;
+  sensor::Bench bench_;
 };
 
 bool ask(const std::string& question, std::string& answer) {

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sensor/bench.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "sensor/calibration_file.hpp"
+
+namespace swage::sensor {
+
+std::string Bench::open(const std::string& port, int bits_per_s) {
+  LinkSettings settings;
+  settings.port = port;
+  settings.bits_per_s = bits_per_s;
+  if (port.empty()) {
+    const std::vector<std::string> all = serial_adapters();
+    if (all.size() != 1) return "Name the sensor's port; there are " + std::to_string(all.size()) + " serial adapters.";
+    settings.port = all[0];
+  }
+  volts_.reset();
+  measuring_ = false;
+  port_ = settings.port;
+  return link_.open(settings);
+}
+
+void Bench::listen(double now_s) {
+  Measurement m;
+  while (link_.next(now_s, m)) {
+    if (m.kind != Reading::kJaw) continue;
+    const bool good = (m.status & kNoMeasurement) == 0;
+    volts_ = good ? std::optional(m.value) : std::nullopt;
+    if (!measuring_) continue;
+    beyond_ |= !good;
+    if (!good) continue;
+    low_ = n_ == 0 ? m.value : std::min(low_, m.value);
+    high_ = n_ == 0 ? m.value : std::max(high_, m.value);
+    sum_ += m.value, ++n_;
+  }
+  if (now_s >= until_s_) measuring_ = false;
+}
+
+void Bench::begin(double now_s, double seconds) {
+  listen(now_s);  // what was on its way is of before
+  measuring_ = true;
+  beyond_ = false;
+  until_s_ = now_s + seconds;
+  sum_ = 0, n_ = 0;
+}
+
+std::string Bench::mean(double& volts) const {
+  // 20 mV, 20 um: a hand or a bench that still moves is no point
+  constexpr double kStill = 20e-3;
+  if (beyond_) return "The sensor is beyond its range, or its cable is off.";
+  if (n_ < 5) return "The sensor sent " + std::to_string(n_) + " measurements in that time. Is it still plugged in?";
+  if (high_ - low_ > kStill) {
+    char text[96];
+    std::snprintf(text, sizeof text, "It moved meanwhile (%.0f mV). Hold it still and try again.", 1e3 * (high_ - low_));
+    return text;
+  }
+  volts = sum_ / n_;
+  return "";
+}
+
+Draft::Draft() {
+  limits.nominal = 1e-3;
+  for (int i = 0; i < kRows; ++i) rows_.push_back({kStep * i, {}});
+}
+
+std::string Draft::refit() {
+  std::vector<BenchPoint> points;
+  for (const Row& row : rows_)
+    if (row.volts) points.push_back({*row.volts, row.length_m});
+  Displacement found;
+  std::string wrong = fit_displacement(points, limits, found);
+  if (!wrong.empty()) {
+    std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.length_m < b.length_m; });
+    found = {};
+    found.points = points;
+  }
+  fit_ = found;
+  return wrong;
+}
+
+std::string Draft::begin_from(const std::string& path) {
+  stored_.reset();
+  if (path.empty()) return "\"" + serial + "\" cannot name a file. A serial number has letters, digits, - _ and .";
+  if (access(path.c_str(), F_OK) != 0) return "";
+  Calibration c;
+  std::string wrong = load_calibration(path, c);
+  if (wrong.empty()) stored_ = c;
+  return wrong;
+}
+
+std::string Draft::finish(const std::string& today, Calibration& out) const {
+  if (by.empty()) return "Say who calibrates.";
+  if (!fit_.valid()) return "There is no fit yet.";
+  Calibration c = stored_.value_or(Calibration{});
+  c.serial = serial;
+  if (!name.empty()) c.name = name;
+  c.by = by;
+  c.date = today;
+  c.expires = days_after(today, valid_days);
+  c.displacement = fit_;
+  c.poses = {};  // in lengths of the fit before
+  if (pose_volts[0] && pose_volts[1] && pose_volts[2]) {
+    c.poses = {fit_.length(*pose_volts[0]), fit_.length(*pose_volts[1]), fit_.length(*pose_volts[2])};
+    if (std::string wrong = check_poses(c.poses, {}); !wrong.empty()) return wrong;
+    if (std::string wrong = check_geometry(c.geometry, c.poses); !wrong.empty()) return wrong;
+    c.poses_date = today;
+  }
+  out = c;
+  return "";
+}
+
+}  // namespace swage::sensor
