@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <optional>
 
+#include "console/app/calibration_dialog.hpp"
 #include "console/app/help_dialog.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -90,7 +91,8 @@ void MainWindow::add_pages(Doors& doors) {
                [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view(),
                desk_.note_edits()});
   setup_ = new SetupPage(pages_);
-  pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_});
+  pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_, true,
+               [this] { setup_->show_calibrations(stored_calibrations()); }});
 }
 
 void MainWindow::connect_pages() {
@@ -141,6 +143,8 @@ void MainWindow::connect_pages() {
   connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
   connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
   connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
+  connect(setup_, &SetupPage::station_settings, this, &MainWindow::show_station);
+  connect(setup_, &SetupPage::calibrate_sensor, this, &MainWindow::show_calibration);
 }
 
 // as the card of the lesson's plugin says
@@ -199,9 +203,9 @@ void MainWindow::add_actions() {
   add(tr("Show frame rate"), Qt::Key_F12, [this] {
     strip_->set_frames_shown(!strip_->frames_shown());
     settings_.set("frames", strip_->frames_shown());
-    strip_->show_frames(shown_view()->frames());
+    strip_->show_frames(shown_view()->frames(), shown_view()->latency());
   });
-  connect(&frames_timer_, &QTimer::timeout, this, [this] { strip_->show_frames(shown_view()->frames()); });
+  connect(&frames_timer_, &QTimer::timeout, this, [this] { strip_->show_frames(shown_view()->frames(), shown_view()->latency()); });
   add(tr("Open an attempt"), QKeySequence::Open, [this] { open_attempt(); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
@@ -253,39 +257,6 @@ void MainWindow::show_help() {
   if (ran && control->state() == RunControl::State::kPaused) control->toggle_pause();
 }
 
-void MainWindow::show_trainee() {
-  if (!trainee_) {
-    trainee_ = std::make_unique<TraineeWindow>();
-    run_->add_view(trainee_->view());
-    // it is closed from within
-    connect(trainee_.get(), &TraineeWindow::closed, this, [this] {
-      if (trainee_) trainee_.release()->deleteLater();
-      if (trainee_settings_) trainee_settings_->set_open(false);
-    });
-  }
-  trainee_->show_as(trainee_look_);
-  if (trainee_settings_) trainee_settings_->set_open(true);
-}
-
-void MainWindow::toggle_trainee() {
-  if (!trainee_) return show_trainee();
-  trainee_->close();
-}
-
-void MainWindow::show_trainee_settings() {
-  if (!trainee_settings_) {
-    trainee_settings_ = new TraineeSettings(trainee_look_, this);
-    connect(trainee_settings_, &TraineeSettings::changed, this, [this] {
-      trainee_look_ = trainee_settings_->look();
-      if (trainee_) show_trainee();
-    });
-    connect(trainee_settings_, &TraineeSettings::toggled, this, &MainWindow::toggle_trainee);
-  }
-  trainee_settings_->set_open(trainee_ != nullptr);
-  trainee_settings_->show();
-  trainee_settings_->raise();
-}
-
 void MainWindow::set_theme(const QString& ui, const QString& cues) {
   const UiTheme theme = UiTheme::stock(ui);
   const CueTheme cue_theme = theme.dark() ? CueTheme::stock(cues).on_dark() : CueTheme::stock(cues);
@@ -316,11 +287,12 @@ void MainWindow::restore(const Launch& launch) {
     fit_screen();
   }
   run_->set_base_options(launch.options);
+  connect_instrument();
   run_->set_draws_seed(launch.draws_seed);
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   run_->set_used_controls(settings_.text("used_controls"));
-  trainee_look_ = read_trainee_look(settings_);
+  read_station_look();
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);
   SetupPanel* setup = run_->setup();

@@ -5,10 +5,12 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "console/app/command_line.hpp"
 #include "console/app/pages.hpp"
 #include "console/app/settings.hpp"
+#include "console/app/station.hpp"
 #include "console/app/trainee_window.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/pages/courses_page.hpp"
@@ -19,6 +21,8 @@
 #include "console/pages/setup_page.hpp"
 
 namespace swage::console {
+
+class StationDialog;
 
 /// The window's ways into the framework; tests put doubles behind them.
 struct Doors {
@@ -56,6 +60,10 @@ class MainWindow : public QMainWindow {
   void show_help();
   void toggle_trainee();
   void show_trainee_settings();
+  /// True size and place: by a ruler, and with an arm.
+  void show_station();
+  /// Calibration of a jaw sensor.
+  void show_calibration();
   void review(const QString& attempt_id);
   /// Asks for a file with an attempt and shows it on the Review page.
   void open_attempt();
@@ -79,6 +87,9 @@ class MainWindow : public QMainWindow {
   void review_given(const Launch& launch);
   void remember();
   void show_trainee();
+  void read_station_look();
+  std::optional<Placement> place_hand(const std::string& device);
+  void connect_instrument();
   const SceneView* shown_view() const;
 
   Settings settings_;
@@ -90,6 +101,8 @@ class MainWindow : public QMainWindow {
   TraineeLook trainee_look_;
   std::unique_ptr<TraineeWindow> trainee_;
   TraineeSettings* trainee_settings_ = nullptr;
+  Station station_;
+  StationDialog* station_dialog_ = nullptr;
   StatusStrip* strip_ = nullptr;
   Pages* pages_ = nullptr;
   RunPage* run_ = nullptr;

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QScreen>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "console/widgets/parts.hpp"
 
@@ -56,6 +57,8 @@ TraineeLook read_trainee_look(const Settings& settings) {
       settings.text("trainee_eye_distance_mm", QString::number(StereoRig{}.eye_distance_mm)).toFloat();
   stereo.rig.convergence_mm =
       settings.text("trainee_convergence_mm", QString::number(StereoRig{}.convergence_mm)).toFloat();
+  stereo.microscope.on = flag(settings, "trainee_microscope");
+  stereo.microscope.zoom = std::clamp(settings.text("trainee_zoom", QString::number(Microscope{}.zoom)).toFloat(), kLeastZoom, kMostZoom);
   look.full_screen = flag(settings, "trainee_full_screen");
   look.screen = settings.text("trainee_screen", QStringLiteral("1")).toInt();
   return look;
@@ -68,6 +71,8 @@ void remember(const TraineeLook& look, Settings& settings) {
   settings.set("trainee_swapped", look.stereo.rig.swapped);
   settings.set("trainee_eye_distance_mm", look.stereo.rig.eye_distance_mm);
   settings.set("trainee_convergence_mm", look.stereo.rig.convergence_mm);
+  settings.set("trainee_microscope", look.stereo.microscope.on);
+  settings.set("trainee_zoom", look.stereo.microscope.zoom);
   settings.set("trainee_full_screen", look.full_screen);
   settings.set("trainee_screen", look.screen);
 }
@@ -144,6 +149,17 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
                            "recede behind the screen"));
   convergence_->setMinimum(50);
   form->addRow(tr("&Convergence"), convergence_);
+  microscope_ = new QCheckBox(tr("Look of a &microscope"), this);
+  microscope_->setObjectName(QStringLiteral("trainee_microscope"));
+  microscope_->setToolTip(tr("A round field, its light fading to the rim"));
+  microscope_->setChecked(look.stereo.microscope.on);
+  form->addRow(QString(), microscope_);
+  zoom_ = length(QStringLiteral("trainee_zoom"), look.stereo.microscope.zoom, static_cast<double>(kMostZoom),
+                 tr("As makers say it: 1 is the bare eye at 250 mm. In the view Ctrl+Page up and down, a pedal that sends them, or the wheel. Where the "
+                    "station was measured it is true"));
+  zoom_->setMinimum(static_cast<double>(kLeastZoom));
+  zoom_->setSuffix(tr(" ×"));
+  form->addRow(tr("Ma&gnification"), zoom_);
   screen_ = new QComboBox(this);
   screen_->setObjectName(QStringLiteral("trainee_screen"));
   for (const QScreen* s : QGuiApplication::screens())
@@ -160,9 +176,9 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   set_open(false);
   for (QComboBox* box : {layout_, mirror_, screen_})
     connect(box, &QComboBox::currentIndexChanged, this, &TraineeSettings::changed);
-  for (QCheckBox* box : {squeezed_, swapped_, full_})
+  for (QCheckBox* box : {squeezed_, swapped_, full_, microscope_})
     connect(box, &QCheckBox::toggled, this, &TraineeSettings::changed);
-  for (QDoubleSpinBox* box : {eyes_, convergence_})
+  for (QDoubleSpinBox* box : {eyes_, convergence_, zoom_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &TraineeSettings::changed);
   connect(toggle_, &QPushButton::clicked, this, &TraineeSettings::toggled);
 }
@@ -186,6 +202,7 @@ TraineeLook TraineeSettings::look() const {
   look.stereo.mirror = mirror_of(mirror_->currentData().toString());
   look.stereo.rig = {static_cast<float>(eyes_->value()), static_cast<float>(convergence_->value()),
                      swapped_->isChecked()};
+  look.stereo.microscope = {microscope_->isChecked(), static_cast<float>(zoom_->value())};
   look.screen = screen_->currentIndex();
   look.full_screen = full_->isChecked();
   return look;

@@ -60,8 +60,8 @@ class TraineeSettings : public QDialog {
   QDoubleSpinBox* length(const QString& name, float value, double most, const QString& tip);
 
   QComboBox *layout_, *mirror_, *screen_;
-  QDoubleSpinBox *eyes_, *convergence_;
-  QCheckBox *squeezed_, *swapped_, *full_;
+  QDoubleSpinBox *eyes_, *convergence_, *zoom_;
+  QCheckBox *squeezed_, *swapped_, *full_, *microscope_;
   QPushButton* toggle_;
 };
 

@@ -74,6 +74,10 @@ void RunControl::mark() {
   Q_EMIT marked(newest() ? newest()->time_s : 0);
 }
 
+void RunControl::note(const std::string& text) {
+  if (running()) session_->mark(text);
+}
+
 void RunControl::stop() {
   if (!running()) return;
   session_->stop();

@@ -41,12 +41,14 @@ class RunControl : public QObject {
   const snapshot::Snapshot* newest() const { return source_.newest(); }
   const session::Result& result() const { return result_; }
   const session::Options& options() const { return options_; }
+  const SessionOpener& opener() const { return opener_; }
 
  public Q_SLOTS:
   bool start(const session::Options& options);
   void toggle_pause();
   void reset_work();  // the object that is worked on, back to its start
   void mark();
+  void note(const std::string& text);  // kept with the attempt, at this moment
   void stop();
 
  public:

@@ -142,6 +142,19 @@ void RunPage::add_view(SceneView* view) {
   view->set_cues_shown(view_->cues_shown());
 }
 
+record::Display RunPage::display() const {
+  const auto open = std::find_if(views_.rbegin(), views_.rend(), [](const SceneView* v) { return v->isVisible(); });
+  return (open != views_.rend() ? *open : view_)->display();
+}
+
+// A view that changes in the middle of an attempt is noted at its moment; the head of the record says how it began.
+void RunPage::tell_display() {
+  const record::Display now = display();
+  if (now == seen_) return;
+  seen_ = now;
+  control_->note("display: " + record::words(now));
+}
+
 void RunPage::change(const QString& instance, const QString& json, const QString& words) {
   const QString problem = control_->change(instance.toStdString(), json.toStdString());
   for (NowPanel* now : now_panels()) now->form()->answer(problem);
@@ -213,6 +226,7 @@ void RunPage::update_frame() {
   const bool paused = control_->state() == RunControl::State::kPaused;
   if (!control_->running()) return;
   set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());
+  tell_display();
   if (paused) return;
   const Reading reading = reader_.read(*newest);
   for (NowPanel* now : now_panels()) now->show_reading(reading, newest->time_s);

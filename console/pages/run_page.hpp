@@ -14,10 +14,13 @@
 #include <QWidget>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "console/cues/speaker.hpp"
+#include "console/link/arm_reader.hpp"
 #include "console/link/run_control.hpp"
 #include "console/models/event_log.hpp"
+#include "console/models/instrument.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
 #include "console/models/reading.hpp"
@@ -54,6 +57,15 @@ class RunPage : public QWidget {
   SceneView* view() { return view_; }
   /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.
   void add_view(SceneView* view);
+  /// Where the instrument stands that is called so; nothing: as the lesson says.
+  using Placing = std::function<std::optional<Placement>(const std::string& device)>;
+  void set_placing(Placing placing) { placing_ = std::move(placing); }
+  /// Reads the chosen instrument; nullptr while an attempt runs or no lesson is chosen.
+  std::unique_ptr<ArmReader> make_arm_reader();
+  /// A person's own instrument, chosen among those of the lesson.
+  void set_binding(const Binding& binding);
+  /// How the trainee sees the scene: in the view that was added last and is open, else in that of this page.
+  record::Display display() const;
   ResultPanel* result() { return result_; }
   EventLog* events() { return events_; }
   CueLegend* legend() { return legend_; }
@@ -114,6 +126,8 @@ class RunPage : public QWidget {
   void update_frame();
   void update_cues();
   void update_second();
+  void tell_display();
+  void take_instrument(session::Options& o, const std::optional<Placement>& place) const;
   bool by_mouse() const;
   void tell_circle(const std::optional<NeedleCircle>& about);
   void show_finished();
@@ -125,6 +139,8 @@ class RunPage : public QWidget {
   QList<CueLegend*> legends() const;
 
   session::Options base_;
+  Placing placing_;
+  Binding binding_;
   bool draws_seed_ = false;
   host::Catalogue catalogue_;
   CameraPreset preset_ = CameraPreset::kOrbit;
@@ -148,6 +164,7 @@ class RunPage : public QWidget {
   QPushButton* instructor_button_ = nullptr;
   Criteria asked_;
   QString shown_lesson_, used_;
+  record::Display seen_;  // while an attempt runs: as it was when last told to its record
   ResultPanel* result_ = nullptr;
   EventLog* events_;
   EventFilter* shown_events_;

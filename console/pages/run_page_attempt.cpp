@@ -27,6 +27,7 @@ session::Options RunPage::options() const {
   o.person = setup_->person().toStdString();
   o.mode = asked_.show ? "demo" : setup_->mode().toStdString();
   o.device = setup_->device().toStdString();
+  o.display = display();
   for (const QString& meaning : cue_theme_.meanings()) {
     const CueForce f = cue_theme_.style(meaning).force;
     if (f.pulses > 0)
@@ -34,9 +35,40 @@ session::Options RunPage::options() const {
           {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
   }
   if (setup_->left_handed()) o.settings.push_back("mirror=true");
+  const std::optional<Placement> place = placing_ ? placing_(o.device) : std::nullopt;
+  take_instrument(o, place);
   // a demonstration is nobody's attempt
   if (o.mode == "demo") o.store_path = ":none:";
   return o;
+}
+
+std::unique_ptr<ArmReader> RunPage::make_arm_reader() {
+  if (control_->running() || setup_->lesson().isEmpty()) return nullptr;
+  session::Options o = base_;
+  o.lesson_path = setup_->lesson().toStdString();
+  o.device = setup_->device().toStdString();
+  take_instrument(o, Placement{.force = false});
+  return std::make_unique<ArmReader>(control_->opener(), o);
+}
+
+// The lesson's devices as they are led and placed here; the person's own instrument is then the lesson's first choice.
+void RunPage::take_instrument(session::Options& o, const std::optional<Placement>& place) const {
+  const bool own = o.device == kOwnInstrument;
+  for (std::string& s : instrument_settings(o.lesson_path, own ? binding_ : Binding{}, place, catalogue_)) o.settings.push_back(std::move(s));
+  if (own) o.device.clear();
+}
+
+void RunPage::set_binding(const Binding& binding) {
+  if (binding == binding_) return;
+  binding_ = binding;
+  const auto name = [&](const std::string& id) {
+    const host::PluginInfo* plugin = catalogue_.find(id);
+    return QString::fromStdString(plugin != nullptr ? plugin->name : id);
+  };
+  QString title;
+  if (binding.any()) title = name(binding.pose);
+  if (!binding.jaws.empty() && binding.jaws != binding.pose) title += QStringLiteral(" + ") + name(binding.jaws);
+  setup_->set_own_instrument(title);
 }
 
 void RunPage::start() { launch(false); }
@@ -61,6 +93,7 @@ void RunPage::launch(bool unrecorded) {
   if (unrecorded) o.store_path = ":none:";
   if (draws_seed_)
     o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
+  seen_ = o.display;
   if (control_->start(o)) view_->setFocus();
 }
 

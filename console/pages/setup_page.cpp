@@ -3,6 +3,7 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <algorithm>
 
 #include "console/widgets/parts.hpp"
 
@@ -38,6 +39,8 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
   row->addStretch(0);
   add_section(tr("Colours"), make_colours());
   add_section(tr("Trainee's view"), make_trainee());
+  add_section(tr("Instrument"), make_instrument());
+  add_section(tr("Jaw sensors"), make_sensors());
 }
 
 void SetupPage::add_section(const QString& heading, QWidget* section) {
@@ -77,7 +80,80 @@ QWidget* SetupPage::make_trainee() {
   row->addWidget(settings);
   row->addStretch(1);
   column->addLayout(row);
+  column->addWidget(make_muted(tr("10 mm shown as 10 mm, and hand and tool in one place: by a ruler, and with an arm at four marks."), box));
+  auto* station = make_button(tr("True size and place…"), {}, QStringLiteral("setup_station"), box);
+  connect(station, &QPushButton::clicked, this, &SetupPage::station_settings);
+  auto* second = new QHBoxLayout;
+  second->addWidget(station);
+  second->addStretch(1);
+  column->addLayout(second);
   return box;
+}
+
+QWidget* SetupPage::make_instrument() {
+  auto* box = new QWidget(this);
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  whose_ = make_muted({}, box);
+  form->addRow(whose_);
+  pose_ = make_choice(tr("Pose from"), "binding_pose", tr("The device that says where the instrument is"), form);
+  jaws_ = make_choice(tr("Jaws from"), "binding_jaws", tr("The device that says how far the jaws are closed, and how hard"), form);
+  clutch_ = make_choice(tr("Clutch"), "binding_clutch",
+                        tr("While this button or pedal of the first device is down the tool stays, and goes on without a leap"), form);
+  clutch_->addItem(tr("None"), -1);
+  for (int i = 0; i < 16; ++i) clutch_->addItem(tr("Button %1").arg(i + 1), i);
+  for (QComboBox* choice : {pose_, jaws_, clutch_})
+    connect(choice, &QComboBox::activated, this, [this] {
+      const Binding chosen{pose_->currentData().toString().toStdString(), jaws_->currentData().toString().toStdString(),
+                           clutch_->currentData().toInt()};
+      jaws_->setEnabled(chosen.any());
+      clutch_->setEnabled(chosen.any());
+      Q_EMIT binding_chosen(chosen);
+    });
+  auto* pedal = make_muted(tr("A pedal that sends the keys F5, F6 and F7 starts, pauses and puts back without letting go of the instrument."), box);
+  form->addRow(pedal);
+  return box;
+}
+
+void SetupPage::set_devices(const std::vector<const host::PluginInfo*>& devices) {
+  pose_->clear();
+  jaws_->clear();
+  pose_->addItem(tr("As the lesson says"), QString());
+  jaws_->addItem(tr("The same device"), QString());
+  for (const host::PluginInfo* plugin : devices)
+    for (QComboBox* choice : {pose_, jaws_}) choice->addItem(QString::fromStdString(plugin->name), QString::fromStdString(plugin->id));
+}
+
+void SetupPage::show_binding(const Binding& binding, const QString& person) {
+  whose_->setText(tr("Of %1, at this computer").arg(person));
+  pose_->setCurrentIndex(std::max(0, pose_->findData(QString::fromStdString(binding.pose))));
+  jaws_->setCurrentIndex(std::max(0, jaws_->findData(QString::fromStdString(binding.jaws))));
+  clutch_->setCurrentIndex(std::max(0, clutch_->findData(binding.clutch)));
+  jaws_->setEnabled(binding.any());
+  clutch_->setEnabled(binding.any());
+}
+
+QWidget* SetupPage::make_sensors() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  calibrations_ = new QLabel(box);
+  calibrations_->setObjectName(QStringLiteral("setup_calibrations"));
+  calibrations_->setWordWrap(true);
+  column->addWidget(calibrations_);
+  auto* row = new QHBoxLayout;
+  auto* calibrate = make_button(tr("Calibrate…"), {}, QStringLiteral("setup_calibrate"), box);
+  calibrate->setToolTip(tr("What the volts of a sensor in a needleholder's handle mean: thirteen lengths on a bench, and three poses"));
+  connect(calibrate, &QPushButton::clicked, this, &SetupPage::calibrate_sensor);
+  row->addWidget(calibrate);
+  row->addStretch(1);
+  column->addLayout(row);
+  show_calibrations({});
+  return box;
+}
+
+void SetupPage::show_calibrations(const QStringList& lines) {
+  calibrations_->setText(lines.isEmpty() ? tr("No sensor is calibrated on this computer.") : lines.join(QLatin1Char('\n')));
 }
 
 void SetupPage::show_themes(const QString& ui, const QString& cues) {

@@ -6,6 +6,7 @@
 #include <QRadioButton>
 #include <QVBoxLayout>
 
+#include "console/models/instrument.hpp"
 #include "console/models/variant.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -49,6 +50,7 @@ QWidget* SetupPanel::make_who() {
   person_->lineEdit()->setPlaceholderText(tr("Guest"));
   person_->setToolTip(tr("Choose a name or type a new one. Without a name the attempt is kept for Guest."));
   card.body->addWidget(person_);
+  connect(person_, &QComboBox::currentTextChanged, this, &SetupPanel::person_chosen);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));
   left_->setToolTip(tr("Mirrors the whole lesson, hand and picture; kept with the attempt"));
@@ -153,13 +155,16 @@ QString SetupPanel::person() const {
 }
 
 void SetupPanel::set_people(const QStringList& names, const QString& current) {
-  const QSignalBlocker quiet(person_);
-  person_->clear();
-  person_->addItem(QStringLiteral("Guest"));
-  for (const QString& name : names) {
-    if (name != QLatin1String("Guest")) person_->addItem(name);
+  {
+    const QSignalBlocker quiet(person_);
+    person_->clear();
+    person_->addItem(QStringLiteral("Guest"));
+    for (const QString& name : names) {
+      if (name != QLatin1String("Guest")) person_->addItem(name);
+    }
+    person_->setCurrentText(current.isEmpty() ? QStringLiteral("Guest") : current);
   }
-  person_->setCurrentText(current.isEmpty() ? QStringLiteral("Guest") : current);
+  Q_EMIT person_chosen();
 }
 
 QString SetupPanel::lesson() const { return lessons_->currentIndex().data(LessonsModel::kPath).toString(); }
@@ -192,17 +197,28 @@ void SetupPanel::set_device(const QString& device) {
 void SetupPanel::fill_devices() {
   QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
   if (!hands.contains(QStringLiteral("mouse"))) hands.prepend(QStringLiteral("mouse"));
+  const QString own = QString::fromLatin1(kOwnInstrument);
+  if (wanted_device_ == own && own_instrument_.isEmpty()) wanted_device_ = QStringLiteral("mouse");
+  if (!own_instrument_.isEmpty()) hands.prepend(own);
   if (!hands.contains(wanted_device_)) hands += wanted_device_;
   device_->clear();
   for (const QString& hand : hands) {
     const bool plugin = hand.contains(QLatin1Char('.'));
-    const QString name = hand == QLatin1String("mouse") ? tr("Mouse and keyboard")
+    const QString name = hand == own                    ? own_instrument_
+                         : hand == QLatin1String("mouse") ? tr("Mouse and keyboard")
                          : hand.isEmpty()               ? tr("As the lesson says")
                          : plugin                       ? hand
                                                         : tr("Recorded hand: %1").arg(hand);
     device_->addItem(name, hand);
   }
   device_->setCurrentIndex(device_->findData(wanted_device_));
+}
+
+void SetupPanel::set_own_instrument(const QString& title) {
+  // who has just bound an instrument wants to use it
+  wanted_device_ = title.isEmpty() ? QStringLiteral("mouse") : QString::fromLatin1(kOwnInstrument);
+  own_instrument_ = title;
+  fill_devices();
 }
 
 bool SetupPanel::mirrored() const {

@@ -28,7 +28,10 @@ class SetupPanel : public QWidget {
   QString mode() const;  // "practice", "test", "demo"
   void set_mode(const QString& mode);
   QString device() const;  // for session::Options::device
+  QString device_name() const { return device_->currentText(); }
   void set_device(const QString& device);
+  /// What the person's own instrument is called; "" when there is none.
+  void set_own_instrument(const QString& title);
   bool left_handed() const { return left_->isChecked(); }  // the lesson is mirrored
   bool mirrored() const;                                   // by that or by its file
   void set_left_handed(bool on) { left_->setChecked(on); }
@@ -47,6 +50,7 @@ class SetupPanel : public QWidget {
   void start();
   void lesson_changed();
   void mode_changed();
+  void person_chosen();
   void make_variant();
   void edit_lesson();
   void delete_lesson();
@@ -65,7 +69,7 @@ class SetupPanel : public QWidget {
   QLabel* no_lessons_;
   QButtonGroup* modes_;
   QPushButton *start_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
-  QString wanted_device_ = QStringLiteral("mouse");
+  QString wanted_device_ = QStringLiteral("mouse"), own_instrument_;
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
   QLabel* explain_ = nullptr;
   void update_modes();

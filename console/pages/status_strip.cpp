@@ -23,7 +23,8 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   frames_ = add("frames");
   frames_->setToolTip(tr(
       "Time from picture to picture: half of them take no longer than the first number, 99 of 100 no longer "
-      "than the second (F12 hides it)"));
+      "than the second; how many pictures there were; and the time from a movement of mouse or key to the first picture "
+      "that can show it, without the screen's own delay (F12 hides it)"));
   frames_->hide();
   graphics_ = add("graphics");
 }
@@ -34,14 +35,18 @@ void StatusStrip::set_idle(const QString& text) {
   recording_->clear();
 }
 
-void StatusStrip::show_frames(const FrameTimes& frames) {
+void StatusStrip::show_frames(const FrameTimes& frames, const FrameTimes& latency) {
   if (!frames_shown()) return;
   const double half = frames.share(0.5), worst = frames.share(0.99);
-  frames_->setText(frames.count() == 0 ? tr("No picture yet")
-                                       : tr("%1 fps, p50 %2 ms, p99 %3 ms")
-                                             .arg(1 / half, 0, 'f', 0)
-                                             .arg(1e3 * half, 0, 'f', 1)
-                                             .arg(1e3 * worst, 0, 'f', 1));
+  if (frames.count() == 0) return frames_->setText(tr("No picture yet"));
+  QString text = tr("%1 fps, p50 %2 ms, p99 %3 ms, picture %4")
+                     .arg(1 / half, 0, 'f', 0)
+                     .arg(1e3 * half, 0, 'f', 1)
+                     .arg(1e3 * worst, 0, 'f', 1)
+                     .arg(frames.total());
+  if (latency.count() > 0)
+    text += tr(", hand to picture p50 %1 ms, p99 %2 ms").arg(1e3 * latency.share(0.5), 0, 'f', 0).arg(1e3 * latency.share(0.99), 0, 'f', 0);
+  frames_->setText(text);
 }
 
 void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::SceneCard& card,

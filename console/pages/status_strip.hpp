@@ -20,7 +20,8 @@ class StatusStrip : public QWidget {
                    bool recording);
   void set_graphics(const QString& text) { graphics_->setText(text); }
   /// How quickly pictures come, while that is wanted.
-  void show_frames(const FrameTimes& frames);
+  /// `latency`: from a movement to its picture.
+  void show_frames(const FrameTimes& frames, const FrameTimes& latency);
   void set_frames_shown(bool shown) { frames_->setVisible(shown); }
   bool frames_shown() const { return !frames_->isHidden(); }
   QString text() const;

@@ -19,11 +19,13 @@ void OrbitCamera::frame(const QVector3D& centre, float radius) {
   home_radius_ = std::max(radius, 1e-3F);
   goal_.focus = centre;
   goal_.distance = home_radius_ / std::sin(0.5F * kFovDeg * kDeg);
+  if (held_) goal_.yaw = held_yaw_, goal_.pitch = held_pitch_;
 }
 
 void OrbitCamera::look(CameraPreset preset) {
   frame(home_centre_, home_radius_);
-  follows_ = true;
+  follows_ = !held_;
+  if (held_) return;
   switch (preset) {
     case CameraPreset::kOrbit:
       goal_.yaw = -60, goal_.pitch = 28;
@@ -42,22 +44,40 @@ void OrbitCamera::look(CameraPreset preset) {
 }
 
 void OrbitCamera::stay_at(const QVector3D& point) {
+  if (held_) return;
   goal_.focus = point;
   follows_ = false;
 }
 
+void OrbitCamera::hold(float yaw_deg, float pitch_deg) {
+  held_ = true;
+  held_yaw_ = yaw_deg, held_pitch_ = pitch_deg;
+  look(CameraPreset::kOrbit);
+}
+
+OrbitCamera OrbitCamera::showing(float height_mm) const {
+  OrbitCamera out = *this;
+  out.now_.distance = 0.5F * height_mm / std::tan(0.5F * kFovDeg * kDeg);
+  return out;
+}
+
+void OrbitCamera::release() { held_ = false; }
+
 // the short way round
 void OrbitCamera::look_from(float yaw_deg) {
+  if (held_) return;
   goal_.yaw = yaw_deg;
   now_.yaw = yaw_deg + std::remainder(now_.yaw - yaw_deg, 360.F);
 }
 
 void OrbitCamera::turn(float yaw_deg, float pitch_deg) {
+  if (held_) return;
   goal_.yaw += yaw_deg;
   goal_.pitch = std::clamp(goal_.pitch + pitch_deg, 0.0F, 89.9F);
 }
 
 void OrbitCamera::pan(float dx, float dy) {
+  if (held_) return;
   follows_ = false;
   const float height = 2 * goal_.distance * std::tan(0.5F * kFovDeg * kDeg);
   const QQuaternion q = q_WC();
@@ -75,6 +95,7 @@ void OrbitCamera::follow(const QVector3D& point) {
 }
 
 void OrbitCamera::zoom(float notches) {
+  if (held_) return;
   goal_.distance =
       std::clamp(goal_.distance * std::pow(0.88F, notches), 0.3F * home_radius_, 40 * home_radius_);
 }

@@ -28,6 +28,14 @@ class OrbitCamera {
   /// Looks at a point (mm) and stays there, until the next preset.
   void stay_at(const QVector3D& point);
 
+  /// Looks from this side, this steeply and at the middle of what is framed, until release(): nobody turns, pans or zooms it.
+  void hold(float yaw_deg, float pitch_deg);
+  void release();
+  bool held() const { return held_; }
+
+  /// The same view so that the half of this height fills the half of the picture.
+  OrbitCamera showing(float height_mm) const;
+
   /// Moves towards the goal; returns whether the picture changed.
   bool advance(double dt_s);
   void jump();  // no gliding
@@ -49,6 +57,8 @@ class OrbitCamera {
   QVector3D home_centre_{0, 0, 0};
   float home_radius_ = 5;
   bool follows_ = true;
+  bool held_ = false;
+  float held_yaw_ = 0, held_pitch_ = 0;  // deg
 };
 
 }  // namespace swage::console

@@ -21,6 +21,13 @@ class FrameTimes {
     }
     last_ns_ = now_ns;
   }
+  /// A time that is known, s.
+  void add_time(double s) {
+    s_[next_ % s_.size()] = s;
+    ++next_;
+  }
+  /// How many there have been at all.
+  size_t total() const { return next_; }
   /// Nothing moves: the time to the next picture tells nothing.
   void rest() { last_ns_ = -1; }
   size_t count() const { return std::min(next_, s_.size()); }

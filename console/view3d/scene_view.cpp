@@ -21,11 +21,6 @@ constexpr qint64 kPatience_ms =
     30000;  // so long an empty picture is taken for one that is still being loaded
 constexpr double kLeastThread_px = 2.2;  // a 10-0 suture has one pixel where the picture shows 15 mm: it would come and go
 constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
-constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
-constexpr float kAnywhere_mm = 1e6F;
-constexpr float kStands =
-    0.7F;  // level part of its plane's normal: a needle that lies is looked at as everything is
-constexpr float kBehindTool = 0.3F;  // of the way to the viewer: from here on the tool is in the way
 constexpr float kRoom = 1.2F;        // space around what is framed
 
 // steel while it only springs, orange where it begins to stay bent, red at one and a half times that
@@ -50,12 +45,6 @@ Floor shelf_of(const Ground& level) {
   floor.radius = 4 * std::max(level.half_x, level.half_y);
   floor.reach = 2;
   return floor;
-}
-
-QVector3D middle_of(const Mesh& mesh) {
-  Bounds own;
-  for (const Vertex& v : mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
-  return own.empty() ? QVector3D() : own.centre();
 }
 
 // one colour only
@@ -227,7 +216,8 @@ void SceneView::place_thread(int part) {
   const std::span<const double> p_W = have_snapshot_ && last <= snapshot_->n_particle
                                           ? std::span(snapshot_->particle_p_W + 3 * thread.first, thread.start.size())
                                           : std::span(thread.start);
-  const double mm_per_px = 2 * camera_.distance() * std::tan(qDegreesToRadians(0.5 * OrbitCamera::kFovDeg)) / std::max(1, height());
+  const Panel first = panels().front();
+  const double mm_per_px = first.view.eye.mm_per_pixel(first.size.height());
   renderer_->set_mesh(part, thread_mesh(parts_, of, p_W, 0.5 * kLeastThread_px * mm_per_px / kMmPerM));
 }
 
@@ -258,6 +248,7 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   const bool same =
       have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
   *snapshot_ = snapshot;
+  if (moved_ns_ >= 0 && sampled_ns_ < 0 && !same) sampled_ns_ = moved_ns_;
   follow_led_tool();
   const bool first = !std::exchange(have_snapshot_, true);
   look_near();
@@ -271,46 +262,6 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
     const swage_pose& X = snapshot.X_WB[parts_.watched];
     camera_.follow(to_mm(X.p) + to_qt(X.q).rotatedVector(parts_.watched_middle));
   }
-  touch();
-}
-
-// At the mark that is in the world, else at what is watched.
-void SceneView::look_near() {
-  if (preset_ != CameraPreset::kNear || !judged()) return;
-  for (uint32_t m = 0; m < card_.script.marks.size() && m < snapshot_->n_mark; ++m) {
-    if (card_.script.marks[m].mark.kind != SWAGE_MARK_POINT) continue;
-    const QVector3D at = to_mm(snapshot_->mark_p_W[m]);
-    if (!near_ || (*near_ - at).length() > kMoved_mm) camera_.stay_at(at);
-    near_ = at;
-    return;
-  }
-}
-
-// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve.
-void SceneView::look_aside() {
-  if (preset_ != CameraPreset::kSide || !have_card_) return;
-  const std::span<const swage_pose> X_WB =
-      have_snapshot_ ? std::span<const swage_pose>(snapshot_->X_WB, snapshot_->n_body)
-                     : std::span<const swage_pose>(card_.start);
-  const auto circle = needle_circle(card_, parts_, X_WB, middle_of_tips(), kAnywhere_mm);
-  if (!circle) return;
-  QVector3D level(circle->axis.x(), circle->axis.y(), 0);
-  if (level.length() < kStands) return;
-  QVector3D handle;  // from the tips
-  for (const ScenePart& part : parts_.part)
-    if (part.role == Role::kTool && part.chain < 0)
-      handle += place_of({part.body, middle_of(part.mesh)}) - middle_of_tips();
-  const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
-  const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
-  if (other_side) level = -level;
-  camera_.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
-}
-
-void SceneView::look(CameraPreset preset) {
-  camera_.look(preset_ = preset);
-  look_aside();
-  near_ = {};
-  look_near();
   touch();
 }
 
@@ -356,7 +307,10 @@ void SceneView::tick() {
     touch();
   }
   move_second(dt);
-  if (resting()) return frames_.rest();
+  if (resting()) {
+    moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
+    return frames_.rest();
+  }
   // a processor that draws has less left for the session: every other picture is enough
   skip_ = gl_.software && !skip_;
   if (skip_) return;
@@ -365,6 +319,7 @@ void SceneView::tick() {
   const std::vector<Panel> parts = panels();
   for (const Panel& panel : parts) views.push_back(panel.view);
   renderer_->set_views(views);
+  if (sampled_ns_ >= 0 && drawn_ns_ < 0) drawn_ns_ = sampled_ns_;
   QPointer<SceneView> self(this);
   renderer_->draw([self, parts](const QImage& image) {
     if (self) self->arrived(image, parts);
@@ -382,6 +337,10 @@ void SceneView::arrived(const QImage& image, const std::vector<Panel>& parts) {
   alike_ = image == image_ ? alike_ + 1 : 0;
   image_ = image;
   frames_.add(clock_.nsecsElapsed());
+  if (drawn_ns_ >= 0) {
+    shows_ns_ = drawn_ns_;
+    moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
+  }
   image_parts_ = parts;
   update();
   if (first) Q_EMIT ready_changed();

@@ -24,6 +24,7 @@
 #include "console/view3d/scene_parts.hpp"
 #include "console/view3d/stereo_look.hpp"
 #include "console/view3d/wound_surface.hpp"
+#include "record/display.hpp"
 
 namespace swage::console {
 
@@ -35,6 +36,10 @@ class SceneView : public QWidget {
   explicit SceneView(QWidget* parent = nullptr);
   /// For two eyes: nothing but the scene and its cues.
   void set_stereo(const StereoLook& look);
+  /// A mark of a registration over the picture, mm from its middle, +y up; where the size of the screen is known.
+  void set_station_mark(const std::optional<QPointF>& at_mm);
+  /// How the scene is seen here, for the record of an attempt.
+  record::Display display() const;
   ~SceneView() override;
 
   const GlProbe& gl() const { return gl_; }
@@ -71,6 +76,8 @@ class SceneView : public QWidget {
   /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
   bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
   const FrameTimes& frames() const { return frames_; }
+  /// From a movement of mouse or key to the first picture painted that can show it, as far as software sees.
+  const FrameTimes& latency() const { return latency_; }
   /// Draws again although nothing moved.
   void redraw() { touch(); }
 
@@ -79,6 +86,8 @@ class SceneView : public QWidget {
   /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
   void circle(const std::optional<NeedleCircle>& about);
   void ready_changed();
+  /// By keys, a pedal that sends them, or the wheel.
+  void microscope_zoomed(float zoom);
   /// The person has done what a hint told, or turned the view: "drag", "close", "drive", "view".
   void control_used(const QString& what);
 
@@ -108,6 +117,7 @@ class SceneView : public QWidget {
     Inset inset = Inset::kNone;
   };
   std::vector<Panel> panels() const;
+  std::array<Eye, 2> eyes(const QSizeF& own) const;
   void lay_out();
   QSize canvas() const;  // the renderer's picture: all panels beside each other
   Panel panel_at(const QPointF& position) const;
@@ -149,9 +159,14 @@ class SceneView : public QWidget {
   void paint_background(QPainter& painter, const QRectF& at);
   void paint_placeholder(QPainter& painter);
   bool has_target() const;
+  void tell(const swage_pointer& input);
   void tell_circle(const swage_pointer& input);
   void follow_led_tool();
   void paint_led(Overlay& overlay, const Panel& panel) const;
+  void paint_station_mark(QPainter& painter, const Panel& panel) const;
+  QSizeF screen_mm_per_pixel() const;
+  float screen_scale() const;
+  void zoom_microscope(int notches);
   /// Whether the lesson has looked at the scene yet: only then are its marks where it has drawn them.
   bool judged() const { return have_snapshot_ && snapshot_->step > 0; }
   void paint_marks(Overlay& overlay, const Panel& panel) const;
@@ -177,6 +192,7 @@ class SceneView : public QWidget {
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
   bool stress_shown_ = false, second_shown_ = false;
   std::optional<StereoLook> stereo_;
+  std::optional<QPointF> station_mark_;
   Bounds second_;          // what the second view shows now
   bool dragging_ = false;  // a button moves the instrument: no view moves meanwhile
   Inset drags_in_ = Inset::kNone;
@@ -197,7 +213,11 @@ class SceneView : public QWidget {
   int to_draw_ = 0;                // pictures still wanted
   int alike_ = 0;                  // pictures in a row that were the same
   QElapsedTimer since_card_;
-  FrameTimes frames_;
+  FrameTimes frames_, latency_;
+  qint64 moved_ns_ = -1;    // the oldest movement that no picture shows yet
+  qint64 sampled_ns_ = -1;  // and that a snapshot since then may show
+  qint64 drawn_ns_ = -1;    // and that the picture under way shows
+  qint64 shows_ns_ = -1;    // and that the next paint brings to the screen
   bool skip_ = false;
   QTimer timer_;
   QElapsedTimer clock_;

@@ -50,6 +50,11 @@ swage_pointer SceneView::moved(const QPointF& from, const QPointF& to) {
                       parts_.tips.empty() ? eye.mm_per_pixel(px) : eye.mm_per_pixel(px, middle_of_tips()));
 }
 
+void SceneView::tell(const swage_pointer& input) {
+  if (moved_ns_ < 0) moved_ns_ = clock_.nsecsElapsed();
+  Q_EMIT pointer(input);
+}
+
 // where the needle is when a drive begins is where its circle stays
 void SceneView::tell_circle(const swage_pointer& input) {
   const bool drives = PointerInput::drives(input);
@@ -87,7 +92,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   look_from(last_mouse_);
   const swage_pointer out = input_.buttons(*event);
   tell_circle(out);
-  Q_EMIT pointer(out);
+  tell(out);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
@@ -102,7 +107,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     touch();
   } else if (instrument_ && event->buttons() != Qt::NoButton) {
     input_.buttons(*event);
-    Q_EMIT pointer(moved(from, last_mouse_));
+    tell(moved(from, last_mouse_));
     if (dragging_) used("drag");
     wrap_pointer(event->globalPosition().toPoint());
   }
@@ -121,10 +126,10 @@ void SceneView::wrap_pointer(const QPoint& global) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   const QPointF from = std::exchange(last_mouse_, event->position());
   if (!instrument_) return;
-  if (from != last_mouse_) Q_EMIT pointer(moved(from, last_mouse_));
+  if (from != last_mouse_) tell(moved(from, last_mouse_));
   const swage_pointer out = input_.buttons(*event);
   tell_circle(out);
-  Q_EMIT pointer(out);
+  tell(out);
   dragging_ = event->buttons() != Qt::NoButton;
 }
 
@@ -138,10 +143,11 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   const Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
   if (instrument_ && (event->modifiers() & both) != both) {
     look_from(event->position());
-    Q_EMIT pointer(input_.wheel(*event));
+    tell(input_.wheel(*event));
     return;
   }
   const QPoint angle = event->angleDelta();
+  if (stereo_ && stereo_->microscope.on) return zoom_microscope(angle.y() > 0 ? 1 : -1);
   camera_.zoom(static_cast<float>(angle.y() != 0 ? angle.y() : angle.x()) / 120);
   touch();
 }
@@ -153,6 +159,10 @@ bool SceneView::focusNextPrevChild(bool next) {
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (stereo_ && stereo_->microscope.on && event->modifiers() & Qt::ControlModifier) {
+    if (event->key() == Qt::Key_PageUp) return zoom_microscope(1);
+    if (event->key() == Qt::Key_PageDown) return zoom_microscope(-1);
+  }
   swage_pointer out{};
   if (!dragging_) input_.set_camera(panels().front().view.eye.q_WC());
   if (instrument_ && input_.key(*event, true, out)) {
@@ -160,7 +170,7 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     tell_circle(out);
     if (event->key() == Qt::Key_Space) used("close");
     if (event->key() == Qt::Key_T) used("drive");
-    Q_EMIT pointer(out);
+    tell(out);
     return;
   }
   // without a mouse: arrows turn, plus and minus zoom, Home frames
@@ -198,7 +208,7 @@ void SceneView::keyReleaseEvent(QKeyEvent* event) {
   if (instrument_ && input_.key(*event, false, out)) {
     if (event->isAutoRepeat()) return;
     tell_circle(out);
-    Q_EMIT pointer(out);
+    tell(out);
     return;
   }
   QWidget::keyReleaseEvent(event);
@@ -211,7 +221,7 @@ void SceneView::focusInEvent(QFocusEvent* event) {
 
 void SceneView::focusOutEvent(QFocusEvent* event) {
   // a key that is let go elsewhere must not go on closing the jaws
-  if (instrument_) Q_EMIT pointer(input_.released());
+  if (instrument_) tell(input_.released());
   drives_ = false;
   dragging_ = false;
   update();

@@ -6,6 +6,7 @@
 #include <QLinearGradient>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "console/view3d/overlay.hpp"
 #include "console/view3d/scene_view.hpp"
@@ -122,6 +123,21 @@ const SceneView::Panel* SceneView::drawn(const Panel& panel, size_t index) const
   return same == image_parts_.end() ? nullptr : &*same;
 }
 
+// In the plane of the screen: either eye has it at the same place.
+void SceneView::paint_station_mark(QPainter& painter, const Panel& panel) const {
+  constexpr double kArm_mm = 8;
+  const QSizeF mm = screen_mm_per_pixel();
+  if (mm.width() <= 0 || mm.height() <= 0) return;
+  const QPointF at(0.5 * panel.size.width() + station_mark_->x() / mm.width(), 0.5 * panel.size.height() - station_mark_->y() / mm.height());
+  const QPointF x(kArm_mm / mm.width(), 0), y(0, kArm_mm / mm.height());
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{Qt::black, 5}, {Qt::white, 2}}) {
+    painter.setPen(QPen(colour, width));
+    painter.drawLine(at - x, at + x);
+    painter.drawLine(at - y, at + y);
+  }
+}
+
 // The scene as one eye sees it, and over it what belongs to places in it.
 void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index) {
   painter.save();
@@ -135,6 +151,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   }
   painter.translate(panel.at.topLeft());
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
+  if (stereo_ && stereo_->microscope.on) paint_field(painter, panel.size);
   Overlay overlay(painter, QRectF(QPointF(), panel.size), ui_);
   if (panel.inset == Inset::kNone && !stereo_)
     for (const Panel& other : panels())
@@ -149,6 +166,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
     if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
     if (!banner_.isEmpty()) overlay.banner(banner_);
     if (!task_.isEmpty()) overlay.hint(task_);
+    if (station_mark_) paint_station_mark(painter, panel);
   }
   painter.restore();
 }
@@ -235,6 +253,7 @@ void SceneView::paint_words(QPainter& painter) {
 }
 
 void SceneView::paintEvent(QPaintEvent*) {
+  if (shows_ns_ >= 0) latency_.add_time(1e-9 * static_cast<double>(clock_.nsecsElapsed() - std::exchange(shows_ns_, -1)));
   QPainter painter(this);
   if (!renderer_) {
     paint_background(painter, rect());

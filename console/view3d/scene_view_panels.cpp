@@ -32,11 +32,6 @@ float shape(const QSizeF& size) { return static_cast<float>(size.width() / std::
 
 }  // namespace
 
-void SceneView::set_stereo(const StereoLook& look) {
-  stereo_ = look;
-  lay_out();
-}
-
 void SceneView::set_second_shown(bool shown) {
   if (second_shown_ == shown) return;
   second_shown_ = shown;
@@ -82,9 +77,8 @@ std::vector<SceneView::Panel> SceneView::panels() const {
     for (size_t i = 0; i < two.size(); ++i) {
       if (two[i].isEmpty()) continue;
       const QSizeF own = stereo_->squeezed ? all : two[i].size();
-      out.push_back({two[i], own, {two_eyes(camera_, stereo_->rig, shape(own))[i], {}}});
+      out.push_back({two[i], own, {eyes(own)[i], {}}});
     }
-    if (stereo_->layout == StereoLayout::kOneEye) out[0].view.eye = middle_eye(camera_, shape(out[0].size));
   } else {
     out.push_back({QRectF(QPointF(), all), all, {middle_eye(camera_, shape(all)), {}}});
     if (second_shown_ && !second_.empty()) {

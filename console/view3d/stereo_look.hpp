@@ -9,6 +9,8 @@
 #include <array>
 
 #include "console/view3d/eye.hpp"
+#include "console/view3d/microscope.hpp"
+#include "console/view3d/true_size.hpp"
 
 namespace swage::console {
 
@@ -33,6 +35,8 @@ struct StereoLook {
   /// Each picture has the whole screen's shape, pressed into its half: what 3D televisions expect.
   bool squeezed = false;
   Mirror mirror = Mirror::kNone;
+  Microscope microscope;
+  TrueSize true_size;  // while it is on, eyes and window are those of the station and not the microscope's
 };
 
 /// Names for settings and the command line: side, over, lines, checker, anaglyph, grey, least, one, left, right. An unknown one is

@@ -128,7 +128,10 @@ class FakeSession final : public session::Session {
     paused_ = on;
   }
   void reset_object(const std::string&) override { ++log_->reset; }
-  void mark(const std::string&) override { ++log_->marked; }
+  void mark(const std::string& text) override {
+    ++log_->marked;
+    log_->noted.push_back(text);
+  }
   void stop() override {
     ++log_->stopped;
     if (!finished()) aborted_ = true;

@@ -17,6 +17,7 @@ namespace swage::test {
 struct FakeLog {
   int opened = 0, started = 0, paused = 0, resumed = 0, reset = 0, marked = 0, stopped = 0;
   std::vector<swage_pointer> pointer;
+  std::vector<std::string> noted;    // what marks said, "" for a person's
   std::vector<std::string> changed;  // instance and JSON of each change
   session::Options last;
 };

@@ -176,5 +176,39 @@ TEST_F(FirstSight, TheTraineesViewIsSetUpAndRemembered) {
   EXPECT_FLOAT_EQ(form->look().stereo.rig.eye_distance_mm, 30);
 }
 
+// The record of an attempt begins with how the scene was seen, and notes where that changed.
+TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
+  script.rate = 1;
+  script.end_s = 0;
+  open();
+  click("start");
+  EXPECT_EQ(log->last.display, (record::Display{"mono"}));
+  control()->stop();
+  click("trainee_button");
+  console::TraineeLook look;
+  look.stereo.layout = console::StereoLayout::kLines;
+  look.stereo.mirror = console::Mirror::kUpDown;
+  look.stereo.rig.swapped = true;
+  window->trainee()->show_as(look);
+  click("start");
+  EXPECT_EQ(log->last.display, (record::Display{"lines", true, true, "up_down", 0}));
+  ASSERT_TRUE(wait_for_time(0.1));
+  EXPECT_TRUE(log->noted.empty()) << log->noted.front();
+  look.stereo.layout = console::StereoLayout::kLeftEye;
+  window->trainee()->show_as(look);
+  ASSERT_TRUE(eventually([&] { return log->noted.size() == 1; }));
+  EXPECT_EQ(log->noted[0], "display: left, mirrored up_down");
+  click("trainee_button");
+  ASSERT_TRUE(eventually([&] { return log->noted.size() == 2; }));
+  EXPECT_EQ(log->noted[1], "display: mono");
+  control()->stop();
+  look.stereo.layout = console::StereoLayout::kSideBySide;
+  look.stereo.rig.eye_distance_mm = 0;
+  click("trainee_button");
+  window->trainee()->show_as(look);
+  click("start");
+  EXPECT_FALSE(log->last.display.stereo) << "eyes that are nowhere apart see one picture";
+}
+
 }  // namespace
 }  // namespace swage::test

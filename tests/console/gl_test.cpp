@@ -7,49 +7,12 @@
 #include <QWheelEvent>
 #include <functional>
 
-#include "window_fixture.hpp"
+#include "gl_fixture.hpp"
 
 namespace swage::test {
 namespace {
 
 using console::RunControl;
-using console::SceneView;
-
-class Gl : public WindowTest {
- protected:
-  void open_ready() {
-    open();
-    if (!page()->view()->gl().ok) GTEST_SKIP() << "no OpenGL: " << page()->view()->gl().why.toStdString();
-    ASSERT_TRUE(eventually([&] { return page()->view()->ready(); }));
-    settle();
-  }
-  // a gliding camera, meshes that load, pictures that are a few frames behind
-  void settle() {
-    view()->redraw();
-    ASSERT_TRUE(eventually([&] { return view()->resting(); }));
-  }
-  SceneView* view() { return page()->view(); }
-  QImage picture() { return view()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
-};
-
-int count(const QImage& image, const std::function<bool(const QColor&)>& is) {
-  int n = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) n += is(image.pixelColor(x, y));
-  }
-  return n;
-}
-bool red(const QColor& c) { return c.red() > 120 && c.red() > 2.2 * c.green() && c.red() > 2.2 * c.blue(); }
-// the picture's shoulder holds highlights below white
-bool bright(const QColor& c) { return c.lightness() > 205; }
-double changed(const QImage& a, const QImage& b) {
-  int n = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x)
-      n += std::abs(a.pixelColor(x, y).lightness() - b.pixelColor(x, y).lightness()) > 12;
-  }
-  return n / double(a.width() * a.height());
-}
 
 TEST_F(Gl, NeedleIsLitAndItsRegionRed) {
   launch.theme = "dark";
@@ -109,67 +72,6 @@ TEST_F(Gl, DragTurnsWheelZoomsAndPresetsFrame) {
   settle();
   EXPECT_NEAR(view()->camera().up().z(), 0, 0.01);
   EXPECT_GT(count(picture(), red), 200);
-}
-
-/// Mean difference of lightness over the pixels that `counts` takes.
-double apart(const QImage& a, const QImage& b, const std::function<bool(int, int)>& counts = [](int, int) { return true; }) {
-  double sum = 0;
-  int n = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x)
-      if (counts(x, y)) sum += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))), ++n;
-  return sum / n;
-}
-
-// Each way of showing two eyes, taken apart again, gives what each eye sees alone.
-TEST_F(Gl, EveryDisplayShowsEachEyeItsOwnPicture) {
-  open_ready();
-  if (IsSkipped()) return;
-  using Layout = console::StereoLayout;
-  const auto shot = [&](Layout layout, console::Mirror mirror = console::Mirror::kNone, bool swapped = false, bool squeezed = false) {
-    console::StereoLook look;
-    look.layout = layout;
-    look.mirror = mirror;
-    look.squeezed = squeezed;
-    look.rig.swapped = swapped;
-    look.rig.eye_distance_mm = 40;
-    view()->set_stereo(look);
-    settle();
-    return picture();
-  };
-  const QImage left = shot(Layout::kLeftEye), right = shot(Layout::kRightEye);
-  const double both = apart(left, right);  // lightness, 0 to 255
-  ASSERT_GT(both, 0.5) << "two eyes see two pictures";
-  const double same = 0.1 * both;
-  const QPoint origin = view()->mapToGlobal(QPoint());
-  const auto even = [&](int, int y) { return (y + origin.y()) % 2 == 0; };
-  const auto white = [&](int x, int y) { return (x + y + origin.x() + origin.y()) % 2 == 0; };
-  for (const auto& [layout, is_left] : {std::pair<Layout, std::function<bool(int, int)>>{Layout::kLines, even}, {Layout::kChecker, white}}) {
-    const QImage image = shot(layout);
-    EXPECT_LT(apart(image, left, is_left), same);
-    EXPECT_LT(apart(image, right, std::not_fn(is_left)), same);
-    EXPECT_GT(apart(image, right, is_left), 0.5 * both) << "and not the other's";
-  }
-  for (const Layout layout : {Layout::kAnaglyph, Layout::kAnaglyphGrey, Layout::kAnaglyphLeast})
-    EXPECT_LT(apart(shot(layout), console::overlay_eyes(layout, left, right)), same);
-  EXPECT_LT(apart(shot(Layout::kLeftEye, console::Mirror::kNone, true), right), same);
-  EXPECT_LT(apart(shot(Layout::kLeftEye, console::Mirror::kLeftRight), left.mirrored(true, false)), same);
-  EXPECT_LT(apart(shot(Layout::kRightEye, console::Mirror::kUpDown), right.mirrored(false, true)), same);
-  // beside each other: the middle of what each eye sees, or all of it pressed together
-  const int w = left.width() / 2, h = left.height();
-  const QRect middle(w / 2, 0, w, h);
-  // words over the lower edge and in the corners lie elsewhere in a narrower picture
-  const auto scene = [&](int x, int y) { return y > h / 8 && y < 3 * h / 4 && x > 4 && x < w - 4; };
-  const QImage side = shot(Layout::kSideBySide);
-  EXPECT_LT(apart(side.copy(0, 0, w, h), left.copy(middle), scene), 0.4 * both);
-  EXPECT_LT(apart(side.copy(w, 0, w, h), right.copy(middle), scene), 0.4 * both);
-  const QImage mirrored = shot(Layout::kSideBySide, console::Mirror::kLeftRight);
-  EXPECT_LT(apart(mirrored.copy(0, 0, w, h), side.copy(0, 0, w, h).mirrored(true, false), scene), same) << "each in its own half";
-  const QImage pressed = shot(Layout::kSideBySide, console::Mirror::kNone, false, true);
-  const QImage whole = left.scaled(w, h, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-  const QImage other = right.scaled(w, h, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-  EXPECT_LT(apart(pressed.copy(0, 0, w, h), whole, scene), 0.7 * apart(pressed.copy(0, 0, w, h), other, scene));
-  EXPECT_LT(apart(pressed.copy(w, 0, w, h), other, scene), 0.7 * apart(pressed.copy(w, 0, w, h), whole, scene));
 }
 
 TEST_F(Gl, MouseAndKeysDriveTheInstrumentWhileItRuns) {

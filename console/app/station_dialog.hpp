@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// True size and place of a station: what a ruler says, and four marks that the arm's tip is led to. Every change acts at once.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScreen>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "console/app/station.hpp"
+#include "console/link/arm_reader.hpp"
+
+namespace swage::console {
+
+/// A bar that is as long as its words say, when the size of the screen is right: a ruler tells.
+class RulerBar : public QWidget {
+ public:
+  explicit RulerBar(QWidget* parent);
+  void set_mm_per_pixel(double mm) { mm_per_px_ = mm, update(); }
+  double length_px() const { return mm_per_px_ > 0 ? kLength_mm / mm_per_px_ : 0; }
+  QSize sizeHint() const override { return {420, 34}; }
+  static constexpr double kLength_mm = 100;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double mm_per_px_ = 0;
+};
+
+class StationDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// Makes a reader of the instrument that is chosen on the Run page.
+  using ArmMaker = std::function<std::unique_ptr<ArmReader>()>;
+
+  StationDialog(const Station& station, bool mirrored, ArmMaker make_arm, QWidget* parent);
+  const Station& station() const { return station_; }
+  /// The instrument that is registered, as sessions call it, and as people do.
+  void set_device(const QString& device, const QString& name);
+  /// The screen that is measured: what it says of itself is the first guess.
+  void set_screen(const QScreen* screen);
+
+ Q_SIGNALS:
+  void changed();
+  /// Where the mark that is to be touched lies in the trainee's picture, mm from its middle; nothing: no mark.
+  void mark(const std::optional<QPointF>& at_mm);
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* make_ruler(bool mirrored);
+  QWidget* make_arm_section();
+  QDoubleSpinBox* number(const char* name, const QString& label, double low, double high, double value, const QString& unit,
+                         const QString& tip, QFormLayout* form);
+  void read_ruler();
+  void begin();
+  void take();
+  void cancel();
+  void show_step();
+  void show_registration();
+
+  Station station_;
+  ArmMaker make_arm_;
+  std::unique_ptr<ArmReader> arm_;
+  std::vector<session::Touched> touched_;
+  QString device_, device_name_;
+  QSize screen_px_{1920, 1080};
+  QDoubleSpinBox *width_, *height_, *distance_, *eyes_, *scale_, *screen_tilt_, *mirror_tilt_;
+  QCheckBox *on_, *held_;
+  RulerBar* bar_;
+  QLabel *where_, *step_, *registration_;
+  QPushButton *begin_, *take_, *forget_;
+};
+
+}  // namespace swage::console

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/instrument.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/lesson_text.hpp"
+#include "console/view3d/vec.hpp"
+#include "host/units.hpp"
+
+namespace swage::console {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const Json* member(const Json& object, const char* key) {
+  const auto at = object.is_object() ? object.find(key) : object.end();
+  return at != object.end() ? &*at : nullptr;
+}
+
+// SI numbers of a lesson's three values, each a number or a text with a unit
+std::optional<Vec> triple(const Json* list, const char* unit) {
+  if (list == nullptr || !list->is_array() || list->size() != 3) return {};
+  double v[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json& one = (*list)[i];
+    std::string ignored;
+    if (one.is_number())
+      v[i] = one.get<double>();
+    else if (!one.is_string() || !host::parse_quantity(one.get<std::string>(), unit, "A number", v[i], ignored))
+      return {};
+  }
+  return Vec(v[0], v[1], v[2]);
+}
+
+// roll, pitch, yaw about the fixed axes, as a lesson writes a pose
+swage_pose pose_of(const Json* pose) {
+  swage_pose out{{0, 0, 0}, {1, 0, 0, 0}};
+  if (pose == nullptr) return out;
+  if (const auto p = triple(member(*pose, "p"), "m")) out.p = {p->x, p->y, p->z};
+  if (const Json* q = member(*pose, "q"); q != nullptr && q->is_array() && q->size() == 4)
+    out.q = {q->at(0).get<double>(), q->at(1).get<double>(), q->at(2).get<double>(), q->at(3).get<double>()};
+  if (const auto a = triple(member(*pose, "rpy"), "rad")) {
+    const double cr = std::cos(a->x / 2), sr = std::sin(a->x / 2), cp = std::cos(a->y / 2), sp = std::sin(a->y / 2),
+                 cy = std::cos(a->z / 2), sy = std::sin(a->z / 2);
+    out.q = {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy};
+  }
+  return out;
+}
+
+Json list(const Vec& v) { return Json::array({v.x, v.y, v.z}); }
+Vec turned_back(const swage_quat& q, const Vec& v) { return rotate({q.w, -q.x, -q.y, -q.z}, v); }
+
+bool has_param(const host::PluginInfo* plugin, const char* id) {
+  return plugin != nullptr && std::any_of(plugin->params.begin(), plugin->params.end(), [&](const host::Param& p) { return p.id == id; });
+}
+
+// Where the lesson's own hand has its tips at the start, from whichever of its devices says so.
+Json start_of(const Json& device, const swage_pose& X_WD, double scale) {
+  std::vector<const Json*> choices{&device};
+  if (const Json* others = member(device, "or"))
+    for (const Json& other : *others) choices.push_back(&other);
+  for (const Json* choice : choices) {
+    const Json* params = member(*choice, "params");
+    if (params == nullptr) continue;
+    const auto start = triple(member(*params, "start"), "m"), axis = triple(member(*params, "start_axis"), "1"),
+               closing = triple(member(*params, "start_closing"), "1");
+    if (!start || !axis || !closing) continue;
+    return {{"start", list(turned_back(X_WD.q, *start - Vec(X_WD.p)) * scale)},
+            {"start_axis", list(turned_back(X_WD.q, *axis))},
+            {"start_closing", list(turned_back(X_WD.q, *closing))}};
+  }
+  return Json::object();
+}
+
+void require(Json& requires_, const std::string& id, const host::Catalogue& catalogue) {
+  const host::PluginInfo* plugin = catalogue.find(id);
+  if (plugin != nullptr) requires_[id] = "^" + plugin->version.substr(0, plugin->version.find('.'));
+}
+
+// The bound device in the place of the lesson's own.
+void bind(Json& devices, Json& objects, const Binding& binding, const host::Catalogue& catalogue) {
+  const Json own = devices[0];
+  const std::string name = own.value("name", std::string("hand"));
+  Json hand = {{"name", name}, {"plugin", binding.pose}};
+  for (const char* key : {"pose", "motion_scale", "force_scale", "filters", "reaction"})
+    if (const Json* value = member(own, key)) hand[key] = *value;
+  if (binding.clutch >= 0) hand["filters"]["clutch"] = Json::array({binding.clutch});
+  if (has_param(catalogue.find(binding.pose), "start")) {
+    const Json* scale = member(own, "motion_scale");
+    const Json start = start_of(own, pose_of(member(own, "pose")), scale != nullptr && scale->is_number() ? scale->get<double>() : 1);
+    if (!start.empty()) hand["params"] = start;
+  }
+  devices[0] = hand;
+  if (binding.jaws.empty() || binding.jaws == binding.pose) return;
+  devices.push_back({{"name", name + "_jaws"}, {"plugin", binding.jaws}});
+  for (Json& object : objects)
+    if (object.contains("follows") && object["follows"].value("closure", std::string()) == name) object["follows"]["closure"] = name + "_jaws";
+}
+
+}  // namespace
+
+Binding read_binding(const Settings& settings, const QString& person) {
+  Binding out;
+  const nlohmann::json all = nlohmann::json::parse(settings.text("bindings").toStdString(), nullptr, false);
+  const std::string who = person.toStdString();
+  if (!all.is_object() || !all.contains(who)) return out;
+  try {
+    const auto& one = all.at(who);
+    out = {one.at("pose"), one.at("jaws"), one.at("clutch")};
+  } catch (const nlohmann::json::exception&) {
+    // as if nobody had chosen
+  }
+  return out;
+}
+
+void remember(const Binding& binding, const QString& person, Settings& settings) {
+  nlohmann::json all = nlohmann::json::parse(settings.text("bindings").toStdString(), nullptr, false);
+  if (!all.is_object()) all = nlohmann::json::object();
+  all[person.toStdString()] = {{"pose", binding.pose}, {"jaws", binding.jaws}, {"clutch", binding.clutch}};
+  settings.set("bindings", QString::fromStdString(all.dump()));
+}
+
+std::vector<const host::PluginInfo*> held_devices(const host::Catalogue& catalogue) {
+  std::vector<const host::PluginInfo*> out;
+  for (const host::PluginInfo* plugin : catalogue.of_kind(SWAGE_KIND_DEVICE)) {
+    const bool plays = std::any_of(plugin->params.begin(), plugin->params.end(),
+                                   [](const host::Param& p) { return p.type == SWAGE_PARAM_FILE && p.required(); });
+    if (!plays) out.push_back(plugin);
+  }
+  return out;
+}
+
+std::vector<std::string> instrument_settings(const std::string& lesson_path, const Binding& binding,
+                                             const std::optional<Placement>& placement, const host::Catalogue& catalogue) {
+  assembly::LessonText lesson;
+  base::Problems ignored;
+  if ((!binding.any() && !placement) || !assembly::read_lesson_text(lesson_path, {}, lesson, ignored)) return {};
+  const Json* own = member(lesson.json, "devices");
+  if (own == nullptr || !own->is_array() || own->empty() || !own->front().is_object()) return {};
+  Json devices = *own, objects = lesson.json.value("objects", Json::array());
+  if (placement) {
+    const swage_pose& X = placement->X_WD;
+    devices[0]["pose"] = {{"p", {X.p.x, X.p.y, X.p.z}}, {"q", {X.q.w, X.q.x, X.q.y, X.q.z}}};
+    devices[0]["motion_scale"] = placement->motion_scale;
+    if (!placement->force) devices[0]["force_scale"] = 0;
+  }
+  if (!binding.any()) return {"devices=" + devices.dump()};
+  bind(devices, objects, binding, catalogue);
+  Json needs = lesson.json.value("requires", Json::object());
+  for (const std::string& id : {binding.pose, binding.jaws})
+    if (!id.empty()) require(needs, id, catalogue);
+  return {"devices=" + devices.dump(), "objects=" + objects.dump(), "requires=" + needs.dump()};
+}
+
+}  // namespace swage::console

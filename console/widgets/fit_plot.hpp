@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "console/cues/ui_theme.hpp"
+
+namespace swage::console {
+
+/// A straight line through measured points, and below it what is left of each: filled dots were used, crosses were left out.
+class FitPlot : public QWidget {
+ public:
+  struct Point {
+    double x = 0, y = 0, residual = 0;
+    bool used = false;
+  };
+  explicit FitPlot(QWidget* parent = nullptr);
+  void set_titles(const QString& x, const QString& y, const QString& residual);
+  void set_theme(const UiTheme& theme);
+  /// `allowed`: the band of the residuals; `slope` in y over x, 0 while there is no line.
+  void set_points(std::vector<Point> points, double slope, double offset, double allowed);
+  QSize sizeHint() const override { return {380, 260}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void draw_points(QPainter& painter, const QRectF& area, bool residuals) const;
+  QRectF upper() const;
+  QRectF lower() const;
+
+  UiTheme theme_;
+  QString x_, y_, r_;
+  std::vector<Point> points_;
+  double slope_ = 0, offset_ = 0, allowed_ = 1;
+};
+
+}  // namespace swage::console

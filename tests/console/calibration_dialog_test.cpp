@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The calibration of a jaw sensor in the window, on a simulated sensor at a pseudo terminal.
+#include "console/app/calibration_dialog.hpp"
+
+#include <stdlib.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "devices/sensor_thread.hpp"
+#include "sensor/calibration_file.hpp"
+#include "temp_folder.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+using console::CalibrationDialog;
+using sensor::SimulatedSensor;
+
+class CalibrationTest : public WindowTest {
+ protected:
+  CalibrationTest() { setenv("XDG_DATA_HOME", folder_.path().c_str(), 1); }
+  std::unique_ptr<SensorThread> plug() {
+    SimulatedSensor::Options options;
+    options.serial = "B7";
+    return std::make_unique<SensorThread>(
+        options, [this](double) { return SimulatedSensor::Measured{volts(length_mm_), 0, 0}; }, folder_ / "port");
+  }
+  // 1 mm/V and 3 mm at 0 V; the first millimetre is that of a sensor out of its stroke
+  static double volts(double mm) { return mm < 1 ? -2 + 0.3 * (mm - 1) : mm - 3 + 5e-3 * std::sin(7 * mm); }
+
+  template <class W>
+  W* in(CalibrationDialog& dialog, const char* name) {
+    W* found = dialog.findChild<W*>(QString::fromLatin1(name));
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+  QString said(CalibrationDialog& dialog, const char* name) { return in<QLabel>(dialog, name)->text(); }
+  void connect_to(CalibrationDialog& dialog) {
+    in<QComboBox>(dialog, "calibration_port")->setEditText(QString::fromStdString(folder_ / "port"));
+    in<QPushButton>(dialog, "calibration_connect")->click();
+  }
+  void measure(CalibrationDialog& dialog, const char* button, double mm) {
+    length_mm_ = mm;
+    QTest::qWait(50);
+    auto* press = in<QPushButton>(dialog, button);
+    ASSERT_TRUE(eventually([&] { return press->isEnabled(); }));
+    press->click();
+    ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_said").isEmpty(); })) << said(dialog, "calibration_said").toStdString();
+  }
+
+  TempFolder folder_;
+  std::atomic<double> length_mm_{0};
+};
+
+TEST_F(CalibrationTest, ThirteenPointsAndThreePosesAreFittedAndKept) {
+  auto sensor = plug();
+  CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), {});
+  dialog.set_seconds(0.1);
+  connect_to(dialog);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+  for (int i = 0; i < sensor::Draft::kRows; ++i) measure(dialog, "calibration_measure", 0.5 * i);
+  const sensor::Displacement& fit = dialog.draft().fit();
+  ASSERT_TRUE(fit.valid()) << said(dialog, "calibration_verdict").toStdString();
+  EXPECT_NEAR(fit.slope, 1e-3, 5e-6);
+  EXPECT_NEAR(fit.offset, 3e-3, 1e-5);
+  EXPECT_LT(fit.worst, 20e-6);
+  EXPECT_GT(fit.worst, 1e-6) << "the sensor is not quite straight";
+  EXPECT_FALSE(fit.points[0].used) << "irregular";
+  EXPECT_FALSE(fit.points[1].used);
+  EXPECT_TRUE(fit.points[2].used);
+  EXPECT_TRUE(said(dialog, "calibration_verdict").contains(QStringLiteral("2 of 13 points left out"))) << said(dialog, "calibration_verdict").toStdString();
+  auto* table = in<QTableWidget>(dialog, "calibration_points");
+  EXPECT_EQ(table->item(0, 2)->text(), QStringLiteral("left out"));
+  EXPECT_NEAR(table->item(7, 2)->text().toDouble(), 1e6 * fit.points[7].residual_m, 0.06);
+
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("Say who calibrates"))) << "nobody stands for it";
+  EXPECT_TRUE(sensor::calibration_files().empty());
+  in<QLineEdit>(dialog, "calibration_by")->setText(QStringLiteral("Mei"));
+  in<QSpinBox>(dialog, "calibration_days")->setValue(90);
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("once the three poses are measured")));
+
+  in<QLabel>(dialog, "calibration_said")->clear();
+  measure(dialog, "calibration_open", 5);
+  measure(dialog, "calibration_closed", 3);
+  measure(dialog, "calibration_squeezed", 2);
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  sensor::Calibration kept;
+  ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), kept), "");
+  EXPECT_EQ(kept.by, "Mei");
+  EXPECT_EQ(kept.date, sensor::today());
+  EXPECT_EQ(kept.expires, sensor::days_after(sensor::today(), 90));
+  EXPECT_NEAR(kept.poses.open, 5e-3, 30e-6);
+  EXPECT_NEAR(kept.poses.squeezed, 2e-3, 30e-6);
+  EXPECT_EQ(kept.displacement.points.size(), 13u);
+  ASSERT_EQ(console::stored_calibrations().size(), 1);
+  EXPECT_TRUE(console::stored_calibrations()[0].startsWith(QStringLiteral("● B7: of"))) << console::stored_calibrations()[0].toStdString();
+
+  // it expires, and the Setup page says so
+  kept.expires = "2020-01-01";
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("B7"), kept), "");
+  open();
+  window->show_page(QStringLiteral("setup"));
+  EXPECT_TRUE(child<QLabel>("setup_calibrations")->text().contains(QStringLiteral("expired on 2020-01-01")));
+}
+
+TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
+  CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("dark")), QStringLiteral("Mei"));
+  dialog.set_seconds(0.1);
+  connect_to(dialog);
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("is not there"))) << said(dialog, "calibration_said").toStdString();
+  auto sensor = plug();
+  connect_to(dialog);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+  // a hand that moves meanwhile
+  std::atomic<bool> moves{true};
+  std::thread hand([&] {
+    while (moves) length_mm_ = 2 + 0.05 * static_cast<double>(static_cast<int>(20 * length_mm_) % 2 == 0), nap(5e-3);
+  });
+  in<QPushButton>(dialog, "calibration_measure")->click();
+  EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_said").contains(QStringLiteral("It moved meanwhile")); }))
+      << said(dialog, "calibration_said").toStdString();
+  moves = false;
+  hand.join();
+  // a sensor that is pulled out, and found again
+  sensor->unplug();
+  EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").contains(QStringLiteral("unplugged")); }));
+  EXPECT_FALSE(in<QPushButton>(dialog, "calibration_measure")->isEnabled());
+  sensor->plug();
+  EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+  EXPECT_FALSE(in<QPushButton>(dialog, "calibration_keep")->isEnabled()) << "no fit, nothing to keep";
+  EXPECT_TRUE(sensor::calibration_files().empty());
+}
+
+}  // namespace
+}  // namespace swage::test

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A window with pixels, and what can be counted in them.
+#pragma once
+
+#include <QWheelEvent>
+#include <functional>
+
+#include "window_fixture.hpp"
+
+namespace swage::test {
+
+using console::SceneView;
+
+class Gl : public WindowTest {
+ protected:
+  void open_ready() {
+    open();
+    if (!page()->view()->gl().ok) GTEST_SKIP() << "no OpenGL: " << page()->view()->gl().why.toStdString();
+    ASSERT_TRUE(eventually([&] { return page()->view()->ready(); }));
+    settle();
+  }
+  // a gliding camera, meshes that load, pictures that are a few frames behind
+  void settle() {
+    view()->redraw();
+    ASSERT_TRUE(eventually([&] { return view()->resting(); }));
+  }
+  SceneView* view() { return page()->view(); }
+  QImage picture() { return view()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+};
+
+inline int count(const QImage& image, const std::function<bool(const QColor&)>& is) {
+  int n = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) n += is(image.pixelColor(x, y));
+  }
+  return n;
+}
+inline bool red(const QColor& c) { return c.red() > 120 && c.red() > 2.2 * c.green() && c.red() > 2.2 * c.blue(); }
+// the picture's shoulder holds highlights below white
+inline bool bright(const QColor& c) { return c.lightness() > 205; }
+inline double changed(const QImage& a, const QImage& b) {
+  int n = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x)
+      n += std::abs(a.pixelColor(x, y).lightness() - b.pixelColor(x, y).lightness()) > 12;
+  }
+  return n / double(a.width() * a.height());
+}
+
+}  // namespace swage::test
