@@ -87,7 +87,9 @@ void Skilled::look_at_needle(const View& scene) {
 void Skilled::look_at_hole(const View& scene) {
   seen_.aside_W.setZero();
   if (!hole_.valid()) return;
-  if (!(scene.signal(hole_.s) > 0)) return;
+  // a needle whose blunt end is in passes there no more
+  const double s = scene.signal(hole_.s);
+  if (!(s > 0 && s < 1)) return;
   for (int i = 0; i < 3; ++i) seen_.aside_W[i] = scene.signal(hole_.at[i]) - scene.signal(hole_.entry[i]);
 }
 

@@ -73,8 +73,9 @@ void Pierce::reset(const CouplingStep& step) {
 /// What is in a hole, or just came out of one, does not touch the surface.
 bool Pierce::passes(const PierceState& state, const Site& site, const swage_contact& contact,
                     double s) const {
-  const double mouth = kMouth * site.radius / site.length;
-  if (state.clearing != 0 && s < kPoint * site.radius / site.length) return true;
+  const double mouth = kMouth * site.radius / site.length, end = kPoint * site.radius / site.length;
+  if (state.clears(PierceState::kPointClears) && s < end) return true;
+  if (state.clears(PierceState::kEndClears) && s > 1 - end) return true;
   for (const Track& track : state.track) {
     if (track.open == 0 || s > track.s_in + mouth) continue;
     const bool beyond = track.out == Track::kOut && s < track.s_out - mouth;
@@ -90,7 +91,7 @@ void Pierce::resolve(const CouplingStep& step) {
   if (!site.good) return discard();
   auto& state = step.state<PierceState>();
   along_ = lateral_ = pull_ = 0;
-  bool overlaps = false;
+  bool overlaps[2] = {};  // at the point, at the blunt end
   for (swage_contact& contact : step.contacts()) {
     const auto place = place_of(site, contact);
     if (!place) continue;
@@ -99,9 +100,12 @@ void Pierce::resolve(const CouplingStep& step) {
     contact.stiffness = site.law.stiffness + site.law.stiffening * overlap;
     contact.restitution = 0;
     if (passes(state, site, contact, place->s)) contact.stiffness = contact.friction = 0;
-    overlaps = overlaps || (contact.gap < 0 && place->s < kPoint * site.radius / site.length);
+    const double end = kPoint * site.radius / site.length;
+    overlaps[0] = overlaps[0] || (contact.gap < 0 && place->s < end);
+    overlaps[1] = overlaps[1] || (contact.gap < 0 && place->s > 1 - end);
   }
-  if (!overlaps) state.clearing = 0;
+  if (!overlaps[0]) state.set_clearing(PierceState::kPointClears, false);
+  if (!overlaps[1]) state.set_clearing(PierceState::kEndClears, false);
 }
 
 uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
@@ -248,7 +252,8 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   state.last_entry = wound;
   state.last_exit = -1;
   state.peak_entry = state.peak;
-  state.peak_exit = state.peak = state.refused = state.clearing = 0;
+  state.peak_exit = state.peak = state.refused = 0;
+  state.set_clearing(PierceState::kPointClears, false);
   put(state.entry_p, entry);
   put(state.exit_p, Vec3::Zero());
   step.event(entered_, angle);
@@ -291,9 +296,15 @@ void Pierce::come_out(const CouplingStep& step, PierceState& state, const Site& 
   step.event(exited_, angle_between(way, n_W));
 }
 
+/// The track is over: what still overlaps at that end of the needle does not touch.
+void Pierce::close(PierceState& state, Track& track, int end) const {
+  track.open = 0;
+  state.set_clearing(end, true);
+}
+
 /// A track after the step: crossings, wounds, exits, its end.
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
-  const Spots at = spots(site, track);
+  Spots at = spots(site, track);
   follow(site, at, track);
   const auto entry_at = static_cast<uint32_t>(track.entry);
   Wound& entry = state.wound[entry_at];
@@ -301,8 +312,7 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
   swage_piercing_place place{};
   track.s_in = crossing(site, entry, track.s_in, place);
   if (track.progress < -kClear * site.radius) {
-    track.open = 0;
-    state.clearing = 1;
+    close(state, track, PierceState::kPointClears);
     step.event(back_out_, track.deepest);
     return;
   }
@@ -316,20 +326,18 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
     if (through(track.s_out)) tear(step, state, site, exit_at, place, last.p);
   }
+  hold_end(site, at, track);
   if (!share_out(site, at, track)) {
-    track.open = 0;
-    state.clearing = 1;
+    close(state, track, PierceState::kPointClears);
     step.event(cut_out_, entry.reach / entry.radius);
     return;
   }
-  const double end = at.hold[static_cast<uint32_t>(track.count) - 1].s;
   lengthen(site, at, track);
   if (track.s_in >= 1 && track.passed == 0) {
     track.passed = 1;
     step.event(passed_, entry.reach / entry.radius);
   }
-  // the whole needle is beyond its last hold
-  if (track.passed != 0 && end > 1) track.open = 0;
+  if (is_through(site, track)) close(state, track, PierceState::kEndClears);
 }
 
 void Pierce::finish(const CouplingStep& step) {

@@ -32,6 +32,7 @@ struct PierceParams {
 /// The private numbers.
 struct PierceState {
   static constexpr uint32_t kTracks = 2, kWounds = 4;
+  static constexpr int kPointClears = 1, kEndClears = 2;  // which end of the needle
   Track track[kTracks];
   Wound wound[kWounds];
   double newest;                 // track that the signals tell of
@@ -43,9 +44,15 @@ struct PierceState {
   double peak_entry, peak_exit;
   double refused;                // rad, angle at which it was refused in this touch; 0: it was not
   double refused_p[3];           // m, O, where
-  double clearing;               // 1: it has just come back out, and what still overlaps does not touch
+  double clearing;               // kPointClears, kEndClears, or both: just come out, what still overlaps there does not touch
   double swept;                  // m2
   double entry_p[3], exit_p[3];  // m, W
+
+  bool clears(int end) const { return (static_cast<int>(clearing) & end) != 0; }
+  void set_clearing(int end, bool on) {
+    const int now = static_cast<int>(clearing);
+    clearing = on ? now | end : now & ~end;
+  }
 };
 
 /// What the contacts of the point add up to.
@@ -119,6 +126,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
                     double radius) const;
   void go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const;
   void come_out(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const;
+  void close(PierceState& state, Track& track, int end) const;
   void tear(const CouplingStep& step, PierceState& state, const Site& site, uint32_t wound,
             const swage_piercing_place& place, const double* held_O) const;
   double filled_at(const PierceState& state, uint32_t wound) const;

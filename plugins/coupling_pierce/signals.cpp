@@ -106,7 +106,8 @@ void Pierce::tell_track(const CouplingStep& step, const PierceState& state, cons
   step.signal(depth_, std::max(0.0, track.s_in - (out ? track.s_out : 0)) * site.length);
   step.signal(below_, track.below);
   const auto place = needle_.place(site.a, track.s_in);
-  if (place) tell_place(step, at_, &place->p_W.x);
+  // a blunt end that is in crosses no more
+  if (place && track.s_in < 1) tell_place(step, at_, &place->p_W.x);
 }
 
 void Pierce::tell_wounds(const CouplingStep& step, const PierceState& state) const {

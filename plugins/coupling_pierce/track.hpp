@@ -106,6 +106,10 @@ void follow(const Site& site, const Spots& at, Track& track);
 /// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet. False when
 /// none is left in the tissue: the tear has come to its rim.
 bool share_out(const Site& site, const Spots& at, Track& track);
+/// When the needle's blunt end has left the last hold, that is laid again between the end and the exit: what is in is held until it is out.
+void hold_end(const Site& site, Spots& at, Track& track);
+/// Whether its blunt end, which went in, is out at the exit.
+bool is_through(const Site& site, const Track& track);
 /// New holds where the point went on; the last one laid again where it went back.
 void lengthen(const Site& site, const Spots& at, Track& track);
 /// The cut ends where the point is, but for what the tissue gives ahead of it.

@@ -22,6 +22,8 @@ constexpr double kLeast = 1;
 constexpr double kSprout = 0.02;
 // What is in by less than this, in wire radii, is held at its entry alone.
 constexpr double kOne = 2;
+// So far outside of the tissue, in wire radii, the blunt end is surely out: a wire's radius.
+constexpr double kBeyond = 1;
 // Borders between holds move by no more than this times the way of the point: what passes from one place of the tissue to another does so
 // while the needle goes on by its length, and not at once, which the tissue would answer with a leap. Below 2 a track is not thinned
 // out before it is full again.
@@ -100,10 +102,8 @@ void sprout(const Site& site, const Track& track, Hold& hold) {
   hold.share = kSprout * site.radius;
 }
 
-/// By its entry alone what is in would hang as from a hinge. So the last other hold, when the point has left it, is laid again halfway
-/// between the two, stretched as it is.
-void lay_halfway(const Site& site, const Track& track, Hold& hold) {
-  const double s = 0.5 * track.progress / site.length;
+/// Lays a hold again at s, stretched as it is.
+void lay_again(const Site& site, const Track& track, double s, Hold& hold) {
   const auto place = site.needle.place(site.a, s);
   if (!place) return;
   const Vec3 advance = -vec(place->tangent_W);
@@ -264,10 +264,31 @@ bool share_out(const Site& site, const Spots& spots, Track& track) {
   return held;
 }
 
+void hold_end(const Site& site, Spots& at, Track& track) {
+  const uint32_t last = holds(track) - 1;
+  if (track.out != Track::kOut || track.passed == 0) return;
+  // no hold is on its way to nothing where the others are left behind
+  track.thins = 0;
+  if (at.hold[last].s < 1 || track.s_out >= 1) return;
+  lay_again(site, track, 0.5 * (track.s_out + 1), track.hold[last]);
+  at.hold[last] = spot(site, track.hold[last]);
+}
+
+bool is_through(const Site& site, const Track& track) {
+  // as far along the track as it is long: it did not go back out of its entry, which may lie in the plane of its exit
+  if (track.out != Track::kOut || track.passed == 0 || track.progress < site.length) return false;
+  if (track.s_out >= 1) return true;
+  // a needle that lies flat against the exit does not cross it; nor does the rim have one
+  const auto end = site.needle.place(site.a, 1);
+  const auto in = end ? site.tissue.inside(site.b, end->p_W) : std::nullopt;
+  return in && std::min({in->depth, -in->beyond, in->edge}) < -kBeyond * site.radius;
+}
+
 void lengthen(const Site& site, const Spots& at, Track& track) {
   const Spot& end = at.hold[holds(track) - 1];
   Hold& last = track.hold[holds(track) - 1];
-  if (holds(track) > 1 && end.s < 0) return lay_halfway(site, track, last);
+  // by its entry alone what is in would hang as from a hinge
+  if (holds(track) > 1 && end.s < 0) return lay_again(site, track, 0.5 * track.progress / site.length, last);
   if (holds(track) < Track::kHolds) track.thins = 0;
   if (track.thins != 0) {
     const double least = kSprout * site.radius;

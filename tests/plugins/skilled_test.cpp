@@ -143,11 +143,12 @@ TEST_F(SkilledHand, AimsByWhereThePointIsAndNotByWhatTheJawsHold) {
 
 TEST_F(SkilledHand, ASteadyOneBringsBackANeedleThatLeavesWhereItWentIn) {
   const Vec3 drift(0, 40e-6, 0);
-  for (const double steady : {0.0, 0.2}) {
+  // where it is swallowed up to its blunt end nothing passes any more
+  for (const auto& [steady, s] : {std::pair{0.0, 0.1}, {0.2, 0.1}, {0.2, 1.0}}) {
     make(R"({"act": "drive", "angle": "0 deg", "time": "1 s"})", {{"steady", steady}});
     held_ = true;
     pierces_ = true;
-    signal_ = {0, 0.1, 1e-3, 2e-3, 3e-3};
+    signal_ = {0, s, 1e-3, 2e-3, 3e-3};
     n_ = 0;
     ASSERT_EQ(bind(), SWAGE_OK);
     const Vec3 start(8e-3, 0, 5e-3);
@@ -160,7 +161,7 @@ TEST_F(SkilledHand, ASteadyOneBringsBackANeedleThatLeavesWhereItWentIn) {
       step();
     }
     const Vec3 left = drift + X_WT_.p - start;
-    EXPECT_NEAR(left.norm(), steady > 0 ? 40e-6 * std::exp(-5) : 40e-6, 0.1e-6);
+    EXPECT_NEAR(left.norm(), steady > 0 && s < 1 ? 40e-6 * std::exp(-5) : 40e-6, 0.1e-6);
   }
   pierces_ = false;
   make(kGrasp, {{"steady", 0.2}});
