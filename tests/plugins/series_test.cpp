@@ -39,6 +39,7 @@ const char* const kLessons[] = {"010_practice_solids",
                                 "115_stitch",
                                 "116_insertion_hanging",
                                 "117_needle_with_thread",
+                                "118_stitch_and_pull_through",
                                 "130_loop"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
@@ -93,13 +94,32 @@ TEST(Suture, IsHeldWithoutASolverThatFallsShort) {
   EXPECT_EQ(expert.engine().quarantined(), 0u);
 }
 
+// in, out, and the thread drawn through until its tail has its length: nothing snatches, cuts or saws
+TEST(Suture, IsDrawnThroughUntilItsTailHasItsLength) {
+  const std::string lesson = kSeries + "118_stitch_and_pull_through.json";
+  const LessonRun expert = run(lesson, "expert");
+  ASSERT_TRUE(expert.ready());
+  EXPECT_EQ(expert.outcome(), "passed");
+  EXPECT_EQ(expert.happened("swage.pulled_off"), 0);
+  EXPECT_GE(expert.happened("pull.came_out"), 1);
+  EXPECT_EQ(expert.happened("pull.went_back"), 0);
+  EXPECT_NEAR(expert.metric("thread.tail"), 18e-3, 1e-3);
+  EXPECT_LT(expert.metric("thread.tension"), 6e-3) << "N; the swage bears 0.14";
+  EXPECT_LT(expert.metric("thread.cut"), 0.1e-3);
+  EXPECT_LT(expert.metric("thread.sawn"), 0.1e-3);
+  const LessonRun clumsy = run(lesson, "clumsy");
+  ASSERT_TRUE(clumsy.ready());
+  EXPECT_EQ(clumsy.outcome(), "failed");
+  EXPECT_EQ(clumsy.reason(), "failed.torn");
+}
+
 // the picture and the hand are the mirror image, the scene and the verdict are the same
 TEST_P(Series, TheLeftHandGetsTheSameScore) {
   LessonRun right(kSeries + GetParam() + ".json", "expert");
   LessonRun left(kSeries + GetParam() + ".json", {"expert", ""}, [](auto& file) { file.mirror = true; });
   ASSERT_TRUE(right.ready() && left.ready());
   auto a = std::make_unique<snapshot::Snapshot>(), b = std::make_unique<snapshot::Snapshot>();
-  while (right.outcome() == "running" && right.world().time() < 30) {
+  while (right.outcome() == "running" && right.world().time() < 45) {
     right.step();
     left.step();
     right.engine().fill(*a);
