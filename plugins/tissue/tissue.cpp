@@ -30,6 +30,9 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
     builder.error("size", "a flap of a cylinder is narrower along x than 1.9 radii");
   if (params.slit > 0.5 * params.size[0])
     builder.error("slit", "the slit must be narrower than half the patch");
+  if (params.edge_stiffness > 0 && (!(params.slit > 0) || !yields()))
+    builder.error("edge_stiffness", "edges that move are those of a \"slit\", level compliant or mesh");
+  edges_ = {params.edge_stiffness > 0 ? 1 / params.edge_stiffness : 0, params.slit};
   if (params.form == Form::kTable) {
     try {
       shape.table = read_heights(params.heights);
@@ -48,7 +51,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   body_ = yields() ? builder.own_body("wall") : builder.fixed_body("wall");
   if (yields()) {
     asked_.C_W.resize(size_t{kPoints} * kPoints);
-    builder.state<State>();
+    edges_.move() ? builder.state<SlitState>() : builder.state<State>();
   }
   if (params.level == Level::kCompliant)
     compliance_ = Compliance({params.young / 3, params.spread, params.skin, params.skin_young});
@@ -60,6 +63,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   add_surface(params, builder);
   dimple_ = builder.signal("tissue.dimple", "m", "Deepest displacement of the surface; not level plane.");
   force_ = builder.signal("tissue.force", "N", "Sum of what presses on the surface; not level plane.");
+  if (edges_.move()) gap_ = builder.signal("tissue.gap", "m", "Width of the slit as its edges are drawn now; 0: they meet.");
 }
 
 /// What touches is deeper than what is seen, so that nothing is pushed out on the wrong side.
@@ -91,6 +95,7 @@ void Tissue::activate(double dt_s) { creep_ = Creep(params_.relaxed, params_.rel
 
 void Tissue::reset(const Step& step) {
   if (yields()) step.state<State>() = {};
+  if (edges_.move()) step.state<SlitState>() = {};
   asked_.n = 0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "compliance.hpp"
 #include "mesh.hpp"
+#include "slit_edges.hpp"
 #include "wall.hpp"
 
 namespace swage::tissue {
@@ -26,6 +27,7 @@ struct TissueParams {
   double radius = 8e-3;                      // m
   std::string heights;
   double slit = 0;           // m
+  double edge_stiffness = 0;  // N/m
   double stiffness = 100;    // N/m
   double stiffening = 5000;  // N/m2
   double young = 1e6;        // Pa
@@ -96,6 +98,9 @@ class Tissue final : public Object<TissueParams>,
           "Text file for the form table: nx ny, then ny rows of nx heights in metres."),
       real<&TissueParams::slit>("slit", "Slit", "m", "mm", 0, 5e-3,
                                 "Width of a gap along y through the middle: two wound edges; 0 for none."),
+      real<&TissueParams::edge_stiffness>("edge_stiffness", "Edge stiffness", "N/m", "N/m", 0, 1e5,
+                                          "Of each edge of the slit against being drawn to the other one, levels compliant and mesh; 0: the "
+                                          "edges stand still."),
       real<&TissueParams::stiffness>("stiffness", "Stiffness", "N/m", "N/m", 1, 1e6,
                                      "Force per overlap of one touching place, level plane.")
           .group("Touch"),
@@ -176,6 +181,11 @@ class Tissue final : public Object<TissueParams>,
   struct State {
     Source source[kSources];
   };
+  /// Of a slit whose edges move: what pulls at each along O's x axis, in this step and in the one before.
+  struct SlitState {
+    State sources;         // first: it is read as such too
+    SlitEdges::Pair f, w;  // N
+  };
   /// A place on the surface: flattened coordinates and the axes n, 1, 2 in W.
   struct Spot {
     Vec3 foot_O = Vec3::Zero();
@@ -199,6 +209,8 @@ class Tissue final : public Object<TissueParams>,
   };
 
   bool yields() const { return params_.level != Level::kPlane; }
+  /// Half of the wall in which a spot lies: 0 left of the slit, 1 right of it.
+  static size_t half(const Spot& spot) { return spot.foot_O.x() < 0 ? 0 : 1; }
   void add_surface(const TissueParams& params, ObjectBuilder& builder);
   MeshSpec mesh_spec(const TissueParams& params) const;
   Spot spot(const toolkit::Frame& X_WO, const Vec3& foot_O) const;
@@ -209,6 +221,7 @@ class Tissue final : public Object<TissueParams>,
   void feel_mesh(const State& state, uint32_t n);
   Vec3 displaced(const State& state, const Vec3& foot_O);
   Mat3 own(const Vec3& foot_O) const;
+  void add_edges(const Step& step, uint32_t n, size_t stride, double* v_free, double* W);
   uint32_t source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const;
   /// Of the wall; what was asked of it elsewhere is forgotten.
   const toolkit::Frame& frame(const Step& step);
@@ -220,7 +233,8 @@ class Tissue final : public Object<TissueParams>,
   Creep creep_;
   Asked asked_;
   Body body_;
-  Signal dimple_, force_;
+  SlitEdges edges_;
+  Signal dimple_, force_, gap_;
 };
 
 }  // namespace swage::tissue

@@ -145,6 +145,9 @@ void Tissue::advance(const Step& step) {
       s.v[i] *= creep_.keep;
       s.f[i] = 0;
     }
+  if (!edges_.move()) return;
+  SlitState& slit = step.state<SlitState>();
+  slit.w = slit.f, slit.f = {};
 }
 
 /// u = C (f + v): while nothing new presses, the surface goes over the step by C (v - v / keep) - C w.
@@ -167,6 +170,27 @@ void Tissue::compliance(const Step& step, std::span<const swage_contact_point> p
               W[(size_t{3} * j + c) * stride + size_t{3} * i + r] = give * C[3 * c + r];
     }
   }
+  if (edges_.move()) add_edges(step, n, stride, v_free, W);
+}
+
+/// All of a half goes along with its edge. Linear about what pulled in the step before.
+void Tissue::add_edges(const Step& step, uint32_t n, size_t stride, double* v_free, double* W) {
+  const SlitEdges::Pair& w = step.state<SlitState>().w;
+  const SlitEdges::Pair is = edges_.displaced(w), free = edges_.without(w);
+  const bool meeting = edges_.meet(w);
+  const double h = step.dt();
+  const Vec3 x_W = asked_.F_WO.turn(Vec3::UnitX());
+  for (size_t i = 0; i < n; ++i) {
+    const size_t a = half(asked_.spot[i]);
+    const Vec3 v = (free[a] - is[a]) / h * x_W;
+    for (size_t r = 0; r < 3; ++r) v_free[3 * i + r] += v[static_cast<Eigen::Index>(r)];
+    for (size_t j = 0; j < n; ++j) {
+      const Mat3 give = edges_.between(a, half(asked_.spot[j]), meeting) / (h * h) * x_W * x_W.transpose();
+      for (size_t r = 0; r < 3; ++r)
+        for (size_t c = 0; c < 3; ++c)
+          W[(3 * i + r) * stride + 3 * j + c] += give(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c));
+    }
+  }
 }
 
 void Tissue::displacement(const Step& step, std::span<const swage_contact_point> points, double* u_W) {
@@ -174,7 +198,13 @@ void Tissue::displacement(const Step& step, std::span<const swage_contact_point>
   const State& state = step.state<State>();
   for (uint32_t i = 0; i < n; ++i) {
     const Spot& at = asked_.spot[i];
-    put(u_W + size_t{3} * i, at.axes_W * (asked_.felt[i] ? asked_.creep[i] : displaced(state, at.foot_O)));
+    Vec3 u_W_i = at.axes_W * (asked_.felt[i] ? asked_.creep[i] : displaced(state, at.foot_O));
+    if (edges_.move()) {
+      const SlitState& slit = step.state<SlitState>();
+      const SlitEdges::Pair x = asked_.felt[i] ? edges_.without(slit.w) : edges_.displaced(slit.f);
+      u_W_i += x[half(at)] * asked_.F_WO.turn(Vec3::UnitX());
+    }
+    put(u_W + size_t{3} * i, u_W_i);
   }
 }
 
@@ -215,6 +245,7 @@ void Tissue::yield(const Step& step, std::span<const swage_contact_point> points
     put(s.q, at.foot_O);
     put(s.f, at.axes_W.transpose() * f_W);
     measure(to);
+    if (edges_.move()) step.state<SlitState>().f[half(at)] += f_W.dot(asked_.F_WO.turn(Vec3::UnitX()));
   }
   for (Source& s : state.source) put(s.v, vec3(s.v) + creep_.gain * vec3(s.f));
 }
@@ -258,6 +289,7 @@ void Tissue::finish(const Step& step) {
   }
   step.signal(dimple_, dimple);
   step.signal(force_, force);
+  if (edges_.move()) step.signal(gap_, edges_.gap(step.state<SlitState>().f));
 }
 
 /// Displacement of a place by its own force.

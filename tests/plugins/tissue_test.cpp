@@ -201,6 +201,74 @@ TEST(Tissue, ForgetsTheLeastWhenItsMemoryIsFull) {
   }
 }
 
+/// Two places, one on each side of a slit, that are pulled together as a stitch pulls them.
+struct Slit {
+  static constexpr double kSlit = 0.3e-3, kStiff = 20;  // m, N/m
+  testbed::ObjectBench<Tissue> bench;
+  swage_contact_point point[2] = {{0, SWAGE_NONE, {-0.6e-3, 0, -0.2e-3}, {1, 0, 0}}, {0, SWAGE_NONE, {0.6e-3, 0, -0.2e-3}, {1, 0, 0}}};
+  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> W;
+  Eigen::Matrix<double, 6, 1> v_free, u;
+
+  explicit Slit(Level level = Level::kCompliant, double stiffness = kStiff) {
+    W.setZero(), v_free.setZero(), u.setZero();
+    bench.set("level", static_cast<double>(level)), bench.set("cells", 8), bench.set("relaxed", 1);
+    bench.set("slit", kSlit), bench.set("edge_stiffness", stiffness);
+    EXPECT_TRUE(bench.start());
+  }
+  /// One step under forces along x [N].
+  void step(double left, double right) {
+    const auto* s = bench.get<swage_solver>(SWAGE_EXT_SOLVER);
+    const auto* surface = bench.get<swage_surface>(SWAGE_EXT_SURFACE);
+    EXPECT_EQ(s->advance(bench.raw, &bench.step), SWAGE_OK);
+    EXPECT_EQ(s->compliance(bench.raw, &bench.step, 2, point, v_free.data(), W.data()), SWAGE_OK);
+    EXPECT_EQ(surface->displacement(bench.raw, &bench.step, 2, point, u.data()), SWAGE_OK);
+    Eigen::Matrix<double, 6, 1> j = Eigen::Matrix<double, 6, 1>::Zero();
+    j[0] = left * bench.step.dt_s, j[3] = right * bench.step.dt_s;
+    EXPECT_EQ(s->yield(bench.raw, &bench.step, 2, point, j.data()), SWAGE_OK);
+    EXPECT_EQ(bench.finish(), SWAGE_OK);
+  }
+  double width() const { return bench.step.signal[2]; }
+};
+
+// gap = slit - 2 T / k, and 0 from T = k slit / 2 on
+TEST(SlitEdges, ComeTogetherAsTheTensionAcrossSays) {
+  for (const Level level : {Level::kCompliant, Level::kMesh}) {
+    Slit s(level);
+    for (const double T : {0.0, 0.5e-3, 1e-3, 2e-3, 2.9e-3, 3e-3, 5e-3, 2e-3, 0.0}) {
+      s.step(T, -T);
+      EXPECT_NEAR(s.width(), std::max(0.0, Slit::kSlit - 2 * T / Slit::kStiff), 1e-12) << T;
+    }
+    // one of them alone, and both the same way: then the gap stays
+    s.step(1e-3, 0);
+    EXPECT_NEAR(s.width(), Slit::kSlit - 1e-3 / Slit::kStiff, 1e-12);
+    s.step(1e-3, 1e-3);
+    EXPECT_NEAR(s.width(), Slit::kSlit, 1e-12);
+    // pulled apart it gapes
+    s.step(-1e-3, 1e-3);
+    EXPECT_NEAR(s.width(), Slit::kSlit + 2e-3 / Slit::kStiff, 1e-12);
+  }
+}
+
+// what the solve is told is what then happens: u = displacement + h^2 W f, open and shut, also when they go aside together
+TEST(SlitEdges, TellTheSolveHowTheyGive) {
+  for (const double T : {1e-3, 5e-3}) {
+    Slit s, still(Level::kCompliant, 0);
+    const double h = s.bench.step.dt_s, aside = 0.4e-3;
+    s.step(T, -T);
+    s.step(T + aside, -T);
+    EXPECT_LT((s.W - s.W.transpose()).norm(), 1e-12 * s.W.norm());
+    EXPECT_EQ((Eigen::LLT<Eigen::Matrix<double, 6, 6>>(Eigen::Matrix<double, 6, 6>(s.W)).info()), Eigen::Success);
+    for (int i = 0; i < 2; ++i) still.step(T + (i == 1 ? aside : 0), -T);
+    // of the edges alone: without what the half space gives
+    const Eigen::Matrix<double, 6, 6> W = s.W - still.W;
+    const double left = s.u[0] + h * h * (W(0, 0) * (T + aside) - W(0, 3) * T), right = s.u[3] + h * h * (W(3, 0) * (T + aside) - W(3, 3) * T);
+    EXPECT_NEAR(Slit::kSlit + right - left, s.width(), 1e-12);
+    const bool meet = T > 3e-3;
+    EXPECT_NEAR(0.5 * (left + right), aside / (2 * Slit::kStiff), 1e-12) << "the middle goes with what is left over, shut or open";
+    EXPECT_EQ(s.width() < 1e-12, meet);
+  }
+}
+
 TEST(Tissue, RefusesWhatDoesNotFit) {
   testbed::ObjectBench<Tissue> bench;
   bench.set("form", 4);
@@ -210,6 +278,9 @@ TEST(Tissue, RefusesWhatDoesNotFit) {
   slit.set("slit", 4e-3);
   slit.set("size", 6e-3, 6e-3);
   EXPECT_FALSE(slit.start());
+  testbed::ObjectBench<Tissue> edges;
+  edges.set("level", 1), edges.set("edge_stiffness", 20);
+  EXPECT_FALSE(edges.start()) << "edges of no slit";
 }
 
 }  // namespace
