@@ -219,12 +219,19 @@ QVector3D nearest_vertex(const snapshot::SceneCard& card, const ScenePart& part,
   return !part.in_world() ? best : to_qt(X.q).conjugated().rotatedVector(best - to_mm(X.p));
 }
 
+// A thread goes along with what it is tied to: what is worked on is the needle, where there is one.
+bool only_follows(const ScenePart& part, const SceneParts& parts) {
+  if (part.thread < 0) return false;
+  return std::any_of(parts.part.begin(), parts.part.end(), [](const ScenePart& p) { return p.role == Role::kWork && p.thread < 0; });
+}
+
 // the marked thing, or the only one that is worked on
 void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   int works = 0;
   for (const ScenePart& p : parts.part) {
     if (p.role != Role::kWork) continue;
     const bool marked = is_marked(card, p.object);
+    if (!marked && only_follows(p, parts)) continue;
     if (++works > 1 && !marked) continue;
     Bounds own;
     for (const Vertex& v : p.mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
@@ -355,6 +362,11 @@ Bounds focus(const snapshot::SceneCard& card, const SceneParts& parts,
   for (int i = 0; i < 8 && !soft.empty(); ++i)
     add({i & 1 ? soft.low.x() : soft.high.x(), i & 2 ? soft.low.y() : soft.high.y(),
          i & 4 ? soft.low.z() : soft.high.z()});
+  // a wire that stands still is a course: all of it, and what stands beside it
+  const auto& all = parts.part;
+  if (std::none_of(all.begin(), all.end(), [](const ScenePart& p) { return p.role == Role::kStage && p.wire; })) return out;
+  for (size_t i = 0; i < all.size(); ++i)
+    if (all[i].role == Role::kStage && !all[i].soft && !(parts.ground.on_stage && i == parts.ground.part)) add_bounds(card, all[i], out);
   return out;
 }
 
@@ -369,7 +381,8 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   std::map<uint32_t, Bounds> tool;  // by object: a helper's beside one's own
   for (const ScenePart& p : parts.part) {
     if (p.role == Role::kWork && is_marked(card, p.object)) add_bounds(card, p, marked);
-    add_bounds(card, p, p.role == Role::kWork ? work : p.role == Role::kTool ? tools : rest);
+    const bool work_on = p.role == Role::kWork && !only_follows(p, parts);
+    add_bounds(card, p, work_on ? work : p.role == Role::kTool ? tools : rest);
     if (p.role == Role::kTool) add_bounds(card, p, tool[p.object]);
   }
   for (const Bounds& b : {marked, work, rest, tools}) {

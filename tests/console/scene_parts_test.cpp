@@ -183,5 +183,46 @@ TEST(SceneParts, TheMarkedThingIsFramedAndWatched) {
   EXPECT_LT(make_parts(card).work.low.x(), -8);
 }
 
+snapshot::CardShape thread_of(uint32_t body, uint32_t object, double length) {
+  snapshot::CardShape s;
+  s.kind = SWAGE_SHAPE_CHAIN;
+  s.flags = SWAGE_SHAPE_USUAL;
+  s.body = body;
+  s.object = object;
+  s.X_BS.q = {1, 0, 0, 0};
+  s.radius = 11e-6;
+  for (int i = 0; i <= 10; ++i) s.vertex.push_back({0, 0.1 * i * length, 0});
+  return s;
+}
+
+TEST(SceneParts, AThreadThatTrailsBehindTheNeedleDoesNotMakeThePictureSmall) {
+  snapshot::SceneCard card = scene();
+  card.script.marks.clear();
+  card.objects.pop_back(), card.shapes.pop_back();
+  const SceneParts before = make_parts(card);
+  card.objects.push_back({"suture", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 4, 1, 0, 0});
+  card.shapes.push_back(thread_of(4, 4, 30e-3));
+  const SceneParts parts = make_parts(card);
+  ASSERT_EQ(parts.threads.size(), 1U);
+  EXPECT_NEAR(parts.focus.radius(), before.focus.radius(), 1e-4F);
+  EXPECT_EQ(parts.watched, 2) << "the needle";
+  // a thread alone is what is worked on
+  card.objects[2].traits = {SWAGE_TRAIT_SOLID};
+  EXPECT_NEAR(make_parts(card).work.high.y() - make_parts(card).work.low.y(), 30, 0.1F);
+}
+
+TEST(SceneParts, ACourseIsShownWhole) {
+  snapshot::SceneCard card = scene();
+  card.script.marks.clear();
+  const float near = make_parts(card).focus.radius();
+  snapshot::CardShape wire = card.shapes[4];
+  wire.arc_radius = 7e-3, wire.body = wire.object = 1;
+  card.shapes.push_back(wire);
+  const SceneParts parts = make_parts(card);
+  EXPECT_GT(parts.focus.radius(), near);
+  EXPECT_NEAR(parts.focus.high.x(), 7.05, 0.1F) << "its far end";
+  EXPECT_LT(parts.focus.high.x(), 9) << "but not the tray";
+}
+
 }  // namespace
 }  // namespace swage::console
