@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Traits with functions (abi/object.h): a coupling that has never heard of the object asks them for places on it.
+#include <swage/abi/cut.h>
 #include <swage/abi/strand.h>
 
 #include <algorithm>
@@ -38,6 +39,8 @@ class Traits {
     if (wrong.empty()) wrong = piercing();
     if (wrong.empty()) wrong = pierceable();
     if (wrong.empty()) wrong = strand();
+    if (wrong.empty()) wrong = blades();
+    if (wrong.empty()) wrong = cuttable();
     return wrong;
   }
 
@@ -189,6 +192,34 @@ class Traits {
         if (at.body >= slot_.body.count) return told(who, "names a body that it has not declared.");
       }
     }
+    return "";
+  }
+
+  std::string blades() {
+    const auto* t = table<swage_blades>(SWAGE_TRAIT_BLADES);
+    if (t == nullptr) return "";
+    if (t->law == nullptr) return "The table of " SWAGE_TRAIT_BLADES " has gaps.";
+    swage_blades_law law;
+    std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); });
+    if (wrong.empty() && !at_least_0(law.shear)) return told("law", "gives blades a force that is negative or no number.");
+    return wrong;
+  }
+
+  // the last of all: it is not whole afterwards
+  std::string cuttable() {
+    const auto* t = table<swage_cuttable>(SWAGE_TRAIT_CUTTABLE);
+    if (t == nullptr) return "";
+    const auto* strand = table<swage_strand>(SWAGE_TRAIT_STRAND);
+    if (t->cut == nullptr) return "The table of " SWAGE_TRAIT_CUTTABLE " has gaps.";
+    swage_strand_law law{};
+    if (strand == nullptr || strand->law(slot_.instance->raw, &view(), &law) != SWAGE_OK)
+      return "It can be cut, but has no trait " SWAGE_TRAIT_STRAND " that says how long it is.";
+    const double s = random_.uniform(0.2, 0.8) * law.length;
+    if (t->cut(slot_.instance->raw, &view(), s) != SWAGE_OK) return told("cut", "fails within the strand's length.");
+    if (std::string wrong = scene_.run(10); !wrong.empty()) return wrong;
+    swage_strand_place place{};
+    if (strand->place(slot_.instance->raw, &view(), s, &place) != SWAGE_OK || place.parted == 0)
+      return told("cut", "leaves the strand whole where it was cut.");
     return "";
   }
 

@@ -16,6 +16,7 @@ void Jaws::build(const JawsParams& params, ObjectBuilder& builder) {
   law_ = {params.reach, 0.5 * params.opening, params.squeeze, params.max_grip, params.handle_mass};
   handle_ratio_ = params.handle_ratio;
   rest_closure_ = params.rest_closure;
+  blades_ = params.blades, shear_ = params.shear;
 
   // the tool is where the hand is: O = T. Behind the hinge there is a shaft to look at, which touches nothing
   tool_ = builder.following_body("tool");
@@ -84,6 +85,10 @@ void Jaws::finish(const Step& step) {
   const double left = step.hinge_angle(hinge_[0]), right = step.hinge_angle(hinge_[1]);
   step.signal(opening_, left + right);
   step.signal(command_, law_.force(0.5 * (left + right), target(step)));
+}
+
+const void* Jaws::extension(std::string_view wanted) {
+  return wanted == SWAGE_TRAIT_BLADES ? blades_table<Jaws>() : nullptr;
 }
 
 void Jaws::describe(const Step& step, swage_gripper_state& out) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/abi/device.h>
+#include <swage/cut.hpp>
 #include <swage/object.hpp>
 
 #include "jaw_shape.hpp"
@@ -24,9 +25,11 @@ struct JawsParams {
   double handle_mass = 5e-3;      // kg
   double handle_ratio = 0.2;      // N at the tips per N at the handle
   double rest_closure = 0;        // 0..1
+  bool blades = false;
+  double shear = 0.6;             // N that parts a strand per N of its strength
 };
 
-class Jaws final : public Object<JawsParams>, public Solid, public Gripper {
+class Jaws final : public Object<JawsParams>, public Solid, public Gripper, public Blades {
  public:
   static constexpr auto id = "swage.object.jaws";
   static constexpr auto version = "1.0.0";
@@ -36,6 +39,8 @@ class Jaws final : public Object<JawsParams>, public Solid, public Gripper {
       "bend.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
+
+  static constexpr std::array traits{SWAGE_TRAIT_BLADES};
 
   static constexpr const char* kShapes[] = {"prism", "tetrahedron", nullptr};
   static constexpr std::array fields = {
@@ -79,12 +84,18 @@ class Jaws final : public Object<JawsParams>, public Solid, public Gripper {
           "How far the handle is closed while no device says so: a clamp has about 0.8.")
           .group("Handle")
           .hidden(),
+      boolean<&JawsParams::blades>("blades", "Blades", "Scissors: the jaws cut what a swage.coupling.cut has them cut.").group("Blades"),
+      real<&JawsParams::shear>("shear", "Shear", "1", "1", 0.01, 100,
+                               "Force with which the blades part a thread, over its strength: blunt ones need more.")
+          .group("Blades"),
   };
 
   void build(const JawsParams& params, ObjectBuilder& builder) override;
   void forces(const Step& step) override;
   void finish(const Step& step) override;
   void describe(const Step& step, swage_gripper_state& out) override;
+  void blades_law(const Step&, swage_blades_law& out) override { out.shear = blades_ ? shear_ : 0; }
+  const void* extension(std::string_view wanted) override;
 
  private:
   void check(const JawsParams& params, ObjectBuilder& builder) const;
@@ -93,7 +104,8 @@ class Jaws final : public Object<JawsParams>, public Solid, public Gripper {
   double target(const Step& step) const;
 
   GripLaw law_;
-  double handle_ratio_ = 0, rest_closure_ = 0;
+  double handle_ratio_ = 0, rest_closure_ = 0, shear_ = 0;
+  bool blades_ = false;
   Body tool_, jaw_[2];  // left, right
   Hinge hinge_[2];
   Signal opening_, command_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <swage/band.hpp>
+#include <swage/cut.hpp>
 #include <swage/strand.hpp>
 #include <swage/units.hpp>
 
@@ -38,7 +39,7 @@ struct ThreadParams {
   double pull_off = 0;   // N
 };
 
-class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand {
+class Thread final : public BandedObject<ThreadParams>, public Solid, public Graspable, public Strand, public Cuttable {
  public:
   static constexpr auto id = "swage.object.thread";
   static constexpr auto version = "1.0.0";
@@ -89,7 +90,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                     "suture says.")
           .group("Material"),
   };
-  static constexpr std::array traits{SWAGE_TRAIT_STRAND};
+  static constexpr std::array traits{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_CUTTABLE};
 
   void build(const ThreadParams& params, ObjectBuilder& builder) override;
   void reset(const Step& step) override;
@@ -99,6 +100,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   void strand_law(const Step& step, swage_strand_law& out) override;
   void strand_place(const Step& step, double s, swage_strand_place& out) override;
   void strand_nearest(const Step& step, swage_vec3 p_W, swage_strand_place& out) override;
+  void cut(const Step& step, double s) override;
 
   void advance(const Step& step) override;
   void compliance(const Step& step, std::span<const swage_contact_point> points,
@@ -142,6 +144,8 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   toolkit::Pose middle(const toolkit::RodState& s) const;
   /// The edge nearest to a point, and the share of it from its first node.
   std::pair<int, double> nearest_edge(const toolkit::RodState& s, const toolkit::Vec3& p_W) const;
+  /// The edge on which the arc length s [m] lies.
+  int edge_at(const Step& step, double s) const;
   void tell(const Step& step, int edge, double share, swage_strand_place& out) const;
   toolkit::RodLoad load(const Step& step) const;
   void take_parted(const Step& step);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where on the thread something is: the traits graspable and strand.
+// Where on the thread something is, and is cut: the traits graspable, strand and cuttable.
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +36,7 @@ void Thread::locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out
 }
 
 const void* Thread::extension(std::string_view wanted) {
+  if (wanted == SWAGE_TRAIT_CUTTABLE) return cuttable_table<Thread>();
   return wanted == SWAGE_TRAIT_STRAND ? strand_table<Thread>() : nullptr;
 }
 
@@ -56,10 +57,18 @@ void Thread::tell(const Step& step, int j, double share, swage_strand_place& out
   out.parted = chain.radius[at(j)] == 0 ? 1 : 0;
 }
 
-void Thread::strand_place(const Step& step, double s, swage_strand_place& out) {
+int Thread::edge_at(const Step& step, double s) const {
   const auto all = step.chain(0, vertices()).s;
   const auto above = std::upper_bound(all.begin() + 1, all.end() - 1, s);
-  const int j = static_cast<int>(above - all.begin()) - 1;
+  return static_cast<int>(above - all.begin()) - 1;
+}
+
+/// The whole segment bears nothing any more.
+void Thread::cut(const Step& step, double s) { step.chain(0, vertices()).radius[at(edge_at(step, s))] = 0; }
+
+void Thread::strand_place(const Step& step, double s, swage_strand_place& out) {
+  const auto all = step.chain(0, vertices()).s;
+  const int j = edge_at(step, s);
   const double share = (s - all[at(j)]) / (all[at(j + 1)] - all[at(j)]);
   tell(step, j, std::clamp(share, 0.0, 1.0), out);
 }

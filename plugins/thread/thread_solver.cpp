@@ -190,11 +190,12 @@ void Thread::find_grip(const Step& step, int hardest) const {
   grip(step)[0] = first, grip(step)[1] = last;
 }
 
-/// Breaks where the tension is beyond its strength.
+/// Breaks where the tension is greatest, if that is beyond its strength: at one place in a step, which relieves the others.
 void Thread::part(const Step& step) const {
-  const ChainState chain = step.chain(0, vertices());
-  for (int j = 0; j < params_.segments; ++j)
-    if (rod_.linear_tension(j) > suture_.strength) chain.radius[at(j)] = 0;
+  int most = 0;
+  for (int j = 1; j < params_.segments; ++j)
+    if (rod_.linear_tension(j) > rod_.linear_tension(most)) most = j;
+  if (rod_.linear_tension(most) > suture_.strength) step.chain(0, vertices()).radius[at(most)] = 0;
 }
 
 }  // namespace swage::thread

@@ -27,7 +27,7 @@ struct ThreadScene {
                               couplings + R"(], "lesson": {"plugin": "swage.lesson.look", "params": {"duration": "1000 s"}}})";
     std::string used;
     for (const char* id : {"swage.object.thread", "swage.object.solids", "swage.object.jaws", "swage.object.needle",
-                           "swage.coupling.contact", "swage.coupling.grasp", "swage.coupling.swage", "swage.coupling.knot", "swage.coupling.winding", "test.coupling.leash",
+                           "swage.coupling.contact", "swage.coupling.grasp", "swage.coupling.swage", "swage.coupling.knot", "swage.coupling.winding", "swage.coupling.cut", "test.coupling.leash",
                            "swage.device.scripted", "swage.lesson.look"})
       if (scene.find(std::string("\"") + id + "\"") != std::string::npos)
         used += (used.empty() ? "\"" : ", \"") + std::string(id) + R"(": "^1")";

@@ -5,6 +5,7 @@
 #include <swage/abi/band.h>
 #include <swage/abi/calibration.h>
 #include <swage/abi/coupling.h>
+#include <swage/abi/cut.h>
 #include <swage/abi/device.h>
 #include <swage/abi/display.h>
 #include <swage/abi/lesson.h>
