@@ -68,6 +68,8 @@ Cleaned clean_backup(const std::string& path, const Person& person) {
 }  // namespace
 
 Cleaned erase_from_file(const ExportedFile& e, const Person& person) {
+  if (e.kind == "lrs")
+    return {false, "The record store " + e.file + " has statements of the code " + person.code + ": have them removed there."};
   if (e.station != station()) return {false, e.file + " was written on the station " + e.station + ": delete it there."};
   std::error_code code;
   if (!std::filesystem::exists(e.file, code)) return {true, e.file + " is no longer there."};

@@ -82,6 +82,8 @@ void add_study(CLI::App& app, Arguments& a) {
                    "Another value than the lesson's, in every attempt: needle.level=bending; may be repeated")
       ->allow_extra_args(false);
   verb->add_option("--out", a.study.out, "Folder for figures (SVG) and all attempts (CSV)");
+  CLI::Option* shard = verb->add_option("--shard", a.study.shard, "Only a part of the attempts: 2/8 does every eighth, from the second");
+  verb->add_flag("--merge", a.study.merge, "Run nothing: table and figures of what the shards have left in the folder")->excludes(shard);
   verb->add_option("--store", a.study.store, "Attempts database that keeps them; none unless given");
   plugin_dirs(verb, a.study.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return study(a.study); }; });

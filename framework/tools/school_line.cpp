@@ -13,6 +13,7 @@ struct Options {
   SyntheticOptions synthetic;
   CourseOptions courses;
   AttemptWords words;
+  SendOptions send;
 };
 
 // they live as long as the program: the command line fills them after this file has returned
@@ -126,6 +127,13 @@ void add_words(CLI::App& attempts, std::function<int()>& chosen) {
   out->add_option("--person", o.person, "Only this person's");
   out->add_option("--lesson", o.lesson, "Only of this lesson id");
   verb(out, o, export_attempts, chosen);
+  SendOptions& s = options().send;
+  CLI::App* send = attempts.add_subcommand("send", "Statements of people's attempts to a Learning Record Store (xAPI), each once");
+  send->add_option("--to", s.to, "Its address: https://lrs.example.org/xapi")->required();
+  send->add_option("--home", s.home, "Address of the school in the identifiers: https://school.example.org")->required();
+  send->add_option("--login", s.login_file, "File with one line, user:password");
+  send->add_option("--receipts", s.receipts, "File that says what has arrived; beside the user's own store unless given");
+  verb(send, s, send_attempts, chosen);
   CLI::App* no = attempts.add_subcommand("void", "Leave an attempt out of rules and curves; it is kept");
   attempt(no);
   no->add_option("--reason", o.text, "Why, for whoever reads it later")->required();

@@ -63,6 +63,13 @@ int note_attempt(const AttemptWords&);
 /// One attempt or all of them, in the form that `as` says.
 int export_attempts(const AttemptWords&);
 
+struct SendOptions {
+  std::string store, to, home, login_file, receipts;
+  bool json = false;
+};
+/// Statements of all attempts of people that have not arrived yet, to a Learning Record Store.
+int send_attempts(const SendOptions&);
+
 /// Every signal and every input of each step; a file `<file>.about.json` says whose numbers they are.
 bool write_trace(const std::string& file, const std::string& store, const std::string& attempt_id);
 /// Said when the user gives no name: who runs the program.

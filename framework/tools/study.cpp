@@ -13,6 +13,7 @@
 #include "session/session.hpp"
 #include "toolkit/read_file.hpp"
 #include "tools/print.hpp"
+#include "tools/study_rows.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -187,40 +188,97 @@ bool read_study(const std::string& path, Study& out, base::Problems& problems) {
   return !base::failed(problems);
 }
 
-int study(const StudyOptions& o) {
-  base::Problems problems;
-  Study study;
-  if (!read_study(o.file, study, problems)) return tell(problems), kProblem;
+namespace {
 
-  std::vector<StudyRow> rows;
+uint64_t count_rows(const Study& study) {
   const std::size_t outer = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;
+  return outer * study.factors.back().levels.size() * study.hands.size() * study.repeats;
+}
+
+StudyRow planned_row(const Study& study, uint64_t i) {
   const std::size_t inner = study.factors.back().levels.size();
-  const std::size_t all = outer * inner * study.hands.size() * study.repeats;
-  for (std::size_t i = 0; i < all; ++i) {
-    StudyRow row;
-    row.seed = study.seed + i % study.repeats;
-    row.hand = i / study.repeats % study.hands.size();
-    row.level[1] = i / (study.repeats * study.hands.size()) % inner;
-    row.level[0] = i / (study.repeats * study.hands.size() * inner);
-    progress(format("%zu of %zu", i + 1, all));
-    problems.clear();
+  StudyRow row;
+  row.seed = study.seed + i % study.repeats;
+  row.hand = i / study.repeats % study.hands.size();
+  row.level[1] = i / (study.repeats * study.hands.size()) % inner;
+  row.level[0] = i / (study.repeats * study.hands.size() * inner);
+  return row;
+}
+
+/// Runs what the shard has to do and nobody has done. False: problems are told.
+bool run_rows(const Study& study, const StudyOptions& o, const Shard& shard, const std::string& name, StudyRows& done) {
+  const uint64_t all = count_rows(study);
+  std::unique_ptr<RowWriter> writer;
+  if (!o.out.empty()) {
+    std::error_code ignored;
+    std::filesystem::create_directories(o.out, ignored);
+    done = read_rows(o.out, name);
+    writer = std::make_unique<RowWriter>(o.out, shard, name);
+  }
+  for (uint64_t i = 0; i < all; ++i) {
+    if (!shard.has(i) || done.count(i) > 0) continue;
+    progress(format("%llu of %llu", static_cast<unsigned long long>(i + 1), static_cast<unsigned long long>(all)));
+    StudyRow row = planned_row(study, i);
+    base::Problems problems;
     if (!run_one(study, o, row, problems)) {
       progress("");
-      return tell(problems), kProblem;
+      return tell(problems), false;
     }
-    rows.push_back(std::move(row));
+    if (writer && !writer->add(i, row)) {
+      progress("");
+      problem("\"" + writer->path() + "\" cannot be written.");
+      return false;
+    }
+    done[i] = std::move(row);
   }
   progress("");
+  return true;
+}
+
+int show(const Study& study, const StudyOptions& o, const StudyRows& done, const std::string& name) {
+  std::vector<StudyRow> rows;
+  for (const auto& [number, row] : done) rows.push_back(row);
   std::printf("%s\nmean over attempts [least, greatest] (passed of all)\n", study.title.c_str());
   for (const StudyFigure& figure : study.figures) print_figure(study, figure, rows);
   if (o.out.empty()) return kPassed;
-  std::error_code ignored;
-  std::filesystem::create_directories(o.out, ignored);
   const std::string folder = o.out + "/";
   bool written = write(folder + "attempts.csv", study_csv(study, rows));
   for (const StudyFigure& figure : study.figures)
     written = write(folder + figure.file, study_svg(study, figure, rows)) && written;
-  return written ? kPassed : problem("\"" + o.out + "\" cannot be written.");
+  if (!written) return problem("\"" + o.out + "\" cannot be written.");
+  remove_rows(o.out, name);  // the table has them all
+  return kPassed;
+}
+
+}  // namespace
+
+int study(const StudyOptions& o) {
+  base::Problems problems;
+  Study study;
+  Shard shard;
+  if (!read_study(o.file, study, problems)) return tell(problems), kProblem;
+  if (!o.shard.empty() && !read_shard(o.shard, shard))
+    return problem("--shard: \"" + o.shard + "\" is no shard; 1/8 to 8/8 are, for example.");
+  if (o.out.empty() && (o.merge || !o.shard.empty())) return problem("--shard and --merge need --out: there the shards meet.");
+
+  std::string text, why;
+  toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why);
+  const std::string name = study_name(study, text, o.settings);
+  StudyRows done;
+  const auto count = [](uint64_t n) { return format("%llu", static_cast<unsigned long long>(n)); };
+  if (o.merge) {
+    done = read_rows(o.out, name);
+  } else {
+    if (!run_rows(study, o, shard, name, done)) return kProblem;
+    if (shard.count > 1) {
+      std::printf("shard %s of %s is done; --merge puts them together\n", count(shard.index).c_str(), count(shard.count).c_str());
+      return kPassed;
+    }
+  }
+  if (const uint64_t all = count_rows(study); done.size() < all)
+    return problem("\"" + o.out + "\" holds " + count(done.size()) + " of the " + count(all) +
+                   " attempts of this study: run the shards that are missing.");
+  return show(study, o, done, name);
 }
 
 }  // namespace swage::tools

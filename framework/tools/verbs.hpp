@@ -31,6 +31,8 @@ struct StudyOptions {
   std::string store = ":none:";
   std::vector<std::string> plugin_dirs;
   std::vector<std::string> settings;  // of every attempt, before those of the study: "needle.level=bending"
+  std::string shard;                  // "2/8": only every eighth attempt; "" all
+  bool merge = false;                 // runs nothing: figures of what the shards have left in `out`
 };
 int study(const StudyOptions&);
 

@@ -308,6 +308,9 @@ TEST_F(Export, WhoIsErasedIsTakenOutOfWhatWasExported) {
   const Cleaned elsewhere = erase_from_file({"/x.csv", "another machine", "csv", "", true}, ada_);
   EXPECT_FALSE(elsewhere.done);
   EXPECT_THAT(elsewhere.sentence, HasSubstr("on the station another machine"));
+  const Cleaned sent = erase_from_file({"https://lrs.example.org/xapi", "", "lrs", "", false}, ada_);
+  EXPECT_FALSE(sent.done);
+  EXPECT_THAT(sent.sentence, HasSubstr("https://lrs.example.org/xapi"));
 }
 
 }  // namespace

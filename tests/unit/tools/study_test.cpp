@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage study: a matrix of attempts, its table and figures.
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -76,6 +81,68 @@ TEST_F(Study, SetsAValueInEveryAttemptUnlessTheStudySaysOtherwise) {
   const Said wrong = swage({"study", file, "--set", "ball.weight=3"});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("swage.object.solids has no such parameter."));
+}
+
+// two levels, two attempts each: four rows
+const char* const kTwo = R"({ "name": "short", "set": { "lesson.duration": "0.02 s" } },
+                            { "name": "long", "set": { "lesson.duration": "0.04 s" } })";
+
+TEST_F(Study, ShardsGiveTheFiguresOfOneMachineByteForByte) {
+  const std::string file = study(kTwo);
+  const Said alone = swage({"study", file, "--out", path("alone")});
+  ASSERT_EQ(alone.code, 0) << alone.err;
+  EXPECT_FALSE(std::filesystem::exists(path("alone/rows-1-of-1.jsonl"))) << "the table has them";
+  for (const char* shard : {"3/3", "1/3"}) EXPECT_EQ(swage({"study", file, "--out", path("many"), "--shard", shard}).code, 0);
+  const Said early = swage({"study", file, "--out", path("many"), "--merge"});
+  EXPECT_EQ(early.code, 2);
+  EXPECT_THAT(early.err, HasSubstr("holds 3 of the 4 attempts"));
+  EXPECT_EQ(swage({"study", file, "--out", path("many"), "--shard", "2/3"}).code, 0);
+  const Said merged = swage({"study", file, "--out", path("many"), "--merge"});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(merged.out, alone.out);
+  EXPECT_EQ(read("many/attempts.csv"), read("alone/attempts.csv"));
+  EXPECT_EQ(read("many/time.svg"), read("alone/time.svg"));
+}
+
+TEST_F(Study, ShardsOfAnotherStudyAreNotMixedIn) {
+  EXPECT_EQ(swage({"study", study(kTwo), "--out", path("many"), "--shard", "1/2"}).code, 0);
+  // another seed is another study, and so is another value that was set
+  const std::string other = study(kTwo, R"("seed": 7,)");
+  EXPECT_THAT(swage({"study", other, "--out", path("many"), "--merge"}).err, HasSubstr("holds 0 of the 4"));
+  const std::string first = study(kTwo);
+  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge", "--set", "ball.density=2000"}).err, HasSubstr("holds 0 of the 4"));
+  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge"}).err, HasSubstr("holds 2 of the 4"));
+  EXPECT_THAT(swage({"study", first, "--shard", "1/2"}).err, HasSubstr("--out"));
+  for (const char* wrong : {"0/2", "3/2", "2", "1/", "a/b", "1/2x"})
+    EXPECT_THAT(swage({"study", first, "--out", path("many"), "--shard", wrong}).err, HasSubstr("is no shard")) << wrong;
+}
+
+TEST_F(Study, GoesOnAfterAKillWhereItWas) {
+  std::string levels;
+  for (int i = 0; i < 20; ++i)
+    levels += std::string(i ? "," : "") + R"({ "name": "l)" + std::to_string(i) + R"(", "set": { "lesson.duration": "0.)" +
+              std::to_string(20 + i) + R"( s" } })";
+  const std::string file = study(levels);
+  const Said whole = swage({"study", file, "--out", path("whole")});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const auto lines = [&] { return std::ranges::count(read("killed/rows-1-of-1.jsonl"), '\n'); };
+  int kills = 0;
+  for (int before = 0; kills < 3; ++kills) {
+    Running run({"study", file, "--out", path("killed")}, folder());
+    while (run.alive() && lines() < before + 5) usleep(2000);
+    if (!run.alive()) break;
+    run.signal(SIGKILL);
+    while (run.alive()) usleep(2000);
+    before = static_cast<int>(lines());
+  }
+  EXPECT_GE(kills, 1) << "it was killed in the middle";
+  // a line that a kill has torn counts for nothing
+  std::ofstream(path("killed/rows-1-of-1.jsonl"), std::ios::app) << R"({"row":39,"le)";
+  const Said rest = swage({"study", file, "--out", path("killed")});
+  EXPECT_EQ(rest.code, 0) << rest.err;
+  EXPECT_EQ(rest.out, whole.out);
+  EXPECT_EQ(read("killed/attempts.csv"), read("whole/attempts.csv"));
+  EXPECT_EQ(read("killed/time.svg"), read("whole/time.svg"));
 }
 
 TEST_F(Study, SaysWhatIsWrong) {
