@@ -22,25 +22,12 @@ const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 const std::string kSolids = kSeries + "010_practice_solids.json";
 const std::string kBasic = kSeries + "020_grasp_basic.json";
 const std::string kCarry = kSeries + "040_grasp_advanced_2.json";
-const char* const kLessons[] = {"010_practice_solids",
-                                "020_grasp_basic",
-                                "030_grasp_advanced_1_quarter",
-                                "031_grasp_advanced_1_three_eighths",
-                                "032_grasp_advanced_1_half",
-                                "040_grasp_advanced_2",
-                                "041_grasp_advanced_2_quarter",
-                                "042_grasp_advanced_2_three_eighths",
-                                "045_pass_the_needle",
-                                "050_suture_grasp",
-                                "051_suture_carry",
-                                "055_ring_on_hoop",
-                                "110_insertion",
-                                "113_insertion_left_half",
-                                "115_stitch",
-                                "116_insertion_hanging",
-                                "117_needle_with_thread",
-                                "118_stitch_and_pull_through",
-                                "130_loop"};
+const char* const kLessons[] = {
+    "010_practice_solids", "020_grasp_basic", "030_grasp_advanced_1_quarter",
+    "031_grasp_advanced_1_three_eighths", "032_grasp_advanced_1_half", "040_grasp_advanced_2",
+    "041_grasp_advanced_2_quarter", "042_grasp_advanced_2_three_eighths", "045_pass_the_needle",
+    "050_suture_grasp", "051_suture_carry", "055_ring_on_hoop", "110_insertion", "113_insertion_left_half",
+    "115_stitch", "116_insertion_hanging", "117_needle_with_thread", "118_stitch_and_pull_through", "130_loop"};
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);
