@@ -8,19 +8,17 @@
 #include <map>
 #include <utility>
 
+#include "console/view3d/region_look.hpp"
+
 namespace swage::console {
 namespace {
 
-// the sleeve of a region is a little thicker than the wire, so that neither flickers through the other
-constexpr double kSleeve = 1.06;
 // what lies on a stage may start a little inside it
 constexpr float kBeside = 1.8F;  // radii of the work from its middle
-// the collars at the ends of a region: how long, m, and how much thicker than the wire
 // length of a needle's point over the radius of its wire: 0.8 mm of a wire of 100 um
 constexpr double kTaper = 16;
-constexpr double kCollar = 0.1e-3, kCollarGrow = 1.12;
-// the same of a thread, which is so thin that a share of it is no pixel
-constexpr double kThreadSleeve = 1.6, kThreadCollarGrow = 2.4;
+// the collars at the ends of a region: their length, m
+constexpr double kCollar = 0.1e-3;
 constexpr float kTouch_mm = 0.05F;
 // what of a tool is so many times further from the work than its foremost part is no tip: its handle
 constexpr float kBehind = 1.6F;
@@ -315,26 +313,6 @@ QVector3D to_mm(const swage_vec3& p) {
 
 QQuaternion to_qt(const swage_quat& q) {
   return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
-}
-
-Mesh chain_mesh(const SceneParts& parts, const ScenePart& part, std::span<const swage_pose> X_WB) {
-  const WireChain& chain = parts.chains[static_cast<size_t>(part.chain)];
-  std::vector<double> line = chain.centre_line(X_WB);
-  const bool sleeve = part.role == Role::kMark;
-  if (sleeve) line = part_of_line(line, part.from, part.to);
-  Mesh mesh;
-  append_thread(line.data(), static_cast<uint32_t>(line.size() / 3),
-                chain.radius * (part.collar ? kCollarGrow
-                                : sleeve    ? kSleeve
-                                            : 1),
-                mesh, sleeve ? 0 : chain.taper);
-  return mesh;
-}
-
-Mesh thread_mesh(const SceneParts& parts, const ScenePart& part, std::span<const double> p_W, double least) {
-  const ThreadLine& thread = parts.threads[static_cast<size_t>(part.thread)];
-  if (part.role != Role::kMark) return thread.mesh(p_W, least);
-  return thread.part(p_W, least, part.from, part.to, part.collar ? kThreadCollarGrow : kThreadSleeve);
 }
 
 namespace {
