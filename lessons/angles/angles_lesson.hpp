@@ -3,6 +3,7 @@
 // swage.lesson.angles: to which side does it tilt? Trains and measures the eye for angles. See angles.md.
 #pragma once
 
+#include <swage/display.hpp>
 #include <swage/lesson.hpp>
 
 #include <string>
@@ -74,7 +75,8 @@ class AnglesLesson final : public Lesson<AnglesParams> {
       real<&AnglesParams::tell_time>("tell_time", "Feedback time", "s", "s", 0.05, 60,
                                      "Time for which the cue says whether the answer was right."),
       boolean<&AnglesParams::stereo>(
-          "stereo", "Stereo", "Whether the view has stereo; told with the metrics, changes nothing else."),
+          "stereo", "Stereo",
+          "Whether the view has stereo, where the host does not say; told with the metrics, changes nothing else."),
       real<&AnglesParams::max_bias>("max_bias", "Bias", "rad", "deg", 0.5 * kDegree, 60 * kDegree,
                                     "The attempt fails when the bias is greater than this on either axis.")
           .group("Limits"),
@@ -105,6 +107,8 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   void show(const Memory& memory, const Finding& finding, const Frame& frame, const Verdict& verdict) const;
   void say(const Memory& memory, const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, const Finding& finding, double time_s, const Verdict& verdict) const;
+  /// As the host says; without a host that says so, as the lesson file does.
+  bool seen_in_stereo() const;
 
   AnglesParams params_;
   Judge judge_;

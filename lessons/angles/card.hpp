@@ -39,7 +39,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"angle.right", "1", "Share of right answers; the staircases hold it near 71 %.", "right answers / answers", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     {"angle.answers", "1", "Answers given.", "count", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     {"time.answer", "s", "Mean time from the question to the answer.", "sum / answers", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
-    {"view.stereo", "1", "1 when the view had stereo, as the lesson says: compare only within one of the two.", "parameter stereo", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
+    {"view.stereo", "1", "1 when the view had stereo: compare only within one of the two.", "display of the host, else parameter stereo", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     lessons::kPath,
     lessons::points("points.bias", "Points lost for the bias of judging.", "35 mean over the axes of the share of max_bias"),
     lessons::points("points.jnd", "Points lost for the just-noticeable difference.", "35 mean over the axes of the share of max_jnd"),

@@ -97,6 +97,12 @@ TEST_F(AnglesOnStage, JawsAgainstTheNeedle) {
   const toolkit::Vec3 to_other = (mark(2) - mark(1)).normalized();
   answer(-way.dot(to_other) > 0 ? 2 : 1);
   EXPECT_EQ(cues[2], cue("answer.right"));
+  EXPECT_EQ(metric("view.stereo"), 1) << "as the lesson says";
+  stage.eyes = SWAGE_EYES_MONO;
+  observe();
+  EXPECT_EQ(metric("view.stereo"), 0) << "as the host says";
+  stage.eyes = SWAGE_EYES_STEREO;
+  observe();
   EXPECT_EQ(metric("view.stereo"), 1);
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <swage/abi/coupling.h>
 #include <swage/abi/device.h>
+#include <swage/abi/display.h>
 #include <swage/abi/lesson.h>
 
 #include <array>
@@ -139,6 +140,7 @@ class Stage {
   uint32_t n_state = 0;
   int faults = 0;
   const void* pointer_table = nullptr;  // answer to SWAGE_HOST_POINTER
+  int32_t eyes = SWAGE_EYES_NONE;       // answer of SWAGE_HOST_DISPLAY
 
  private:
   static swage_str text(const char* words) { return {words, std::strlen(words)}; }
@@ -146,6 +148,8 @@ class Stage {
   static Stage& of(swage_builder* builder) { return *static_cast<Stage*>(builder->host_data); }
 
   static const void* find(const swage_host* host, const char* id) {
+    static constexpr swage_host_display display{[](const swage_host* h) { return of(h).eyes; }};
+    if (std::strcmp(id, SWAGE_HOST_DISPLAY) == 0) return &display;
     return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? of(host).pointer_table : nullptr;
   }
   static void report(const swage_host* host, int32_t, swage_str, swage_str message) {
