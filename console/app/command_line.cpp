@@ -35,26 +35,27 @@ Launch read_command_line(const QStringList& arguments) {
                                QCoreApplication::translate("command_line", "Lesson file, or kept attempt, to open."),
                                QStringLiteral("[lesson.json | attempt.swage]"));
   parser.addOptions({
-      option("start", "Start the lesson at once."),
-      option("device", "The hand: mouse, expert, a plugin id, or a name from the lesson.", "device"),
-      option("person", "Who practises.", "name"),
-      option("mode", "practice, test or demo.", "mode"),
-      option("plugin-dir", "Folder to look for plugins in first; may be repeated.", "folder"),
-      option("store", "Attempts database: a file, postgresql://user@host/database, or :none:.", "store"),
-      option("safe-mode", "Stock plugins only."),
+      option("start", QT_TRANSLATE_NOOP("command_line", "Start the lesson at once.")),
+      option("device", QT_TRANSLATE_NOOP("command_line", "The hand: mouse, expert, a plugin id, or a name from the lesson."), "device"),
+      option("person", QT_TRANSLATE_NOOP("command_line", "Who practises."), "name"),
+      option("mode", QT_TRANSLATE_NOOP("command_line", "practice, test or demo."), "mode"),
+      option("plugin-dir", QT_TRANSLATE_NOOP("command_line", "Folder to look for plugins in first; may be repeated."), "folder"),
+      option("store", QT_TRANSLATE_NOOP("command_line", "Attempts database: a file, postgresql://user@host/database, or :none:."), "store"),
+      option("safe-mode", QT_TRANSLATE_NOOP("command_line", "Stock plugins only.")),
       option("seed",
-             "Of every attempt, so that targets and tremor are the same again; otherwise each draws its own.",
+             QT_TRANSLATE_NOOP("command_line", "Of every attempt, so that targets and tremor are the same again; otherwise each draws its own."),
              "number"),
-      option("theme", "light, dark or contrast.", "theme"),
-      option("cues", "thesis or safe: colours of the cues.", "cues"),
-      option("view", "orbit, side, top or near.", "view"),
-      option("trainee", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right.", "layout"),
-      option("page", "run, lessons, courses, people, review or setup.", "page"),
-      option("review", "Open a recorded attempt: its id, or latest.", "attempt"),
-      option("size", "Size of the window, as in 1440x900.", "size"),
-      option("screenshot", "Write a picture of the window (with --trainee: of the trainee's) and quit.",
+      option("language", QT_TRANSLATE_NOOP("command_line", "en or de; that of the system unless given."), "language"),
+      option("theme", QT_TRANSLATE_NOOP("command_line", "light, dark or contrast."), "theme"),
+      option("cues", QT_TRANSLATE_NOOP("command_line", "thesis or safe: colours of the cues."), "cues"),
+      option("view", QT_TRANSLATE_NOOP("command_line", "orbit, side, top or near."), "view"),
+      option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right."), "layout"),
+      option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review or setup."), "page"),
+      option("review", QT_TRANSLATE_NOOP("command_line", "Open a recorded attempt: its id, or latest."), "attempt"),
+      option("size", QT_TRANSLATE_NOOP("command_line", "Size of the window, as in 1440x900."), "size"),
+      option("screenshot", QT_TRANSLATE_NOOP("command_line", "Write a picture of the window (with --trainee: of the trainee's) and quit."),
              "file.png"),
-      option("at", "When: seconds into the attempt, or after the window is there.", "seconds"),
+      option("at", QT_TRANSLATE_NOOP("command_line", "When: seconds into the attempt, or after the window is there."), "seconds"),
   });
   parser.process(arguments);
 
@@ -83,6 +84,7 @@ Launch read_command_line(const QStringList& arguments) {
   launch.draws_seed = !given("seed") && !given("screenshot");
   launch.start = given("start");
   launch.theme = text("theme");
+  launch.language = text("language");
   launch.cues = text("cues");
   launch.view = text("view");
   launch.trainee = text("trainee");

@@ -3,10 +3,13 @@
 
 #include <QApplication>
 #include <QTemporaryDir>
+#include <cstdio>
+#include <cstdlib>
 
 #include "console/app/application.hpp"
 #include "console/app/command_line.hpp"
 #include "console/app/end_signals.hpp"
+#include "console/app/language.hpp"
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
@@ -16,11 +19,21 @@ using namespace swage;
 
 namespace {
 
+// a language that there is not ends the program with what there is
+void choose_language() {
+  const QString wanted = console::language_in(QCoreApplication::arguments());
+  if (console::use_language(wanted)) return;
+  std::fprintf(stderr, "swage-console: --language: \"%s\" is not there; allowed are %s.\n", qPrintable(wanted),
+               qPrintable(console::languages().join(QStringLiteral(", "))));
+  std::exit(2);
+}
+
 int run(int argc, char** argv) {
   // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
   signal(SIGXFSZ, SIG_IGN);
   if (console::asks_for_text(argc, argv)) {
     QCoreApplication text_only(argc, argv);
+    choose_language();
     console::read_command_line(QCoreApplication::arguments());
     return 0;
   }
@@ -29,6 +42,7 @@ int run(int argc, char** argv) {
   QApplication app(argc, argv);
   console::display_is_there();
   console::prepare_application();
+  choose_language();
   console::Launch launch = console::read_command_line(app.arguments());
 
   // a picture for the documentation shows the program as it is delivered

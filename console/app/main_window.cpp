@@ -72,6 +72,7 @@ void MainWindow::add_pages(Doors& doors) {
       &lessons_, [this](const QString& path) { return read_criteria(path.toStdString(), run_->catalogue()); }, pages_);
   pages_->add({QStringLiteral("lessons"), tr("Lessons"), tr("What can be practised, and what does it ask for?"),
                lessons_page_, true, [this] { lessons_page_->select(run_->setup()->lesson()); }});
+  lessons_page_->set_desk(&desk_);
   courses_ = new CoursesPage(
       &desk_, &store_, &lessons_, [this](const QString& lesson) { return metrics_of(lesson); }, pages_);
   pages_->add({QStringLiteral("courses"), tr("Courses"), tr("In what order, and when is it passed?"), courses_, true,
@@ -129,12 +130,14 @@ void MainWindow::connect_pages() {
   connect(people_->person(), &PersonPanel::review, this, &MainWindow::review);
   connect(people_->person(), &PersonPanel::open_file, this, &MainWindow::open_attempt);
   connect(review_, &ReviewPage::back, this, [this, people] { show_page(people); });
-  people_->person()->set_metric_finder([this](const QString& lesson, const std::string& metric) {
+  const auto said = [this](const QString& lesson, const std::string& metric) {
     const int row = lessons_.row_of(lesson);
     const QModelIndex index = lessons_.index(row, 0);
     return row < 0 ? MetricSaid{metric_facts(nullptr, metric), {}}
                    : run_->metric_said(index.data(LessonsModel::kPath).toString(), metric);
-  });
+  };
+  people_->person()->set_metric_finder(said);
+  review_->set_metric_finder(said);
   connect(&store_, &StoreLink::recovered, this, [this](int n) {
     run_->set_notice(
         n == 1 ? tr("The program closed unexpectedly. 1 attempt was kept up to that moment.")
@@ -324,7 +327,7 @@ void MainWindow::review_given(const Launch& launch) {
   const std::shared_ptr<record::Store> store = store_.store();
   if (!store) return;
   QString id = launch.review;
-  const std::vector<record::AttemptRow> all = store->attempts("");
+  const std::vector<record::AttemptRow> all = store->attempt_heads();
   if (id == QLatin1String("latest")) id = all.empty() ? QString() : QString::fromStdString(all.front().id);
   review(id);
   if (const auto view = preset_of(launch.view)) review_->view()->look(*view);

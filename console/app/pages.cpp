@@ -43,7 +43,7 @@ void Pages::add(const Page& page) {
   button->setProperty("page", true);
   button->setCheckable(true);
   button->setAutoExclusive(true);
-  button->setToolTip(tr("%1 (%2)").arg(page.tip, key.toString()));
+  button->setToolTip(tr("%1 (%2)").arg(page.tip, key.toString(QKeySequence::NativeText)));
   button->setChecked(number == 1);
   connect(button, &QPushButton::clicked, this, [this, id = page.id] { go(id); });
   // behind the other pages' buttons, before what the window adds

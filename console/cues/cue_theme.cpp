@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "console/cues/theme_words.hpp"
 #include "console/cues/tones.hpp"
 
 namespace swage::console {
@@ -121,13 +122,13 @@ CueTheme CueTheme::load(const QString& path, QString* error) {
   }
   CueTheme theme;
   theme.id_ = root[QStringLiteral("id")].toString();
-  theme.title_ = root[QStringLiteral("title")].toString();
+  theme.title_ = theme_word(root[QStringLiteral("title")].toString());
   for (const QJsonValue value : root[QStringLiteral("cues")].toArray()) {
     const QJsonObject cue = value.toObject();
     const QString meaning = cue[QStringLiteral("meaning")].toString();
     CueStyle style{QColor(cue[QStringLiteral("colour")].toString()),
                    cue[QStringLiteral("shape")].toString(),
-                   cue[QStringLiteral("text")].toString(),
+                   theme_word(cue[QStringLiteral("text")].toString()),
                    cue[QStringLiteral("sound")].toString(),
                    {}};
     if (meaning.isEmpty() || !style.colour.isValid() || style.shape.isEmpty() || style.text.isEmpty()) {

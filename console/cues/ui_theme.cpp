@@ -5,6 +5,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "console/cues/theme_words.hpp"
+
 namespace swage::console {
 
 UiTheme UiTheme::load(const QString& path, QString* error) {
@@ -20,7 +22,7 @@ UiTheme UiTheme::load(const QString& path, QString* error) {
       *error = QStringLiteral("%1: not a window theme: \"format\" must be \"swage-ui-theme/1\"").arg(path);
     return theme;
   }
-  theme.title_ = root[QStringLiteral("title")].toString();
+  theme.title_ = theme_word(root[QStringLiteral("title")].toString());
   theme.id_ = root[QStringLiteral("id")].toString();
   const QJsonObject colours = root[QStringLiteral("colours")].toObject();
   for (auto it = colours.begin(); it != colours.end(); ++it) {
@@ -68,6 +70,9 @@ QString UiTheme::style_sheet() const {
   QStringList roles = colours_.keys();
   std::sort(roles.begin(), roles.end(),
             [](const QString& a, const QString& b) { return a.size() > b.size(); });
+  // a state is never told by colour alone: the tick stands out against the accent
+  const bool light = colours_.value(QStringLiteral("accent_text")).lightnessF() > 0.5;
+  sheet.replace(QStringLiteral("%TICK%"), light ? QStringLiteral(":/themes/tick_light.svg") : QStringLiteral(":/themes/tick_dark.svg"));
   for (const QString& role : roles) sheet.replace(QLatin1Char('@') + role, colours_[role].name());
   return sheet;
 }

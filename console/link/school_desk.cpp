@@ -2,6 +2,7 @@
 #include "console/link/school_desk.hpp"
 
 #include <QUndoCommand>
+#include <algorithm>
 
 namespace swage::console {
 namespace {
@@ -172,6 +173,33 @@ bool SchoolDesk::erase_person(const QString& id) {
 bool SchoolDesk::change_course(record::Course before, record::Course after, const QString& words, int field) {
   courses_.push(new CourseEdit(this, words, std::move(before), std::move(after), field));
   return succeeded_;
+}
+
+bool SchoolDesk::assign(const QString& course_id, const std::vector<std::string>& who, bool to_group, const QString& due) {
+  record::School* s = school();
+  if (!s) return Q_EMIT failed(problem_), false;
+  auto made = std::make_shared<std::vector<record::Assignment>>(), taken = std::make_shared<std::vector<record::Assignment>>();
+  for (const record::Assignment& a : s->assignments())
+    if (course_id.isEmpty() && a.to_group == to_group && std::find(who.begin(), who.end(), a.who_id) != who.end()) taken->push_back(a);
+  for (const std::string& id : who)
+    if (!course_id.isEmpty()) made->push_back({"", course_id.toStdString(), id, to_group, "", due.toStdString()});
+  const auto give = [](record::School& to, std::vector<record::Assignment>& all) {
+    return std::all_of(all.begin(), all.end(), [&](record::Assignment& a) { return to.assign(a); });
+  };
+  const auto take = [](record::School& from, const std::vector<record::Assignment>& all) {
+    return std::all_of(all.begin(), all.end(), [&](const record::Assignment& a) { return from.unassign(a.id); });
+  };
+  return push(
+      people_, tr("Assign a course"), [=](record::School& to) { return take(to, *taken) && give(to, *made); },
+      [=](record::School& to) { return take(to, *made) && give(to, *taken); });
+}
+
+bool SchoolDesk::publish(const QString& lesson_id, const QString& title, const std::string& text, record::LessonVersion& out) {
+  return call([&](record::School& s) { return s.publish_lesson(lesson_id.toStdString(), title.toStdString(), text, out); });
+}
+
+bool SchoolDesk::retire(const record::LessonVersion& version, bool retired) {
+  return call([&](record::School& s) { return s.retire_lesson(version.digest, retired); });
 }
 
 bool SchoolDesk::add_note(record::Note note) {

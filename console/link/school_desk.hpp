@@ -45,6 +45,12 @@ class SchoolDesk : public QObject {
   /// A new course where `before` has no id; removed where `after` has none. Edits with the same `field` that follow each other are
   /// one undo.
   bool change_course(record::Course before, record::Course after, const QString& words, int field = -1);
+  /// Gives people, or groups, a course; "" takes what they were given. One undo takes all back. `due`: "" or 2030-01-31.
+  bool assign(const QString& course_id, const std::vector<std::string>& who, bool to_group, const QString& due);
+  /// Freezes a lesson; for good, as attempts refer to it. False: problem() says why.
+  bool publish(const QString& lesson_id, const QString& title, const std::string& text, record::LessonVersion& out);
+  /// No longer offered, or offered again.
+  bool retire(const record::LessonVersion& version, bool retired);
   bool add_note(record::Note note);
   bool remove_note(const record::Note& note);
 

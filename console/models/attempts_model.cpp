@@ -61,7 +61,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kLesson:
       return a.lesson_title.empty() ? qt(a.lesson_id) : qt(a.lesson_title);
     case kMode:
-      return is_hand(a) ? tr("Recorded hand") : human_id(qt(a.mode));
+      return is_hand(a) ? tr("Recorded hand") : mode_text(qt(a.mode));
     case kVerdict:
       return verdict(a);
     case kScore:

@@ -16,7 +16,9 @@ namespace swage::console {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("lesson_facts", text); }
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(lesson_facts)
+};
 
 /// The lesson plugin of a lesson file with the checked values of its parameters, defaults included.
 struct Judged {
@@ -76,7 +78,7 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
   const auto number = [&](size_t i) { return number_words(p, value.number[i]); };
   switch (p.type) {
     case SWAGE_PARAM_BOOL:
-      return value.number[0] != 0 ? tr("yes") : tr("no");
+      return value.number[0] != 0 ? Words::tr("yes") : Words::tr("no");
     case SWAGE_PARAM_CHOICE:
       return QString::fromStdString(p.choices[static_cast<size_t>(value.number[0])]);
     case SWAGE_PARAM_TEXT:
@@ -85,7 +87,7 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
     default:
       break;
   }
-  if (p.dimension == 2) return tr("%1 to %2").arg(number(0), number(1));
+  if (p.dimension == 2) return Words::tr("%1 to %2").arg(number(0), number(1));
   QStringList all;
   for (uint32_t i = 0; i < std::max(1u, p.dimension); ++i) all += number(i);
   return all.join(QStringLiteral(", "));

@@ -14,7 +14,9 @@ namespace {
 
 constexpr double kMargin = 0.15;  // of the bar on each side of what is drawn
 
-QString tr(const char* text) { return QCoreApplication::translate("metric_bars", text); }
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(metric_bars)
+};
 
 bool judged(const record::AttemptRow& a) { return !a.is_void && (a.outcome == "passed" || a.outcome == "failed"); }
 
@@ -23,7 +25,7 @@ MetricBar make_bar(const QString& id, const QString& unit, double value, const j
   bar.id = id;
   bar.name = metric_title(id);
   bar.value = quantity_text(value, unit);
-  bar.band = tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
+  bar.band = Words::tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
   const double first = std::min(value, band.p10), last = std::max(value, band.p90);
   const double span = std::max(last - first, 1e-12), left = first - kMargin * span, width = (1 + 2 * kMargin) * span;
   const auto place = [&](double v) {
@@ -49,7 +51,7 @@ double metric_value(const record::AttemptRow& a, const QString& metric) {
 }
 
 bool is_expert_group(const QString& name) {
-  return name.compare(tr("Experts"), Qt::CaseInsensitive) == 0 || name.compare(QLatin1String("Experts"), Qt::CaseInsensitive) == 0;
+  return name.compare(Words::tr("Experts"), Qt::CaseInsensitive) == 0 || name.compare(QLatin1String("Experts"), Qt::CaseInsensitive) == 0;
 }
 
 std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record::AttemptRow>& all,
@@ -64,6 +66,20 @@ std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record:
   return people.empty() ? hands : people;
 }
 
+std::vector<record::AttemptRow> read_expert_attempts(record::Store& store, const std::vector<std::string>& expert_ids,
+                                                     const std::string& lesson_id) {
+  std::vector<record::AttemptRow> out;
+  for (const std::string& id : expert_ids)
+    for (record::AttemptRow& a : store.attempts(id, lesson_id)) out.push_back(std::move(a));
+  if (!expert_attempts(out, expert_ids, lesson_id).empty()) return out;
+  const std::vector<record::AttemptRow> heads = store.attempt_heads("", lesson_id);
+  for (const record::AttemptRow* head : expert_attempts(heads, expert_ids, lesson_id)) {
+    record::AttemptRow whole;
+    if (store.attempt(head->id, whole)) out.push_back(std::move(whole));
+  }
+  return out;
+}
+
 Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector<std::string>& expert_ids,
                    const std::string& lesson_id, const QString& metric) {
   std::map<std::string, std::vector<double>> people;
@@ -75,7 +91,7 @@ Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector
   }
   Experts out;
   for (auto& [id, values] : people) out.values.push_back(std::move(values));
-  out.who = hands ? tr("recorded expert hand") : out.values.size() == 1 ? tr("1 expert") : tr("%1 experts").arg(out.values.size());
+  out.who = hands ? Words::tr("recorded expert hand") : out.values.size() == 1 ? Words::tr("1 expert") : Words::tr("%1 experts").arg(out.values.size());
   return out;
 }
 

@@ -25,6 +25,9 @@ bool is_expert_group(const QString& name);
 /// Judged attempts at a lesson by the people in `expert_ids`; where none of them did it, by the recorded expert hand.
 std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record::AttemptRow>& all,
                                                        const std::vector<std::string>& expert_ids, const std::string& lesson_id);
+/// The same out of a store; nothing of anybody else is read with its metrics.
+std::vector<record::AttemptRow> read_expert_attempts(record::Store& store, const std::vector<std::string>& expert_ids,
+                                                     const std::string& lesson_id);
 /// Their values of a metric.
 Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector<std::string>& expert_ids,
                    const std::string& lesson_id, const QString& metric);

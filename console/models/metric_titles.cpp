@@ -45,6 +45,9 @@ void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
 
 QString metric_title(const QString& id) {
   const auto label = labels().constFind(id);
+  // the host's own two are on no card
+  if (id == QLatin1String("score")) return QCoreApplication::translate("metric_titles", "Score");
+  if (id == QLatin1String("time")) return QCoreApplication::translate("metric_titles", "Time");
   return label == labels().constEnd() ? human_id(id) : QCoreApplication::translate("metrics", label->title);
 }
 

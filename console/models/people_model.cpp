@@ -23,13 +23,15 @@ QString seen(const Standing& s) {
 }  // namespace
 
 void PeopleModel::set_people(const std::vector<record::Person>& people, const std::vector<record::AttemptRow>& attempts,
-                             const QHash<QString, QString>& groups, const QDateTime& now) {
+                             const QHash<QString, QString>& groups, const QHash<QString, QString>& courses,
+                             const QDateTime& now) {
   beginResetModel();
   std::unordered_map<std::string, std::vector<const record::AttemptRow*>> of;
   for (const record::AttemptRow& a : attempts) of[a.person_id].push_back(&a);
   people_.clear();
   standings_.clear();
   groups_ = groups;
+  courses_ = courses;
   for (const record::Person& p : people) {
     people_ += p;
     standings_ += standing_of(of[p.id], now);
@@ -64,6 +66,8 @@ QVariant PeopleModel::text(int row, int column) const {
       return qt(p.name);
     case kGroup:
       return groups_.value(qt(p.group_id));
+    case kCourse:
+      return courses_.value(qt(p.id));
     case kLast:
       return signs(s.last);
     case kPassed:
@@ -108,7 +112,7 @@ QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int r
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString heads[] = {tr("Name"), tr("Group"), tr("Last attempts"), tr("Passed"), tr("Last seen"), tr("Needs attention")};
+  const QString heads[] = {tr("Name"), tr("Group"), tr("Course"), tr("Last attempts"), tr("Passed"), tr("Last seen"), tr("Needs attention")};
   return section >= 0 && section < kColumns ? heads[section] : QString();
 }
 

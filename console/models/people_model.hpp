@@ -14,13 +14,14 @@ namespace swage::console {
 class PeopleModel : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kName, kGroup, kLast, kPassed, kSeen, kAttention, kColumns };
+  enum Column { kName, kGroup, kCourse, kLast, kPassed, kSeen, kAttention, kColumns };
   enum Role { kId = Qt::UserRole, kSortRole, kGroupRole };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// `attempts`: of all people, newest first. `groups`: name by id.
+  /// `attempts`: of all people, newest first. `groups`: name by id. `courses`: what is assigned, by person.
   void set_people(const std::vector<record::Person>& people, const std::vector<record::AttemptRow>& attempts,
-                  const QHash<QString, QString>& groups = {}, const QDateTime& now = QDateTime::currentDateTimeUtc());
+                  const QHash<QString, QString>& groups = {}, const QHash<QString, QString>& courses = {},
+                  const QDateTime& now = QDateTime::currentDateTimeUtc());
   int row_of(const QString& id) const;
   QStringList names() const;
   const record::Person& at(int row) const { return people_[row]; }
@@ -35,7 +36,7 @@ class PeopleModel : public QAbstractTableModel {
   QVariant text(int row, int column) const;
   QVector<record::Person> people_;
   QVector<Standing> standings_;
-  QHash<QString, QString> groups_;
+  QHash<QString, QString> groups_, courses_;
 };
 
 }  // namespace swage::console

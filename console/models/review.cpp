@@ -60,6 +60,7 @@ void add_moments(const record::Recording& r, const std::vector<record::EventRow>
     Moment m;
     m.time_s = e.time_s;
     m.by_person = e.owner == "note";
+    if (!m.by_person) m.id = qt(e.id);
     m.technical = e.owner == "gap" || (e.owner == judge::kHostOwner && e.id == "host.gap");
     m.what = m.by_person ? (e.id.empty() ? QObject::tr("Mark") : qt(e.id)) : human_id(qt(e.id));
     if (e.owner == "gap") m.what = QObject::tr("Not recorded");
@@ -106,7 +107,7 @@ std::string quoted(const std::string& text) {
 
 QString Review::headline() const {
   return QStringList({qt(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
-                      qt(attempt.person_name), when_text(qt(attempt.started_utc)), human_id(qt(attempt.mode)),
+                      qt(attempt.person_name), when_text(qt(attempt.started_utc)), mode_text(qt(attempt.mode)),
                       QObject::tr("seed %1").arg(seed)})
       .join(QStringLiteral("  ·  "));
 }

@@ -28,6 +28,7 @@ struct Moment {
   double time_s = 0;
   QString what, means;
   bool by_person = false, technical = false;
+  QString id = {};  // of the event; "" for what a person said
 };
 
 struct MetricLine {

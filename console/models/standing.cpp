@@ -16,7 +16,9 @@ constexpr int kWeek = 7;          // days; retention drops visibly after about a
 constexpr int kMostWeeks = 4;     // a person who left for good does not stay on top for ever
 constexpr int kReady = 3;         // passes in a row after which a test is due
 
-QString tr(const char* text) { return QCoreApplication::translate("standing", text); }
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(standing)
+};
 
 bool counts(const record::AttemptRow& a) {
   return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed");
@@ -64,12 +66,12 @@ QString attention_words(const Standing& s) {
   QStringList words;
   if (s.failing >= kStuck)
     words += s.same_reason.isEmpty()
-                 ? tr("%1 not passed in a row").arg(s.failing)
-                 : tr("%1 not passed in a row: %2").arg(s.failing).arg(human_id(s.same_reason.section(QLatin1Char('.'), -1)));
-  if (s.attempts > 0 && s.days >= kWeek) words += tr("%1 days without practice").arg(s.days);
-  if (!words.isEmpty()) return words.join(tr(", "));
+                 ? Words::tr("%1 not passed in a row").arg(s.failing)
+                 : Words::tr("%1 not passed in a row: %2").arg(s.failing).arg(human_id(s.same_reason.section(QLatin1Char('.'), -1)));
+  if (s.attempts > 0 && s.days >= kWeek) words += Words::tr("%1 days without practice").arg(s.days);
+  if (!words.isEmpty()) return words.join(Words::tr(", "));
   const auto n = s.last.size();
-  if (n >= kReady && std::all_of(s.last.end() - kReady, s.last.end(), [](bool b) { return b; })) return tr("doing well");
+  if (n >= kReady && std::all_of(s.last.end() - kReady, s.last.end(), [](bool b) { return b; })) return Words::tr("doing well");
   return {};
 }
 

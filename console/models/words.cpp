@@ -11,7 +11,9 @@
 namespace swage::console {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("words", text); }
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(words)
+};
 
 }  // namespace
 
@@ -43,7 +45,7 @@ QString display_unit(const QString& unit) {
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  if (unit == QLatin1String("yes/no")) return value > 0.5 ? tr("yes") : tr("no");
+  if (unit == QLatin1String("yes/no")) return value > 0.5 ? Words::tr("yes") : Words::tr("no");
   // a tenth of a wire and less is told in micrometres
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
     return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
@@ -74,18 +76,25 @@ QString clock_text(double seconds) {
 }
 
 QString verdict_text(const QString& outcome) {
-  if (outcome == QLatin1String("passed")) return tr("Passed");
-  if (outcome == QLatin1String("failed")) return tr("Not passed");
-  if (outcome == QLatin1String("void")) return tr("Void");
-  if (outcome == QLatin1String("aborted")) return tr("Stopped");
-  if (outcome == QLatin1String("running")) return tr("Running");
+  if (outcome == QLatin1String("passed")) return Words::tr("Passed");
+  if (outcome == QLatin1String("failed")) return Words::tr("Not passed");
+  if (outcome == QLatin1String("void")) return Words::tr("Void");
+  if (outcome == QLatin1String("aborted")) return Words::tr("Stopped");
+  if (outcome == QLatin1String("running")) return Words::tr("Running");
   return human_id(outcome);
+}
+
+QString mode_text(const QString& mode) {
+  if (mode == QLatin1String("practice")) return Words::tr("Practice");
+  if (mode == QLatin1String("test")) return Words::tr("Test");
+  if (mode == QLatin1String("demo")) return Words::tr("Demo");
+  return human_id(mode);
 }
 
 QString when_text(const QString& utc) {
   const QDateTime time = QDateTime::fromString(utc, Qt::ISODate);
   if (!time.isValid()) return utc;
-  return QLocale().toString(time.toLocalTime(), QStringLiteral("d MMM yyyy HH:mm"));
+  return QLocale().toString(time.toLocalTime(), Words::tr("d MMM yyyy HH:mm"));
 }
 
 }  // namespace swage::console

@@ -21,6 +21,8 @@ QString clock_text(double seconds);
 /// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".
 QString verdict_text(const QString& outcome);
 /// "2026-11-21T09:30:00Z" -> "21 Nov 2026 10:30" in local time.
+/// "practice", "test", "demo" as words.
+QString mode_text(const QString& mode);
 QString when_text(const QString& utc);
 
 }  // namespace swage::console

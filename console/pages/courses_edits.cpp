@@ -52,7 +52,7 @@ void CoursesPage::refresh() {
   }
   courses_ = school->courses();
   std::erase_if(courses_, [](const record::Course& c) { return !c.archived_utc.empty(); });
-  if (const std::shared_ptr<record::Store> store = link_->store()) attempts_ = store->attempts("");
+  attempts_of_.clear();
   empty_->setText(tr("No course yet. A course is a row of lessons with a rule that says when each is passed."));
   stack_->setCurrentIndex(courses_.empty() ? 1 : 0);
   const bool before = std::exchange(filling_, true);
@@ -235,6 +235,12 @@ std::vector<const record::AttemptRow*> CoursesPage::experts() {
     if (!is_expert_group(QString::fromStdString(g.name))) continue;
     for (const record::Person& p : school->people())
       if (p.group_id == g.id) ids.push_back(p.id);
+  }
+  // read once until something has changed
+  if (attempts_of_ != s->lesson_id) {
+    const std::shared_ptr<record::Store> store = link_->store();
+    attempts_ = store ? read_expert_attempts(*store, ids, s->lesson_id) : std::vector<record::AttemptRow>();
+    attempts_of_ = s->lesson_id;
   }
   return expert_attempts(attempts_, ids, s->lesson_id);
 }

@@ -116,7 +116,7 @@ QWidget* CoursesPage::make_steps() {
     button->setAccessibleName(tip);
     const QKeySequence keys = key ? QKeySequence(QString::fromLatin1(key)) : QKeySequence();
     button->setShortcut(keys);
-    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString()));
+    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
   };

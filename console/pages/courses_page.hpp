@@ -72,7 +72,8 @@ class CoursesPage : public QWidget {
   LessonMetrics metrics_;
   std::vector<record::Course> courses_;
   record::Course course_;  // the chosen one
-  std::vector<record::AttemptRow> attempts_;
+  std::vector<record::AttemptRow> attempts_;  // of experts at this lesson
+  std::string attempts_of_;
   QTimer simulate_timer_;
   bool filling_ = false;  // what the widgets say is not an edit
 

@@ -5,7 +5,9 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "assembly/lesson_text.hpp"
 #include "console/models/variant.hpp"
+#include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -32,6 +34,14 @@ class Search : public QSortFilterProxyModel {
  private:
   QStringList words_;
 };
+
+/// Whole, as it is recorded; "" where it cannot be read.
+std::string lesson_text(const QString& path) {
+  assembly::LessonText out;
+  base::Problems problems;
+  const bool ok = assembly::read_lesson_text(path.toStdString(), {}, out, problems);
+  return ok && !base::failed(problems) ? out.text : std::string();
+}
 
 QString list_of(const QString& heading, const QStringList& lines) {
   if (lines.isEmpty()) return {};
@@ -122,6 +132,13 @@ QWidget* LessonsPage::make_detail() {
   edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
   delete_ = add(own, tr("Delete…"), {}, "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
   own->addStretch(1);
+  publish_ = add(own, tr("Publish"), QStringLiteral("Ctrl+P"), "publish_lesson", [this] { publish(); });
+  publish_->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
+  publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)"));
+  retire_ = add(own, tr("Retire"), {}, "retire_lesson", [this] { retire(); });
+  version_ = make_muted({}, card.frame);
+  version_->setObjectName(QStringLiteral("lesson_version"));
+  card.body->addWidget(version_);
   card.body->addLayout(row);
   card.body->addLayout(own);
   return card.frame;
@@ -148,12 +165,57 @@ void LessonsPage::select(const QString& path) {
 
 QString LessonsPage::lesson() const { return list_->currentIndex().data(LessonsModel::kPath).toString(); }
 
+void LessonsPage::set_desk(SchoolDesk* desk) {
+  desk_ = desk;
+  show_lesson();
+}
+
+void LessonsPage::show_version(bool can) {
+  record::School* school = desk_ ? desk_->school() : nullptr;
+  last_.reset();
+  std::string text;
+  if (school && can) text = lesson_text(lesson());
+  for (QWidget* w : std::initializer_list<QWidget*>{publish_, retire_, version_}) w->setVisible(!text.empty());
+  if (text.empty()) return;
+  const std::string id = list_->currentIndex().data(LessonsModel::kId).toString().toStdString();
+  for (const record::LessonVersion& v : school->lessons())
+    if (v.lesson_id == id && (!last_ || v.number > last_->number)) last_ = v;
+  const bool same = last_ && last_->digest == record::lesson_digest(text);
+  publish_->setEnabled(!same);
+  retire_->setVisible(last_.has_value());
+  if (!last_) return version_->setText(tr("Not published: attempts refer to the file as it is when they run."));
+  const QString when = when_text(QString::fromStdString(last_->frozen_utc));
+  retire_->setText(last_->retired_utc.empty() ? tr("Retire version %1").arg(last_->number) : tr("Offer version %1 again").arg(last_->number));
+  QString words = same ? tr("Published as version %1, %2.").arg(last_->number).arg(when)
+                       : tr("▲ Changed since version %1 was published, %2.").arg(last_->number).arg(when);
+  if (!last_->retired_utc.empty()) words += QLatin1Char(' ') + tr("It is retired.");
+  version_->setText(words);
+}
+
+void LessonsPage::publish() {
+  const QModelIndex at = list_->currentIndex();
+  const std::string text = lesson_text(lesson());
+  record::LessonVersion made;
+  if (!desk_ || text.empty()) return;
+  const bool done = desk_->publish(at.data(LessonsModel::kId).toString(), at.data().toString(), text, made);
+  show_lesson();
+  if (!done) version_->setText(tr("▲ %1").arg(desk_->problem()));
+}
+
+void LessonsPage::retire() {
+  if (!desk_ || !last_) return;
+  const bool done = desk_->retire(*last_, last_->retired_utc.empty());
+  show_lesson();
+  if (!done) version_->setText(tr("▲ %1").arg(desk_->problem()));
+}
+
 void LessonsPage::show_lesson() {
   const QModelIndex at = list_->currentIndex();
   const QString problem = at.data(LessonsModel::kProblem).toString();
   const bool can = at.isValid() && problem.isEmpty(), own = at.isValid() && is_own_lesson(lesson());
   for (QPushButton* b : {practise_, test_, variant_}) b->setEnabled(can);
   for (QPushButton* b : {edit_, delete_}) b->setVisible(own);
+  show_version(can);
   title_->setText(at.isValid() ? at.data().toString() : tr("Choose a lesson."));
   task_->setText(QStringList({at.data(LessonsModel::kSummary).toString(), at.data(LessonsModel::kGoal).toString()})
                      .join(QStringLiteral("\n\n"))

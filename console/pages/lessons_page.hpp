@@ -10,7 +10,9 @@
 #include <QSortFilterProxyModel>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
+#include "console/link/school_desk.hpp"
 #include "console/models/lesson_facts.hpp"
 #include "console/models/lessons_model.hpp"
 
@@ -26,6 +28,14 @@ class LessonsPage : public QWidget {
   QString lesson() const;  // path; "" for none
   /// Reads the chosen lesson again, as after an edit.
   void show_lesson();
+  /// Through which lessons are published; without it none can be. It outlives the page.
+  void set_desk(SchoolDesk* desk);
+
+ public Q_SLOTS:
+  /// Freezes the chosen lesson as it is now: courses and attempts can refer to exactly that.
+  void publish();
+  /// The version of the chosen lesson that was published last is no longer offered, or is again.
+  void retire();
 
  Q_SIGNALS:
   /// "practice" or "test".
@@ -38,12 +48,17 @@ class LessonsPage : public QWidget {
   QWidget* make_list(LessonsModel* lessons);
   QWidget* make_detail();
   void search(const QString& words);
+  void show_version(bool can);
 
   CriteriaReader criteria_;
   QSortFilterProxyModel* found_;
   QListView* list_ = nullptr;
   QLabel *none_ = nullptr, *title_ = nullptr, *task_ = nullptr, *asked_ = nullptr;
-  QPushButton *practise_ = nullptr, *test_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
+  QPushButton *practise_ = nullptr, *test_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr, *publish_ = nullptr,
+              *retire_ = nullptr;
+  QLabel* version_ = nullptr;
+  SchoolDesk* desk_ = nullptr;
+  std::optional<record::LessonVersion> last_;  // of the chosen lesson
 };
 
 }  // namespace swage::console

@@ -171,6 +171,45 @@ void RosterDialog::read() {
   add_->setText(n == 0 ? tr("Add") : n == 1 ? tr("Add 1 person") : tr("Add %1 people").arg(n));
 }
 
+AssignDialog::AssignDialog(const QVector<QPair<QString, QString>>& courses, int people, const QString& group, QWidget* parent)
+    : QDialog(parent) {
+  setObjectName(QStringLiteral("assign_dialog"));
+  setWindowTitle(tr("Assign a course"));
+  auto* column = new QVBoxLayout(this);
+  auto* form = new QFormLayout;
+  const auto combo = [&](const QString& label, const char* name) {
+    auto* box = new QComboBox(this);
+    box->setObjectName(QString::fromLatin1(name));
+    box->setAccessibleName(label);
+    box->setMinimumWidth(320);
+    form->addRow(label, box);
+    return box;
+  };
+  course_ = combo(tr("Course"), "assign_which");
+  for (const auto& [title, id] : courses) course_->addItem(title, id);
+  course_->addItem(tr("none: take back what was assigned"), QString());
+  whom_ = combo(tr("To"), "assign_whom");
+  whom_->addItem(people == 1 ? tr("The chosen person") : tr("The %1 chosen people").arg(people));
+  if (!group.isEmpty()) whom_->addItem(tr("Everybody in %1, also who joins later").arg(group));
+  auto* row = new QHBoxLayout;
+  has_due_ = new QCheckBox(tr("Until"), this);
+  has_due_->setObjectName(QStringLiteral("assign_has_due"));
+  due_ = new QDateEdit(QDate::currentDate().addMonths(1), this);
+  due_->setObjectName(QStringLiteral("assign_due"));
+  due_->setAccessibleName(tr("Until"));
+  due_->setCalendarPopup(true);
+  due_->setEnabled(false);
+  connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
+  row->addWidget(has_due_);
+  row->addWidget(due_, 1);
+  form->addRow(QString(), row);
+  column->addLayout(form);
+  if (courses.isEmpty()) column->addWidget(make_muted(tr("There is no course yet: make one on the Courses page."), this));
+  add_buttons(column, tr("Assign"), "assign_ok", this);
+}
+
+QString AssignDialog::due() const { return has_due_->isChecked() ? due_->date().toString(Qt::ISODate) : QString(); }
+
 EraseDialog::EraseDialog(const QString& name, int attempts, const QStringList& files, QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("erase_dialog"));
   setWindowTitle(tr("Erase a person"));

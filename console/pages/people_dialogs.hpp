@@ -3,7 +3,9 @@
 // Forms of the People page: one person, a pasted list with its preview, and the last question before somebody is erased.
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -48,6 +50,22 @@ class RosterDialog : public QDialog {
   QTableWidget* preview_;
   QLabel* says_;
   QPushButton* add_;
+};
+
+/// A course for the chosen people or for a group.
+class AssignDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `courses`: title and id. `group`: name of the group that may be chosen instead; "" for none.
+  AssignDialog(const QVector<QPair<QString, QString>>& courses, int people, const QString& group, QWidget* parent);
+  QString course() const { return course_->currentData().toString(); }  // id; "": what was assigned is taken back
+  bool to_group() const { return whom_->currentIndex() == 1; }
+  QString due() const;  // "" or 2030-01-31
+
+ private:
+  QComboBox *course_, *whom_;
+  QCheckBox* has_due_;
+  QDateEdit* due_;
 };
 
 class EraseDialog : public QDialog {

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QInputDialog>
+#include <QLocale>
 #include <QSaveFile>
 
 #include "console/models/exports.hpp"
@@ -19,7 +20,7 @@ void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
     auto* button = make_button(words, {}, QString::fromLatin1(name), parent);
     const QKeySequence keys = key ? QKeySequence(QString::fromLatin1(key)) : QKeySequence();
     button->setShortcut(keys);
-    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString()));
+    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
     return button;
@@ -28,6 +29,8 @@ void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
   add(tr("Paste a list…"), "Ctrl+L", "add_list", tr("Add a list of people, with a preview"), &PeoplePage::add_list);
   row->addSpacing(10);
   of_person_ += add(tr("Change…"), "F2", "change_person", tr("Name, group and hand of the chosen person"), &PeoplePage::change_person);
+  of_person_ += add(tr("Assign…"), "Ctrl+Shift+A", "assign_course", tr("Give the chosen people, or a group, a course"),
+                    &PeoplePage::assign_course);
   of_person_ += add(tr("Report…"), "Ctrl+R", "report_person", tr("One page about the chosen person and lesson, to print"),
                     &PeoplePage::report_person);
   of_person_ += add(tr("Export…"), "Ctrl+E", "export_person",
@@ -96,6 +99,48 @@ void PeoplePage::erase_person() {
   for (const record::ExportedFile& f : school->exported_files(p.id)) files += QString::fromStdString(f.station + ": " + f.file);
   EraseDialog dialog(QString::fromStdString(p.name), static_cast<int>(p.attempts), files, this);
   if (dialog.exec() == QDialog::Accepted) desk_->erase_person(QString::fromStdString(p.id));
+}
+
+// Title of the course by person, their own first, then that of their group.
+QHash<QString, QString> PeoplePage::courses_of_people() {
+  QHash<QString, QString> out;
+  record::School* school = desk_->school();
+  if (!school) return out;
+  QHash<QString, QString> titles;
+  for (const record::Course& c : school->courses())
+    if (c.archived_utc.empty()) titles.insert(QString::fromStdString(c.id), QString::fromStdString(c.title));
+  const std::vector<record::Assignment> all = school->assignments();
+  const auto add = [&](const std::string& person, const record::Assignment& a) {
+    const QString title = titles.value(QString::fromStdString(a.course_id)), id = QString::fromStdString(person);
+    if (title.isEmpty()) return;
+    const QDate due = QDate::fromString(QString::fromStdString(a.due_utc).left(10), Qt::ISODate);
+    const QString words = due.isValid() ? tr("%1, until %2").arg(title, QLocale().toString(due, QLocale::ShortFormat)) : title;
+    QString& known = out[id];
+    if (!known.contains(title)) known += (known.isEmpty() ? QString() : QStringLiteral("; ")) + words;
+  };
+  for (const record::Assignment& a : all)
+    if (!a.to_group) add(a.who_id, a);
+  for (const record::Assignment& a : all) {
+    if (!a.to_group) continue;
+    for (const record::Person& p : school->people())
+      if (p.group_id == a.who_id) add(p.id, a);
+  }
+  return out;
+}
+
+void PeoplePage::assign_course() {
+  record::School* school = desk_->school();
+  const std::vector<std::string> people = all_chosen();
+  if (!school || people.empty()) return;
+  QVector<QPair<QString, QString>> courses;
+  for (const record::Course& c : school->courses())
+    if (c.archived_utc.empty()) courses += {QString::fromStdString(c.title), QString::fromStdString(c.id)};
+  const int row = people_->row_of(chosen());
+  const QString group = row < 0 ? QString() : QString::fromStdString(people_->at(row).group_id);
+  AssignDialog dialog(courses, static_cast<int>(people.size()), groups_.value(group), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::vector<std::string> who = dialog.to_group() ? std::vector<std::string>{group.toStdString()} : people;
+  desk_->assign(dialog.course(), who, dialog.to_group(), dialog.due());
 }
 
 void PeoplePage::void_attempt() {
@@ -169,9 +214,7 @@ void PeoplePage::export_person() {
                                                     export_file(QStringLiteral("attempts"), QStringLiteral(".csv")),
                                                     tr("Table (*.csv)"));
   if (name.isEmpty()) return;
-  std::vector<record::AttemptRow> own;
-  for (const record::AttemptRow& a : all_)
-    if (a.person_id == p.id) own.push_back(a);
+  const std::vector<record::AttemptRow> own = attempts_of({p.id}, "");
   QSaveFile file(name);
   const QByteArray text = QByteArray::fromStdString(attempts_csv(own));
   const bool ok = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();

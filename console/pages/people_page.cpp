@@ -6,6 +6,8 @@
 #include <QHeaderView>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
 #include "console/widgets/parts.hpp"
 
@@ -48,8 +50,9 @@ PeoplePage::PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent)
     std::vector<std::string> experts;
     for (int i = 0; i < people_->rowCount(); ++i)
       if (is_expert_group(people_->index(i, PeopleModel::kGroup).data().toString())) experts.push_back(people_->at(i).id);
-    return experts_of(all_, experts, lesson, metric);
+    return experts_of(experts_at(lesson, experts), experts, lesson, metric);
   });
+  person_->set_group_finder([this](const std::string& lesson) { return attempts_of(all_chosen(), lesson); });
   connect(person_, &PersonPanel::void_attempt, this, &PeoplePage::void_attempt);
   connect(person_, &PersonPanel::give_attempt, this, &PeoplePage::give_attempt);
 }
@@ -102,6 +105,7 @@ QWidget* PeoplePage::make_people() {
   table_->setToolTip(tr("Enter shows this person's attempts"));
   card.body->addWidget(table_, 1);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &PeoplePage::show_chosen);
+  connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] { person_->show_group(); });
   connect(table_, &QTableView::activated, this, [this] { person_->focus_attempts(); });
   return card.frame;
 }
@@ -156,10 +160,11 @@ void PeoplePage::refresh() {
   const std::shared_ptr<record::Store> store = link_->store();
   if (!store) return show_empty(link_->problem());
   const std::vector<record::Person> people = store->people();
-  all_ = store->attempts("");
+  const std::vector<record::AttemptRow> heads = store->attempt_heads();
+  lesson_read_.clear();
   if (!link_->reads()) return show_empty(link_->problem());
   fill_groups();
-  people_->set_people(people, all_, groups_);
+  people_->set_people(people, heads, groups_, courses_of_people());
   problem_->hide();
   count_->setText(people.size() == 1 ? tr("1 person") : tr("%1 people, those who need attention first").arg(people.size()));
   if (people.empty())
@@ -176,13 +181,39 @@ void PeoplePage::select_person(const QString& name) {
   if (row >= 0) choose(QString::fromStdString(people_->at(static_cast<int>(row)).id));
 }
 
+std::vector<std::string> PeoplePage::all_chosen() const {
+  std::vector<std::string> out;
+  for (const QModelIndex& row : table_->selectionModel()->selectedRows())
+    out.push_back(row.data(PeopleModel::kId).toString().toStdString());
+  return out;
+}
+
+// with their metrics; nothing of anybody else is read
+std::vector<record::AttemptRow> PeoplePage::attempts_of(const std::vector<std::string>& people, const std::string& lesson) {
+  std::vector<record::AttemptRow> out;
+  const std::shared_ptr<record::Store> store = link_->store();
+  for (const std::string& id : people) {
+    if (!store) break;
+    std::vector<record::AttemptRow> own = store->attempts(id, lesson);
+    out.insert(out.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.started_utc > b.started_utc; });
+  return out;
+}
+
+const std::vector<record::AttemptRow>& PeoplePage::experts_at(const std::string& lesson, const std::vector<std::string>& experts) {
+  if (lesson_read_ == lesson) return of_experts_;
+  const std::shared_ptr<record::Store> store = link_->store();
+  of_experts_ = store ? read_expert_attempts(*store, experts, lesson) : std::vector<record::AttemptRow>();
+  lesson_read_ = lesson;
+  return of_experts_;
+}
+
 void PeoplePage::show_chosen() {
   const std::string id = chosen().toStdString();
   for (QPushButton* b : of_person_) b->setEnabled(!id.empty());
   if (id.empty()) return person_->show_person({}, {});
-  std::vector<record::AttemptRow> own;
-  for (const record::AttemptRow& a : all_)
-    if (a.person_id == id) own.push_back(a);
+  std::vector<record::AttemptRow> own = attempts_of({id}, "");
   person_->show_person(table_->currentIndex().siblingAtColumn(0).data().toString(), std::move(own));
 }
 

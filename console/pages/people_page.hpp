@@ -47,6 +47,8 @@ class PeoplePage : public QWidget {
   void report_person();
   void void_attempt();
   void give_attempt();
+  /// Gives the chosen people, or a group, a course.
+  void assign_course();
 
  Q_SIGNALS:
   void run_lesson();
@@ -62,6 +64,10 @@ class PeoplePage : public QWidget {
   void show_empty(const QString& words);
   void show_chosen();
   QString chosen() const;  // id of a person, "" for none
+  std::vector<std::string> all_chosen() const;
+  std::vector<record::AttemptRow> attempts_of(const std::vector<std::string>& people, const std::string& lesson);
+  const std::vector<record::AttemptRow>& experts_at(const std::string& lesson, const std::vector<std::string>& experts);
+  QHash<QString, QString> courses_of_people();
   void choose(const QString& id);
 
   StoreLink* link_;
@@ -69,7 +75,8 @@ class PeoplePage : public QWidget {
   QTimer watch_;  // what other programs write
   PeopleModel* people_;
   QSortFilterProxyModel* sorted_;
-  std::vector<record::AttemptRow> all_;  // of everybody, newest first
+  std::vector<record::AttemptRow> of_experts_;  // at one lesson, read when they are first asked for
+  std::string lesson_read_;
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   PersonPanel* person_ = nullptr;

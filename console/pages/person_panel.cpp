@@ -26,6 +26,11 @@ PersonPanel::PersonPanel(QWidget* parent)
   tabs_->setDocumentMode(true);
   tabs_->addTab(make_curve(), tr("Pro&gress"));
   tabs_->addTab(make_attempts(), tr("&Attempts"));
+  group_plot_ = new GroupPlot(tabs_);
+  group_plot_->setToolTip(tr("Every judged attempt of the people chosen above (Ctrl or Shift and a click choose several)"));
+  offer_picture(group_plot_, QStringLiteral("group"));
+  tabs_->addTab(group_plot_, tr("G&roup"));
+  connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::show_group);
   column->addWidget(tabs_, 1);
 }
 
@@ -155,7 +160,7 @@ void PersonPanel::update_buttons() {
   const record::AttemptRow* row = chosen_row();
   for (QPushButton* b : {review_, void_, give_}) b->setEnabled(row);
   const bool is_void = row && row->is_void;
-  void_->setText((is_void ? tr("Count again") : tr("Void…")) + QStringLiteral("   Ctrl+D"));
+  void_->setText((is_void ? tr("Count again") : tr("Void…")) + QStringLiteral("   ") + key_text(QStringLiteral("Ctrl+D")));
   void_->setToolTip(is_void ? tr("This attempt counts again (Ctrl+D)")
                             : tr("It stays, with a reason, and counts for nothing: a fault, a wrong lesson (Ctrl+D)"));
 }
@@ -199,7 +204,13 @@ void PersonPanel::ask_lesson(MetricSeries& series) const {
   if (said.target.high) series.target.high = series.factor * *said.target.high;
 }
 
+void PersonPanel::show_group() {
+  if (!group_ || tabs_->currentWidget() != group_plot_ || !isVisible()) return;
+  group_plot_->set_figure(group_figure(group_(lesson_->currentData().toString().toStdString()), metric_->currentData().toString()));
+}
+
 void PersonPanel::set_theme(const UiTheme& theme) {
+  group_plot_->set_theme(theme);
   chart_->set_theme(theme);
   bars_->set_theme(theme);
 }
@@ -278,6 +289,7 @@ void PersonPanel::show_metric() {
   chart_->set_series(series);
   curve_->setText(series.fit);
   show_bars();
+  show_group();
 }
 
 }  // namespace swage::console

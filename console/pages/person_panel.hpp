@@ -15,6 +15,7 @@
 #include "console/models/attempts_model.hpp"
 #include "console/models/metric_bars.hpp"
 #include "console/widgets/band_bars.hpp"
+#include "console/widgets/group_plot.hpp"
 #include "console/widgets/metric_chart.hpp"
 
 namespace swage::console {
@@ -26,6 +27,11 @@ class PersonPanel : public QWidget {
   void set_theme(const UiTheme& theme);
   /// `attempts`: of this person, newest first. What was chosen stays chosen where it is still there.
   void show_person(const QString& name, std::vector<record::AttemptRow> attempts);
+  /// Attempts of everybody who is chosen, newest first: the group's figure is drawn of them. Asked only while it is seen.
+  using GroupFinder = std::function<std::vector<record::AttemptRow>(const std::string& lesson_id)>;
+  void set_group_finder(GroupFinder finder) { group_ = std::move(finder); }
+  void show_group();
+  GroupPlot* group() { return group_plot_; }
   AttemptsModel* attempts() { return attempts_; }
   MetricChart* chart() { return chart_; }
   /// What a lesson says about a metric: which way it is better, and what is asked.
@@ -66,6 +72,8 @@ class PersonPanel : public QWidget {
 
   MetricFinder finder_;
   ExpertFinder experts_;
+  GroupFinder group_;
+  GroupPlot* group_plot_ = nullptr;
   BandBars* bars_ = nullptr;
   AttemptsModel* attempts_;
   QSortFilterProxyModel* sorted_;

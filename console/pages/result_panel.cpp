@@ -127,7 +127,7 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
     if (said.show == SWAGE_SHOW_POINTS) {
       if (m.value < 0.05) continue;  // less than is shown
       points = true;
-      add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%1").arg(m.value, 0, 'f', 1),
+      add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
                QString::fromStdString(m.doc));
     } else if (said.rank > 0) {
       first.emplace_back(said.rank, i);

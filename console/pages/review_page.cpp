@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "console/models/words.hpp"
+#include "console/pages/comparison.hpp"
 #include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
 
@@ -70,6 +71,9 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   };
   key(tr("Loop"), Qt::Key_L, [this] { loop_->toggle(); });
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
+  key(tr("Next worst moment"), Qt::Key_W, [this] { to_next_worst(); });
+  key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
+  key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
   timeline_->addAction(play);
   view_->addAction(play);
   offer_picture(timeline_, QStringLiteral("traces"));
@@ -109,6 +113,13 @@ QWidget* ReviewPage::make_head() {
                  {tr("Export signals (CSV)"), QStringLiteral("save_signals"), tr("Save the signals"),
                   QStringLiteral("_signals.csv"), tr("A thousand lines a second, SI units"),
                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &ReviewPage::write_signals},
+                 {tr("Report (PDF)"),
+                  QStringLiteral("save_report"),
+                  tr("Save a page about the attempt"),
+                  QStringLiteral("_report.pdf"),
+                  tr("One page to print: result, metrics, worst moments, traces, notes"),
+                  {},
+                  &ReviewPage::write_report},
                  {tr("Export summary (CSV)"),
                   QStringLiteral("save_summary"),
                   tr("Save metrics and events"),
@@ -118,7 +129,7 @@ QWidget* ReviewPage::make_head() {
                   &ReviewPage::write_summary}};
   for (const auto& e : exports) {
     auto* button = make_button(e.text, {}, e.name, box);
-    button->setToolTip(e.key.isEmpty() ? e.tip : QStringLiteral("%1 (%2)").arg(e.tip, e.key.toString()));
+    button->setToolTip(e.key.isEmpty() ? e.tip : QStringLiteral("%1 (%2)").arg(e.tip, e.key.toString(QKeySequence::NativeText)));
     if (!e.key.isEmpty()) button->setShortcut(e.key);
     connect(button, &QPushButton::clicked, this, [this, e] { save(e.title, e.ending, e.write); });
     row->addWidget(button);
@@ -134,7 +145,10 @@ QWidget* ReviewPage::make_view() {
   view_ = new SceneView(box);
   view_->setObjectName(QStringLiteral("review_view"));
   view_->setAccessibleName(tr("The attempt, replayed"));
-  column->addWidget(view_, 1);
+  pictures_ = new QHBoxLayout;
+  pictures_->setSpacing(8);
+  pictures_->addWidget(view_, 1);
+  column->addLayout(pictures_, 1);
   note_ = make_muted({}, box);
   note_->setObjectName(QStringLiteral("review_note"));
   note_->hide();
@@ -166,7 +180,7 @@ QWidget* ReviewPage::make_transport() {
   speed_ = new QComboBox(box);
   speed_->setObjectName(QStringLiteral("speed"));
   speed_->setAccessibleName(tr("Speed"));
-  for (const double s : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) speed_->addItem(QStringLiteral("%1×").arg(s), s);
+  for (const double s : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) speed_->addItem(QStringLiteral("%L1×").arg(s), s);
   speed_->setCurrentIndex(3);
   row->addWidget(speed_);
   time_ = new QDoubleSpinBox(box);
@@ -181,6 +195,9 @@ QWidget* ReviewPage::make_transport() {
   row->addWidget(time_);
   note_button_ = add(tr("Note…"), "review_note_button", tr("Write a note at the cursor (N)"), [this] { ask_note(); });
   note_button_->hide();
+  compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
+                 [this] { ask_compare(); });
+  compare_->hide();
   row->addStretch(1);
   add_cameras(row, box);
   return box;
@@ -189,15 +206,19 @@ QWidget* ReviewPage::make_transport() {
 void ReviewPage::add_cameras(QHBoxLayout* row, QWidget* box) {
   const struct {
     QString text;
+    const char* name;
     CameraPreset preset;
-  } presets[] = {{tr("Orbit"), CameraPreset::kOrbit},
-                 {tr("Side"), CameraPreset::kSide},
-                 {tr("Top"), CameraPreset::kTop},
-                 {tr("Near"), CameraPreset::kNear}};
+  } presets[] = {{tr("Orbit"), "review_orbit", CameraPreset::kOrbit},
+                 {tr("Side"), "review_side", CameraPreset::kSide},
+                 {tr("Top"), "review_top", CameraPreset::kTop},
+                 {tr("Near"), "review_near", CameraPreset::kNear}};
   for (const auto& p : presets) {
-    auto* button = make_button(p.text, {}, QStringLiteral("review_") + p.text.toLower(), box);
+    auto* button = make_button(p.text, {}, QString::fromLatin1(p.name), box);
     button->setToolTip(tr("%1 view").arg(p.text));
-    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] { view_->look(preset); });
+    connect(button, &QPushButton::clicked, this, [this, preset = p.preset] {
+      view_->look(preset);
+      if (comparing()) other_->view()->look(preset);
+    });
     row->addWidget(button);
   }
   auto* forces = make_button(tr("Forces"), {}, QStringLiteral("review_forces"), box);
@@ -209,6 +230,8 @@ void ReviewPage::add_cameras(QHBoxLayout* row, QWidget* box) {
 
 void ReviewPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
   ui_ = ui;
+  cues_ = cues;
+  if (other_) other_->set_themes(ui, cues);
   view_->set_themes(ui, cues);
   timeline_->set_theme(ui);
   track_->set_theme(ui);
@@ -220,7 +243,7 @@ void ReviewPage::show_problem(const QString& text) {
   pages_->setCurrentIndex(1);
   headline_->clear();
   verdict_->clear();
-  for (const char* name : {"save_swage", "save_signals", "save_summary"})
+  for (const char* name : {"save_swage", "save_signals", "save_summary", "save_report"})
     findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(false);
 }
 
@@ -259,6 +282,7 @@ bool ReviewPage::open_file(const QString& file) {
 bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) {
   playing_ = false;
   timer_.stop();
+  end_comparison();
   player_.reset();
   timeline_->set_review(nullptr, nullptr);
   recording_ = {};
@@ -293,12 +317,14 @@ void ReviewPage::set_loop(bool on) {
 
 void ReviewPage::show_review(const base::Problems& problems) {
   pages_->setCurrentIndex(0);
-  for (const char* name : {"save_swage", "save_signals", "save_summary"})
+  for (const char* name : {"save_swage", "save_signals", "save_summary", "save_report"})
     findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(true);
   headline_->setText(review_.headline());
   verdict_->setText(review_.verdict());
   play_->setText(tr("Play"));
   note_button_->setVisible(from_store_ && desk_ && desk_->school());
+  compare_->setVisible(from_store_);
+  worst_shown_ = false;
   timeline_->set_review(&review_, &recording_);
   const QSignalBlocker quiet(time_);
   time_->setRange(0, review_.length_s);
@@ -336,7 +362,9 @@ void ReviewPage::toggle_play() {
 // moves the cursor while playing, and the scene towards the cursor; rests when both are there
 void ReviewPage::tick() {
   if (playing_) {
-    const double on = static_cast<double>(clock_.restart()) * 1e-3 * speed_->currentData().toDouble();
+    // in nanoseconds: whole milliseconds would lose half of one at every picture, nearly a second in a minute
+    const double on = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 * speed_->currentData().toDouble();
+    clock_.start();
     wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
     if (loop_to_s_ > loop_from_s_ && (wanted_s_ >= loop_to_s_ || wanted_s_ < loop_from_s_)) wanted_s_ = loop_from_s_;
     // a machine that cannot keep up plays slower, and skips nothing
@@ -355,6 +383,7 @@ void ReviewPage::tick() {
     there = player_->toward(static_cast<uint64_t>(std::llround(wanted_s_ / review_.dt_s)), kMostSteps);
     show_player();
   }
+  if (comparing()) there = other_->toward(wanted_s_, kMostSteps) && there;
   if (there && !playing_) timer_.stop();
 }
 
@@ -368,7 +397,7 @@ void ReviewPage::show_player() {
   view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(reading.phase, clock), {});
   const uint64_t differs = player_->first_difference();
   if (differs >= player_->count() || note_->isVisible()) return;
-  note_->setText(tr("From %1 s on the picture is not the attempt bit for bit: it was recorded with another "
+  note_->setText(tr("From %L1 s on the picture is not the attempt bit for bit: it was recorded with another "
                     "version of a plugin. "
                     "Traces, events and metrics are as recorded.")
                      .arg(static_cast<double>(differs) * review_.dt_s, 0, 'f', 2));

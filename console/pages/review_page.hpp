@@ -22,12 +22,15 @@
 #include "console/link/school_desk.hpp"
 #include "console/models/reading.hpp"
 #include "console/models/review.hpp"
+#include "console/models/worst_moments.hpp"
 #include "console/view3d/scene_view.hpp"
 #include "console/widgets/cue_legend.hpp"
 #include "console/widgets/timeline.hpp"
 #include "console/widgets/track_plot.hpp"
 
 namespace swage::console {
+
+class Comparison;
 
 class ReviewPage : public QWidget {
   Q_OBJECT
@@ -56,12 +59,26 @@ class ReviewPage : public QWidget {
   /// Writes a note at the cursor.
   bool add_note(const QString& text);
   void go(double time_s);
+  /// What a lesson says about a metric; without it worst moments know no limits.
+  using MetricFinder = std::function<MetricSaid(const QString& lesson_id, const std::string& metric_id)>;
+  void set_metric_finder(MetricFinder finder) { finder_ = std::move(finder); }
+  const QVector<WorstMoment>& worst() const { return worst_moments_; }
+  /// Shows another attempt of the store beside this one. False: the page says why.
+  bool compare(const QString& attempt_id);
+  Comparison* comparison() { return other_; }
+  bool comparing() const;
+  /// A page to print about the attempt. "" or what went wrong.
+  QString write_report(const QString& file);
 
  public Q_SLOTS:
   void toggle_play();
   /// Plays a second before and after the cursor again and again, or no longer.
   void set_loop(bool on);
   void ask_note();
+  void ask_compare();
+  void end_comparison();
+  /// The cursor goes to the worst moment, then to the next.
+  void to_next_worst();
 
  Q_SIGNALS:
   void back();
@@ -74,6 +91,10 @@ class ReviewPage : public QWidget {
   QWidget* make_side();
   void show_review(const base::Problems& problems);
   void fill_side();
+  void fill_worst();
+  void to_worst(int row);
+  void loop_worst(int row);
+  void show_comparison();
   void fill_traces();
   void show_traces();
   void show_problem(const QString& text);
@@ -104,7 +125,12 @@ class ReviewPage : public QWidget {
   SceneView* view_ = nullptr;
   Timeline* timeline_ = nullptr;
   CueLegend* legend_ = nullptr;
-  QTableWidget *metrics_ = nullptr, *moments_ = nullptr;
+  QTableWidget *metrics_ = nullptr, *moments_ = nullptr, *worst_ = nullptr;
+  QVector<WorstMoment> worst_moments_;
+  bool worst_shown_ = false;  // since the attempt was opened
+  MetricFinder finder_;
+  QHBoxLayout* pictures_ = nullptr;
+  Comparison* other_ = nullptr;  // made when it is first asked for
   QListWidget* traces_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   TrackPlot* track_ = nullptr;
@@ -112,10 +138,11 @@ class ReviewPage : public QWidget {
   QComboBox* speed_ = nullptr;
   QDoubleSpinBox* time_ = nullptr;
   UiTheme ui_;
+  CueTheme cues_;
   QTimer timer_;
   QElapsedTimer clock_;
   double wanted_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
-  QPushButton *loop_ = nullptr, *note_button_ = nullptr;
+  QPushButton *loop_ = nullptr, *note_button_ = nullptr, *compare_ = nullptr;
   bool playing_ = false, technical_ = false;
   bool from_store_ = false;  // notes can be kept
 };

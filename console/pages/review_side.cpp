@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "console/pages/review_page.hpp"
+#include "console/report/attempt_report.hpp"
+#include "console/widgets/plot_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -68,10 +70,14 @@ QWidget* ReviewPage::make_side() {
   traces_ = new QListWidget(tabs);
   traces_->setObjectName(QStringLiteral("review_traces"));
   traces_->setAccessibleName(tr("Which traces are shown"));
+  worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
+  worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
   tabs->addTab(metrics_, tr("&Metrics"));
+  tabs->addTab(worst_, tr("&Worst moments"));
   tabs->addTab(moments_, tr("&Events"));
   tabs->addTab(traces_, tr("&Traces"));
   track_ = new TrackPlot(tabs);
+  offer_picture(track_, QStringLiteral("entry"));
   tabs->addTab(track_, tr("E&ntry"));
   column->addWidget(tabs, 1);
   legend_ = new CueLegend(box);
@@ -81,6 +87,8 @@ QWidget* ReviewPage::make_side() {
   };
   connect(moments_, &QTableWidget::cellClicked, this, to_moment);
   connect(moments_, &QTableWidget::cellActivated, this, to_moment);
+  connect(worst_, &QTableWidget::cellClicked, this, &ReviewPage::to_worst);
+  connect(worst_, &QTableWidget::cellActivated, this, &ReviewPage::loop_worst);
   connect(traces_, &QListWidget::itemChanged, this, &ReviewPage::show_traces);
   return box;
 }
@@ -99,7 +107,7 @@ void ReviewPage::fill_side() {
     if (m.technical) continue;
     const int row = moments_->rowCount();
     moments_->insertRow(row);
-    moments_->setItem(row, 0, item(tr("%1 s").arg(m.time_s, 0, 'f', 2)));
+    moments_->setItem(row, 0, item(tr("%L1 s").arg(m.time_s, 0, 'f', 2)));
     moments_->item(row, 0)->setData(Qt::UserRole, m.time_s);
     moments_->setItem(row, 1, item(m.what));
     moments_->setItem(row, 2, item(m.means));
@@ -107,6 +115,7 @@ void ReviewPage::fill_side() {
   const std::optional<EntryTrack> track = entry_track(recording_);
   track_->set_track(track);
   tabs_->setTabVisible(tabs_->indexOf(track_), track.has_value());
+  fill_worst();
   fill_traces();
 }
 
@@ -143,6 +152,12 @@ QString ReviewPage::write_swage(const QString& file) {
 QString ReviewPage::write_signals(const QString& file) { return write_file(file, signals_csv(recording_)); }
 
 QString ReviewPage::write_summary(const QString& file) { return write_file(file, summary_csv(review_)); }
+
+QString ReviewPage::write_report(const QString& file) {
+  std::vector<record::Note> notes;
+  if (from_store_ && desk_ && desk_->school()) notes = desk_->school()->notes(review_.attempt.id);
+  return write_attempt_report({review_, recording_, worst_moments_, entry_track(recording_), notes}, file);
+}
 
 void ReviewPage::save(const QString& title, const QString& ending,
                       QString (ReviewPage::*write)(const QString&)) {
@@ -189,7 +204,7 @@ bool ReviewPage::add_note(const QString& text) {
 
 void ReviewPage::ask_note() {
   if (!note_button_->isVisible()) return;
-  const QString text = QInputDialog::getText(this, tr("Note"), tr("At %1 s:").arg(wanted_s_, 0, 'f', 2));
+  const QString text = QInputDialog::getText(this, tr("Note"), tr("At %L1 s:").arg(wanted_s_, 0, 'f', 2));
   if (text.trimmed().isEmpty() || add_note(text)) return;
   note_->setText(tr("▲ The note was not kept: %1").arg(desk_->problem()));
   note_->show();

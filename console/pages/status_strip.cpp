@@ -39,7 +39,7 @@ void StatusStrip::show_frames(const FrameTimes& frames, const FrameTimes& latenc
   if (!frames_shown()) return;
   const double half = frames.share(0.5), worst = frames.share(0.99);
   if (frames.count() == 0) return frames_->setText(tr("No picture yet"));
-  QString text = tr("%1 fps, p50 %2 ms, p99 %3 ms, picture %4")
+  QString text = tr("%1 fps, p50 %L2 ms, p99 %L3 ms, picture %4")
                      .arg(1 / half, 0, 'f', 0)
                      .arg(1e3 * half, 0, 'f', 1)
                      .arg(1e3 * worst, 0, 'f', 1)
@@ -54,7 +54,7 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
   const snapshot::LoopHealth& h = s.health;
   const bool on_time = h.late == 0 && h.dropped == 0;
   const bool fine = on_time && h.quarantined == 0 && h.solver.steps == 0;
-  QString loop = tr("%1  %2 steps/s, worst %3 ms, %4 late")
+  QString loop = tr("%1  %2 steps/s, worst %L3 ms, %4 late")
                      .arg(fine ? QStringLiteral("●") : QStringLiteral("▲"))
                      .arg(steps_per_s, 0, 'f', 0)
                      .arg(h.worst_step_s * 1e3, 0, 'f', 2)

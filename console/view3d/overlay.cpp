@@ -22,8 +22,8 @@ double nice_scale_mm(double mm_per_pixel, double most_px) {
 }
 
 QString length_text(double mm) {
-  return mm < 0.1 ? QStringLiteral("%1 µm").arg(mm * 1000, 0, 'g', 3)
-                  : QStringLiteral("%1 mm").arg(mm, 0, 'g', 3);
+  return mm < 0.1 ? QStringLiteral("%L1 µm").arg(mm * 1000, 0, 'g', 3)
+                  : QStringLiteral("%L1 mm").arg(mm, 0, 'g', 3);
 }
 
 // where a label may be: inside the picture, and clear of those that are there

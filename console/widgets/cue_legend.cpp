@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/cues/theme_words.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -25,7 +26,7 @@ class CueLegend::Row : public QWidget {
     setFixedHeight(kRow_px);
     setMinimumWidth(120);
     QStringList tip = {style.text};
-    if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(style.sound);
+    if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(theme_word(style.sound));
     setToolTip(tip.join(QLatin1Char('\n')));
     setAccessibleName(style.text);
   }

@@ -61,7 +61,7 @@ void MetricChart::set_series(const MetricSeries& series) {
   high_ = std::ceil(high / step_) * step_;
   const auto n = series_.points.size();
   setAccessibleDescription(n == 0 ? tr("no attempts")
-                                  : tr("%1, %2 attempts, first %3, latest %4 %5")
+                                  : tr("%1, %2 attempts, first %L3, latest %L4 %5")
                                         .arg(series_.name)
                                         .arg(n)
                                         .arg(series_.points.first().value, 0, 'g', 3)

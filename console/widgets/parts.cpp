@@ -30,7 +30,10 @@ Card make_card(const QString& heading, QWidget* parent) {
   return {frame, body};
 }
 
-QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent) {
+QString key_text(const QString& shortcut) { return QKeySequence(shortcut).toString(QKeySequence::NativeText); }
+
+QPushButton* make_button(const QString& text, const QString& shortcut_id, const QString& name, QWidget* parent) {
+  const QString shortcut = key_text(shortcut_id);
   auto* button = new QPushButton(shortcut.isEmpty() ? text : text + QStringLiteral("   ") + shortcut, parent);
   button->setObjectName(name);
   button->setAccessibleName(text);

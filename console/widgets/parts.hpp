@@ -23,6 +23,8 @@ struct Card {
 Card make_card(const QString& heading, QWidget* parent);
 QLabel* make_heading(const QString& text, QWidget* parent);
 QLabel* make_muted(const QString& text, QWidget* parent);
+/// A key as people call it in their language: "Ctrl+N", "Strg+N".
+QString key_text(const QString& shortcut);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 

@@ -9,6 +9,7 @@
 #include <QPdfWriter>
 #include <QPixmap>
 #include <QSaveFile>
+#include <QSvgGenerator>
 
 namespace swage::console {
 namespace {
@@ -34,6 +35,17 @@ QString save_plot(QWidget& plot, const QString& file) {
     pdf.setPageMargins({});
     pdf.setPageSize(QPageSize(QSizeF(plot.size()) * 25.4 / kPdf_dpi, QPageSize::Millimeter));
     draw(plot, pdf, 1);
+  } else if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
+    QSvgGenerator svg;
+    svg.setOutputDevice(&out);
+    svg.setSize(plot.size());
+    svg.setViewBox(QRect(QPoint(), plot.size()));
+    svg.setResolution(kPdf_dpi);
+    svg.setTitle(plot.accessibleName());
+    svg.setDescription(plot.accessibleDescription());
+    QPainter p(&svg);
+    p.fillRect(plot.rect(), plot.palette().color(QPalette::Base));
+    plot.render(&p, {}, {}, QWidget::DrawChildren);
   } else {
     QPixmap picture(plot.size() * kPng_scale);
     picture.fill(plot.palette().color(QPalette::Base));
@@ -52,7 +64,7 @@ void offer_picture(QWidget* plot, const QString& name) {
   plot->setContextMenuPolicy(Qt::ActionsContextMenu);
   QObject::connect(action, &QAction::triggered, plot, [plot, name] {
     const QString file = QFileDialog::getSaveFileName(plot, QObject::tr("Save picture"), name + QStringLiteral(".png"),
-                                                      QObject::tr("Picture (*.png);;Page (*.pdf)"));
+                                                      QObject::tr("Picture (*.png);;Drawing (*.svg);;Page (*.pdf)"));
     if (file.isEmpty()) return;
     if (const QString problem = save_plot(*plot, file); !problem.isEmpty())
       QMessageBox::warning(plot, QObject::tr("Save picture"), problem);

@@ -38,10 +38,43 @@ void Timeline::set_theme(const UiTheme& theme) {
 void Timeline::set_review(const Review* review, const record::Recording* recording) {
   review_ = review;
   recording_ = recording;
+  set_other(nullptr, nullptr, 0);
   shown_.clear();
   cursor_s_ = 0;
   describe();
   update();
+}
+
+void Timeline::set_other(const Review* review, const record::Recording* recording, double later_s) {
+  drawn_.clear();
+  other_ = review;
+  other_recording_ = recording;
+  later_s_ = later_s;
+  update();
+}
+
+// the same signal of the same instance, else of any
+const Trace* Timeline::in_other(const Trace& trace) const {
+  if (!other_) return nullptr;
+  const judge::Name& wanted = recording_->info.script.signals[trace.index];
+  const Trace* found = nullptr;
+  for (const Trace& t : other_->traces) {
+    const judge::Name& name = other_recording_->info.script.signals[t.index];
+    if (name.id != wanted.id || name.unit != wanted.unit) continue;
+    if (name.owner == wanted.owner) return &t;
+    if (!found) found = &t;
+  }
+  return found;
+}
+
+// with an axis that holds both
+Trace Timeline::common(const Trace& trace) const {
+  Trace out = trace;
+  const Trace* other = in_other(trace);
+  if (!other) return out;
+  out.low = std::min(out.low, other->low);
+  out.high = std::max(out.high, other->high);
+  return out;
 }
 
 void Timeline::set_shown(const QVector<int>& traces) {
@@ -65,12 +98,12 @@ void Timeline::set_cursor(double time_s) {
 
 void Timeline::describe() {
   if (!review_) return setAccessibleDescription(tr("nothing is open"));
-  QStringList words = {tr("%1 s of %2 s").arg(cursor_s_, 0, 'f', 2).arg(review_->length_s, 0, 'f', 2)};
+  QStringList words = {tr("%L1 s of %L2 s").arg(cursor_s_, 0, 'f', 2).arg(review_->length_s, 0, 'f', 2)};
   const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
   for (const int i : shown_) {
     const Trace& t = review_->traces[i];
     words +=
-        QStringLiteral("%1 %2 %3").arg(t.name).arg(value_at(t, *recording_, step), 0, 'g', 3).arg(t.unit);
+        QStringLiteral("%1 %L2 %3").arg(t.name).arg(value_at(t, *recording_, step), 0, 'g', 3).arg(t.unit);
   }
   setAccessibleDescription(words.join(QStringLiteral(", ")));
 }
@@ -166,7 +199,7 @@ bool Timeline::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   if (const Moment* m = moment_at(help->pos())) {
     QToolTip::showText(help->globalPos(),
-                       tr("%1 s: %2").arg(m->time_s, 0, 'f', 2).arg(m->what) +
+                       tr("%L1 s: %2").arg(m->time_s, 0, 'f', 2).arg(m->what) +
                            (m->means.isEmpty() ? QString() : QStringLiteral("\n") + m->means),
                        this);
   } else {
@@ -216,7 +249,19 @@ void Timeline::paint_moments(QPainter& p) const {
   }
 }
 
-void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const QColor& colour) const {
+void Timeline::paint_other_moments(QPainter& p) const {
+  if (!other_) return;
+  const double y = area().bottom() - 5;
+  p.setPen(QPen(theme_["text"], 1.2));
+  p.setBrush(Qt::NoBrush);
+  for (const Moment& m : other_->moments) {
+    const double x = x_of_other(m.time_s);
+    if ((m.technical && !technical_) || x < area().left() || x > area().right()) continue;
+    p.drawPolygon(QPolygonF({{x - 4, y + 4}, {x + 4, y + 4}, {x, y - 4}}));
+  }
+}
+
+void Timeline::paint_scale(QPainter& p, const Trace& t, const QRectF& a) const {
   const auto y = [&](double v) {
     return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
   };
@@ -235,19 +280,37 @@ void Timeline::paint_trace(QPainter& p, const Trace& t, const QRectF& a, const Q
     p.drawText(QRectF(0, y(v) - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }
-  // lowest and highest of each column: no peak is lost however long the attempt
-  const auto columns = static_cast<size_t>(std::max(1.0, a.width()));
-  const size_t n = recording_->step.size(), width = recording_->info.script.signals.size();
-  std::vector<std::pair<float, float>> span(columns, {INFINITY, -INFINITY});
-  const double per_step = review_->dt_s / review_->length_s * static_cast<double>(columns);
+}
+
+// no peak is lost however long the attempt
+const Timeline::Spans& Timeline::spans(const Trace& t, const record::Recording& recording, double shift_s, size_t columns) const {
+  const auto known = std::find_if(drawn_.begin(), drawn_.end(), [&](const Drawn& d) {
+    return d.recording == &recording && d.index == t.index && d.columns == columns && d.shift_s == shift_s;
+  });
+  if (known != drawn_.end()) return known->spans;
+  std::erase_if(drawn_, [&](const Drawn& d) { return d.columns != columns; });  // the window has another size now
+  const size_t n = recording.step.size(), width = recording.info.script.signals.size();
+  Spans out(columns, {INFINITY, -INFINITY});
+  const double per_s = static_cast<double>(columns) / review_->length_s;
   for (size_t i = 0; i < n; ++i) {
-    const float v = recording_->signal[i * width + t.index];
-    if (!std::isfinite(v)) continue;
-    auto& s =
-        span[std::min(columns - 1, static_cast<size_t>(static_cast<double>(recording_->step[i]) * per_step))];
+    const float v = recording.signal[i * width + t.index];
+    const double at = (static_cast<double>(recording.step[i]) * recording.info.dt - shift_s) * per_s;
+    if (!std::isfinite(v) || at < 0 || at > static_cast<double>(columns)) continue;
+    auto& s = out[std::min(columns - 1, static_cast<size_t>(at))];
     s = {std::min(s.first, v), std::max(s.second, v)};
   }
-  p.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  drawn_.push_back({&recording, t.index, columns, shift_s, std::move(out)});
+  return drawn_.back().spans;
+}
+
+void Timeline::paint_line(QPainter& p, const Trace& t, const record::Recording& recording, double shift_s, const QRectF& a,
+                          const QPen& pen) const {
+  const auto y = [&](double v) {
+    return a.bottom() - a.height() * std::clamp((v - t.low) / (t.high - t.low), 0.0, 1.0);
+  };
+  const auto columns = static_cast<size_t>(std::max(1.0, a.width()));
+  const Spans& span = spans(t, recording, shift_s, columns);
+  p.setPen(pen);
   QPolygonF line;
   for (size_t c = 0; c < columns; ++c) {
     if (span[c].first > span[c].second) continue;
@@ -279,9 +342,15 @@ void Timeline::paintEvent(QPaintEvent*) {
   paint_axis(p);
   const char* const colours[] = {"plot", "plot_2"};
   for (int i = 0; i < shown_.size(); ++i) {
-    const Trace& t = review_->traces[shown_[i]];
+    const Trace t = common(review_->traces[shown_[i]]);
     const QRectF a = plot(i);
-    paint_trace(p, t, a, theme_[colours[i % 2]]);
+    paint_scale(p, t, a);
+    if (const Trace* other = in_other(t)) {
+      Trace same = *other;
+      same.low = t.low, same.high = t.high;
+      paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
+    }
+    paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
     double now = value_at(t, *recording_, step);
     if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
@@ -294,6 +363,7 @@ void Timeline::paintEvent(QPaintEvent*) {
                                   : QString());
   }
   paint_moments(p);
+  paint_other_moments(p);
   p.setPen(QPen(theme_["text"], 1.5));
   p.drawLine(QPointF(x_of(cursor_s_), 16), QPointF(x_of(cursor_s_), area().bottom()));
   if (hasFocus()) {

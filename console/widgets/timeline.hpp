@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <QPen>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
 #include "console/cues/ui_theme.hpp"
 #include "console/models/review.hpp"
@@ -18,6 +21,11 @@ class Timeline : public QWidget {
   void set_theme(const UiTheme& theme);
   /// Both outlive their use here; nullptr clears.
   void set_review(const Review* review, const record::Recording* recording);
+  /// Another attempt on the same clock: what happened at t in the first is beside t + `later_s` of the other. Its traces are dashed,
+  /// its events hollow. Both outlive their use here; nullptr: none.
+  void set_other(const Review* review, const record::Recording* recording, double later_s);
+  /// Where a time of the other attempt lies, in pixels.
+  double x_of_other(double time_s) const { return x_of(time_s - later_s_); }
   /// Indices into Review::traces, top to bottom.
   void set_shown(const QVector<int>& traces);
   void set_technical(bool shown);
@@ -47,12 +55,30 @@ class Timeline : public QWidget {
   void go_to_moment(int direction);
   void paint_axis(QPainter& p) const;
   void paint_moments(QPainter& p) const;
-  void paint_trace(QPainter& p, const Trace& trace, const QRectF& area, const QColor& colour) const;
+  void paint_scale(QPainter& p, const Trace& trace, const QRectF& area) const;
+  void paint_line(QPainter& p, const Trace& trace, const record::Recording& recording, double shift_s, const QRectF& area,
+                  const QPen& pen) const;
+  void paint_other_moments(QPainter& p) const;
+  /// Lowest and highest of each column of pixels, as recorded.
+  using Spans = std::vector<std::pair<float, float>>;
+  const Spans& spans(const Trace& trace, const record::Recording& recording, double shift_s, size_t columns) const;
+  const Trace* in_other(const Trace& trace) const;
+  Trace common(const Trace& trace) const;
   const Moment* moment_at(const QPointF& pos) const;
   void describe();
 
   const Review* review_ = nullptr;
   const record::Recording* recording_ = nullptr;
+  const Review* other_ = nullptr;
+  const record::Recording* other_recording_ = nullptr;
+  double later_s_ = 0;
+  struct Drawn {
+    const record::Recording* recording;
+    size_t index, columns;
+    double shift_s;
+    Spans spans;
+  };
+  mutable std::vector<Drawn> drawn_;  // while only the cursor moves nothing is read again
   QVector<int> shown_;
   UiTheme theme_;
   double cursor_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;

@@ -58,7 +58,7 @@ void TracePlot::describe() {
   double most = -1;
   for (const Sample& s : samples_) most = std::max(most, std::isfinite(s.v) ? s.v : -1);
   setAccessibleDescription(most < 0 ? tr("nothing yet")
-                                    : tr("highest %1 %2").arg(most, 0, 'g', 3).arg(unit_));
+                                    : tr("highest %L1 %2").arg(most, 0, 'g', 3).arg(unit_));
 }
 
 std::vector<TracePlot::Column> TracePlot::columns(const std::deque<Sample>& samples, double from, double to,

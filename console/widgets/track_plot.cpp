@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/widgets/track_plot.hpp"
 
+#include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ void TrackPlot::set_theme(const UiTheme& theme) {
 void TrackPlot::set_track(const std::optional<EntryTrack>& track) {
   track_ = track;
   cursor_s_ = 0;
-  setAccessibleDescription(track ? tr("wound %1 % of the needle, mean cosine %2")
+  setAccessibleDescription(track ? tr("wound %1 % of the needle, mean cosine %L2")
                                        .arg(100 * track->wound, 0, 'f', 0)
                                        .arg(track->mean_cosine, 0, 'f', 2)
                                  : tr("nothing"));
@@ -136,16 +137,16 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
              tr("Cosine of the penetration angle"));
   p.setPen(theme_["muted"]);
   p.drawText(QRectF(left, a.top() - kTitle_px, width() - left - 10, 18), Qt::AlignRight | Qt::AlignVCenter,
-             tr("mean %1").arg(track_->mean_cosine, 0, 'f', 2));
+             tr("mean %L1").arg(track_->mean_cosine, 0, 'f', 2));
   for (const double v : {0.0, 0.5, 1.0}) {
     const double y = at({from, v}).y();
     p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
     p.setPen(theme_["muted"]);
-    p.drawText(QRectF(left, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QString::number(v));
+    p.drawText(QRectF(left, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(v));
   }
-  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignLeft, tr("%1 s").arg(from, 0, 'f', 1));
-  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignRight, tr("%1 s").arg(to, 0, 'f', 1));
+  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignLeft, tr("%L1 s").arg(from, 0, 'f', 1));
+  p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignRight, tr("%L1 s").arg(to, 0, 'f', 1));
   QColor pale = theme_["plot"];
   pale.setAlpha(90);
   for (const QPolygonF& stay : track_->cosine) {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "record/identity.hpp"
@@ -135,20 +135,19 @@ class SqlStore final : public Store {
     return {};
   }
 
+  std::vector<AttemptRow> attempt_heads(const std::string& person_id, const std::string& lesson_id) override {
+    begin();
+    Row values;
+    return heads(condition(person_id, lesson_id, values), values);
+  }
+
   std::vector<AttemptRow> attempts(const std::string& person_id, const std::string& lesson_id) override {
     begin();
-    // a condition that is not asked for is not written: the server then goes by the index of the person
-    std::string which = " WHERE 1 = 1";
     Row values;
-    if (!person_id.empty()) which += " AND s.person_id = ?", values.push_back(person_id);
-    if (!lesson_id.empty()) which += " AND a.exercise = ?", values.push_back(lesson_id);
-    std::vector<AttemptRow> out;
-    std::map<std::string, std::size_t> place;
-    for (const Row& r :
-         rows(select_attempts(school_) + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values)) {
-      place[text(r[0])] = out.size();
-      out.push_back(attempt_from(r));
-    }
+    const std::string which = condition(person_id, lesson_id, values);
+    std::vector<AttemptRow> out = heads(which, values);
+    std::unordered_map<std::string, std::size_t> place;
+    for (std::size_t i = 0; i < out.size(); ++i) place[out[i].id] = i;
     const std::string metrics =
         "SELECT m.attempt_id, m.name, m.unit, m.value FROM metric m JOIN attempt a ON a.attempt_id = "
         "m.attempt_id"
@@ -241,6 +240,22 @@ class SqlStore final : public Store {
   }
 
  private:
+  // a condition that is not asked for is not written: the server then goes by the index of the person
+  static std::string condition(const std::string& person_id, const std::string& lesson_id, Row& values) {
+    std::string which = " WHERE 1 = 1";
+    if (!person_id.empty()) which += " AND s.person_id = ?", values.push_back(person_id);
+    if (!lesson_id.empty()) which += " AND a.exercise = ?", values.push_back(lesson_id);
+    return which;
+  }
+
+  std::vector<AttemptRow> heads(const std::string& which, const Row& values) {
+    std::vector<AttemptRow> out;
+    for (const Row& r :
+         rows(select_attempts(school_) + which + " ORDER BY a.started_utc DESC, a.attempt_id DESC", values))
+      out.push_back(attempt_from(r));
+    return out;
+  }
+
   void begin() { trouble_.clear(); }
 
   void complain() {

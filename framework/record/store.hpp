@@ -90,6 +90,10 @@ class Store {
   /// Newest first; "" stands for every person or lesson.
   virtual std::vector<AttemptRow> attempts(const std::string& person_id,
                                            const std::string& lesson_id = "") = 0;
+  /// The same without metrics: for lists of everybody, where thousands of attempts have a hundred thousand metrics.
+  virtual std::vector<AttemptRow> attempt_heads(const std::string& person_id = "", const std::string& lesson_id = "") {
+    return attempts(person_id, lesson_id);
+  }
   virtual bool attempt(const std::string& id, AttemptRow& out) = 0;
   virtual std::vector<EventRow> events(const std::string& attempt_id) = 0;
   /// Attempts that were running when their program died become "recovered". Returns how many.

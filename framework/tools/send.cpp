@@ -133,7 +133,7 @@ int send_attempts(const SendOptions& o) {
     // whoever erases a person is told that their statements are there, too
     std::set<std::string> people;
     for (const record::Exported& e : list) people.insert(e.attempt.person_id);
-    if (const auto school = record::School::open(where, error)) school->log_export({people.begin(), people.end()}, "xapi", o.to);
+    if (const auto school = record::School::open(where, error)) school->log_export({people.begin(), people.end()}, "lrs", o.to);
   }
   if (o.json)
     print({{"sent", sent.kept}, {"waiting", sent.waiting}, {"refused", sent.refused}, {"why", sent.why}});

@@ -123,6 +123,28 @@ TEST_F(PeoplePages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {
   EXPECT_FALSE(window->people_page()->chart()->grab().isNull());
 }
 
+// the thesis's D-1 and D-2, of students
+TEST_F(PeoplePages, TheFigureOfAGroupFollowsWhoIsChosen) {
+  attempts = sample_attempts();
+  attempts.back().outcome = "failed";
+  open();
+  click("page_people");
+  console::PeoplePage* people = window->people_page();
+  people->select_person("Arun P.");
+  auto* tabs = child<QTabWidget>("person_tabs");
+  tabs->setCurrentIndex(2);
+  child<QComboBox>("lesson_filter")->setCurrentIndex(0);
+  auto* metric = child<QComboBox>("metric");
+  metric->setCurrentIndex(metric->findData("force.peak"));
+  EXPECT_EQ(people->person()->group()->figure().people, QStringList("Arun P."));
+  EXPECT_EQ(people->person()->group()->figure().lessons.size(), 2);
+  child<QTableView>("people")->selectAll();
+  const console::GroupFigure& figure = people->person()->group()->figure();
+  EXPECT_EQ(figure.people, QStringList({"Arun P.", "Bea L."}));
+  EXPECT_EQ(figure.attempts, 15);
+  EXPECT_FALSE(people->person()->group()->grab().isNull());
+}
+
 TEST_F(PeoplePages, AReportIsOnePage) {
   attempts = sample_attempts();
   open();

@@ -3,12 +3,18 @@
 // The Review page in the whole window, with keys and clicks.
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QListWidget>
 #include <QTableView>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 
+#include "console/pages/comparison.hpp"
 #include "console/widgets/plot_file.hpp"
+#include "known_metrics.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -152,15 +158,136 @@ TEST_F(ReviewPages, ALoopGoesRoundUntilItIsLeft) {
 
 TEST_F(ReviewPages, APictureOfAPlotIsAFile) {
   open_review();
-  for (const char* name : {"plot.png", "plot.pdf"}) {
-    const QString file = dir.filePath(QLatin1String(name));
+  const struct {
+    const char *name, *begins;
+  } files[] = {{"plot.png", "PNG"}, {"plot.pdf", "%PDF"}, {"plot.svg", "<svg"}};
+  for (const auto& f : files) {
+    const QString file = dir.filePath(QLatin1String(f.name));
     EXPECT_EQ(console::save_plot(*review()->timeline(), file), QString());
     QFile written(file);
     ASSERT_TRUE(written.open(QIODevice::ReadOnly));
-    EXPECT_TRUE(written.read(4).contains(name[5] == 'p' && name[6] == 'n' ? "PNG" : "%PDF"));
+    EXPECT_TRUE(written.read(200).contains(f.begins)) << f.name;
+    if (file.endsWith(QLatin1String("svg"))) {
+      const QByteArray text = written.readAll();
+      EXPECT_GT(text.count("<polyline") + text.count("<path"), 3) << "lines, not a picture of them";
+      EXPECT_EQ(text.count("<image"), 0);
+    }
     EXPECT_GT(written.size(), 2000);
   }
   EXPECT_TRUE(console::save_plot(*review()->timeline(), QStringLiteral("/nowhere/plot.png")).contains("/nowhere/plot.png"));
+}
+
+TEST_F(ReviewPages, TheWorstMomentIsOneKeyAwayAndPlaysAgainAndAgain) {
+  learn_known_metrics();
+  open_review();
+  auto* worst = child<QTableWidget>("review_worst");
+  ASSERT_GT(worst->rowCount(), 0);
+  review()->go(0);
+  QTest::keyClick(review()->timeline(), Qt::Key_W);
+  const double at = review()->worst().first().time_s;
+  EXPECT_NEAR(review()->timeline()->cursor(), at, 1e-9);
+  EXPECT_EQ(child<QTabWidget>("review_tabs")->currentWidget(), worst);
+  EXPECT_TRUE(arrives(static_cast<uint64_t>(std::llround(at * 1000))));
+  Q_EMIT worst->cellActivated(0, 0);
+  EXPECT_TRUE(review()->playing());
+  EXPECT_TRUE(child<QPushButton>("review_loop")->isChecked());
+}
+
+TEST_F(ReviewPages, TwoAttemptsShareOneClockAlignedByWhatBothHaveDone) {
+  open_review();
+  EXPECT_FALSE(review()->comparing());
+  auto* look = new QTimer(window.get());
+  QObject::connect(look, &QTimer::timeout, look, [this, look] {
+    auto* dialog = window->findChild<QDialog*>(QStringLiteral("compare_dialog"));
+    if (!dialog || !dialog->isVisible()) return;
+    look->stop();
+    auto* list = dialog->findChild<QListWidget*>(QStringLiteral("compare_list"));
+    EXPECT_EQ(list->count(), 12) << "this lesson's attempts of everybody, but the one that is open";
+    dialog->findChild<QPushButton*>(QStringLiteral("compare_ok"))->click();
+  });
+  look->start(10);
+  QTest::keyClick(review()->timeline(), Qt::Key_C);
+  ASSERT_TRUE(review()->comparing());
+  console::Comparison* other = review()->comparison();
+  ASSERT_TRUE(other->isVisible());
+  auto* align = child<QComboBox>("align");
+  EXPECT_EQ(align->itemText(0), "Start");
+  EXPECT_EQ(align->currentText(), "Grasp taken");
+  EXPECT_DOUBLE_EQ(other->later_s(), 0) << "the same moment in both";
+  // an event at another time: what happened then lies at the same place of the timeline (U8: within 1 ms of data)
+  align->setItemData(1, 0.25);
+  align->setCurrentIndex(0);
+  align->setCurrentIndex(1);
+  console::Timeline* timeline = review()->timeline();
+  const double ms_px = timeline->x_of(1.001) - timeline->x_of(1.0);
+  EXPECT_NEAR(timeline->x_of_other(0.75), timeline->x_of(0.5), ms_px);
+  review()->go(0.5);
+  EXPECT_TRUE(eventually([&] { return other->player()->at() == 750 && review()->player()->at() == 500; }));
+  EXPECT_FALSE(timeline->grab().isNull());
+  ASSERT_TRUE(eventually([&] {
+    QApplication::setActiveWindow(window.get());
+    timeline->setFocus();
+    return QApplication::focusWidget() == timeline;
+  }));
+  QTest::keyClick(timeline, Qt::Key_Escape);
+  EXPECT_FALSE(review()->comparing());
+}
+
+TEST_F(ReviewPages, AnAttemptIsOnePageOfPaper) {
+  open_review();
+  const QString file = dir.filePath("attempt.pdf");
+  EXPECT_EQ(review()->write_report(file), QString());
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray text = written.readAll();
+  EXPECT_TRUE(text.startsWith("%PDF"));
+  EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
+  EXPECT_TRUE(review()->write_report(QStringLiteral("/nowhere/a.pdf")).contains("/nowhere"));
+}
+
+// U7, 50 ms in a minute, shortened: what is lost at each tick adds up, so that ten seconds show it
+TEST_F(ReviewPages, PlaybackKeepsTheTimeOfTheClockOnTheWall) {
+  recorded_steps = 20000;
+  open_review();
+  child<QComboBox>("speed")->setCurrentIndex(3);
+  QElapsedTimer wall;
+  double began = -1;
+  review()->toggle_play();
+  ASSERT_TRUE(eventually([&] { return review()->timeline()->cursor() > 0; }));
+  // both clocks are read when the cursor has just moved
+  double at = review()->timeline()->cursor();
+  const auto next = [&] {
+    return eventually([&] { return review()->timeline()->cursor() != at; });
+  };
+  ASSERT_TRUE(next());
+  began = at = review()->timeline()->cursor();
+  wall.start();
+  while (wall.nsecsElapsed() < 10'000'000'000) {
+    ASSERT_TRUE(next());
+    at = review()->timeline()->cursor();
+  }
+  const double lost = 1e-9 * static_cast<double>(wall.nsecsElapsed()) - (at - began);
+  EXPECT_LT(std::abs(lost), 0.05) << "s in ten";
+}
+
+// U6: ten minutes at 1 kHz; processor time, so that other programs of the machine do not matter
+TEST_F(ReviewPages, TenMinutesScrubWithinAFrame) {
+  recorded_steps = 600'000;
+  open_review();
+  console::Timeline* timeline = review()->timeline();
+  for (int i = 0; i < 4; ++i) child<QListWidget>("review_traces")->item(i)->setCheckState(Qt::Checked);
+  std::vector<double> spent;
+  for (int i = 0; i < 9; ++i) {
+    timespec from{}, to{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &from);
+    timeline->set_cursor(60.0 * i + 1);
+    timeline->repaint();
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &to);
+    spent.push_back(1e3 * static_cast<double>(to.tv_sec - from.tv_sec) + 1e-6 * static_cast<double>(to.tv_nsec - from.tv_nsec));
+  }
+  std::sort(spent.begin(), spent.end());
+  RecordProperty("scrub_ms", std::to_string(spent[4]));
+  EXPECT_LT(spent[4], 33) << "ms from cursor to plots";
 }
 
 }  // namespace

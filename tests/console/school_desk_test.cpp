@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <algorithm>
 #include <cmath>
 
 #include "console/link/school_desk.hpp"
@@ -229,6 +230,73 @@ TEST(Exports, SayTheCodeAndNeverTheName) {
   EXPECT_NE(csv.find("4F2AK,a0,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\"Light, \"\"off\"\"\""), std::string::npos) << csv;
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + static_cast<long>(all[0].metrics.size()));
+}
+
+// U4: random edits, then undo of all and redo of all
+TEST_F(Desk, RandomEditsAreUndoneAndDoneAgainToTheLetter) {
+  ASSERT_TRUE(desk.add_people(read_roster(QStringLiteral("Arun P., Spring, left\nBea L., Autumn\nChen W.\n"), {})));
+  record::Course first;
+  first.title = "First";
+  ASSERT_TRUE(desk.change_course({}, first, QStringLiteral("new")));
+  desk.people_edits()->clear();
+  desk.course_edits()->clear();
+  // everything that people edit, as text
+  const auto state = [&] {
+    auto s = reader();
+    std::string out;
+    for (const record::Person& p : s->people()) out += p.id + p.name + p.code + p.handedness + p.group_id + p.archived_utc + "\n";
+    for (const record::Course& c : s->courses()) out += c.id + record::to_json(c) + "\n";
+    std::vector<std::string> given;
+    for (const record::Assignment& a : s->assignments()) given.push_back(a.course_id + a.who_id + a.due_utc + (a.to_group ? "g" : "p"));
+    std::sort(given.begin(), given.end());
+    for (const std::string& g : given) out += g + "\n";
+    return out;
+  };
+  uint32_t seed = 7;
+  const auto draw = [&](size_t n) { return static_cast<size_t>((seed = seed * 1664525u + 1013904223u) >> 8) % n; };
+  const std::string start = state();
+  int made = 0;
+  for (int i = 0; i < 60; ++i) {
+    auto s = reader();
+    const std::vector<record::Person> people = s->people();
+    const std::vector<record::Course> courses = s->courses();
+    record::Person p = people[draw(people.size())];
+    record::Course c = courses[draw(courses.size())], after = c;
+    switch (draw(6)) {
+      case 0:
+        made += desk.add_people(read_roster(QStringLiteral("New %1\nAlso %1, Spring").arg(i), {}));
+        break;
+      case 1:
+        if (p.name == record::kGuest) break;
+        p.name = "Name " + std::to_string(i);
+        made += desk.change_person(p);
+        break;
+      case 2:
+        p.handedness = p.handedness == "left" ? "right" : "left";
+        if (p.name != record::kGuest) made += desk.change_person(p);
+        break;
+      case 3:
+        after.title = "Title " + std::to_string(i);
+        made += desk.change_course(c, after, QStringLiteral("title"), 1);
+        break;
+      case 4:
+        after.steps.push_back({"org.example.a", "A", "", {{"force.peak", "N", 0, 0.1 * i, i % 2 == 0, "me"}}, {}, false});
+        made += desk.change_course(c, after, QStringLiteral("step"));
+        break;
+      default:
+        made += desk.assign(QString::fromStdString(draw(4) == 0 ? "" : c.id), {p.id}, false, i % 2 ? QStringLiteral("2030-01-31") : QString());
+    }
+  }
+  EXPECT_GT(made, 40);
+  const std::string end = state();
+  EXPECT_NE(start, end);
+  // each page has a stack of its own; whichever is taken back first
+  for (QUndoStack* stack : {desk.people_edits(), desk.course_edits()})
+    while (stack->canUndo()) stack->undo();
+  EXPECT_EQ(state(), start);
+  for (QUndoStack* stack : {desk.course_edits(), desk.people_edits()})
+    while (stack->canRedo()) stack->redo();
+  EXPECT_EQ(state(), end);
 }
 
 }  // namespace

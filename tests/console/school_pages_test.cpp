@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The People and the Courses page on a real store, with keys and clicks.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
@@ -8,7 +9,12 @@
 #include <QSpinBox>
 #include <QTableView>
 #include <QTableWidget>
+#include <QTimer>
+#include <cstdio>
+#include <ctime>
 
+#include "record/recorder.hpp"
+#include "record/synthetic.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -28,6 +34,14 @@ class SchoolPages : public WindowTest {
       what(dialog);
     });
     look->start(10);
+  }
+  /// Ctrl and a key, once the window has the keyboard again.
+  void press(Qt::Key key) {
+    ASSERT_TRUE(eventually([&] {
+      QApplication::setActiveWindow(window.get());
+      return QApplication::activeWindow() == window.get() && !QApplication::activeModalWidget();
+    }));
+    QTest::keyClick(window.get(), key, Qt::ControlModifier);
   }
   int people() { return window->people_page()->people()->rowCount(); }
   std::vector<record::Course> courses() {
@@ -89,6 +103,126 @@ TEST_F(SchoolPages, APersonIsAddedChangedAndErasedByTypingTheName) {
   EXPECT_EQ(people(), 0);
 }
 
+TEST_F(SchoolPages, PeopleAreAddedAndTakenBackByKeysAlone) {
+  open();
+  QTest::keyClick(window.get(), Qt::Key_4, Qt::ControlModifier);
+  ASSERT_TRUE(window->people_page()->isVisible());
+  in_dialog("roster_dialog", [](QDialog* d) {
+    QTest::keyClicks(d->findChild<QPlainTextEdit*>(), QStringLiteral("Arun P."));
+    QTest::keyClick(d->findChild<QPlainTextEdit*>(), Qt::Key_Return);
+    QTest::keyClicks(d->findChild<QPlainTextEdit*>(), QStringLiteral("Bea L."));
+    auto* add = d->findChild<QPushButton*>(QStringLiteral("roster_add"));
+    add->setFocus();
+    QTest::keyClick(add, Qt::Key_Space);
+  });
+  // a shortcut of a button clicks it a tenth of a second later
+  press(Qt::Key_L);
+  ASSERT_TRUE(eventually([&] { return people() == 2; }));
+  in_dialog("person_dialog", [](QDialog* d) {
+    QTest::keyClicks(d->findChild<QLineEdit*>(QStringLiteral("person_name_edit")), QStringLiteral("Chen W."));
+    QTest::keyClick(d, Qt::Key_Return);
+  });
+  press(Qt::Key_N);
+  ASSERT_TRUE(eventually([&] { return people() == 3; }));
+  press(Qt::Key_Z);
+  EXPECT_EQ(people(), 2);
+  press(Qt::Key_Z);
+  EXPECT_EQ(people(), 0);
+  press(Qt::Key_Y);
+  EXPECT_EQ(people(), 2);
+}
+
+TEST_F(SchoolPages, ACourseIsGivenToTheChosenOrToAGroupAndTakenBack) {
+  open();
+  click("page_courses");
+  click("first_course");
+  click("page_people");
+  console::RosterLine arun, bea;
+  arun.name = "Arun P.", arun.group = "Spring";
+  bea.name = "Bea L.", bea.group = "Spring";
+  ASSERT_TRUE(window->desk()->add_people({arun, bea}));
+  console::PeopleModel* model = window->people_page()->people();
+  const auto course_of = [&](const char* name) {
+    return model->index(static_cast<int>(model->names().indexOf(QLatin1String(name))), console::PeopleModel::kCourse).data().toString();
+  };
+  window->people_page()->select_person("Bea L.");
+  in_dialog("assign_dialog", [](QDialog* d) { d->findChild<QPushButton*>(QStringLiteral("assign_ok"))->click(); });
+  click("assign_course");
+  EXPECT_EQ(course_of("Bea L."), "Course 1");
+  EXPECT_EQ(course_of("Arun P."), "");
+  window->desk()->people_edits()->undo();
+  EXPECT_EQ(course_of("Bea L."), "");
+  in_dialog("assign_dialog", [](QDialog* d) {
+    d->findChild<QComboBox*>(QStringLiteral("assign_whom"))->setCurrentIndex(1);
+    d->findChild<QCheckBox*>(QStringLiteral("assign_has_due"))->setChecked(true);
+    d->findChild<QPushButton*>(QStringLiteral("assign_ok"))->click();
+  });
+  click("assign_course");
+  EXPECT_TRUE(course_of("Bea L.").startsWith("Course 1, until ")) << course_of("Bea L.").toStdString();
+  EXPECT_EQ(course_of("Arun P."), course_of("Bea L."));
+  in_dialog("assign_dialog", [](QDialog* d) {
+    auto* which = d->findChild<QComboBox*>(QStringLiteral("assign_which"));
+    which->setCurrentIndex(which->count() - 1);
+    d->findChild<QComboBox*>(QStringLiteral("assign_whom"))->setCurrentIndex(1);
+    d->findChild<QPushButton*>(QStringLiteral("assign_ok"))->click();
+  });
+  click("assign_course");
+  EXPECT_EQ(course_of("Arun P."), "");
+  window->desk()->people_edits()->undo();
+  EXPECT_TRUE(course_of("Arun P.").startsWith("Course 1"));
+}
+
+TEST_F(SchoolPages, ALessonIsPublishedOnceForEachText) {
+  open();
+  click("page_lessons");
+  auto* version = child<QLabel>("lesson_version");
+  ASSERT_TRUE(version->isVisible());
+  EXPECT_TRUE(version->text().contains("Not published"));
+  EXPECT_FALSE(child<QPushButton>("retire_lesson")->isVisible());
+  press(Qt::Key_P);
+  EXPECT_TRUE(eventually([&] { return version->text().startsWith("Published as version 1"); })) << version->text().toStdString();
+  EXPECT_FALSE(child<QPushButton>("publish_lesson")->isEnabled()) << "the same text twice is one version";
+  std::string error;
+  const auto published = record::School::open(school_file(), error)->lessons(true);
+  ASSERT_EQ(published.size(), 1u);
+  EXPECT_EQ(published[0].digest, record::lesson_digest(published[0].text));
+  click("retire_lesson");
+  EXPECT_TRUE(version->text().contains("retired"));
+  EXPECT_FALSE(record::School::open(school_file(), error)->lessons()[0].retired_utc.empty());
+  click("retire_lesson");
+  EXPECT_TRUE(record::School::open(school_file(), error)->lessons()[0].retired_utc.empty());
+}
+
+// no state by colour alone: the tick is seen
+TEST_F(SchoolPages, ABoxOfATableThatIsCheckedShowsATick) {
+  open();
+  click("page_courses");
+  click("first_course");
+  click("add_lesson");
+  record::Course before = window->courses_page()->course(), after = before;
+  after.steps[0].limits.push_back({"force.peak", "N", 0.1, 0.9, true, "thesis"});
+  ASSERT_TRUE(window->desk()->change_course(before, after, QStringLiteral("limit")));
+  auto* limits = child<QTableWidget>("limits");
+  for (const char* theme : {"light", "dark", "contrast"}) {
+    window->set_theme(QString::fromLatin1(theme), QStringLiteral("thesis"));
+    const console::UiTheme colours = console::UiTheme::stock(QString::fromLatin1(theme));
+    limits->clearSelection();
+    limits->setCurrentCell(-1, -1);
+    const QImage box = limits->viewport()->grab(limits->visualItemRect(limits->item(0, 3))).toImage();
+    int accent = 0, tick = 0;
+    for (int x = 0; x < box.width(); ++x) {
+      for (int y = 0; y < box.height(); ++y) {
+        const QColor c = box.pixelColor(x, y);
+        accent += c == colours["accent"];
+        const QColor wanted = colours["accent_text"].lightnessF() > 0.5 ? Qt::white : Qt::black;
+        tick += std::abs(c.lightnessF() - wanted.lightnessF()) < 0.1 && x < 24;
+      }
+    }
+    EXPECT_GT(accent, 30) << theme;
+    EXPECT_GT(tick, 8) << theme;
+  }
+}
+
 TEST_F(SchoolPages, ACourseIsBuiltWithoutASaveButtonAndUndone) {
   open();
   click("page_courses");
@@ -148,6 +282,55 @@ TEST_F(SchoolPages, ANumberThatIsNoneLeavesTheLimitAsItWas) {
   EXPECT_TRUE(std::isinf(courses()[0].steps[0].limits[0].least));
   limits->item(0, 3)->setCheckState(Qt::Checked);
   EXPECT_TRUE(courses()[0].steps[0].limits[0].is_gate);
+}
+
+// An attempt of a hand with thirty metrics, out of which a school is drawn.
+std::string keep_hand(const std::string& store, double score) {
+  record::AttemptInfo info;
+  info.lesson_id = "org.example.a";
+  info.lesson_title = "A lesson";
+  info.mode = "test";
+  info.device = "expert";
+  info.devices = {"hand"};
+  info.hands = {{"hand", "expert", "swage.device.scripted", "1.0.0", "{}", SWAGE_DEVICE_SCRIPTED}};
+  for (int i = 0; i < 30; ++i) info.script.metrics.push_back({"lesson", "metric." + std::to_string(i), "1", ""});
+  base::Problems problems;
+  const auto recorder = record::Recorder::open(store, info, problems);
+  if (!recorder) return {};
+  record::AttemptEnd end;
+  end.outcome = judge::Outcome::kPassed;
+  end.score = score;
+  end.simulated_s = 1000 / score;
+  for (int i = 0; i < 30; ++i) end.metric.push_back(score + i);
+  recorder->finish(end);
+  return recorder->attempt_id();
+}
+
+// processor time, so that other programs of the machine do not matter
+TEST_F(SchoolPages, FiveThousandAttemptsOpenInUnderASecond) {
+  record::SyntheticSchool school;
+  school.from = dir.filePath(QStringLiteral("hands.db")).toStdString();
+  school.lessons = {{keep_hand(school.from, 98), {keep_hand(school.from, 60), keep_hand(school.from, 50)}}};
+  school.recordings = 1;
+  std::string error;
+  ASSERT_TRUE(record::write_synthetic_school(school_file(), school, error)) << error;
+  open();
+  const auto spent_ms = [&](const char* page) {
+    timespec from{}, to{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &from);
+    click(page);
+    QApplication::processEvents();
+    window->grab();
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &to);
+    return 1e3 * static_cast<double>(to.tv_sec - from.tv_sec) + 1e-6 * static_cast<double>(to.tv_nsec - from.tv_nsec);
+  };
+  for (const char* page : {"page_people", "page_courses", "page_lessons", "page_run", "page_people"}) {
+    const double ms = spent_ms(page);
+    RecordProperty(std::string(page) + "_ms", std::to_string(ms));
+    std::printf("%s: %.0f ms\n", page, ms);
+    EXPECT_LT(ms, 1000) << page;
+  }
+  EXPECT_GT(people(), 29);
 }
 
 }  // namespace

@@ -57,6 +57,18 @@ TEST_F(Synthetic, IsMarkedInEveryAttemptAndWhole) {
     EXPECT_THAT(a.person_name, testing::StartsWith("Synthetic "));
     EXPECT_TRUE(a.simulated_s >= 1 && a.simulated_s < 80) << a.simulated_s;
   }
+  // the same list without metrics, for pages that show everybody
+  const auto heads = store->attempt_heads();
+  ASSERT_EQ(heads.size(), attempts.size());
+  for (size_t i = 0; i < heads.size(); ++i) {
+    EXPECT_EQ(heads[i].id, attempts[i].id);
+    EXPECT_EQ(heads[i].score, attempts[i].score);
+    EXPECT_TRUE(heads[i].metrics.empty());
+    EXPECT_FALSE(attempts[i].metrics.empty());
+  }
+  const std::string somebody = attempts[0].person_id;
+  EXPECT_EQ(store->attempt_heads(somebody).size(), store->attempts(somebody).size());
+  EXPECT_TRUE(store->attempt_heads("", "no.such").empty());
   EXPECT_EQ(store->damage(), "");
   int with_recording = 0;
   for (std::size_t i = 0; i < 10; ++i) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/app/language.hpp"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+#include <memory>
+#include <vector>
+
+namespace swage::console {
+namespace {
+
+std::vector<std::unique_ptr<QTranslator>>& installed() {
+  static std::vector<std::unique_ptr<QTranslator>> all;
+  return all;
+}
+
+void install(const QString& file, const QString& folder) {
+  auto translator = std::make_unique<QTranslator>();
+  if (!translator->load(file, folder)) return;
+  QCoreApplication::installTranslator(translator.get());
+  installed().push_back(std::move(translator));
+}
+
+}  // namespace
+
+QStringList languages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
+
+QString language_in(const QStringList& arguments) {
+  const QString name = QStringLiteral("--language");
+  for (qsizetype i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].startsWith(name + QLatin1Char('='))) return arguments[i].mid(name.size() + 1);
+    if (arguments[i] == name && i + 1 < arguments.size()) return arguments[i + 1];
+  }
+  return {};
+}
+
+bool use_language(const QString& code) {
+  if (!code.isEmpty() && !languages().contains(code)) return false;
+  const QString system = QLocale::system().name().left(2);
+  const QString wanted = !code.isEmpty() ? code : languages().contains(system) ? system : languages().first();
+  for (const auto& translator : installed()) QCoreApplication::removeTranslator(translator.get());
+  installed().clear();
+  if (!code.isEmpty()) QLocale::setDefault(QLocale(code));
+  if (wanted == languages().first()) return true;
+  // Qt's own words where Debian's qt6-translations-l10n is installed, and ours before them
+  install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  install(QStringLiteral("swage_") + wanted, QStringLiteral(":/i18n"));
+  return true;
+}
+
+}  // namespace swage::console

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The language of the window, and with it the form of its numbers and dates. English is in the sources; other languages are in
+// console/translations and travel inside the program.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace swage::console {
+
+/// "en" first.
+QStringList languages();
+
+/// The value of --language among the arguments; "" where it is not given. Read before the command line is: its help is translated, too.
+QString language_in(const QStringList& arguments);
+
+/// Before the first widget. "": the system's language where there is a translation, else English, with the system's numbers.
+/// False for a language that there is not; nothing has changed then.
+bool use_language(const QString& code);
+
+}  // namespace swage::console

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/cues/theme_words.hpp"
+
+#include <QCoreApplication>
+
+namespace swage::console {
+namespace {
+
+// What the files of resources/themes say; test console.language compares.
+const char* const kWords[] = {
+    QT_TRANSLATE_NOOP("themes", "Position wrong, without tips"),
+    QT_TRANSLATE_NOOP("themes", "Position wrong, with tips"),
+    QT_TRANSLATE_NOOP("themes", "Position right, without tips"),
+    QT_TRANSLATE_NOOP("themes", "Position right, tilted"),
+    QT_TRANSLATE_NOOP("themes", "Position right, with tips"),
+    QT_TRANSLATE_NOOP("themes", "Held"),
+    QT_TRANSLATE_NOOP("themes", "Too much force"),
+    QT_TRANSLATE_NOOP("themes", "Grasp here"),
+    QT_TRANSLATE_NOOP("themes", "Move here"),
+    QT_TRANSLATE_NOOP("themes", "On the mark"),
+    QT_TRANSLATE_NOOP("themes", "Off target"),
+    QT_TRANSLATE_NOOP("themes", "Done"),
+    QT_TRANSLATE_NOOP("themes", "Clear"),
+    QT_TRANSLATE_NOOP("themes", "Touching"),
+    QT_TRANSLATE_NOOP("themes", "Perpendicular to the tissue"),
+    QT_TRANSLATE_NOOP("themes", "Off-angle: rotate along the curve"),
+    QT_TRANSLATE_NOOP("themes", "Look here"),
+    QT_TRANSLATE_NOOP("themes", "Leans this way"),
+    QT_TRANSLATE_NOOP("themes", "Or this way"),
+    QT_TRANSLATE_NOOP("themes", "Right"),
+    QT_TRANSLATE_NOOP("themes", "To the other side"),
+    QT_TRANSLATE_NOOP("themes", "Puncture here"),
+    QT_TRANSLATE_NOOP("themes", "Come out here"),
+    QT_TRANSLATE_NOOP("themes", "The tissue tears"),
+    QT_TRANSLATE_NOOP("themes", "Point deflected: correct the angle"),
+    QT_TRANSLATE_NOOP("themes", "Needle left in the tissue"),
+    QT_TRANSLATE_NOOP("themes", "Held at the swage: damages the suture"),
+    QT_TRANSLATE_NOOP("themes", "Tail length right"),
+    QT_TRANSLATE_NOOP("themes", "The needle is bent"),
+    QT_TRANSLATE_NOOP("themes", "Dropped"),
+    QT_TRANSLATE_NOOP("themes", "Original colours"),
+    QT_TRANSLATE_NOOP("themes", "Colour-blind safe"),
+    QT_TRANSLATE_NOOP("themes", "High contrast"),
+    QT_TRANSLATE_NOOP("themes", "Dark"),
+    QT_TRANSLATE_NOOP("themes", "Light"),
+    QT_TRANSLATE_NOOP("themes", "low, one knock"),
+    QT_TRANSLATE_NOOP("themes", "low, two knocks"),
+    QT_TRANSLATE_NOOP("themes", "high, one knock"),
+    QT_TRANSLATE_NOOP("themes", "high, two knocks"),
+    QT_TRANSLATE_NOOP("themes", "soft rattle"),
+    QT_TRANSLATE_NOOP("themes", "chime"),
+    QT_TRANSLATE_NOOP("themes", "falling"),
+    QT_TRANSLATE_NOOP("themes", "tear"),
+    QT_TRANSLATE_NOOP("themes", "thud"),
+    QT_TRANSLATE_NOOP("themes", "click"),
+};
+
+}  // namespace
+
+QString theme_word(const QString& text) { return QCoreApplication::translate("themes", text.toUtf8().constData()); }
+
+QStringList theme_words() {
+  QStringList out;
+  for (const char* word : kWords) out += QString::fromUtf8(word);
+  return out;
+}
+
+}  // namespace swage::console

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/comparison.hpp"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "console/models/words.hpp"
+#include "console/widgets/parts.hpp"
+
+namespace swage::console {
+
+QVector<CommonEvent> common_events(const Review& first, const Review& other) {
+  QVector<CommonEvent> out;
+  const auto of = [](const QVector<Moment>& moments, const QString& id) {
+    return std::find_if(moments.begin(), moments.end(), [&](const Moment& m) { return m.id == id && !m.by_person; });
+  };
+  for (const Moment& m : first.moments) {
+    if (m.by_person || m.technical || m.id.isEmpty()) continue;
+    if (std::any_of(out.begin(), out.end(), [&](const CommonEvent& e) { return e.id == m.id; })) continue;
+    const auto found = of(other.moments, m.id);
+    if (found != other.moments.end()) out += {m.id, m.what, m.time_s, found->time_s};
+  }
+  return out;
+}
+
+Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_unique<snapshot::Snapshot>()) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  auto* head = new QHBoxLayout;
+  title_ = new ElidedLabel(this);
+  title_->setObjectName(QStringLiteral("other_title"));
+  head->addWidget(title_, 1);
+  auto* label = make_muted(tr("Align"), this);
+  label->setWordWrap(false);
+  head->addWidget(label);
+  align_ = new QComboBox(this);
+  align_->setObjectName(QStringLiteral("align"));
+  align_->setAccessibleName(tr("Align the attempts at"));
+  align_->setToolTip(tr("What lies at the same place of the timeline in both attempts"));
+  label->setBuddy(align_);
+  head->addWidget(align_);
+  auto* close = make_button(QStringLiteral("✕"), {}, QStringLiteral("close_comparison"), this);
+  close->setAccessibleName(tr("End the comparison"));
+  close->setToolTip(tr("End the comparison (Esc)"));
+  head->addWidget(close);
+  column->addLayout(head);
+  view_ = new SceneView(this);
+  view_->setObjectName(QStringLiteral("other_view"));
+  view_->setAccessibleName(tr("The other attempt, replayed"));
+  column->addWidget(view_, 1);
+  problem_ = make_muted({}, this);
+  problem_->setObjectName(QStringLiteral("other_problem"));
+  problem_->hide();
+  column->addWidget(problem_);
+  connect(align_, &QComboBox::currentIndexChanged, this, &Comparison::aligned);
+  connect(close, &QPushButton::clicked, this, &Comparison::closed);
+}
+
+// the player looks at the recording
+Comparison::~Comparison() { player_.reset(); }
+
+void Comparison::set_themes(const UiTheme& ui, const CueTheme& cues) { view_->set_themes(ui, cues); }
+
+void Comparison::set_attempt(const Review& first, const record::AttemptRow& row, record::Recording recording,
+                             const std::vector<record::EventRow>& events, const PlayerOpener& opener) {
+  player_.reset();
+  recording_ = std::move(recording);
+  base::Problems problems;
+  if (opener) player_ = opener(recording_, problems);
+  review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr);
+  title_->setText(tr("%1, %2: %3").arg(QString::fromStdString(row.person_name), when_text(QString::fromStdString(row.started_utc)),
+                                       review_.verdict()));
+  problem_->setVisible(!player_);
+  if (player_) {
+    view_->set_card(player_->card(), CameraPreset::kOrbit);
+  } else {
+    problem_->setText(tr("The picture cannot be replayed: %1")
+                          .arg(problems.empty() ? QString() : QString::fromStdString(problems.front().message)));
+  }
+  fill_events(first);
+}
+
+void Comparison::fill_events(const Review& first) {
+  {
+    const QSignalBlocker quiet(align_);
+    align_->clear();
+    align_->addItem(tr("Start"), 0.0);
+    for (const CommonEvent& e : common_events(first, review_)) align_->addItem(e.what, e.other_s - e.first_s);
+    align_->addItem(tr("End"), review_.length_s - first.length_s);
+    align_->setCurrentIndex(align_->count() > 2 ? 1 : 0);  // what both have done comes before their starts
+  }
+  Q_EMIT aligned();
+}
+
+double Comparison::later_s() const { return align_->currentData().toDouble(); }
+
+bool Comparison::toward(double first_s, uint64_t most) {
+  if (!player_) return true;
+  const double at = std::clamp(first_s + later_s(), 0.0, review_.length_s);
+  const bool there = player_->toward(static_cast<uint64_t>(std::llround(at / review_.dt_s)), most);
+  player_->fill(*snapshot_);
+  view_->show_snapshot(*snapshot_);
+  view_->set_texts(clock_text(snapshot_->time_s), {});
+  return there;
+}
+
+}  // namespace swage::console

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/report/attempt_report.hpp"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "console/models/attempts_model.hpp"
+#include "console/models/words.hpp"
+#include "console/report/sheet.hpp"
+#include "console/widgets/timeline.hpp"
+#include "console/widgets/track_plot.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kMostMetrics = 14, kMostMoments = 5, kMostNotes = 4, kTraces = 3;  // what one page holds
+constexpr double kTimeline_px = 260, kTrack_px = 190;
+const QColor kGrey(80, 80, 80);
+
+class Words {
+  Q_DECLARE_TR_FUNCTIONS(attempt_report)
+};
+
+QString qt(const std::string& s) { return QString::fromStdString(s); }
+
+QString seconds(double s) { return Words::tr("%L1 s").arg(s, 0, 'f', 2); }
+
+void add_metrics(Sheet& sheet, const Review& review) {
+  const QVector<double> shares = {0.5, 0.2, 0.3};
+  sheet.row({Words::tr("Metric"), Words::tr("Value"), Words::tr("Direction")}, shares, true);
+  for (int i = 0; i < std::min<int>(kMostMetrics, static_cast<int>(review.metrics.size())); ++i) {
+    const MetricLine& m = review.metrics[i];
+    sheet.row({m.name, m.value, better_words(m.better)}, shares, false);
+  }
+}
+
+void add_moments(Sheet& sheet, const AttemptReport& r) {
+  const QVector<double> shares = {0.12, 0.88};
+  if (!r.worst.isEmpty()) sheet.text(Words::tr("Worst moments"), 11, true);
+  for (int i = 0; i < std::min<int>(kMostMoments, static_cast<int>(r.worst.size())); ++i)
+    sheet.row({seconds(r.worst[i].time_s), r.worst[i].what}, shares, false);
+  if (!r.notes.empty()) sheet.gap(6), sheet.text(Words::tr("Notes"), 11, true);
+  for (size_t i = 0; i < std::min<size_t>(kMostNotes, r.notes.size()); ++i)
+    sheet.row({seconds(r.notes[i].time_s), qt(r.notes[i].text)}, shares, false);
+}
+
+void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
+  Timeline timeline;
+  timeline.set_theme(theme);
+  timeline.set_review(&r.review, &r.recording);
+  QVector<int> shown;
+  for (int i = 0; i < r.review.traces.size() && shown.size() < kTraces; ++i)
+    if (r.review.traces[i].wanted) shown += i;
+  timeline.set_shown(shown);
+  if (!shown.isEmpty()) sheet.widget(timeline, kTimeline_px);
+  if (!r.track || sheet.left() < kTrack_px + 60) return;
+  TrackPlot track;
+  track.set_theme(theme);
+  track.set_track(r.track);
+  track.set_cursor(r.review.length_s);
+  sheet.widget(track, kTrack_px);
+}
+
+// What the numbers were made with.
+QString made_with(const AttemptReport& r) {
+  const record::AttemptRow& a = r.review.attempt;
+  QStringList plugins;
+  for (const auto& [id, version] : r.recording.info.plugins)
+    if (const QString one = qt(id + " " + version); !plugins.contains(one)) plugins += one;
+  QStringList out = {Words::tr("Lesson version %1").arg(a.lesson_digest.empty() ? QStringLiteral("–") : qt(a.lesson_digest.substr(0, 12))),
+                     is_hand(a) ? Words::tr("recorded hand") : Words::tr("input: %1").arg(qt(a.device)),
+                     Words::tr("seed %1").arg(r.review.seed)};
+  if (!a.remark.empty()) out += qt(a.remark);
+  return out.join(QStringLiteral(" · ")) + QStringLiteral("\n") + plugins.join(QStringLiteral(", "));
+}
+
+void draw(Sheet& sheet, const AttemptReport& r) {
+  const record::AttemptRow& a = r.review.attempt;
+  sheet.text(qt(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
+  const QString who = a.person_code.empty() || a.person_code == a.person_name
+                          ? qt(a.person_name)
+                          : Words::tr("%1 (%2)").arg(qt(a.person_name), qt(a.person_code));
+  sheet.text(QStringList({who, when_text(qt(a.started_utc)), mode_text(qt(a.mode)), seconds(a.simulated_s)}).join(QStringLiteral(" · ")), 10,
+             false, kGrey);
+  sheet.text(r.review.verdict(), 13, true);
+  if (!a.void_reason.empty()) sheet.text(Words::tr("Void: %1").arg(qt(a.void_reason)), 10);
+  sheet.gap(6);
+  add_metrics(sheet, r.review);
+  sheet.gap(8);
+  add_moments(sheet, r);
+  sheet.gap(8);
+  add_plots(sheet, r, UiTheme::stock(QStringLiteral("light")));
+  sheet.text(made_with(r), 8, false, kGrey);
+  sheet.text(Words::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, kGrey);
+}
+
+}  // namespace
+
+QString write_attempt_report(const AttemptReport& report, const QString& file) {
+  return write_sheet(file, report.review.headline(), [&](Sheet& sheet) { draw(sheet, report); });
+}
+
+}  // namespace swage::console

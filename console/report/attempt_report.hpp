@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One page about an attempt, to be printed: result, metrics, worst moments, traces, the thesis's two plots, notes.
+#pragma once
+
+#include <QString>
+#include <QVector>
+#include <optional>
+#include <vector>
+
+#include "console/models/insertion.hpp"
+#include "console/models/review.hpp"
+#include "console/models/worst_moments.hpp"
+#include "record/school.hpp"
+
+namespace swage::console {
+
+struct AttemptReport {
+  const Review& review;
+  const record::Recording& recording;
+  QVector<WorstMoment> worst;
+  std::optional<EntryTrack> track;
+  std::vector<record::Note> notes;
+};
+
+/// "" or what went wrong. The page says the person's code and name as the store shows them.
+QString write_attempt_report(const AttemptReport& report, const QString& file);
+
+}  // namespace swage::console

@@ -1,0 +1,3689 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>What the cues mean</source>
+        <translation>Was die Hinweise bedeuten</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Lines in turn (passive 3D)</source>
+        <translation>Zeilen im Wechsel (passives 3D)</translation>
+    </message>
+    <message>
+        <source>Chess board (DLP 3D)</source>
+        <translation>Schachbrett (DLP-3D)</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, colour</source>
+        <translation>Rot-Cyan-Brille, farbig</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, grey</source>
+        <translation>Rot-Cyan-Brille, grau</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses, least ghosts</source>
+        <translation>Rot-Cyan-Brille, geringste Geisterbilder</translation>
+    </message>
+    <message>
+        <source>One eye</source>
+        <translation>Ein Auge</translation>
+    </message>
+    <message>
+        <source>Left eye only</source>
+        <translation>Nur linkes Auge</translation>
+    </message>
+    <message>
+        <source>Right eye only</source>
+        <translation>Nur rechtes Auge</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>A curve needs %1 finished attempts. %2 more.</source>
+        <translation>Eine Kurve braucht %1 abgeschlossene Versuche. Noch %2.</translation>
+    </message>
+    <message>
+        <source>No curve: %1 Median of the last %2: %3 (%4 to %5).</source>
+        <translation>Keine Kurve: %1 Median der letzten %2: %3 (%4 bis %5).</translation>
+    </message>
+    <message>
+        <source>Learning curve: %1 at the first attempt, %2 at the latest</source>
+        <translation>Lernkurve: %1 beim ersten Versuch, %2 beim letzten</translation>
+    </message>
+    <message>
+        <source>; the level that is being reached is not bounded by these attempts yet.</source>
+        <translation>; wohin sie führt, begrenzen diese Versuche noch nicht.</translation>
+    </message>
+    <message>
+        <source>, towards %1 (95 %: %2 to %3).</source>
+        <translation>, gegen %1 (95 %: %2 bis %3).</translation>
+    </message>
+    <message>
+        <source>Half-way after %1 attempts.</source>
+        <translation>Die Hälfte ist nach %1 Versuchen erreicht.</translation>
+    </message>
+    <message>
+        <source>%1 at byte %2</source>
+        <translation>%1 bei Byte %2</translation>
+    </message>
+    <message>
+        <source>lower is better</source>
+        <translation>niedriger ist besser</translation>
+    </message>
+    <message>
+        <source>higher is better</source>
+        <translation>höher ist besser</translation>
+    </message>
+    <message>
+        <source>best inside its band</source>
+        <translation>am besten im Zielband</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nie</translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation>heute</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>gestern</translation>
+    </message>
+    <message>
+        <source>%1 days ago</source>
+        <translation>vor %1 Tagen</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Not recorded</source>
+        <translation>Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>Startwert %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 of 100</source>
+        <translation>%1, %2 von 100</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>A lesson has a title.</source>
+        <translation>Eine Lektion hat einen Titel.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There is a lesson of that title already; give it another.</source>
+        <translation>Eine Lektion mit diesem Titel gibt es schon; geben Sie ihr einen anderen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson that can be edited here.</source>
+        <translation>%1 ist keine Lektion, die hier bearbeitet werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 could not be put into the bin; nothing was deleted.</source>
+        <translation>%1 konnte nicht in den Papierkorb gelegt werden; nichts wurde gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1: this ended the attempt</source>
+        <translation>%1: damit endete der Versuch</translation>
+    </message>
+    <message>
+        <source>%1 %2, at most %3 is asked</source>
+        <translation>%1 %2, gefordert ist höchstens %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message>
+        <source>no room</source>
+        <translation>kein Platz</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png);;Drawing (*.svg);;Page (*.pdf)</source>
+        <translation>Bild (*.png);;Zeichnung (*.svg);;Seite (*.pdf)</translation>
+    </message>
+</context>
+<context>
+    <name>attempt_report</name>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Worst moments</source>
+        <translation>Schlechteste Momente</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Lesson version %1</source>
+        <translation>Lektion, Fassung %1</translation>
+    </message>
+    <message>
+        <source>recorded hand</source>
+        <translation>aufgezeichnete Hand</translation>
+    </message>
+    <message>
+        <source>input: %1</source>
+        <translation>Eingabe: %1</translation>
+    </message>
+    <message>
+        <source>seed %1</source>
+        <translation>Startwert %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Void: %1</source>
+        <translation>Ungültig: %1</translation>
+    </message>
+    <message>
+        <source>Swage %1. For teaching, not for certification.</source>
+        <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+    </message>
+</context>
+<context>
+    <name>command_line</name>
+    <message>
+        <source>Swage, the microsurgery trainer: runs lessons and shows progress.</source>
+        <translation>Swage, der Trainer für Mikrochirurgie: führt Lektionen aus und zeigt den Fortschritt.</translation>
+    </message>
+    <message>
+        <source>Lesson file, or kept attempt, to open.</source>
+        <translation>Lektionsdatei oder aufgehobener Versuch, der geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Start the lesson at once.</source>
+        <translation>Die Lektion sofort starten.</translation>
+    </message>
+    <message>
+        <source>The hand: mouse, expert, a plugin id, or a name from the lesson.</source>
+        <translation>Die Hand: mouse, expert, die Kennung eines Plugins oder ein Name aus der Lektion.</translation>
+    </message>
+    <message>
+        <source>Who practises.</source>
+        <translation>Wer übt.</translation>
+    </message>
+    <message>
+        <source>practice, test or demo.</source>
+        <translation>practice, test oder demo.</translation>
+    </message>
+    <message>
+        <source>Folder to look for plugins in first; may be repeated.</source>
+        <translation>Ordner, in dem Plugins zuerst gesucht werden; mehrmals erlaubt.</translation>
+    </message>
+    <message>
+        <source>Attempts database: a file, postgresql://user@host/database, or :none:.</source>
+        <translation>Datenbank der Versuche: eine Datei, postgresql://user@host/database oder :none:.</translation>
+    </message>
+    <message>
+        <source>Stock plugins only.</source>
+        <translation>Nur mitgelieferte Plugins.</translation>
+    </message>
+    <message>
+        <source>Of every attempt, so that targets and tremor are the same again; otherwise each draws its own.</source>
+        <translation>Für jeden Versuch, damit Ziele und Tremor dieselben sind; sonst wird jeweils ein eigener gezogen.</translation>
+    </message>
+    <message>
+        <source>en or de; that of the system unless given.</source>
+        <translation>en oder de; sonst die Sprache des Systems.</translation>
+    </message>
+    <message>
+        <source>light, dark or contrast.</source>
+        <translation>light, dark oder contrast.</translation>
+    </message>
+    <message>
+        <source>thesis or safe: colours of the cues.</source>
+        <translation>thesis oder safe: Farben der Hinweise.</translation>
+    </message>
+    <message>
+        <source>orbit, side, top or near.</source>
+        <translation>orbit, side, top oder near.</translation>
+    </message>
+    <message>
+        <source>Show the trainee&apos;s view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right.</source>
+        <translation>Die Ansicht des Trainees für zwei Augen zeigen: side, over, lines, checker, anaglyph, grey, least, one, left oder right.</translation>
+    </message>
+    <message>
+        <source>run, lessons, courses, people, review or setup.</source>
+        <translation>run, lessons, courses, people, review oder setup.</translation>
+    </message>
+    <message>
+        <source>Open a recorded attempt: its id, or latest.</source>
+        <translation>Einen aufgezeichneten Versuch öffnen: seine Kennung oder latest.</translation>
+    </message>
+    <message>
+        <source>Size of the window, as in 1440x900.</source>
+        <translation>Größe des Fensters, etwa 1440x900.</translation>
+    </message>
+    <message>
+        <source>Write a picture of the window (with --trainee: of the trainee&apos;s) and quit.</source>
+        <translation>Ein Bild des Fensters schreiben (mit --trainee: dessen Fenster) und enden.</translation>
+    </message>
+    <message>
+        <source>When: seconds into the attempt, or after the window is there.</source>
+        <translation>Wann: Sekunden im Versuch, oder nachdem das Fenster da ist.</translation>
+    </message>
+</context>
+<context>
+    <name>course_words</name>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Passed when a learning-curve test of the Test attempts signals that the trainee fails rather %1 % of them than %2 %.</source>
+        <translation>Bestanden, wenn ein Lernkurventest der Testversuche anzeigt, dass eher %1 % von ihnen misslingen als %2 %.</translation>
+    </message>
+    <message>
+        <source>Passed when %1 Test attempts in a row meet everything that is asked, and the first %2 of a later day do so too.</source>
+        <translation>Bestanden, wenn %1 Testversuche in Folge alles Geforderte erfüllen und die ersten %2 eines späteren Tages ebenso.</translation>
+    </message>
+    <message>
+        <source>Passed when %1 Test attempts in a row meet everything that is asked.</source>
+        <translation>Bestanden, wenn %1 Testversuche in Folge alles Geforderte erfüllen.</translation>
+    </message>
+    <message>
+        <source>At most %1 attempts a day count.</source>
+        <translation>Höchstens %1 Versuche am Tag zählen.</translation>
+    </message>
+    <message>
+        <source>The first %1 of a day are warm-up.</source>
+        <translation>Die ersten %1 eines Tages dienen dem Aufwärmen.</translation>
+    </message>
+    <message>
+        <source>succeeds %1 times in 10: passes in %L2 of 100 cases</source>
+        <translation>hat %1-mal von 10 Erfolg: besteht in %L2 von 100 Fällen</translation>
+    </message>
+    <message>
+        <source>, typically after %1 attempts</source>
+        <translation>, meist nach %1 Versuchen</translation>
+    </message>
+    <message>
+        <source>No attempts of experts to try these limits on.</source>
+        <translation>Keine Versuche von Experten, an denen sich diese Grenzen prüfen ließen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 expert attempts meet all %3 limits together.</source>
+        <translation>%1 von %2 Expertenversuchen erfüllen alle %3 Grenzen zusammen.</translation>
+    </message>
+    <message>
+        <source>The hardest alone is %1: %2.</source>
+        <translation>Für sich allein ist %1 am schwersten: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>lesson_facts</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>metric_bars</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Experten</translation>
+    </message>
+    <message>
+        <source>recorded expert hand</source>
+        <translation>aufgezeichnete Expertenhand</translation>
+    </message>
+    <message>
+        <source>1 expert</source>
+        <translation>1 Experte</translation>
+    </message>
+    <message>
+        <source>%1 experts</source>
+        <translation>%1 Experten</translation>
+    </message>
+</context>
+<context>
+    <name>metric_titles</name>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attempts passed.</source>
+        <translation>%1 von %2 Versuchen bestanden.</translation>
+    </message>
+    <message>
+        <source> Now: %1.</source>
+        <translation> Jetzt: %1.</translation>
+    </message>
+    <message>
+        <source>Latest attempt, experts&apos; band</source>
+        <translation>Letzter Versuch, Band der Experten</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s note: ______________________________________________</source>
+        <translation>Anmerkung der Ausbilder: ______________________________________________</translation>
+    </message>
+    <message>
+        <source>Swage %1. For teaching, not for certification.</source>
+        <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>roster</name>
+    <message>
+        <source>&quot;%1&quot; is neither left nor right</source>
+        <translation>„%1“ ist weder links noch rechts</translation>
+    </message>
+    <message>
+        <source>No name</source>
+        <translation>Kein Name</translation>
+    </message>
+    <message>
+        <source>Longer than %1 characters</source>
+        <translation>Länger als %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>Is there already</source>
+        <translation>Ist schon da</translation>
+    </message>
+    <message>
+        <source>Twice in the list</source>
+        <translation>Zweimal in der Liste</translation>
+    </message>
+</context>
+<context>
+    <name>standing</name>
+    <message>
+        <source>%1 not passed in a row</source>
+        <translation>%1 in Folge nicht bestanden</translation>
+    </message>
+    <message>
+        <source>%1 not passed in a row: %2</source>
+        <translation>%1 in Folge nicht bestanden: %2</translation>
+    </message>
+    <message>
+        <source>%1 days without practice</source>
+        <translation>%1 Tage ohne Übung</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>doing well</source>
+        <translation>auf gutem Weg</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AssignDialog</name>
+    <message>
+        <source>Assign a course</source>
+        <translation>Kurs zuweisen</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>none: take back what was assigned</source>
+        <translation>keiner: Zugewiesenes zurücknehmen</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>The chosen person</source>
+        <translation>Die gewählte Person</translation>
+    </message>
+    <message>
+        <source>The %1 chosen people</source>
+        <translation>Die %1 gewählten Personen</translation>
+    </message>
+    <message>
+        <source>Everybody in %1, also who joins later</source>
+        <translation>Alle in %1, auch wer später dazukommt</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>There is no course yet: make one on the Courses page.</source>
+        <translation>Es gibt noch keinen Kurs: legen Sie auf der Seite Kurse einen an.</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Zuweisen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::AttemptsModel</name>
+    <message>
+        <source>Recorded hand</source>
+        <translation>Aufgezeichnete Hand</translation>
+    </message>
+    <message>
+        <source>%1 (voided by %2)</source>
+        <translation>%1 (für ungültig erklärt: %2)</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::BandBars</name>
+    <message>
+        <source>Latest values against the experts</source>
+        <translation>Letzte Werte gegen die der Experten</translation>
+    </message>
+    <message>
+        <source>%1 %2, experts %3</source>
+        <translation>%1 %2, Experten %3</translation>
+    </message>
+    <message>
+        <source>← better</source>
+        <translation>← besser</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::Comparison</name>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the attempts at</source>
+        <translation>Die Versuche ausrichten an</translation>
+    </message>
+    <message>
+        <source>What lies at the same place of the timeline in both attempts</source>
+        <translation>Was in beiden Versuchen an derselben Stelle der Zeitleiste liegt</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>End the comparison (Esc)</source>
+        <translation>Vergleich beenden (Esc)</translation>
+    </message>
+    <message>
+        <source>The other attempt, replayed</source>
+        <translation>Der andere Versuch, nachgespielt</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>The picture cannot be replayed: %1</source>
+        <translation>Das Bild kann nicht nachgespielt werden: %1</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::CoursesPage</name>
+    <message>
+        <source>No course yet. A course is a row of lessons with a rule that says when each is passed.</source>
+        <translation>Noch kein Kurs. Ein Kurs ist eine Folge von Lektionen mit einer Regel, wann jede bestanden ist.</translation>
+    </message>
+    <message>
+        <source>▲ not installed: </source>
+        <translation>▲ nicht installiert: </translation>
+    </message>
+    <message>
+        <source>%1  %3%2</source>
+        <translation>%1  %3%2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>No limits: the lesson&apos;s own verdict is all that is asked.</source>
+        <translation>Keine Grenzen: gefordert ist nur das eigene Urteil der Lektion.</translation>
+    </message>
+    <message>
+        <source>Add a lesson</source>
+        <translation>Lektion hinzufügen</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Add a limit</source>
+        <translation>Grenze hinzufügen</translation>
+    </message>
+    <message>
+        <source>▲ &quot;%1&quot; is no number; the limit stays as it was.</source>
+        <translation>▲ „%1“ ist keine Zahl; die Grenze bleibt, wie sie war.</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Limits from experts</source>
+        <translation>Grenzen nach Experten</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kurse</translation>
+    </message>
+    <message>
+        <source>New course</source>
+        <translation>Neuer Kurs</translation>
+    </message>
+    <message>
+        <source>Course %1</source>
+        <translation>Kurs %1</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z brings it back</source>
+        <translation>Strg+Z holt ihn zurück</translation>
+    </message>
+    <message>
+        <source>Remove course</source>
+        <translation>Kurs entfernen</translation>
+    </message>
+    <message>
+        <source>Title of the course</source>
+        <translation>Titel des Kurses</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>One after the other</source>
+        <translation>Eine nach der anderen</translation>
+    </message>
+    <message>
+        <source>A lesson opens when the one before it is passed</source>
+        <translation>Eine Lektion öffnet sich, wenn die davor bestanden ist</translation>
+    </message>
+    <message>
+        <source>Lessons of the course</source>
+        <translation>Lektionen des Kurses</translation>
+    </message>
+    <message>
+        <source>Lesson to add</source>
+        <translation>Lektion zum Hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the lesson behind the chosen one</source>
+        <translation>Die Lektion hinter der gewählten einfügen</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Take the lesson out of the course</source>
+        <translation>Die Lektion aus dem Kurs nehmen</translation>
+    </message>
+    <message>
+        <source>Remove a lesson</source>
+        <translation>Lektion entfernen</translation>
+    </message>
+    <message>
+        <source>Open at any time, whatever the order</source>
+        <translation>Jederzeit offen, unabhängig von der Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Add a lesson to say when it is passed.</source>
+        <translation>Fügen Sie eine Lektion hinzu, um zu sagen, wann sie bestanden ist.</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Pass rule</source>
+        <translation>Bestehensregel</translation>
+    </message>
+    <message>
+        <source>Kind of rule</source>
+        <translation>Art der Regel</translation>
+    </message>
+    <message>
+        <source>in a row</source>
+        <translation>in Folge</translation>
+    </message>
+    <message>
+        <source>learning-curve test (strict)</source>
+        <translation>Lernkurventest (streng)</translation>
+    </message>
+    <message>
+        <source>Test attempts in a row</source>
+        <translation>Testversuche in Folge</translation>
+    </message>
+    <message>
+        <source>That meet everything that is asked</source>
+        <translation>Die alles Geforderte erfüllen</translation>
+    </message>
+    <message>
+        <source>then, first of a later day</source>
+        <translation>dann die ersten eines späteren Tages</translation>
+    </message>
+    <message>
+        <source>That must do so too; 0: not asked</source>
+        <translation>Die es auch tun müssen; 0: nicht gefordert</translation>
+    </message>
+    <message>
+        <source>Failure rate, competent</source>
+        <translation>Fehlerrate, wer es kann</translation>
+    </message>
+    <message>
+        <source>Share of attempts that a competent person fails</source>
+        <translation>Anteil der Versuche, die einer geübten Person misslingen</translation>
+    </message>
+    <message>
+        <source>Failure rate, not yet</source>
+        <translation>Fehlerrate, noch nicht</translation>
+    </message>
+    <message>
+        <source>Share of attempts that somebody fails who is not</source>
+        <translation>Anteil der Versuche, die einer ungeübten Person misslingen</translation>
+    </message>
+    <message>
+        <source>Signal at</source>
+        <translation>Meldung bei</translation>
+    </message>
+    <message>
+        <source>Lower passes the unready, higher takes longer; 2.4 is usual</source>
+        <translation>Kleiner lässt Ungeübte durch, größer dauert länger; üblich ist 2,4</translation>
+    </message>
+    <message>
+        <source>Attempts a day that count</source>
+        <translation>Versuche am Tag, die zählen</translation>
+    </message>
+    <message>
+        <source>0: all</source>
+        <translation>0: alle</translation>
+    </message>
+    <message>
+        <source>Warm-up attempts a day</source>
+        <translation>Aufwärmversuche am Tag</translation>
+    </message>
+    <message>
+        <source>That do not count</source>
+        <translation>Die nicht zählen</translation>
+    </message>
+    <message>
+        <source>What this rule does in 30 attempts</source>
+        <translation>Was diese Regel in 30 Versuchen bewirkt</translation>
+    </message>
+    <message>
+        <source>Limits, besides the lesson&apos;s own verdict</source>
+        <translation>Grenzen, neben dem eigenen Urteil der Lektion</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>At least</source>
+        <translation>Mindestens</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>F2 or a double click changes a value; empty asks for nothing</source>
+        <translation>F2 oder ein Doppelklick ändert einen Wert; leer fordert nichts</translation>
+    </message>
+    <message>
+        <source>Metric to limit</source>
+        <translation>Kennzahl zum Begrenzen</translation>
+    </message>
+    <message>
+        <source>Add limit</source>
+        <translation>Grenze hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove limit</source>
+        <translation>Grenze entfernen</translation>
+    </message>
+    <message>
+        <source>Remove a limit</source>
+        <translation>Grenze entfernen</translation>
+    </message>
+    <message>
+        <source>From experts</source>
+        <translation>Nach Experten</translation>
+    </message>
+    <message>
+        <source>Each limit such that all but the worst tenth of the experts&apos; attempts keep it</source>
+        <translation>Jede Grenze so, dass alle bis auf das schlechteste Zehntel der Expertenversuche sie einhalten</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::CueLegend</name>
+    <message>
+        <source>Sound: %1</source>
+        <translation>Ton: %1</translation>
+    </message>
+    <message>
+        <source>on now</source>
+        <translation>jetzt an</translation>
+    </message>
+    <message>
+        <source>What the cues mean</source>
+        <translation>Was die Hinweise bedeuten</translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>This lesson shows no cues.</source>
+        <translation>Diese Lektion zeigt keine Hinweise.</translation>
+    </message>
+    <message>
+        <source>Cues — not shown in the picture</source>
+        <translation>Hinweise — im Bild nicht gezeigt</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::EraseDialog</name>
+    <message>
+        <source>Erase a person</source>
+        <translation>Person löschen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 attempts with their recordings, notes and marks are erased for good. There is no undo, and no backup brings them back.</source>
+        <translation>%1 und %2 Versuche mit Aufzeichnungen, Notizen und Markierungen werden endgültig gelöscht. Das lässt sich nicht rückgängig machen, und keine Sicherung bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>These files were written from this store and are not touched:
+%1</source>
+        <translation>Diese Dateien wurden aus diesem Speicher geschrieben und bleiben unberührt:
+%1</translation>
+    </message>
+    <message>
+        <source>Type the name to go on:</source>
+        <translation>Geben Sie zum Fortfahren den Namen ein:</translation>
+    </message>
+    <message>
+        <source>The name of who is to be erased</source>
+        <translation>Der Name der Person, die gelöscht werden soll</translation>
+    </message>
+    <message>
+        <source>Erase for good</source>
+        <translation>Endgültig löschen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::EventLog</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ForceMeter</name>
+    <message>
+        <source>Jaw force</source>
+        <translation>Backenkraft</translation>
+    </message>
+    <message>
+        <source>%1, good from %2 to %3</source>
+        <translation>%1, gut von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>no contact</source>
+        <translation>kein Kontakt</translation>
+    </message>
+    <message>
+        <source>no grasp</source>
+        <translation>kein Griff</translation>
+    </message>
+    <message>
+        <source>! too much</source>
+        <translation>! zu viel</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>leicht</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::GroupPlot</name>
+    <message>
+        <source>A metric of several people</source>
+        <translation>Eine Kennzahl mehrerer Personen</translation>
+    </message>
+    <message>
+        <source>%1, %2 attempts of %3 people in %4 lessons</source>
+        <translation>%1, %2 Versuche von %3 Personen in %4 Lektionen</translation>
+    </message>
+    <message>
+        <source>%1 people, in the order of their names</source>
+        <translation>%1 Personen, in der Reihenfolge ihrer Namen</translation>
+    </message>
+    <message>
+        <source>filled: passed; bar: mean</source>
+        <translation>gefüllt: bestanden; Strich: Mittel</translation>
+    </message>
+    <message>
+        <source>No judged attempt of the chosen people has this metric.</source>
+        <translation>Kein gewerteter Versuch der gewählten Personen hat diese Kennzahl.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::HelpDialog</name>
+    <message>
+        <source>Keys and cues</source>
+        <translation>Tasten und Hinweise</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>Start, again</source>
+        <translation>Start, noch einmal</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>Pause, resume</source>
+        <translation>Pause, weiter</translation>
+    </message>
+    <message>
+        <source>F7</source>
+        <translation>F7</translation>
+    </message>
+    <message>
+        <source>Bring the needle back</source>
+        <translation>Die Nadel zurückholen</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>Mark the moment two seconds ago</source>
+        <translation>Den Moment vor zwei Sekunden markieren</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Umschalt+F5</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
+    <message>
+        <source>Trainee&apos;s view; there F11 fills the screen</source>
+        <translation>Ansicht des Trainees; dort füllt F11 den Bildschirm</translation>
+    </message>
+    <message>
+        <source>F10</source>
+        <translation>F10</translation>
+    </message>
+    <message>
+        <source>Instructor&apos;s window: readings, cues, events</source>
+        <translation>Fenster der Ausbilder: Anzeigen, Hinweise, Ereignisse</translation>
+    </message>
+    <message>
+        <source>Ctrl+N</source>
+        <translation>Strg+N</translation>
+    </message>
+    <message>
+        <source>A lesson of your own, based on the chosen one</source>
+        <translation>Eine eigene Lektion nach der gewählten</translation>
+    </message>
+    <message>
+        <source>Ctrl+1, 2, 3 ...</source>
+        <translation>Strg+1, 2, 3 ...</translation>
+    </message>
+    <message>
+        <source>Go to a page</source>
+        <translation>Zu einer Seite gehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z,  Ctrl+Y</source>
+        <translation>Strg+Z,  Strg+Y</translation>
+    </message>
+    <message>
+        <source>Undo, redo</source>
+        <translation>Rückgängig, wiederholen</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Show frame rate</source>
+        <translation>Bildrate zeigen</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>This page</source>
+        <translation>Diese Seite</translation>
+    </message>
+    <message>
+        <source>Instrument: mouse and keyboard</source>
+        <translation>Instrument: Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>Left drag,  A D W S</source>
+        <translation>Ziehen links,  A D W S</translation>
+    </message>
+    <message>
+        <source>Move across</source>
+        <translation>Quer bewegen</translation>
+    </message>
+    <message>
+        <source>Wheel,  Q E</source>
+        <translation>Rad,  Q E</translation>
+    </message>
+    <message>
+        <source>Move away, come nearer</source>
+        <translation>Entfernen, annähern</translation>
+    </message>
+    <message>
+        <source>Right drag,  arrows</source>
+        <translation>Ziehen rechts,  Pfeile</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+right drag,  Z X</source>
+        <translation>Strg+Ziehen rechts,  Z X</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>C+left drag,  T G</source>
+        <translation>C+Ziehen links,  T G</translation>
+    </message>
+    <message>
+        <source>Drive the needle along its own curve</source>
+        <translation>Die Nadel entlang ihrer Krümmung führen</translation>
+    </message>
+    <message>
+        <source>Middle button,  Space</source>
+        <translation>Mittlere Taste,  Leertaste</translation>
+    </message>
+    <message>
+        <source>Close the jaws to a good grip; again: further</source>
+        <translation>Die Backen zu einem guten Griff schließen; noch einmal: weiter</translation>
+    </message>
+    <message>
+        <source>Ctrl+middle,  B</source>
+        <translation>Strg+Mitte,  B</translation>
+    </message>
+    <message>
+        <source>Open the jaws</source>
+        <translation>Die Backen öffnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>Close, open in small steps</source>
+        <translation>In kleinen Schritten schließen, öffnen</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Everything finer</source>
+        <translation>Alles feiner</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>The other instrument, where there are two</source>
+        <translation>Das andere Instrument, wo es zwei gibt</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Orbit Side Top Near</source>
+        <translation>Kreisen Seite Oben Nah</translation>
+    </message>
+    <message>
+        <source>Go to a view</source>
+        <translation>Zu einer Ansicht gehen</translation>
+    </message>
+    <message>
+        <source>Drag,  arrows</source>
+        <translation>Ziehen,  Pfeile</translation>
+    </message>
+    <message>
+        <source>Turn the camera</source>
+        <translation>Die Kamera drehen</translation>
+    </message>
+    <message>
+        <source>Right drag, Shift+drag</source>
+        <translation>Ziehen rechts, Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Shift the camera</source>
+        <translation>Die Kamera verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel,  + −</source>
+        <translation>Rad,  + −</translation>
+    </message>
+    <message>
+        <source>Nearer, further</source>
+        <translation>Näher, weiter weg</translation>
+    </message>
+    <message>
+        <source>Double click,  Home</source>
+        <translation>Doppelklick,  Pos1</translation>
+    </message>
+    <message>
+        <source>Frame the scene</source>
+        <translation>Die Szene ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Strg+Ziehen</translation>
+    </message>
+    <message>
+        <source>Turn while the mouse is the instrument</source>
+        <translation>Drehen, während die Maus das Instrument ist</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+wheel</source>
+        <translation>Strg+Umschalt+Rad</translation>
+    </message>
+    <message>
+        <source>Nearer, further while it is</source>
+        <translation>Näher, weiter weg, während sie es ist</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>Abspielen, Pause</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>10 ms back, on</source>
+        <translation>10 ms zurück, vor</translation>
+    </message>
+    <message>
+        <source>Shift+← →</source>
+        <translation>Umschalt+← →</translation>
+    </message>
+    <message>
+        <source>1 ms</source>
+        <translation>1 ms</translation>
+    </message>
+    <message>
+        <source>Ctrl+← →</source>
+        <translation>Strg+← →</translation>
+    </message>
+    <message>
+        <source>1 s</source>
+        <translation>1 s</translation>
+    </message>
+    <message>
+        <source>Home,  End</source>
+        <translation>Pos1,  Ende</translation>
+    </message>
+    <message>
+        <source>Start, end</source>
+        <translation>Anfang, Ende</translation>
+    </message>
+    <message>
+        <source>,  .</source>
+        <translation>,  .</translation>
+    </message>
+    <message>
+        <source>Event before, after</source>
+        <translation>Ereignis davor, danach</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Loop around the cursor</source>
+        <translation>Schleife um die Marke</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Note at the cursor</source>
+        <translation>Notiz an der Marke</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Strg+E</translation>
+    </message>
+    <message>
+        <source>Save the attempt</source>
+        <translation>Den Versuch speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Strg+Umschalt+E</translation>
+    </message>
+    <message>
+        <source>Save its signals</source>
+        <translation>Seine Signale speichern</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::InstructorWindow</name>
+    <message>
+        <source>Swage: instructor</source>
+        <translation>Swage: Ausbilder</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::LessonsPage</name>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Search title, task and goal</source>
+        <translation>In Titel, Aufgabe und Ziel suchen</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>Üben</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>New lesson from this…</source>
+        <translation>Neue Lektion hieraus…</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)</source>
+        <translation>Diese Lektion behalten, wie sie jetzt ist: als Fassung, auf die sich Kurse und Versuche beziehen (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation>Zurückziehen</translation>
+    </message>
+    <message>
+        <source>No lessons found. Put lesson files into %1.</source>
+        <translation>Keine Lektionen gefunden. Legen Sie Lektionsdateien in %1.</translation>
+    </message>
+    <message>
+        <source>No lesson has these words. Clear the search to see all.</source>
+        <translation>Keine Lektion enthält diese Wörter. Leeren Sie die Suche, um alle zu sehen.</translation>
+    </message>
+    <message>
+        <source>Not published: attempts refer to the file as it is when they run.</source>
+        <translation>Nicht veröffentlicht: Versuche beziehen sich auf die Datei, wie sie beim Ausführen ist.</translation>
+    </message>
+    <message>
+        <source>Retire version %1</source>
+        <translation>Fassung %1 zurückziehen</translation>
+    </message>
+    <message>
+        <source>Offer version %1 again</source>
+        <translation>Fassung %1 wieder anbieten</translation>
+    </message>
+    <message>
+        <source>Published as version %1, %2.</source>
+        <translation>Veröffentlicht als Fassung %1, %2.</translation>
+    </message>
+    <message>
+        <source>▲ Changed since version %1 was published, %2.</source>
+        <translation>▲ Geändert, seit Fassung %1 veröffentlicht wurde, %2.</translation>
+    </message>
+    <message>
+        <source>It is retired.</source>
+        <translation>Sie ist zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Choose a lesson.</source>
+        <translation>Wählen Sie eine Lektion.</translation>
+    </message>
+    <message>
+        <source>▲ It cannot run: %1</source>
+        <translation>▲ Sie kann nicht ausgeführt werden: %1</translation>
+    </message>
+    <message>
+        <source>A demonstration</source>
+        <translation>Eine Vorführung</translation>
+    </message>
+    <message>
+        <source>Passed when</source>
+        <translation>Bestanden, wenn</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::LiveForm</name>
+    <message>
+        <source>%1, %2 of %3</source>
+        <translation>%1, %2 von %3</translation>
+    </message>
+    <message>
+        <source>Back to the lesson&apos;s own value</source>
+        <translation>Zurück zum eigenen Wert der Lektion</translation>
+    </message>
+    <message>
+        <source>%1: back to the lesson&apos;s own value</source>
+        <translation>%1: zurück zum eigenen Wert der Lektion</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>What you change here is written into the lesson; all else stays as it is.</source>
+        <translation>Was Sie hier ändern, wird in die Lektion geschrieben; alles andere bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Nothing of this lesson may be changed while it runs.</source>
+        <translation>Nichts an dieser Lektion darf geändert werden, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>A change acts at once and is recorded.</source>
+        <translation>Eine Änderung wirkt sofort und wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Can be changed while the lesson runs.</source>
+        <translation>Kann geändert werden, während die Lektion läuft.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::MainWindow</name>
+    <message>
+        <source>Swage</source>
+        <translation>Swage</translation>
+    </message>
+    <message>
+        <source>Picture: %1</source>
+        <translation>Bild: %1</translation>
+    </message>
+    <message>
+        <source>▲ No OpenGL</source>
+        <translation>▲ Kein OpenGL</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>What is happening now?</source>
+        <translation>Was geschieht jetzt?</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>What can be practised, and what does it ask for?</source>
+        <translation>Was lässt sich üben, und was fordert es?</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kurse</translation>
+    </message>
+    <message>
+        <source>In what order, and when is it passed?</source>
+        <translation>In welcher Reihenfolge, und wann ist es bestanden?</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Who is where, and who needs help?</source>
+        <translation>Wer steht wo, und wer braucht Hilfe?</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>What happened in that attempt?</source>
+        <translation>Was geschah in diesem Versuch?</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Does the equipment work?</source>
+        <translation>Funktioniert die Ausrüstung?</translation>
+    </message>
+    <message>
+        <source>The program closed unexpectedly. 1 attempt was kept up to that moment.</source>
+        <translation>Das Programm wurde unerwartet beendet. 1 Versuch wurde bis zu diesem Augenblick behalten.</translation>
+    </message>
+    <message>
+        <source>The program closed unexpectedly. %1 attempts were kept up to that moment.</source>
+        <translation>Das Programm wurde unerwartet beendet. %1 Versuche wurden bis zu diesem Augenblick behalten.</translation>
+    </message>
+    <message>
+        <source>Trainee view</source>
+        <translation>Ansicht des Trainees</translation>
+    </message>
+    <message>
+        <source>The scene for two eyes in a window of its own (F9)</source>
+        <translation>Die Szene für zwei Augen in einem eigenen Fenster (F9)</translation>
+    </message>
+    <message>
+        <source>…</source>
+        <translation>…</translation>
+    </message>
+    <message>
+        <source>Settings of the trainee view</source>
+        <translation>Einstellungen der Ansicht des Trainees</translation>
+    </message>
+    <message>
+        <source>Settings of the trainee view: screen, layout, eyes</source>
+        <translation>Einstellungen der Ansicht des Trainees: Bildschirm, Anordnung, Augen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Ausbilder</translation>
+    </message>
+    <message>
+        <source>Show frame rate</source>
+        <translation>Bildrate zeigen</translation>
+    </message>
+    <message>
+        <source>Open an attempt</source>
+        <translation>Versuch öffnen</translation>
+    </message>
+    <message>
+        <source>Swage attempts (*.swage);;All files (*)</source>
+        <translation>Swage-Versuche (*.swage);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::MetricChart</name>
+    <message>
+        <source>Metric over attempts</source>
+        <translation>Kennzahl über die Versuche</translation>
+    </message>
+    <message>
+        <source>no attempts</source>
+        <translation>keine Versuche</translation>
+    </message>
+    <message>
+        <source>%1, %2 attempts, first %L3, latest %L4 %5</source>
+        <translation>%1, %2 Versuche, erster %L3, letzter %L4 %5</translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>target %1 to %2 %3</source>
+        <translation>Ziel %1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>target at most %1 %2</source>
+        <translation>Ziel höchstens %1 %2</translation>
+    </message>
+    <message>
+        <source>target at least %1 %2</source>
+        <translation>Ziel mindestens %1 %2</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>No finished attempt has this number yet.</source>
+        <translation>Noch kein abgeschlossener Versuch hat diese Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::NowPanel</name>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Press START, then follow the marks in the picture.</source>
+        <translation>Drücken Sie START und folgen Sie den Zeichen im Bild.</translation>
+    </message>
+    <message>
+        <source>A test: readings are hidden until it is over. The instructor&apos;s window (F10) shows them.</source>
+        <translation>Ein Test: Anzeigen bleiben verborgen, bis er vorbei ist. Das Fenster der Ausbilder (F10) zeigt sie.</translation>
+    </message>
+    <message>
+        <source>Jaw force</source>
+        <translation>Backenkraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Stelle</translation>
+    </message>
+    <message>
+        <source>Tips</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Force and tilt of the last ten seconds</source>
+        <translation>Kraft und Neigung der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>What may be changed while the lesson runs</source>
+        <translation>Was geändert werden darf, während die Lektion läuft</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Time left: %1</source>
+        <translation>Restzeit: %1</translation>
+    </message>
+    <message>
+        <source>Over the time limit by %1</source>
+        <translation>%1 über der Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>To pass</source>
+        <translation>Zum Bestehen</translation>
+    </message>
+    <message>
+        <source>Limits in a test</source>
+        <translation>Grenzen im Test</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Between the needle and the straight way into the tissue</source>
+        <translation>Zwischen der Nadel und dem geraden Weg ins Gewebe</translation>
+    </message>
+    <message>
+        <source>Away from a right-angled grasp</source>
+        <translation>Abweichung vom rechtwinkligen Griff</translation>
+    </message>
+    <message>
+        <source>Angle to the straight way in</source>
+        <translation>Winkel zum geraden Weg hinein</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nie</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::Pages</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PeopleModel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, kept as %2</source>
+        <translation>%1, geführt als %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>The last %n attempt(s), newest at the right: ✓ passed, ✗ not passed</source>
+        <translation>
+            <numerusform>Der letzte Versuch: ✓ bestanden, ✗ nicht bestanden</numerusform>
+            <numerusform>Die letzten %n Versuche, der neueste rechts: ✓ bestanden, ✗ nicht bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Last attempts</source>
+        <translation>Letzte Versuche</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Zuletzt da</translation>
+    </message>
+    <message>
+        <source>Needs attention</source>
+        <translation>Braucht Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PeoplePage</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Add…</source>
+        <translation>Neu…</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Paste a list…</source>
+        <translation>Liste einfügen…</translation>
+    </message>
+    <message>
+        <source>Add a list of people, with a preview</source>
+        <translation>Eine Liste von Personen hinzufügen, mit Vorschau</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Name, group and hand of the chosen person</source>
+        <translation>Name, Gruppe und Hand der gewählten Person</translation>
+    </message>
+    <message>
+        <source>Assign…</source>
+        <translation>Zuweisen…</translation>
+    </message>
+    <message>
+        <source>Give the chosen people, or a group, a course</source>
+        <translation>Den gewählten Personen oder einer Gruppe einen Kurs geben</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>One page about the chosen person and lesson, to print</source>
+        <translation>Eine Seite zum Drucken über die gewählte Person und Lektion</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export…</translation>
+    </message>
+    <message>
+        <source>The chosen person&apos;s attempts as a table, under the code and without the name</source>
+        <translation>Die Versuche der gewählten Person als Tabelle, mit dem Code und ohne den Namen</translation>
+    </message>
+    <message>
+        <source>Erase…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>The chosen person and everything of theirs, for good</source>
+        <translation>Die gewählte Person und alles von ihr, endgültig</translation>
+    </message>
+    <message>
+        <source>All groups</source>
+        <translation>Alle Gruppen</translation>
+    </message>
+    <message>
+        <source>%1, until %2</source>
+        <translation>%1, bis %2</translation>
+    </message>
+    <message>
+        <source>counts again</source>
+        <translation>zählt wieder</translation>
+    </message>
+    <message>
+        <source>Void an attempt</source>
+        <translation>Versuch für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Why does it not count?</source>
+        <translation>Warum zählt er nicht?</translation>
+    </message>
+    <message>
+        <source>Technical fault</source>
+        <translation>Technischer Fehler</translation>
+    </message>
+    <message>
+        <source>Wrong lesson or settings</source>
+        <translation>Falsche Lektion oder Einstellungen</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Somebody helped</source>
+        <translation>Jemand hat geholfen</translation>
+    </message>
+    <message>
+        <source>Whose attempt is it?</source>
+        <translation>Wessen Versuch ist es?</translation>
+    </message>
+    <message>
+        <source>Choose a person or type a new name</source>
+        <translation>Wählen Sie eine Person oder geben Sie einen neuen Namen ein</translation>
+    </message>
+    <message>
+        <source>Nobody is chosen.</source>
+        <translation>Niemand ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Page (*.pdf)</source>
+        <translation>Seite (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Export a person&apos;s attempts</source>
+        <translation>Versuche einer Person exportieren</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>▲ %1 cannot be written: %2.</source>
+        <translation>▲ %1 kann nicht geschrieben werden: %2.</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Personen</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Whose people are listed</source>
+        <translation>Wessen Personen aufgeführt werden</translation>
+    </message>
+    <message>
+        <source>Enter shows this person&apos;s attempts</source>
+        <translation>Eingabe zeigt die Versuche dieser Person</translation>
+    </message>
+    <message>
+        <source>Run a lesson</source>
+        <translation>Lektion ausführen</translation>
+    </message>
+    <message>
+        <source>Add a person…</source>
+        <translation>Person hinzufügen…</translation>
+    </message>
+    <message>
+        <source>1 person</source>
+        <translation>1 Person</translation>
+    </message>
+    <message>
+        <source>%1 people, those who need attention first</source>
+        <translation>%1 Personen, zuerst wer Hilfe braucht</translation>
+    </message>
+    <message>
+        <source>No one here yet. Attempts appear here after the first lesson; without a name they are kept for Guest, and can be given a name later.</source>
+        <translation>Noch niemand hier. Versuche erscheinen nach der ersten Lektion; ohne Namen werden sie für den Gast aufgehoben und können später einen Namen bekommen.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PersonDialog</name>
+    <message>
+        <source>Add a person</source>
+        <translation>Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change a person</source>
+        <translation>Person ändern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>none; type a new one</source>
+        <translation>keine; geben Sie eine neue ein</translation>
+    </message>
+    <message>
+        <source>Handedness</source>
+        <translation>Händigkeit</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht gesagt</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>made by itself</source>
+        <translation>wird selbst vergeben</translation>
+    </message>
+    <message>
+        <source>Exports say the code and never the name.</source>
+        <translation>Exporte nennen den Code und nie den Namen.</translation>
+    </message>
+    <message>
+        <source>The name stays in this store; everything that leaves it says the code.</source>
+        <translation>Der Name bleibt in diesem Speicher; alles, was ihn verlässt, nennt den Code.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>▲ Somebody is called that already. Add what tells the two apart.</source>
+        <translation>▲ So heißt schon jemand. Fügen Sie hinzu, was die beiden unterscheidet.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PersonPanel</name>
+    <message>
+        <source>Progress, attempts</source>
+        <translation>Fortschritt, Versuche</translation>
+    </message>
+    <message>
+        <source>Pro&amp;gress</source>
+        <translation>Fort&amp;schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Attempts</source>
+        <translation>&amp;Versuche</translation>
+    </message>
+    <message>
+        <source>Every judged attempt of the people chosen above (Ctrl or Shift and a click choose several)</source>
+        <translation>Jeder gewertete Versuch der oben gewählten Personen (Strg oder Umschalt und ein Klick wählen mehrere)</translation>
+    </message>
+    <message>
+        <source>G&amp;roup</source>
+        <translation>&amp;Gruppe</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Latest attempt, experts&apos; band</source>
+        <translation>Letzter Versuch, Band der Experten</translation>
+    </message>
+    <message>
+        <source>Choose a lesson to see its values beside the experts&apos;.</source>
+        <translation>Wählen Sie eine Lektion, um ihre Werte neben denen der Experten zu sehen.</translation>
+    </message>
+    <message>
+        <source>No expert has done this lesson. Experts are the people of the group &quot;Experts&quot;; without them the recorded expert&apos;s attempts stand in.</source>
+        <translation>Kein Experte hat diese Lektion gemacht. Experten sind die Personen der Gruppe „Experten“ oder „Experts“; ohne sie stehen die Versuche der aufgezeichneten Expertenhand.</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Enter or a double click opens the attempt</source>
+        <translation>Eingabe oder ein Doppelklick öffnet den Versuch</translation>
+    </message>
+    <message>
+        <source>Review this attempt</source>
+        <translation>Diesen Versuch auswerten</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Öffnen...</translation>
+    </message>
+    <message>
+        <source>Look at an attempt that was saved to a file (Ctrl+O)</source>
+        <translation>Einen Versuch ansehen, der in eine Datei gespeichert wurde (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Void…</source>
+        <translation>Ungültig…</translation>
+    </message>
+    <message>
+        <source>Give to…</source>
+        <translation>Geben an…</translation>
+    </message>
+    <message>
+        <source>This attempt is another person&apos;s: a guest&apos;s, or of a name that was mistaken (Ctrl+G)</source>
+        <translation>Dieser Versuch gehört jemand anderem: er war der eines Gastes, oder der Name war falsch (Strg+G)</translation>
+    </message>
+    <message>
+        <source>Count again</source>
+        <translation>Wieder zählen</translation>
+    </message>
+    <message>
+        <source>This attempt counts again (Ctrl+D)</source>
+        <translation>Dieser Versuch zählt wieder (Strg+D)</translation>
+    </message>
+    <message>
+        <source>It stays, with a reason, and counts for nothing: a fault, a wrong lesson (Ctrl+D)</source>
+        <translation>Er bleibt, mit einem Grund, und zählt für nichts: ein Fehler, eine falsche Lektion (Strg+D)</translation>
+    </message>
+    <message>
+        <source>All lessons</source>
+        <translation>Alle Lektionen</translation>
+    </message>
+    <message>
+        <source>1 attempt, %1 passed</source>
+        <translation>1 Versuch, %1 bestanden</translation>
+    </message>
+    <message>
+        <source>%1 attempts, %2 passed</source>
+        <translation>%1 Versuche, %2 bestanden</translation>
+    </message>
+    <message>
+        <source>These are several lessons. Choose one to see its learning curve.</source>
+        <translation>Das sind mehrere Lektionen. Wählen Sie eine, um ihre Lernkurve zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ResultPanel</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Points lost</source>
+        <translation>Verlorene Punkte</translation>
+    </message>
+    <message>
+        <source>All numbers</source>
+        <translation>Alle Zahlen</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Next lesson</source>
+        <translation>Nächste Lektion</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stopped before the lesson was over.</source>
+        <translation>Beendet, bevor die Lektion vorbei war.</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>▲ Not recorded: nothing of this attempt is kept.</source>
+        <translation>▲ Nicht aufgezeichnet: von diesem Versuch bleibt nichts.</translation>
+    </message>
+    <message>
+        <source>Not recorded.</source>
+        <translation>Nicht aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>▲ Recorded beside the store, until it can be written again.</source>
+        <translation>▲ Neben dem Speicher aufgezeichnet, bis er wieder beschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>▲ Recorded, but %1 steps are missing.</source>
+        <translation>▲ Aufgezeichnet, doch %1 Schritte fehlen.</translation>
+    </message>
+    <message>
+        <source>Recorded as an attempt of a recorded hand; it counts for nobody.</source>
+        <translation>Als Versuch einer aufgezeichneten Hand behalten; er zählt für niemanden.</translation>
+    </message>
+    <message>
+        <source>Recorded.</source>
+        <translation>Aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Seen</source>
+        <translation>Gesehen</translation>
+    </message>
+    <message>
+        <source>A demonstration: nothing was judged or recorded.</source>
+        <translation>Eine Vorführung: nichts wurde gewertet oder aufgezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::ReviewPage</name>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Search name, date and result</source>
+        <translation>In Name, Datum und Ergebnis suchen</translation>
+    </message>
+    <message>
+        <source>Attempts at the same lesson</source>
+        <translation>Versuche derselben Lektion</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>▲ The other attempt cannot be read: %1</source>
+        <translation>▲ Der andere Versuch kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>Choose an attempt on the People page and press Enter, or open one that was saved to a file (Ctrl+O).</source>
+        <translation>Wählen Sie auf der Seite Personen einen Versuch und drücken Sie die Eingabetaste, oder öffnen Sie einen, der in eine Datei gespeichert wurde (Strg+O).</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Next worst moment</source>
+        <translation>Nächster schlechtester Moment</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>‹ People</source>
+        <translation>‹ Personen</translation>
+    </message>
+    <message>
+        <source>Save attempt</source>
+        <translation>Versuch speichern</translation>
+    </message>
+    <message>
+        <source>Save the whole attempt</source>
+        <translation>Den ganzen Versuch speichern</translation>
+    </message>
+    <message>
+        <source>Everything in one file: swage replay and another station&apos;s Swage can read it</source>
+        <translation>Alles in einer Datei: swage replay und das Swage eines anderen Platzes können sie lesen</translation>
+    </message>
+    <message>
+        <source>Export signals (CSV)</source>
+        <translation>Signale exportieren (CSV)</translation>
+    </message>
+    <message>
+        <source>Save the signals</source>
+        <translation>Die Signale speichern</translation>
+    </message>
+    <message>
+        <source>A thousand lines a second, SI units</source>
+        <translation>Tausend Zeilen je Sekunde, SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>Bericht (PDF)</translation>
+    </message>
+    <message>
+        <source>Save a page about the attempt</source>
+        <translation>Eine Seite über den Versuch speichern</translation>
+    </message>
+    <message>
+        <source>One page to print: result, metrics, worst moments, traces, notes</source>
+        <translation>Eine Seite zum Drucken: Ergebnis, Kennzahlen, schlechteste Momente, Kurven, Notizen</translation>
+    </message>
+    <message>
+        <source>Export summary (CSV)</source>
+        <translation>Zusammenfassung (CSV)</translation>
+    </message>
+    <message>
+        <source>Save metrics and events</source>
+        <translation>Kennzahlen und Ereignisse speichern</translation>
+    </message>
+    <message>
+        <source>Facts, metrics and events</source>
+        <translation>Angaben, Kennzahlen und Ereignisse</translation>
+    </message>
+    <message>
+        <source>The attempt, replayed</source>
+        <translation>Der Versuch, nachgespielt</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>To the start (Home)</source>
+        <translation>Zum Anfang (Pos1)</translation>
+    </message>
+    <message>
+        <source>10 ms back (←; with Shift 1 ms, with Ctrl 1 s)</source>
+        <translation>10 ms zurück (←; mit Umschalt 1 ms, mit Strg 1 s)</translation>
+    </message>
+    <message>
+        <source>Play, pause (Space)</source>
+        <translation>Abspielen, Pause (Leertaste)</translation>
+    </message>
+    <message>
+        <source>10 ms on (→; with Shift 1 ms, with Ctrl 1 s)</source>
+        <translation>10 ms vor (→; mit Umschalt 1 ms, mit Strg 1 s)</translation>
+    </message>
+    <message>
+        <source>Play a second before and after the cursor again and again (L)</source>
+        <translation>Je eine Sekunde vor und nach der Marke immer wieder abspielen (L)</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz…</translation>
+    </message>
+    <message>
+        <source>Write a note at the cursor (N)</source>
+        <translation>Eine Notiz an der Marke schreiben (N)</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen…</translation>
+    </message>
+    <message>
+        <source>Another attempt at this lesson beside it, on the same clock (C)</source>
+        <translation>Ein anderer Versuch dieser Lektion daneben, nach derselben Uhr (C)</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Kreisen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht: %1</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Show contact forces in the picture</source>
+        <translation>Kontaktkräfte im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>This attempt is no longer in the store.</source>
+        <translation>Dieser Versuch ist nicht mehr im Speicher.</translation>
+    </message>
+    <message>
+        <source>The attempt cannot be read: %1</source>
+        <translation>Der Versuch kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The picture cannot be replayed: %1 Traces, events and metrics are as recorded.</source>
+        <translation>Das Bild kann nicht nachgespielt werden: %1 Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>From %L1 s on the picture is not the attempt bit for bit: it was recorded with another version of a plugin. Traces, events and metrics are as recorded.</source>
+        <translation>Ab %L1 s ist das Bild nicht Bit für Bit der Versuch: er wurde mit einer anderen Version eines Plugins aufgezeichnet. Kurven, Ereignisse und Kennzahlen sind wie aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Metrics, events, traces</source>
+        <translation>Kennzahlen, Ereignisse, Kurven</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Which traces are shown</source>
+        <translation>Welche Kurven gezeigt werden</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Worst moments</source>
+        <translation>Schlechteste Momente</translation>
+    </message>
+    <message>
+        <source>A click goes there, Enter or a double click plays it again and again; W: the next</source>
+        <translation>Ein Klick geht dorthin, Eingabe oder ein Doppelklick spielt es immer wieder; W: der nächste</translation>
+    </message>
+    <message>
+        <source>&amp;Metrics</source>
+        <translation>&amp;Kennzahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Worst moments</source>
+        <translation>Schlechte &amp;Momente</translation>
+    </message>
+    <message>
+        <source>&amp;Events</source>
+        <translation>&amp;Ereignisse</translation>
+    </message>
+    <message>
+        <source>&amp;Traces</source>
+        <translation>K&amp;urven</translation>
+    </message>
+    <message>
+        <source>E&amp;ntry</source>
+        <translation>E&amp;instich</translation>
+    </message>
+    <message>
+        <source>%1 (never changes)</source>
+        <translation>%1 (ändert sich nie)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>Saved to: %1</source>
+        <translation>Gespeichert unter: %1</translation>
+    </message>
+    <message>
+        <source>At %L1 s:</source>
+        <translation>Bei %L1 s:</translation>
+    </message>
+    <message>
+        <source>▲ The note was not kept: %1</source>
+        <translation>▲ Die Notiz wurde nicht behalten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::RosterDialog</name>
+    <message>
+        <source>Add a list of people</source>
+        <translation>Liste von Personen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Paste a name per line, or columns name, group, hand, code out of a table. A first line with these words says their order.</source>
+        <translation>Fügen Sie einen Namen je Zeile ein, oder Spalten Name, Gruppe, Hand, Code aus einer Tabelle. Eine erste Zeile mit den Wörtern name, group, hand, code sagt ihre Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>List of people</source>
+        <translation>Liste der Personen</translation>
+    </message>
+    <message>
+        <source>Arun P.
+Bea L., Spring, left</source>
+        <translation>Arun P.
+Bea L., Frühjahr, links</translation>
+    </message>
+    <message>
+        <source>What will be added</source>
+        <translation>Was hinzugefügt wird</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>A list of people</source>
+        <translation>Eine Liste von Personen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>▲ %1 cannot be read: %2.</source>
+        <translation>▲ %1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>+ new</source>
+        <translation>+ neu</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lines are left out; the preview says why.</source>
+        <translation>%1 von %2 Zeilen bleiben weg; die Vorschau sagt, warum.</translation>
+    </message>
+    <message>
+        <source>Add 1 person</source>
+        <translation>1 Person hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add %1 people</source>
+        <translation>%1 Personen hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::RunControl</name>
+    <message>
+        <source>Nothing runs.</source>
+        <translation>Nichts läuft.</translation>
+    </message>
+    <message>
+        <source>It was refused.</source>
+        <translation>Es wurde abgelehnt.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::RunPage</name>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>No sound device answers (%1). Cues are seen, not heard.</source>
+        <translation>Kein Tongerät antwortet (%1). Hinweise werden gesehen, nicht gehört.</translation>
+    </message>
+    <message>
+        <source>Resume   F6</source>
+        <translation>Weiter   F6</translation>
+    </message>
+    <message>
+        <source>Pause   F6</source>
+        <translation>Pause   F6</translation>
+    </message>
+    <message>
+        <source>○ Ready</source>
+        <translation>○ Bereit</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>▲ NOT RECORDED: nothing of this attempt is kept. %1</source>
+        <translation>▲ NICHT AUFGEZEICHNET: von diesem Versuch bleibt nichts. %1</translation>
+    </message>
+    <message>
+        <source>… and one more.</source>
+        <translation>… und eines mehr.</translation>
+    </message>
+    <message>
+        <source>… and %1 more.</source>
+        <translation>… und %1 mehr.</translation>
+    </message>
+    <message>
+        <source>This lesson cannot run:</source>
+        <translation>Diese Lektion kann nicht ausgeführt werden:</translation>
+    </message>
+    <message>
+        <source>Run without recording</source>
+        <translation>Ohne Aufzeichnung ausführen</translation>
+    </message>
+    <message>
+        <source>The lesson runs; nothing of this attempt is kept</source>
+        <translation>Die Lektion läuft; von diesem Versuch bleibt nichts</translation>
+    </message>
+    <message>
+        <source>What happened in this attempt</source>
+        <translation>Was in diesem Versuch geschah</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Kreisen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>Nah</translation>
+    </message>
+    <message>
+        <source>%1 view</source>
+        <translation>Ansicht: %1</translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Show cues in the picture</source>
+        <translation>Hinweise im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Insets</source>
+        <translation>Lupen</translation>
+    </message>
+    <message>
+        <source>Small views: while the mouse is the instrument one at right angles, near the jaws; the wound magnified while there is one</source>
+        <translation>Kleine Ansichten: solange die Maus das Instrument ist, eine im rechten Winkel nahe den Backen; die Wunde vergrößert, solange es eine gibt</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Show contact forces in the picture</source>
+        <translation>Kontaktkräfte im Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Genauer</translation>
+    </message>
+    <message>
+        <source>For the instructor: list also what the machine did, and colour a needle that bends by its stress</source>
+        <translation>Für Ausbilder: auch nennen, was die Maschine tat, und eine Nadel, die sich biegt, nach ihrer Spannung färben</translation>
+    </message>
+    <message>
+        <source>Instructor</source>
+        <translation>Ausbilder</translation>
+    </message>
+    <message>
+        <source>Readings, cues and events in a window of their own, also in a test (F10)</source>
+        <translation>Anzeigen, Hinweise und Ereignisse in einem eigenen Fenster, auch im Test (F10)</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Let the cues be heard</source>
+        <translation>Die Hinweise hören lassen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Volume of the cues</source>
+        <translation>Lautstärke der Hinweise</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Put what the lesson works on back to where it started (F7)</source>
+        <translation>Woran die Lektion arbeitet, dorthin zurücklegen, wo es begann (F7)</translation>
+    </message>
+    <message>
+        <source>Remember the moment two seconds ago (F8)</source>
+        <translation>Den Moment vor zwei Sekunden merken (F8)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Delete lesson</source>
+        <translation>Lektion löschen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>It stays: these lessons are based on it and could not run without it: %1.</source>
+        <translation>Sie bleibt: diese Lektionen bauen auf ihr auf und liefen ohne sie nicht: %1.</translation>
+    </message>
+    <message>
+        <source>The lesson goes into the bin. Attempts at it stay.</source>
+        <translation>Die Lektion kommt in den Papierkorb. Versuche daran bleiben.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be built with these values.</source>
+        <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SceneView</name>
+    <message>
+        <source>Live view of the scene</source>
+        <translation>Die Szene, wie sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3 (%1).
+Everything else works: lessons run and are recorded.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3 (%1).
+Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Wound %1 %</source>
+        <translation>Wunde %1 %</translation>
+    </message>
+    <message>
+        <source>Wound</source>
+        <translation>Wunde</translation>
+    </message>
+    <message>
+        <source>The instrument waits: a drag turns the view</source>
+        <translation>Das Instrument wartet: Ziehen dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Click here: then mouse and keys move the instrument</source>
+        <translation>Klicken Sie hier: dann bewegen Maus und Tasten das Instrument</translation>
+    </message>
+    <message>
+        <source>Tab: the other instrument</source>
+        <translation>Tab: das andere Instrument</translation>
+    </message>
+    <message>
+        <source>Drag: move the instrument</source>
+        <translation>Ziehen: das Instrument bewegen</translation>
+    </message>
+    <message>
+        <source>Space: close the jaws</source>
+        <translation>Leertaste: die Backen schließen</translation>
+    </message>
+    <message>
+        <source>T: drive the needle</source>
+        <translation>T: die Nadel führen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SchoolDesk</name>
+    <message>
+        <source>Nothing is kept: the program was started without a store.</source>
+        <translation>Nichts wird behalten: das Programm wurde ohne Speicher gestartet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n people</source>
+        <translation>
+            <numerusform>%n Person hinzufügen</numerusform>
+            <numerusform>%n Personen hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Void an attempt</source>
+        <translation>Versuch für ungültig erklären</translation>
+    </message>
+    <message>
+        <source>Count an attempt</source>
+        <translation>Versuch zählen</translation>
+    </message>
+    <message>
+        <source>Give an attempt to a person</source>
+        <translation>Versuch jemandem geben</translation>
+    </message>
+    <message>
+        <source>Assign a course</source>
+        <translation>Kurs zuweisen</translation>
+    </message>
+    <message>
+        <source>Add a note</source>
+        <translation>Notiz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SetupPage</name>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Trainee&apos;s view</source>
+        <translation>Ansicht des Trainees</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Cue colours</source>
+        <translation>Hinweisfarben</translation>
+    </message>
+    <message>
+        <source>Colours of the cues; shapes, words and sounds stay the same</source>
+        <translation>Farben der Hinweise; Formen, Wörter und Töne bleiben gleich</translation>
+    </message>
+    <message>
+        <source>The scene for two eyes, in a window of its own for the trainee&apos;s screen.</source>
+        <translation>Die Szene für zwei Augen, in einem eigenen Fenster für den Bildschirm des Trainees.</translation>
+    </message>
+    <message>
+        <source>Open, close</source>
+        <translation>Öffnen, schließen</translation>
+    </message>
+    <message>
+        <source>Screen, layout, eyes…</source>
+        <translation>Bildschirm, Anordnung, Augen…</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SetupPanel</name>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Trainee</translation>
+    </message>
+    <message>
+        <source>Guest</source>
+        <translation>Gast</translation>
+    </message>
+    <message>
+        <source>Choose a name or type a new one. Without a name the attempt is kept for Guest.</source>
+        <translation>Wählen Sie einen Namen oder geben Sie einen neuen ein. Ohne Namen wird der Versuch für den Gast behalten.</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>Linkshändig</translation>
+    </message>
+    <message>
+        <source>Mirrors the whole lesson, hand and picture; kept with the attempt</source>
+        <translation>Spiegelt die ganze Lektion, Hand und Bild; wird mit dem Versuch behalten</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>No lessons found. Put lesson files into ~/.local/share/swage/lessons, or name one when starting the program: swage-console lesson.json</source>
+        <translation>Keine Lektionen gefunden. Legen Sie Lektionsdateien in ~/.local/share/swage/lessons, oder nennen Sie beim Start eine: swage-console lesson.json</translation>
+    </message>
+    <message>
+        <source>New lesson from this…</source>
+        <translation>Neue Lektion hieraus…</translation>
+    </message>
+    <message>
+        <source>A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit</source>
+        <translation>Eine eigene Lektion nach der gewählten: eine andere Nadel, steiferes Gewebe, eine strengere Grenze</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Title, task, goal and values of this lesson of your own (Ctrl+E)</source>
+        <translation>Titel, Aufgabe, Ziel und Werte dieser eigenen Lektion (Strg+E)</translation>
+    </message>
+    <message>
+        <source>Delete…</source>
+        <translation>Löschen…</translation>
+    </message>
+    <message>
+        <source>Put this lesson of your own into the bin; attempts at it stay</source>
+        <translation>Diese eigene Lektion in den Papierkorb legen; Versuche daran bleiben</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Cues are shown. Limits of force and time are told and end nothing.</source>
+        <translation>Hinweise werden gezeigt. Grenzen von Kraft und Zeit werden gesagt und beenden nichts.</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Cues and readings are hidden; limits end the attempt, and it counts.</source>
+        <translation>Hinweise und Anzeigen bleiben verborgen; Grenzen beenden den Versuch, und er zählt.</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Demo</translation>
+    </message>
+    <message>
+        <source>Watch the expert&apos;s hand. Nothing is recorded.</source>
+        <translation>Sehen Sie der Hand des Experten zu. Nichts wird aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>Maus und Tastatur</translation>
+    </message>
+    <message>
+        <source>As the lesson says</source>
+        <translation>Wie die Lektion sagt</translation>
+    </message>
+    <message>
+        <source>Recorded hand: %1</source>
+        <translation>Aufgezeichnete Hand: %1</translation>
+    </message>
+    <message>
+        <source>A demonstration: nothing is judged or recorded.</source>
+        <translation>Eine Vorführung: nichts wird gewertet oder aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>This lesson cannot run; the picture says why.</source>
+        <translation>Diese Lektion kann nicht ausgeführt werden; das Bild sagt, warum.</translation>
+    </message>
+    <message>
+        <source>START   F5</source>
+        <translation>START   F5</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Running…</source>
+        <translation>Läuft…</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StatusStrip</name>
+    <message>
+        <source>Time from picture to picture: half of them take no longer than the first number, 99 of 100 no longer than the second (F12 hides it)</source>
+        <translation>Zeit von Bild zu Bild: die Hälfte braucht nicht länger als die erste Zahl, 99 von 100 nicht länger als die zweite (F12 blendet es aus)</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>, solver short in 1 step</source>
+        <translation>, Löser in 1 Schritt ungenau</translation>
+    </message>
+    <message>
+        <source>, solver short in %1 steps</source>
+        <translation>, Löser in %1 Schritten ungenau</translation>
+    </message>
+    <message>
+        <source>%1 of the lesson&apos;s parts stopped.</source>
+        <translation>%1 Teile der Lektion haben angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 steps were late. Forces may feel rough.</source>
+        <translation>%1 Schritte waren verspätet. Kräfte können sich rau anfühlen.</translation>
+    </message>
+    <message>
+        <source>The solver fell short in %1 steps: %2.</source>
+        <translation>Der Löser blieb in %1 Schritten ungenau: %2.</translation>
+    </message>
+    <message>
+        <source>The force loop is on time.</source>
+        <translation>Die Kraftschleife ist pünktlich.</translation>
+    </message>
+    <message>
+        <source>▲ %1: no reply</source>
+        <translation>▲ %1: keine Antwort</translation>
+    </message>
+    <message>
+        <source>● %1: OK</source>
+        <translation>● %1: in Ordnung</translation>
+    </message>
+    <message>
+        <source>● Recording</source>
+        <translation>● Zeichnet auf</translation>
+    </message>
+    <message>
+        <source>○ Not recorded</source>
+        <translation>○ Nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 fps, p50 %L2 ms, p99 %L3 ms</source>
+        <translation>%1 Bilder/s, p50 %L2 ms, p99 %L3 ms</translation>
+    </message>
+    <message>
+        <source>%1  %2 steps/s, worst %L3 ms, %4 late</source>
+        <translation>%1  %2 Schritte/s, längster %L3 ms, %4 verspätet</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StoreLink</name>
+    <message>
+        <source>Nothing is kept: the program was started without a store.</source>
+        <translation>Nichts wird behalten: das Programm wurde ohne Speicher gestartet.</translation>
+    </message>
+    <message>
+        <source>The attempts cannot be read: %1</source>
+        <translation>Die Versuche können nicht gelesen werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::Timeline</name>
+    <message>
+        <source>Timeline of the attempt</source>
+        <translation>Zeitleiste des Versuchs</translation>
+    </message>
+    <message>
+        <source>nothing is open</source>
+        <translation>nichts ist geöffnet</translation>
+    </message>
+    <message>
+        <source>%L1 s of %L2 s</source>
+        <translation>%L1 s von %L2 s</translation>
+    </message>
+    <message>
+        <source>%L1 s: %2</source>
+        <translation>%L1 s: %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded of this attempt.</source>
+        <translation>Von diesem Versuch wurde nichts aufgezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::TracePlot</name>
+    <message>
+        <source>%1, last 10 seconds</source>
+        <translation>%1, letzte 10 Sekunden</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
+    </message>
+    <message>
+        <source>highest %L1 %2</source>
+        <translation>höchstens %L1 %2</translation>
+    </message>
+    <message>
+        <source>−10 s</source>
+        <translation>−10 s</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::TrackPlot</name>
+    <message>
+        <source>Entry penetration</source>
+        <translation>Einstich in die Oberfläche</translation>
+    </message>
+    <message>
+        <source>wound %1 % of the needle, mean cosine %L2</source>
+        <translation>Wunde %1 % der Nadel, mittlerer Kosinus %L2</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Cosine of the penetration angle</source>
+        <translation>Kosinus des Einstichwinkels</translation>
+    </message>
+    <message>
+        <source>mean %L1</source>
+        <translation>Mittel %L1</translation>
+    </message>
+    <message>
+        <source>%L1 s</source>
+        <translation>%L1 s</translation>
+    </message>
+    <message>
+        <source>The needle did not go in.</source>
+        <translation>Die Nadel ist nicht eingedrungen.</translation>
+    </message>
+    <message>
+        <source>Entry penetration, seen onto the surface</source>
+        <translation>Einstich, auf die Oberfläche gesehen</translation>
+    </message>
+    <message>
+        <source>wound %1 %, torn: red; 100 %: green</source>
+        <translation>Wunde %1 %, gerissen: rot; 100 %: grün</translation>
+    </message>
+    <message>
+        <source>the cross is the first puncture</source>
+        <translation>das Kreuz ist der erste Einstich</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::TraineeSettings</name>
+    <message>
+        <source>Trainee view</source>
+        <translation>Ansicht des Trainees</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses change the colours of the cues: shapes and words then tell them</source>
+        <translation>Rot-Cyan-Brillen verändern die Farben der Hinweise: dann sagen es Formen und Wörter</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>&amp;Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Half-width side by side (3D TV)</source>
+        <translation>&amp;Halbe Breite nebeneinander (3D-Fernseher)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nicht</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Up and down</source>
+        <translation>Oben und unten</translation>
+    </message>
+    <message>
+        <source>For a screen that is seen in a mirror over the hand</source>
+        <translation>Für einen Bildschirm, der im Spiegel über der Hand gesehen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror</source>
+        <translation>&amp;Spiegeln</translation>
+    </message>
+    <message>
+        <source>S&amp;wap eyes</source>
+        <translation>Augen &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>Stereo base of the microscope, at a working distance of 250 mm; 24 mm is usual, more exaggerates the depth</source>
+        <translation>Stereobasis des Mikroskops bei 250 mm Arbeitsabstand; 24 mm sind üblich, mehr übertreibt die Tiefe</translation>
+    </message>
+    <message>
+        <source>&amp;Eye separation</source>
+        <translation>&amp;Augenabstand</translation>
+    </message>
+    <message>
+        <source>What is so far away lies in the plane of the screen: 250 mm is what is in focus, less lets everything recede behind the screen</source>
+        <translation>Was so weit entfernt ist, liegt in der Ebene des Bildschirms: 250 mm ist, was scharf ist, weniger lässt alles hinter den Bildschirm treten</translation>
+    </message>
+    <message>
+        <source>&amp;Convergence</source>
+        <translation>&amp;Konvergenz</translation>
+    </message>
+    <message>
+        <source>Sc&amp;reen</source>
+        <translation>Bil&amp;dschirm</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen (F11)</source>
+        <translation>&amp;Vollbild (F11)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Close the trainee&apos;s view</source>
+        <translation>Das Fenster des Trainees schließen</translation>
+    </message>
+    <message>
+        <source>Show the trainee&apos;s view</source>
+        <translation>Das Fenster des Trainees zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::TraineeWindow</name>
+    <message>
+        <source>Swage, trainee</source>
+        <translation>Swage, Trainee</translation>
+    </message>
+    <message>
+        <source>The scene for the trainee</source>
+        <translation>Die Szene für den Trainee</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::VariantDialog</name>
+    <message>
+        <source>Edit lesson</source>
+        <translation>Lektion bearbeiten</translation>
+    </message>
+    <message>
+        <source>New lesson</source>
+        <translation>Neue Lektion</translation>
+    </message>
+    <message>
+        <source>Lesson of your own</source>
+        <translation>Eigene Lektion</translation>
+    </message>
+    <message>
+        <source>Based on %1</source>
+        <translation>Nach %1</translation>
+    </message>
+    <message>
+        <source>%1, adapted</source>
+        <translation>%1, angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titel</translation>
+    </message>
+    <message>
+        <source>Tas&amp;k</source>
+        <translation>A&amp;ufgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Learning goal</source>
+        <translation>Lern&amp;ziel</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Find: needle, stiffness, force …</source>
+        <translation>Suchen: Nadel, Steifigkeit, Kraft …</translation>
+    </message>
+    <message>
+        <source>Find a value</source>
+        <translation>Wert suchen</translation>
+    </message>
+    <message>
+        <source>No value is called &quot;%1&quot;.</source>
+        <translation>Kein Wert heißt „%1“.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>A lesson has a title.</source>
+        <translation>Eine Lektion hat einen Titel.</translation>
+    </message>
+    <message>
+        <source>One value is changed.</source>
+        <translation>Ein Wert ist geändert.</translation>
+    </message>
+    <message>
+        <source>%1 values are changed.</source>
+        <translation>%1 Werte sind geändert.</translation>
+    </message>
+    <message>
+        <source>The words are changed.</source>
+        <translation>Die Texte sind geändert.</translation>
+    </message>
+    <message>
+        <source>No value is changed yet.</source>
+        <translation>Noch kein Wert ist geändert.</translation>
+    </message>
+    <message>
+        <source>The last attempt&apos;s are kept.</source>
+        <translation>Die des letzten Versuchs bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>themes</name>
+    <message>
+        <source>Position wrong, without tips</source>
+        <translation>Stelle falsch, ohne Spitzen</translation>
+    </message>
+    <message>
+        <source>Position wrong, with tips</source>
+        <translation>Stelle falsch, mit Spitzen</translation>
+    </message>
+    <message>
+        <source>Position right, without tips</source>
+        <translation>Stelle richtig, ohne Spitzen</translation>
+    </message>
+    <message>
+        <source>Position right, tilted</source>
+        <translation>Stelle richtig, schräg</translation>
+    </message>
+    <message>
+        <source>Position right, with tips</source>
+        <translation>Stelle richtig, mit Spitzen</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Gehalten</translation>
+    </message>
+    <message>
+        <source>Too much force</source>
+        <translation>Zu viel Kraft</translation>
+    </message>
+    <message>
+        <source>Grasp here</source>
+        <translation>Hier greifen</translation>
+    </message>
+    <message>
+        <source>Move here</source>
+        <translation>Hierher bewegen</translation>
+    </message>
+    <message>
+        <source>On the mark</source>
+        <translation>Auf der Marke</translation>
+    </message>
+    <message>
+        <source>Off target</source>
+        <translation>Ziel verlassen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Touching</source>
+        <translation>Berührt</translation>
+    </message>
+    <message>
+        <source>Perpendicular to the tissue</source>
+        <translation>Senkrecht zum Gewebe</translation>
+    </message>
+    <message>
+        <source>Off-angle: rotate along the curve</source>
+        <translation>Winkel falsch: entlang der Krümmung drehen</translation>
+    </message>
+    <message>
+        <source>Look here</source>
+        <translation>Hierher sehen</translation>
+    </message>
+    <message>
+        <source>Leans this way</source>
+        <translation>Neigt sich hierhin</translation>
+    </message>
+    <message>
+        <source>Or this way</source>
+        <translation>Oder hierhin</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Richtig</translation>
+    </message>
+    <message>
+        <source>To the other side</source>
+        <translation>Zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>Puncture here</source>
+        <translation>Hier einstechen</translation>
+    </message>
+    <message>
+        <source>Come out here</source>
+        <translation>Hier ausstechen</translation>
+    </message>
+    <message>
+        <source>The tissue tears</source>
+        <translation>Das Gewebe reißt</translation>
+    </message>
+    <message>
+        <source>Point deflected: correct the angle</source>
+        <translation>Spitze abgelenkt: Winkel korrigieren</translation>
+    </message>
+    <message>
+        <source>Needle left in the tissue</source>
+        <translation>Nadel im Gewebe gelassen</translation>
+    </message>
+    <message>
+        <source>Held at the swage: damages the suture</source>
+        <translation>An der Armierung gehalten: schadet dem Faden</translation>
+    </message>
+    <message>
+        <source>Tail length right</source>
+        <translation>Fadenende richtig lang</translation>
+    </message>
+    <message>
+        <source>The needle is bent</source>
+        <translation>Die Nadel ist verbogen</translation>
+    </message>
+    <message>
+        <source>Dropped</source>
+        <translation>Gefallen</translation>
+    </message>
+    <message>
+        <source>Original colours</source>
+        <translation>Originalfarben</translation>
+    </message>
+    <message>
+        <source>Colour-blind safe</source>
+        <translation>Farbenblindensicher</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>low, one knock</source>
+        <translation>tief, einmal klopfen</translation>
+    </message>
+    <message>
+        <source>low, two knocks</source>
+        <translation>tief, zweimal klopfen</translation>
+    </message>
+    <message>
+        <source>high, one knock</source>
+        <translation>hoch, einmal klopfen</translation>
+    </message>
+    <message>
+        <source>high, two knocks</source>
+        <translation>hoch, zweimal klopfen</translation>
+    </message>
+    <message>
+        <source>soft rattle</source>
+        <translation>leises Rasseln</translation>
+    </message>
+    <message>
+        <source>chime</source>
+        <translation>Glockenspiel</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>tear</source>
+        <translation>Reißen</translation>
+    </message>
+    <message>
+        <source>thud</source>
+        <translation>dumpf</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>Klick</translation>
+    </message>
+</context>
+<context>
+    <name>words</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Void</source>
+        <translation>Ungültig</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Übung</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Demo</translation>
+    </message>
+    <message>
+        <source>d MMM yyyy HH:mm</source>
+        <translation>d. MMM yyyy HH:mm</translation>
+    </message>
+</context>
+</TS>

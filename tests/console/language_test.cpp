@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The German window: every string is translated, nothing in a translation is broken, and what is seen is German.
+#include "console/app/language.hpp"
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QFile>
+#include <QLabel>
+#include <QLocale>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QXmlStreamReader>
+
+#include "console/cues/theme_words.hpp"
+#include "console/models/words.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+struct Message {
+  QString context, source;
+  QStringList forms;  // one, or one per number
+  bool finished = true, numbered = false;
+};
+
+QVector<Message> read_messages(const QString& path) {
+  QVector<Message> out;
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return out;
+  QXmlStreamReader xml(&file);
+  QString context;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    const QString name = xml.name().toString();
+    if (name == QLatin1String("name")) context = xml.readElementText();
+    if (name == QLatin1String("message")) {
+      out += Message{context, {}, {}};
+      out.last().numbered = xml.attributes().value(QLatin1String("numerus")) == QLatin1String("yes");
+    }
+    if (name == QLatin1String("source")) out.last().source = xml.readElementText();
+    if (name == QLatin1String("translation")) {
+      out.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+      if (!out.last().numbered) out.last().forms += xml.readElementText();
+    }
+    if (name == QLatin1String("numerusform")) out.last().forms += xml.readElementText();
+  }
+  return out;
+}
+
+QString german_file() { return QStringLiteral(SWAGE_SOURCE_DIR "/console/translations/swage_de.ts"); }
+
+QStringList places_in(const QString& text) {
+  QStringList out;
+  static const QRegularExpression kPlace(QStringLiteral("%(L?\\d+|n)"));
+  for (auto it = kPlace.globalMatch(text); it.hasNext();) out += it.next().captured();
+  out.sort();
+  return out;
+}
+
+std::string say(const Message& m, const QString& form) {
+  return (m.context + QStringLiteral(": \"") + m.source + QStringLiteral("\" -> \"") + form + QLatin1Char('"')).toStdString();
+}
+
+TEST(German, NoStringIsLeft) {
+  QTemporaryDir dir;
+  const QString copy = dir.filePath(QStringLiteral("copy.ts"));
+  ASSERT_TRUE(QFile::copy(german_file(), copy));
+  QFile::setPermissions(copy, QFile::ReadOwner | QFile::WriteOwner);
+  QProcess update;
+  update.start(QStringLiteral(SWAGE_SOURCE_DIR "/console/translations/update.sh"), {copy});
+  ASSERT_TRUE(update.waitForFinished(120000));
+  ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+  const auto messages = read_messages(copy);
+  EXPECT_GT(messages.size(), 800);
+  for (const Message& m : messages) {
+    EXPECT_TRUE(m.finished) << say(m, {}) << ": not translated. console/translations/update.sh, then translate";
+    for (const QString& form : m.forms) EXPECT_FALSE(form.isEmpty()) << say(m, form);
+  }
+}
+
+// themes are data: what they say must be listed for the translators, too
+TEST(German, WordsOfTheThemesAreListed) {
+  const QStringList listed = console::theme_words();
+  int found = 0;
+  for (const QString& name : QDir(QStringLiteral(SWAGE_SOURCE_DIR "/resources/themes")).entryList({QStringLiteral("*.json")})) {
+    QFile file(QStringLiteral(SWAGE_SOURCE_DIR "/resources/themes/") + name);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QJsonObject theme = QJsonDocument::fromJson(file.readAll()).object();
+    QStringList words = {theme[QStringLiteral("title")].toString()};
+    for (const QJsonValue cue : theme[QStringLiteral("cues")].toArray())
+      words += {cue.toObject()[QStringLiteral("text")].toString(), cue.toObject()[QStringLiteral("sound")].toString()};
+    words.removeAll(QString());
+    found += static_cast<int>(words.size());
+    for (const QString& word : words)
+      EXPECT_TRUE(listed.contains(word)) << name.toStdString() << ": \"" << word.toStdString() << "\" is not in cues/theme_words.cpp";
+  }
+  EXPECT_GT(found, 60);
+}
+
+TEST(German, PlacesMnemonicsAndEndsAreThoseOfTheSource) {
+  const auto messages = read_messages(german_file());
+  ASSERT_GT(messages.size(), 800);
+  for (const Message& m : messages) {
+    for (const QString& form : m.forms) {
+      if (form.isEmpty()) continue;  // told by the test above
+      EXPECT_TRUE(m.numbered || places_in(form) == places_in(m.source)) << say(m, form);
+      EXPECT_EQ(form.count(QLatin1Char('&')), m.source.count(QLatin1Char('&'))) << say(m, form);
+      EXPECT_EQ(form.count(QLatin1Char('\n')), m.source.count(QLatin1Char('\n'))) << say(m, form);
+      EXPECT_EQ(form.front().isSpace(), m.source.front().isSpace()) << say(m, form);
+      EXPECT_EQ(form.back().isSpace(), m.source.back().isSpace()) << say(m, form);
+      EXPECT_EQ(form.startsWith(QLatin1Char('<')), m.source.startsWith(QLatin1Char('<'))) << say(m, form);
+    }
+    EXPECT_EQ(m.forms.size(), m.numbered ? 2 : 1) << say(m, {}) << ": German has two forms of what is counted";
+  }
+}
+
+class GermanWindow : public WindowTest {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+    attempts = sample_attempts();
+    launch.size = QSize(1280, 800);
+  }
+  void TearDown() override {
+    window.reset();
+    console::use_language(QStringLiteral("en"));
+    QLocale::setDefault(QLocale::c());
+  }
+  /// What a widget says, as it stands in the file: without the key that follows the words.
+  static QString words_of(const QWidget* w) {
+    QString text;
+    if (const auto* button = qobject_cast<const QAbstractButton*>(w)) text = button->text();
+    if (const auto* label = qobject_cast<const QLabel*>(w)) text = label->text();
+    return text.section(QStringLiteral("   "), 0, 0);
+  }
+};
+
+TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
+  QSet<QString> english;
+  for (const Message& m : read_messages(german_file()))
+    if (m.forms.size() == 1 && m.forms.first() != m.source) english.insert(m.source);
+  open();
+  int seen = 0;
+  for (const char* page : {"page_run", "page_lessons", "page_courses", "page_people", "page_review", "page_setup"}) {
+    click(page);
+    for (const QWidget* w : window->findChildren<QWidget*>()) {
+      const QString words = words_of(w);
+      if (!w->isVisible() || words.isEmpty()) continue;
+      ++seen;
+      EXPECT_FALSE(english.contains(words)) << page << ": \"" << words.toStdString() << "\" is English";
+      const auto* button = qobject_cast<const QPushButton*>(w);
+      if (!button) continue;
+      const QString text = QString(button->text()).remove(QLatin1Char('&'));
+      EXPECT_LE(button->fontMetrics().horizontalAdvance(text), button->width()) << page << ": \"" << text.toStdString() << "\" is clipped";
+    }
+  }
+  EXPECT_GT(seen, 80);
+  EXPECT_EQ(child<QPushButton>("page_people")->text(), "Personen");
+}
+
+TEST_F(GermanWindow, WritesNumbersAndDatesAsGermansDo) {
+  EXPECT_EQ(console::quantity_text(0.6, QStringLiteral("N")), QStringLiteral("0,60") + QChar(0x202f) + QStringLiteral("N"));
+  EXPECT_TRUE(console::when_text(QStringLiteral("2026-11-19T09:23:00Z")).startsWith(QStringLiteral("19. Nov")));
+  EXPECT_EQ(console::mode_text(QStringLiteral("practice")), QStringLiteral("Übung"));
+  open();
+  click("page_people");
+  const auto* people = child<QTableView>("people");
+  EXPECT_EQ(people->model()->headerData(0, Qt::Horizontal).toString(), "Name");
+  EXPECT_EQ(people->model()->headerData(console::PeopleModel::kSeen, Qt::Horizontal).toString(), "Zuletzt da");
+  // numbers by %n
+  EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 1), QStringLiteral("1 Person hinzufügen"));
+  EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 3), QStringLiteral("3 Personen hinzufügen"));
+}
+
+TEST(Language, IsReadOutOfTheArgumentsAndOnlyThoseThereAreIsTaken) {
+  EXPECT_EQ(console::language_in({"swage-console", "--language", "de", "--start"}), "de");
+  EXPECT_EQ(console::language_in({"swage-console", "--language=de"}), "de");
+  EXPECT_EQ(console::language_in({"swage-console"}), "");
+  EXPECT_EQ(console::language_in({"swage-console", "--language"}), "");
+  EXPECT_FALSE(console::use_language(QStringLiteral("xx")));
+}
+
+}  // namespace
+}  // namespace swage::test
