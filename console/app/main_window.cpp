@@ -214,8 +214,10 @@ void MainWindow::add_actions() {
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
   for (const bool undo : {true, false}) {
     QAction* action = undo ? pages_->edits()->createUndoAction(this) : pages_->edits()->createRedoAction(this);
-    action->setShortcuts(undo ? QKeySequence::Undo : QKeySequence::Redo);
-    if (!undo) action->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Y), QKeySequence(QKeySequence::Redo)});
+    action->setShortcuts(undo ? QKeySequence::Undo : QKeySequence::Redo);  // of the desktop
+    // the same key twice is ambiguous, and then does nothing: where it is the desktop's own it stands once
+    if (const QKeySequence usual(Qt::CTRL | Qt::Key_Y); !undo && !action->shortcuts().contains(usual))
+      action->setShortcuts(action->shortcuts() + QList<QKeySequence>{usual});
     action->setShortcutContext(Qt::ApplicationShortcut);
     addAction(action);
   }

@@ -132,15 +132,17 @@ QWidget* LessonsPage::make_detail() {
   edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
   delete_ = add(own, tr("Delete…"), {}, "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
   own->addStretch(1);
-  publish_ = add(own, tr("Publish"), QStringLiteral("Ctrl+P"), "publish_lesson", [this] { publish(); });
-  publish_->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
-  publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)"));
-  retire_ = add(own, tr("Retire"), {}, "retire_lesson", [this] { retire(); });
+  auto* released = new QHBoxLayout;
   version_ = make_muted({}, card.frame);
   version_->setObjectName(QStringLiteral("lesson_version"));
-  card.body->addWidget(version_);
+  released->addWidget(version_, 1);
+  publish_ = add(released, tr("Publish"), QStringLiteral("Ctrl+P"), "publish_lesson", [this] { publish(); });
+  publish_->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
+  publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)"));
+  retire_ = add(released, tr("Retire"), {}, "retire_lesson", [this] { retire(); });
   card.body->addLayout(row);
   card.body->addLayout(own);
+  card.body->addLayout(released);
   return card.frame;
 }
 

@@ -90,18 +90,30 @@ QWidget* ReviewPage::make_head() {
   auto* back = make_button(tr("‹ People"), {}, QStringLiteral("review_back"), box);
   connect(back, &QPushButton::clicked, this, &ReviewPage::back);
   row->addWidget(back);
-  headline_ = new QLabel(box);
+  headline_ = new ElidedLabel(box);
   headline_->setObjectName(QStringLiteral("review_title"));
   QFont font = headline_->font();
   font.setPointSizeF(font.pointSizeF() * 1.15);
   font.setBold(true);
   headline_->setFont(font);
-  verdict_ = new QLabel(box);
+  verdict_ = new ElidedLabel(box);
   verdict_->setObjectName(QStringLiteral("review_verdict"));
   row->addSpacing(8);
-  row->addWidget(headline_);
+  row->addWidget(headline_, 2);
   row->addSpacing(14);
   row->addWidget(verdict_, 1);
+  const auto add = [&](const QString& text, const char* name, const QString& tip, auto call) {
+    auto* button = make_button(text, {}, QString::fromLatin1(name), box);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, call);
+    row->addWidget(button);
+    button->hide();
+    return button;
+  };
+  note_button_ = add(tr("Note…"), "review_note_button", tr("Write a note at the cursor (N)"), [this] { ask_note(); });
+  compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
+                 [this] { ask_compare(); });
+  row->addSpacing(8);
   const struct {
     QString text, name, title, ending, tip;
     QKeySequence key;
@@ -193,11 +205,6 @@ QWidget* ReviewPage::make_transport() {
   time_->setKeyboardTracking(false);
   connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
   row->addWidget(time_);
-  note_button_ = add(tr("Note…"), "review_note_button", tr("Write a note at the cursor (N)"), [this] { ask_note(); });
-  note_button_->hide();
-  compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
-                 [this] { ask_compare(); });
-  compare_->hide();
   row->addStretch(1);
   add_cameras(row, box);
   return box;
