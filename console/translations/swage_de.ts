@@ -2357,7 +2357,7 @@
     </message>
     <message>
         <source>Save attempt</source>
-        <translation>Versuch speichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Save the whole attempt</source>
@@ -2369,7 +2369,7 @@
     </message>
     <message>
         <source>Export signals (CSV)</source>
-        <translation>Signale exportieren (CSV)</translation>
+        <translation>Signale (CSV)</translation>
     </message>
     <message>
         <source>Save the signals</source>
@@ -2393,7 +2393,7 @@
     </message>
     <message>
         <source>Export summary (CSV)</source>
-        <translation>Zusammenfassung (CSV)</translation>
+        <translation>Übersicht (CSV)</translation>
     </message>
     <message>
         <source>Save metrics and events</source>
@@ -3564,7 +3564,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Held at the swage: damages the suture</source>
-        <translation>An der Armierung gehalten: schadet dem Faden</translation>
+        <translation>An der Armierung: schadet dem Faden</translation>
     </message>
     <message>
         <source>Tail length right</source>

@@ -350,7 +350,7 @@ void Timeline::paintEvent(QPaintEvent*) {
       same.low = t.low, same.high = t.high;
       paint_line(p, same, *other_recording_, later_s_, a, QPen(theme_["text"], 1.2, Qt::DotLine));
     }
-    paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    paint_line(p, t, *recording_, 0, a, QPen(theme_[colours[i % 2]], 1.5, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
     const auto step = static_cast<size_t>(std::max(0.0, cursor_s_ / review_->dt_s - 1));
     double now = value_at(t, *recording_, step);
     if (std::abs(now) < 1e-3 * std::max(t.high, -t.low)) now = 0;  // less than is seen
