@@ -203,6 +203,14 @@
         <source>Picture (*.png);;Drawing (*.svg);;Page (*.pdf)</source>
         <translation>Bild (*.png);;Zeichnung (*.svg);;Seite (*.pdf)</translation>
     </message>
+    <message>
+        <source>▲ %1: the poses of its needleholder are missing</source>
+        <translation>▲ %1: die Stellungen seines Nadelhalters fehlen</translation>
+    </message>
+    <message>
+        <source>● %1: of %2 by %3, until %4, worst residual %5 µm</source>
+        <translation>● %1: %2, von %3, bis %4, größte Abweichung %5 µm</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>
@@ -520,6 +528,13 @@
     </message>
 </context>
 <context>
+    <name>swage::console::ArmReader</name>
+    <message>
+        <source>The instrument cannot be opened.</source>
+        <translation>Das Instrument kann nicht geöffnet werden.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::AssignDialog</name>
     <message>
         <source>Assign a course</source>
@@ -614,6 +629,149 @@
     <message>
         <source>← better</source>
         <translation>← besser</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::CalibrationDialog</name>
+    <message>
+        <source>Calibrate a jaw sensor</source>
+        <translation>Backensensor kalibrieren</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Anschluss</translation>
+    </message>
+    <message>
+        <source>Bits per second</source>
+        <translation>Bit je Sekunde</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>○ Not connected</source>
+        <translation>○ Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Lengths on the bench</source>
+        <translation>Längen auf der Messbank</translation>
+    </message>
+    <message>
+        <source>Lengths and volts</source>
+        <translation>Längen und Spannungen</translation>
+    </message>
+    <message>
+        <source>Length, mm</source>
+        <translation>Länge, mm</translation>
+    </message>
+    <message>
+        <source>Volts</source>
+        <translation>Volt</translation>
+    </message>
+    <message>
+        <source>Residual, µm</source>
+        <translation>Abweichung, µm</translation>
+    </message>
+    <message>
+        <source>Measure this length</source>
+        <translation>Diese Länge messen</translation>
+    </message>
+    <message>
+        <source>Draw the sensor to the length of the chosen line, hold it still, press; the next line follows</source>
+        <translation>Den Sensor auf die Länge der gewählten Zeile ausziehen, still halten, drücken; dann kommt die nächste Zeile</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Residuals, µm, and the band that is allowed</source>
+        <translation>Abweichungen, µm, und das erlaubte Band</translation>
+    </message>
+    <message>
+        <source>Poses of the needleholder</source>
+        <translation>Stellungen des Nadelhalters</translation>
+    </message>
+    <message>
+        <source>Open: let the handle go</source>
+        <translation>Offen: den Griff loslassen</translation>
+    </message>
+    <message>
+        <source>Just closed: the jaws meet</source>
+        <translation>Gerade geschlossen: die Backen berühren sich</translation>
+    </message>
+    <message>
+        <source>Squeezed: as far as it goes</source>
+        <translation>Gedrückt: so weit es geht</translation>
+    </message>
+    <message>
+        <source>Who calibrates</source>
+        <translation>Wer kalibriert</translation>
+    </message>
+    <message>
+        <source>Valid for </source>
+        <translation>Gültig für </translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> Tage</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Listening…</source>
+        <translation>Hört…</translation>
+    </message>
+    <message>
+        <source>%1 does not say who it is. Is it a sensor that speaks JAW1, and powered?</source>
+        <translation>%1 sagt nicht, wer es ist. Ist es ein Sensor, der JAW1 spricht, und hat er Strom?</translation>
+    </message>
+    <message>
+        <source>▲ %1: unplugged</source>
+        <translation>▲ %1: ausgesteckt</translation>
+    </message>
+    <message>
+        <source>● %1: %2 V</source>
+        <translation>● %1: %2 V</translation>
+    </message>
+    <message>
+        <source>▲ %1: beyond its range</source>
+        <translation>▲ %1: außerhalb seines Bereichs</translation>
+    </message>
+    <message>
+        <source>Hold it still…</source>
+        <translation>Still halten…</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 mm/V, worst residual %2 µm, rms %3 µm; %4 of %5 points left out, beyond the stroke.</source>
+        <translation>%1 mm/V, größte Abweichung %2 µm, Effektivwert %3 µm; %4 von %5 Punkten weggelassen, außerhalb des Hubs.</translation>
+    </message>
+    <message>
+        <source>Kept, valid until %1.</source>
+        <translation>Behalten, gültig bis %1.</translation>
+    </message>
+    <message>
+        <source>Kept, valid until %1. It is used once the three poses are measured.</source>
+        <translation>Behalten, gültig bis %1. Sie wird benutzt, sobald die drei Stellungen gemessen sind.</translation>
     </message>
 </context>
 <context>
@@ -1003,6 +1161,13 @@
     <message>
         <source>Meaning</source>
         <translation>Bedeutung</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::FitPlot</name>
+    <message>
+        <source>%1 points, %2 of them in the fit</source>
+        <translation>%1 Punkte, davon %2 in der Ausgleichsgeraden</translation>
     </message>
 </context>
 <context>
@@ -1808,16 +1973,8 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Between the needle and the straight way into the tissue</source>
-        <translation>Zwischen der Nadel und dem geraden Weg ins Gewebe</translation>
-    </message>
-    <message>
         <source>Away from a right-angled grasp</source>
         <translation>Abweichung vom rechtwinkligen Griff</translation>
-    </message>
-    <message>
-        <source>Angle to the straight way in</source>
-        <translation>Winkel zum geraden Weg hinein</translation>
     </message>
     <message>
         <source>right</source>
@@ -1830,6 +1987,14 @@
     <message>
         <source>used</source>
         <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>Between the needle and the perpendicular to the tissue</source>
+        <translation>Zwischen der Nadel und der Senkrechten zum Gewebe</translation>
+    </message>
+    <message>
+        <source>Deviation from perpendicular</source>
+        <translation>Abweichung von der Senkrechten</translation>
     </message>
 </context>
 <context>
@@ -2670,6 +2835,21 @@ Bea L., Frühjahr, links</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::RulerBar</name>
+    <message>
+        <source>A bar of 100 mm, to hold a ruler to</source>
+        <translation>Ein Balken von 100 mm, um ein Lineal anzulegen</translation>
+    </message>
+    <message>
+        <source>The size of the screen is not known yet.</source>
+        <translation>Die Größe des Bildschirms ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>100 mm: hold a ruler to it</source>
+        <translation>100 mm: legen Sie ein Lineal an</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::RunControl</name>
     <message>
         <source>Nothing runs.</source>
@@ -2992,6 +3172,82 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Screen, layout, eyes…</source>
         <translation>Bildschirm, Anordnung, Augen…</translation>
     </message>
+    <message>
+        <source>Instrument</source>
+        <translation>Instrument</translation>
+    </message>
+    <message>
+        <source>Jaw sensors</source>
+        <translation>Backensensoren</translation>
+    </message>
+    <message>
+        <source>10 mm shown as 10 mm, and hand and tool in one place: by a ruler, and with an arm at four marks.</source>
+        <translation>10 mm als 10 mm gezeigt, und Hand und Werkzeug am selben Ort: mit einem Lineal, und mit einem Arm an vier Marken.</translation>
+    </message>
+    <message>
+        <source>True size and place…</source>
+        <translation>Wahre Größe und Ort…</translation>
+    </message>
+    <message>
+        <source>Pose from</source>
+        <translation>Lage von</translation>
+    </message>
+    <message>
+        <source>The device that says where the instrument is</source>
+        <translation>Das Gerät, das sagt, wo das Instrument ist</translation>
+    </message>
+    <message>
+        <source>Jaws from</source>
+        <translation>Backen von</translation>
+    </message>
+    <message>
+        <source>The device that says how far the jaws are closed, and how hard</source>
+        <translation>Das Gerät, das sagt, wie weit die Backen geschlossen sind und wie fest</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Kupplung</translation>
+    </message>
+    <message>
+        <source>While this button or pedal of the first device is down the tool stays, and goes on without a leap</source>
+        <translation>Solange diese Taste oder dieses Pedal des ersten Geräts gedrückt ist, bleibt das Werkzeug stehen und geht ohne Sprung weiter</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Nicht</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>Taste %1</translation>
+    </message>
+    <message>
+        <source>A pedal that sends the keys F5, F6 and F7 starts, pauses and puts back without letting go of the instrument.</source>
+        <translation>Ein Pedal, das die Tasten F5, F6 und F7 sendet, startet, hält an und legt zurück, ohne dass die Hand das Instrument loslässt.</translation>
+    </message>
+    <message>
+        <source>As the lesson says</source>
+        <translation>Wie die Lektion sagt</translation>
+    </message>
+    <message>
+        <source>The same device</source>
+        <translation>Dasselbe Gerät</translation>
+    </message>
+    <message>
+        <source>Of %1, at this computer</source>
+        <translation>Von %1, an diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>What the volts of a sensor in a needleholder&apos;s handle mean: thirteen lengths on a bench, and three poses</source>
+        <translation>Was die Spannung eines Sensors im Griff eines Nadelhalters bedeutet: dreizehn Längen auf einer Messbank und drei Stellungen</translation>
+    </message>
+    <message>
+        <source>No sensor is calibrated on this computer.</source>
+        <translation>An diesem Rechner ist kein Sensor kalibriert.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SetupPanel</name>
@@ -3121,11 +3377,174 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
-    <name>swage::console::StatusStrip</name>
+    <name>swage::console::StationDialog</name>
     <message>
-        <source>Time from picture to picture: half of them take no longer than the first number, 99 of 100 no longer than the second (F12 hides it)</source>
-        <translation>Zeit von Bild zu Bild: die Hälfte braucht nicht länger als die erste Zahl, 99 von 100 nicht länger als die zweite (F12 blendet es aus)</translation>
+        <source>True size and place</source>
+        <translation>Wahre Größe und Ort</translation>
     </message>
+    <message>
+        <source>By a ruler</source>
+        <translation>Mit einem Lineal</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Screen &amp;width</source>
+        <translation>Bildschirm&amp;breite</translation>
+    </message>
+    <message>
+        <source>Of what lights up, along the lower edge</source>
+        <translation>Was leuchtet, entlang der unteren Kante</translation>
+    </message>
+    <message>
+        <source>Screen &amp;height</source>
+        <translation>Bildschirm&amp;höhe</translation>
+    </message>
+    <message>
+        <source>Of what lights up, along the left edge</source>
+        <translation>Was leuchtet, entlang der linken Kante</translation>
+    </message>
+    <message>
+        <source>&amp;Eyes to picture</source>
+        <translation>A&amp;ugen bis Bild</translation>
+    </message>
+    <message>
+        <source>From the eyes to the mirror and on to the screen</source>
+        <translation>Von den Augen zum Spiegel und weiter zum Bildschirm</translation>
+    </message>
+    <message>
+        <source>From the eyes to the screen</source>
+        <translation>Von den Augen zum Bildschirm</translation>
+    </message>
+    <message>
+        <source>Between the &amp;pupils</source>
+        <translation>Zwischen den &amp;Pupillen</translation>
+    </message>
+    <message>
+        <source>63 mm is usual; 0 shows one picture to both eyes</source>
+        <translation>63 mm sind üblich; 0 zeigt beiden Augen ein Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Tilt of the screen</source>
+        <translation>&amp;Neigung des Bildschirms</translation>
+    </message>
+    <message>
+        <source>From the table: 90 stands upright, 0 lies with its face up, -45 looks down onto a mirror</source>
+        <translation>Gegen den Tisch: 90 steht aufrecht, 0 liegt mit dem Bild nach oben, -45 sieht auf einen Spiegel herab</translation>
+    </message>
+    <message>
+        <source>Tilt of the m&amp;irror</source>
+        <translation>Neigung des Sp&amp;iegels</translation>
+    </message>
+    <message>
+        <source>From the table; counts where the trainee&apos;s view is mirrored</source>
+        <translation>Gegen den Tisch; zählt, wo die Ansicht des Trainees gespiegelt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>1 shows 10 mm as 10 mm; a microscope enlarges 4 to 25 times</source>
+        <translation>1 zeigt 10 mm als 10 mm; ein Mikroskop vergrößert 4- bis 25-fach</translation>
+    </message>
+    <message>
+        <source>Show the trainee&apos;s view in this size</source>
+        <translation>Die Ansicht des Trainees in dieser Größe zeigen</translation>
+    </message>
+    <message>
+        <source>Let it stand as the picture stands before the person</source>
+        <translation>So stehen lassen, wie das Bild vor der Person steht</translation>
+    </message>
+    <message>
+        <source>Nobody turns the view then; needed for hand and tool in one place</source>
+        <translation>Dann dreht niemand die Ansicht; nötig für Hand und Werkzeug am selben Ort</translation>
+    </message>
+    <message>
+        <source>Hand and tool in one place</source>
+        <translation>Hand und Werkzeug am selben Ort</translation>
+    </message>
+    <message>
+        <source>Register…</source>
+        <translation>Einmessen…</translation>
+    </message>
+    <message>
+        <source>Tip is at the mark</source>
+        <translation>Spitze ist an der Marke</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>One pixel is %1 mm; 10 mm of the scene are %2 mm on the screen.</source>
+        <translation>Ein Bildpunkt ist %1 mm; 10 mm der Szene sind %2 mm auf dem Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Measure width and height of the screen first.</source>
+        <translation>Messen Sie zuerst Breite und Höhe des Bildschirms.</translation>
+    </message>
+    <message>
+        <source>An attempt runs, or no lesson is chosen on the Run page.</source>
+        <translation>Ein Versuch läuft, oder auf der Seite Ausführen ist keine Lektion gewählt.</translation>
+    </message>
+    <message>
+        <source> Nothing is kept.</source>
+        <translation> Nichts wird behalten.</translation>
+    </message>
+    <message>
+        <source>Begin again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>Mark %1 of 4, %2: lead the tip to it and hold still.</source>
+        <translation>Marke %1 von 4, %2: führen Sie die Spitze hin und halten Sie still.</translation>
+    </message>
+    <message>
+        <source>%1 is not registered: the arm&apos;s tip is led to four marks of the trainee&apos;s view, and its place is known then.</source>
+        <translation>%1 ist nicht eingemessen: die Spitze des Arms wird zu vier Marken in der Ansicht des Trainees geführt, dann ist sein Ort bekannt.</translation>
+    </message>
+    <message>
+        <source>The instrument</source>
+        <translation>Das Instrument</translation>
+    </message>
+    <message>
+        <source>Registered on %1, worst mark %2 mm off, rms %3 mm.</source>
+        <translation>Eingemessen am %1, schlechteste Marke %2 mm daneben, Effektivwert %3 mm.</translation>
+    </message>
+    <message>
+        <source> It is that of %1, and not used for %2.</source>
+        <translation> Es gilt für %1 und wird für %2 nicht benutzt.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StatusStrip</name>
     <message>
         <source>No picture yet</source>
         <translation>Noch kein Bild</translation>
@@ -3171,12 +3590,20 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>○ Nicht aufgezeichnet</translation>
     </message>
     <message>
-        <source>%1 fps, p50 %L2 ms, p99 %L3 ms</source>
-        <translation>%1 Bilder/s, p50 %L2 ms, p99 %L3 ms</translation>
-    </message>
-    <message>
         <source>%1  %2 steps/s, worst %L3 ms, %4 late</source>
         <translation>%1  %2 Schritte/s, längster %L3 ms, %4 verspätet</translation>
+    </message>
+    <message>
+        <source>Time from picture to picture: half of them take no longer than the first number, 99 of 100 no longer than the second; how many pictures there were; and the time from a movement of mouse or key to the first picture that can show it, without the screen&apos;s own delay (F12 hides it)</source>
+        <translation>Zeit von Bild zu Bild: die Hälfte braucht nicht länger als die erste Zahl, 99 von 100 nicht länger als die zweite; wie viele Bilder es gab; und die Zeit von einer Bewegung der Maus oder Taste bis zum ersten Bild, das sie zeigen kann, ohne die Verzögerung des Bildschirms (F12 blendet es aus)</translation>
+    </message>
+    <message>
+        <source>%1 fps, p50 %L2 ms, p99 %L3 ms, picture %4</source>
+        <translation>%1 Bilder/s, p50 %L2 ms, p99 %L3 ms, Bild %4</translation>
+    </message>
+    <message>
+        <source>, hand to picture p50 %1 ms, p99 %2 ms</source>
+        <translation>, Hand bis Bild p50 %1 ms, p99 %2 ms</translation>
     </message>
 </context>
 <context>
@@ -3360,6 +3787,26 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Show the trainee&apos;s view</source>
         <translation>Das Fenster des Trainees zeigen</translation>
+    </message>
+    <message>
+        <source>Look of a &amp;microscope</source>
+        <translation>Ansicht wie durch ein &amp;Mikroskop</translation>
+    </message>
+    <message>
+        <source>A round field, its light fading to the rim</source>
+        <translation>Ein rundes Feld, dessen Licht zum Rand hin abnimmt</translation>
+    </message>
+    <message>
+        <source>As makers say it: 1 is the bare eye at 250 mm. In the view Ctrl+Page up and down, a pedal that sends them, or the wheel. Where the station was measured it is true</source>
+        <translation>Wie Hersteller es angeben: 1 ist das bloße Auge bei 250 mm. In der Ansicht Strg+Bild auf und ab, ein Pedal, das sie sendet, oder das Rad. Wo der Platz ausgemessen wurde, stimmt es</translation>
+    </message>
+    <message>
+        <source> ×</source>
+        <translation> ×</translation>
+    </message>
+    <message>
+        <source>Ma&amp;gnification</source>
+        <translation>&amp;Vergrößerung</translation>
     </message>
 </context>
 <context>
