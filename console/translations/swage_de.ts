@@ -4085,6 +4085,22 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>click</source>
         <translation>Klick</translation>
     </message>
+    <message>
+        <source>Leave this length of thread</source>
+        <translation>So viel Faden stehen lassen</translation>
+    </message>
+    <message>
+        <source>Pulls on the tissue</source>
+        <translation>Zieht am Gewebe</translation>
+    </message>
+    <message>
+        <source>Turns are on: keep them drawn</source>
+        <translation>Windungen liegen: straff halten</translation>
+    </message>
+    <message>
+        <source>Too many turns</source>
+        <translation>Zu viele Windungen</translation>
+    </message>
 </context>
 <context>
     <name>words</name>
