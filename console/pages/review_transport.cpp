@@ -3,6 +3,7 @@
 // The row below the Review page's picture: play, speed, loop, time, views.
 #include <QHBoxLayout>
 
+#include "console/pages/comparison.hpp"
 #include "console/pages/review_page.hpp"
 #include "console/widgets/parts.hpp"
 
