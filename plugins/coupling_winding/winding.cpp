@@ -53,6 +53,7 @@ bool Winding::look(const CouplingStep& step) {
     if (!place) return false;
     const Vec3 d = vec(place->p_W) - tip;
     p_T_[3 * i] = d.dot(x), p_T_[3 * i + 1] = d.dot(y), p_T_[3 * i + 2] = d.dot(z);
+    if (!this->place(p_T_, i).allFinite()) return false;  // what is no number is nowhere
   }
   return true;
 }
