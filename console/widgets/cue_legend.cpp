@@ -12,6 +12,8 @@ namespace swage::console {
 namespace {
 
 constexpr int kSign_px = 18, kRow_px = 26;
+constexpr int kMostTall = 4;  // rows that have two lines; more are one line each, cut short where that is too long
+constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
 constexpr double kSmall = 0.82;  // of the usual size: words that take two lines
 
@@ -20,10 +22,10 @@ constexpr double kSmall = 0.82;  // of the usual size: words that take two lines
 /// One meaning: its signs in its colour, its words.
 class CueLegend::Row : public QWidget {
  public:
-  /// `wide`: some sign of this legend has two parts, and all words stand behind that.
-  Row(const CueStyle& style, bool wide, const UiTheme& ui, QWidget* parent)
-      : QWidget(parent), style_(style), ui_(ui), wide_(wide) {
-    setFixedHeight(kRow_px);
+  /// `wide`: some sign of this legend has two parts, and all words stand behind that. `low`: one line and no more.
+  Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, QWidget* parent)
+      : QWidget(parent), style_(style), ui_(ui), wide_(wide), low_(low) {
+    setFixedHeight(low ? kLow_px : kRow_px);
     setMinimumWidth(120);
     QStringList tip = {style.text};
     if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(theme_word(style.sound));
@@ -46,24 +48,28 @@ class CueLegend::Row : public QWidget {
       p.setBrush(ui_["raised"]);
       p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
     }
-    paint_cue_shape(p, {5, 0.5 * (kRow_px - kSign_px)}, kSign_px, style_);
+    const int sign = low_ ? kLow_px - 3 : kSign_px;
+    paint_cue_shape(p, {5, 0.5 * (height() - sign)}, sign, style_);
     QFont text = font();
     text.setBold(active_);
     p.setFont(text);
     p.setPen(ui_["text"]);
     const double left = 5 + (wide_ ? 2 : 1) * kSign_px + 6;
-    const QRectF room(left, 0, width() - left - 2, kRow_px);
+    const QRectF room(left, 0, width() - left - 2, height());
     if (QFontMetricsF(text).horizontalAdvance(style_.text) > room.width()) {
       text.setPointSizeF(text.pointSizeF() * kSmall);
       p.setFont(text);
     }
-    p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
+    if (low_)
+      p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, QFontMetricsF(text).elidedText(style_.text, Qt::ElideRight, room.width()));
+    else
+      p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
   }
 
  private:
   CueStyle style_;
   UiTheme ui_;
-  bool wide_, active_ = false;
+  bool wide_, low_, active_ = false;
 };
 
 CueLegend::CueLegend(QWidget* parent) : QFrame(parent) {
@@ -105,7 +111,7 @@ void CueLegend::fill() {
   const bool wide = std::any_of(meanings_.begin(), meanings_.end(),
                                 [this](const QString& m) { return cues_.style(m).shape.size() > 1; });
   for (int i = 0; i < meanings_.size(); ++i) {
-    auto* row = new Row(cues_.style(meanings_[i]), wide, ui_, this);
+    auto* row = new Row(cues_.style(meanings_[i]), wide, lines > kMostTall, ui_, this);
     grid_->addWidget(row, i % std::max(lines, 1), i / std::max(lines, 1));
     rows_ += row;
   }

@@ -210,5 +210,22 @@ TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
   EXPECT_FALSE(log->last.display.stereo) << "eyes that are nowhere apart see one picture";
 }
 
+// The stitch with a thread has twelve cues.
+TEST_F(FirstSight, TheLegendHasRoomForTwelveCues) {
+  open();
+  console::CueLegend* legend = page()->legend();
+  legend->set_meanings({"target.near", "insert.good", "insert.angle_off", "needle.stuck", "tissue.tear", "grip.too_hard", "target.done",
+                        "suture.swage_held", "suture.tail_good", "target.point", "tail.point", "exit.point"});
+  QCoreApplication::processEvents();
+  QList<QRect> rows;
+  for (const QWidget* row : legend->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+    if (!row->accessibleName().isEmpty() && row->isVisible()) rows += row->geometry();
+  ASSERT_EQ(rows.size(), 12);
+  for (int i = 0; i < rows.size(); ++i) {
+    EXPECT_TRUE(legend->rect().contains(rows[i])) << "row " << i;
+    for (int k = 0; k < i; ++k) EXPECT_FALSE(rows[i].intersects(rows[k])) << "rows " << k << " and " << i;
+  }
+}
+
 }  // namespace
 }  // namespace swage::test
