@@ -16,6 +16,7 @@ inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force 
 inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kBending = {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D};
 inline constexpr swage_metric_info kPath = {"motion.path", "m", "Length of the path of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
+inline constexpr swage_metric_info kPathOfBoth = {"motion.path", "m", "Length of the paths of both pairs of tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 
 /// Points of 100 that something cost; told at the end.
 constexpr swage_metric_info points(const char* id, const char* doc, const char* formula) {

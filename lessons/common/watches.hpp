@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 
 #include "common/low_pass.hpp"
 #include "toolkit/math.hpp"
@@ -50,6 +51,14 @@ class PathWatch {
   LowPass4 filter_;
   double dt_ = 1e-3;
 };
+
+/// Time since the first of several hands set off, s; 0 before. [rt]
+inline double time_since_set_off(std::span<const PathState> hands, double time_s) noexcept {
+  double first = -1;
+  for (const PathState& hand : hands)
+    if (hand.set_off_s >= 0 && (first < 0 || hand.set_off_s < first)) first = hand.set_off_s;
+  return first < 0 ? 0 : time_s - first;
+}
 
 /// A thing that should be held or lie still, and whether it fell.
 struct DropState {

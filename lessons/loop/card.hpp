@@ -48,7 +48,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kForceMean,
     lessons::kForcePeak,
     {"force.over_time", "1", "Share of the held time in which the jaws were above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
-    {"motion.path", "m", "Length of the paths of both pairs of tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    lessons::kPathOfBoth,
     {"hold.progress", "1", "Share of the hold that is done.", "unbroken hold / hold_time", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"thread.passages", "1", "How often the simulated thread went through itself or through the instrument, which no thread does.", "knot.passages + winding.passages", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     lessons::points("points.slips", "Points lost for turns that slid off.", "10 min(slips, 3)"),

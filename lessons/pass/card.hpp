@@ -44,7 +44,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kForcePeak,
     {"force.over_time", "1", "Share of the held time in which a gripper was above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
-    {"motion.path", "m", "Length of the paths of both pairs of tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    lessons::kPathOfBoth,
     {"hold.progress", "1", "Share of the last hold that is done.", "unbroken hold / hold_time", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     lessons::points("points.drops", "Points lost for drops and resets of the needle.", "15 (drops + resets)"),
     lessons::points("points.snatches", "Points lost for a needle that changed hands without a pass.", "10 min(snatches, 3)"),

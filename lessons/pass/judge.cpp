@@ -32,12 +32,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   return finding;
 }
 
-double Judge::task_time(const Memory& memory, double time_s) {
-  double first = -1;
-  for (const lessons::PathState& path : memory.path)
-    if (path.set_off_s >= 0 && (first < 0 || path.set_off_s < first)) first = path.set_off_s;
-  return first < 0 ? 0 : time_s - first;
-}
+double Judge::task_time(const Memory& memory, double time_s) { return lessons::time_since_set_off(memory.path, time_s); }
 
 void Judge::follow_grips(Memory& memory, const Look& look) const noexcept {
   for (int i = 0; i < kHands; ++i) {
