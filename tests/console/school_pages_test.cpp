@@ -306,29 +306,38 @@ std::string keep_hand(const std::string& store, double score) {
   return recorder->attempt_id();
 }
 
-// processor time, so that other programs of the machine do not matter
-TEST_F(SchoolPages, FiveThousandAttemptsOpenInUnderASecond) {
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// A page of a school with 5 000 attempts costs no more than reading them all twice with their 150 000 metrics: the People page costs as
+// much as once, and cost 3.7 times as much when it read metrics for each list. A ratio in processor time, so that neither the machine
+// nor its other programs decide; the times themselves are printed.
+TEST_F(SchoolPages, FiveThousandAttemptsAreNotReadForEveryList) {
   record::SyntheticSchool school;
   school.from = dir.filePath(QStringLiteral("hands.db")).toStdString();
   school.lessons = {{keep_hand(school.from, 98), {keep_hand(school.from, 60), keep_hand(school.from, 50)}}};
   school.recordings = 1;
   std::string error;
   ASSERT_TRUE(record::write_synthetic_school(school_file(), school, error)) << error;
+  const auto store = record::Store::open(school_file(), error);
+  ASSERT_NE(store, nullptr) << error;
+  const double before = thread_ms();
+  ASSERT_GE(store->attempts("").size(), 5000U);
+  const double all_ms = thread_ms() - before;
+  std::printf("all attempts with their metrics: %.0f ms\n", all_ms);
   open();
-  const auto spent_ms = [&](const char* page) {
-    timespec from{}, to{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &from);
+  for (const char* page : {"page_people", "page_courses", "page_lessons", "page_run", "page_people"}) {
+    const double start = thread_ms();
     click(page);
     QApplication::processEvents();
     window->grab();
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &to);
-    return 1e3 * static_cast<double>(to.tv_sec - from.tv_sec) + 1e-6 * static_cast<double>(to.tv_nsec - from.tv_nsec);
-  };
-  for (const char* page : {"page_people", "page_courses", "page_lessons", "page_run", "page_people"}) {
-    const double ms = spent_ms(page);
+    const double ms = thread_ms() - start;
     RecordProperty(std::string(page) + "_ms", std::to_string(ms));
     std::printf("%s: %.0f ms\n", page, ms);
-    EXPECT_LT(ms, 1000) << page;
+    EXPECT_LT(ms, 2 * all_ms) << page;
   }
   EXPECT_GT(people(), 29);
 }
