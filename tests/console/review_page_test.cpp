@@ -251,22 +251,23 @@ TEST_F(ReviewPages, PlaybackKeepsTheTimeOfTheClockOnTheWall) {
   open_review();
   child<QComboBox>("speed")->setCurrentIndex(3);
   QElapsedTimer wall;
-  double began = -1;
   review()->toggle_play();
   ASSERT_TRUE(eventually([&] { return review()->timeline()->cursor() > 0; }));
-  // both clocks are read when the cursor has just moved
+  // both clocks are read when the cursor has just moved; a busy machine reads one of them late now and then, so medians are compared
   double at = review()->timeline()->cursor();
-  const auto next = [&] {
-    return eventually([&] { return review()->timeline()->cursor() != at; });
-  };
-  ASSERT_TRUE(next());
-  began = at = review()->timeline()->cursor();
+  std::vector<double> early, late;  // s, wall less cursor
   wall.start();
   while (wall.nsecsElapsed() < 10'000'000'000) {
-    ASSERT_TRUE(next());
+    ASSERT_TRUE(eventually([&] { return review()->timeline()->cursor() != at; }));
     at = review()->timeline()->cursor();
+    const double wall_s = 1e-9 * static_cast<double>(wall.nsecsElapsed());
+    if (wall_s < 1) early.push_back(wall_s - at);
+    if (wall_s > 9) late.push_back(wall_s - at);
   }
-  const double lost = 1e-9 * static_cast<double>(wall.nsecsElapsed()) - (at - began);
+  ASSERT_FALSE(early.empty() || late.empty());
+  std::sort(early.begin(), early.end());
+  std::sort(late.begin(), late.end());
+  const double lost = late[late.size() / 2] - early[early.size() / 2];
   EXPECT_LT(std::abs(lost), 0.05) << "s in ten";
 }
 
