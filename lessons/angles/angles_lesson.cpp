@@ -73,6 +73,8 @@ void AnglesLesson::activate(double dt_s) {
   rules.max_time = p.max_time;
   rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
+  const int32_t eyes = swage::eyes(host());
+  stereo_ = eyes == SWAGE_EYES_NONE ? p.stereo : eyes == SWAGE_EYES_STEREO;
 }
 
 /// Reference, axes, and which way what is shown really leads, from its point or tips to its other end.
@@ -154,17 +156,12 @@ void AnglesLesson::say(const Memory& memory, const Finding& finding, const Verdi
   verdict.fail(reason, finding.score);
 }
 
-bool AnglesLesson::seen_in_stereo() const {
-  const int32_t eyes = swage::eyes(host());
-  return eyes == SWAGE_EYES_NONE ? params_.stereo : eyes == SWAGE_EYES_STEREO;
-}
-
 void AnglesLesson::report(const Memory& m, const Finding& finding, double time_s,
                           const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
   tell(Measure::kTime, m.path.set_off_s < 0 ? 0 : time_s - m.path.set_off_s);
   tell(Measure::kSuccess, finding.end == End::kPassed ? 1 : 0);
-  tell(Measure::kStereo, seen_in_stereo() ? 1 : 0);
+  tell(Measure::kStereo, stereo_ ? 1 : 0);
   tell(Measure::kPath, m.path.length);
   const double answers = Judge::answers(m);
   tell(Measure::kAnswers, answers);

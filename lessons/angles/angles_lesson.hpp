@@ -107,11 +107,10 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   void show(const Memory& memory, const Finding& finding, const Frame& frame, const Verdict& verdict) const;
   void say(const Memory& memory, const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, const Finding& finding, double time_s, const Verdict& verdict) const;
-  /// As the host says; without a host that says so, as the lesson file does.
-  bool seen_in_stereo() const;
 
   AnglesParams params_;
   Judge judge_;
+  bool stereo_ = false;  // as the host says; where it does not, as the lesson file does
   Peer gripper_, assistant_, needle_, tissue_;
   uint32_t gripper_object_ = kNone, assistant_object_ = kNone, needle_object_ = kNone, tissue_object_ = kNone;
   Mark point_, one_, other_;

@@ -98,10 +98,20 @@ TEST_F(AnglesOnStage, JawsAgainstTheNeedle) {
   answer(-way.dot(to_other) > 0 ? 2 : 1);
   EXPECT_EQ(cues[2], cue("answer.right"));
   EXPECT_EQ(metric("view.stereo"), 1) << "as the lesson says";
+}
+
+TEST_F(AnglesOnStage, InMonoWhereTheHostSaysSo) {
   stage.eyes = SWAGE_EYES_MONO;
+  ASSERT_EQ(bind({{"stereo", 1}}), SWAGE_OK);
+  start();
   observe();
-  EXPECT_EQ(metric("view.stereo"), 0) << "as the host says";
+  EXPECT_EQ(metric("view.stereo"), 0);
+}
+
+TEST_F(AnglesOnStage, InStereoWhereTheHostSaysSo) {
   stage.eyes = SWAGE_EYES_STEREO;
+  ASSERT_EQ(bind({}), SWAGE_OK);
+  start();
   observe();
   EXPECT_EQ(metric("view.stereo"), 1);
 }
