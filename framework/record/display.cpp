@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "record/display.hpp"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 namespace swage::record {
@@ -24,6 +25,17 @@ bool from_json(const std::string& text, Display& out) {
     return false;
   }
   return true;
+}
+
+std::string words(const Display& d) {
+  std::string out = d.mode;
+  if (out.empty()) return out;
+  if (d.eyes_swapped) out += ", eyes swapped";
+  if (!d.mirror.empty()) out += ", mirrored " + d.mirror;
+  if (!(d.scale > 0)) return out;
+  char scale[32];  // with a point in every language
+  const auto end = std::to_chars(scale, scale + sizeof scale, d.scale, std::chars_format::general, 4).ptr;
+  return out + ", scale " + std::string(scale, end);
 }
 
 }  // namespace swage::record

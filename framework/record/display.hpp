@@ -3,7 +3,6 @@
 // How the scene was seen while an attempt was made: kept with it as a small file of its own, in JSON.
 #pragma once
 
-#include <cstdio>
 #include <string>
 
 namespace swage::record {
@@ -28,14 +27,6 @@ std::string to_json(const Display& display);
 bool from_json(const std::string& text, Display& out);
 
 /// For people and tables: "side, eyes swapped, mirrored left_right, scale 1"; "" when nobody looked.
-inline std::string words(const Display& d) {
-  std::string out = d.mode;
-  if (out.empty()) return out;
-  if (d.eyes_swapped) out += ", eyes swapped";
-  if (!d.mirror.empty()) out += ", mirrored " + d.mirror;
-  char scale[32];
-  std::snprintf(scale, sizeof scale, ", scale %.4g", d.scale);
-  return d.scale > 0 ? out + scale : out;
-}
+std::string words(const Display& display);
 
 }  // namespace swage::record
