@@ -50,7 +50,7 @@ class Wrist {
   explicit Wrist(const Arm& arm) : arm_(arm), rest_(std::atan2(arm.forearm_W.y(), arm.forearm_W.x())) {
     // the left arm is the right one in a mirror: what turns about x or z turns the other way
     if (arm.left)
-      for (const size_t i : {0, 1}) arm_.range[i] = {-arm.range[i].high, -arm.range[i].low};
+      for (const size_t i : {size_t{0}, size_t{1}}) arm_.range[i] = {-arm.range[i].high, -arm.range[i].low};
     hold_ = about(0, arm.left ? -arm.hold : arm.hold);
   }
 
