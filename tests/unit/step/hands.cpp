@@ -201,8 +201,8 @@ TEST(Hands, AScriptSaysWhenItIsOver) {
 
 // Of two hands that work together one may be done before the other.
 TEST(Hands, TwoScriptsAreOverWhenBothAre) {
+  Fake second;  // outlives the scene that destroys its instance
   FakeScene s;
-  Fake second;
   s.rig.devices.emplace_back();
   s.rig.devices[1].device = &second.device;
   s.rig.devices[1].instance = second.instance("second");
