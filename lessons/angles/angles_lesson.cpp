@@ -2,6 +2,7 @@
 #include "angles_lesson.hpp"
 
 #include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_angles {
 
@@ -61,6 +62,7 @@ void AnglesLesson::bind(const Scene& scene, Binder& binder) {
 void AnglesLesson::activate(double dt_s) {
   const AnglesParams& p = params_;
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.questions = p.questions;
   rules.start = p.start;
   rules.least = p.least;
@@ -69,9 +71,6 @@ void AnglesLesson::activate(double dt_s) {
   rules.reach = 0.8 * p.answer_reach;
   rules.max_bias = p.max_bias;
   rules.max_jnd = p.max_jnd;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
   const int32_t eyes = swage::eyes(host());
   stereo_ = eyes == SWAGE_EYES_NONE ? p.stereo : eyes == SWAGE_EYES_STEREO;

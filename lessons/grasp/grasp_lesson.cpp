@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_grasp {
 
@@ -68,24 +69,15 @@ void GraspLesson::bind(const Scene& scene, Binder& binder) {
 void GraspLesson::activate(double dt_s) {
   const GraspParams& p = params_;
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.region_low = p.region.low;
   rules.region_high = p.region.high;
   rules.tip_low = p.tip_zone.low;
   rules.tip_high = p.tip_zone.high;
   rules.tips_needed = p.tips_needed;
   rules.max_tilt = p.max_tilt;
-  rules.force_low = p.force.low;
-  rules.force_high = p.force.high;
   rules.lift = p.lift;
-  rules.hold_time = p.hold_time;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.max_over_time = p.max_over_time;
-  rules.max_drops = p.max_drops;
-  rules.drop_distance = p.drop_distance;
   rules.max_wrong_time = p.max_wrong_time;
-  rules.lost_distance = p.lost_distance;
-  rules.ends = !is_practice();
   rules.target = {p.carry, p.target_radius, p.leave};
   judge_ = Judge(rules, dt_s);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_insertion {
 
@@ -117,20 +118,14 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
 void InsertionLesson::activate(double dt_s) {
   const InsertionParams& p = params_;
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.task = p.task;
   rules.tolerance = p.tolerance;
   rules.in_angle = p.in_angle;
   rules.least_in_angle = p.least_in_angle;
   rules.drive = p.drive;
   rules.max_wound = p.max_wound;
-  rules.force_high = p.force.high;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.ends = !is_practice();
-  rules.max_drops = p.max_drops;
   rules.max_deflections = p.max_deflections;
-  rules.drop_distance = p.drop_distance;
-  rules.lost_distance = p.lost_distance;
   rules.stitches = p.stitches;
   rules.exit_mark = has_exit();
   rules.suture.there = !p.suture.empty();

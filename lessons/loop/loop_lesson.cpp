@@ -2,7 +2,9 @@
 #include "loop_lesson.hpp"
 
 #include <algorithm>
-#include <iterator>
+
+#include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_loop {
 
@@ -10,11 +12,10 @@ using lessons::index;
 using toolkit::vec;
 
 void LoopLesson::build(const P& params, LessonBuilder& builder) {
-  if (params.force.low >= params.force.high) builder.error("force", "the first number must be below the second");
+  lessons::require_ordered(builder, "force", params.force);
   if (params.holder == params.winder) builder.error("winder", "two grippers are needed, not one");
   builder.state<Memory>();
-  for (size_t i = 0; i < std::size(kCues); ++i) cue_[i] = builder.cue(kCues[i]);
-  for (size_t i = 0; i < std::size(kMetrics); ++i) metric_[i] = builder.metric(kMetrics[i]);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the thread with one instrument.");
   phase_[index(Stage::kWind)] = builder.phase("wind", "Wind it about the tips of the other.");
   phase_[index(Stage::kHold)] = builder.phase("hold", "Keep it drawn.");
@@ -53,18 +54,11 @@ void LoopLesson::bind(const Scene& scene, Binder& binder) {
 void LoopLesson::activate(double dt_s) {
   const P& p = params();
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.turns = p.turns;
   rules.sense = p.sense == Sense::kEither ? 0 : p.sense == Sense::kRight ? 1 : -1;
   rules.least_draw = p.least_draw;
   rules.tension = p.tension;
-  rules.force_low = p.force.low;
-  rules.force_high = p.force.high;
-  rules.hold_time = p.hold_time;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.max_over_time = p.max_over_time;
-  rules.max_drops = p.max_drops;
-  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_pass {
 
@@ -50,19 +51,10 @@ void PassLesson::bind(const Scene& scene, Binder& binder) {
 void PassLesson::activate(double dt_s) {
   const P& p = params();
   Rules rules;
-  rules.force_low = p.force.low;
-  rules.force_high = p.force.high;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.place_radius = p.place_radius;
   rules.share_time = p.share_time;
   rules.passes = p.passes;
-  rules.hold_time = p.hold_time;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.max_over_time = p.max_over_time;
-  rules.max_drops = p.max_drops;
-  rules.drop_distance = p.drop_distance;
-  rules.lost_distance = p.lost_distance;
-  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
 }
 

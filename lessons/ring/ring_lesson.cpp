@@ -5,6 +5,7 @@
 
 #include "common/declare.hpp"
 #include "common/names.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_ring {
 
@@ -80,18 +81,11 @@ void RingLesson::bind(const Scene& scene, Binder& binder) {
 void RingLesson::activate(double dt_s) {
   const RingParams& p = params_;
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.course_low = p.course.low;
   rules.course_high = p.course.high;
   rules.posts = static_cast<int>(posts_.size());
-  rules.force_high = p.force.high;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.max_over_time = p.max_over_time;
   rules.max_touches = p.max_touches;
-  rules.max_drops = p.max_drops;
-  rules.drop_distance = p.drop_distance;
-  rules.lost_distance = p.lost_distance;
-  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
 }
 

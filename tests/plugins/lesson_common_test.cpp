@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What several lessons measure: filters, the way of a hand, spread, quantile, rest, tremor.
+// What several lessons measure: filters, the way of a hand, spread, quantile, rest, tremor. And the rules that they share.
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "lessons/common/measures.hpp"
+#include "lessons/common/rules.hpp"
 #include "lessons/common/watches.hpp"
 
 namespace swage::lessons {
@@ -96,6 +97,48 @@ TEST(Spread, OfOneValueIsNone) {
       spread(s, 0.0123 * i, 1.0 / rate);
       ASSERT_NEAR(deviation(s), 0, 1e-8) << rate << " " << i;
     }
+}
+
+// each rule has the value of the parameter of its name, whatever the parameter's place in its struct
+TEST(CommonRules, EachIsSetByTheParameterOfItsName) {
+  struct Params {
+    double lost_distance = 1, drop_distance = 2, max_over_time = 3, max_time = 4, par_time = 5, hold_time = 6;
+    int max_drops = 7;
+    struct {
+      double low = 8, high = 9;
+    } force;
+  };
+  struct Rules {
+    double force_low = 0, force_high = 0, hold_time = 0, par_time = 0, max_time = 0, max_over_time = 0;
+    int max_drops = 0;
+    double drop_distance = 0, lost_distance = 0, own = 10;
+    bool ends = false;
+  } rules;
+  set_common_rules(Params(), false, rules);
+  EXPECT_EQ(rules.lost_distance, 1);
+  EXPECT_EQ(rules.drop_distance, 2);
+  EXPECT_EQ(rules.max_over_time, 3);
+  EXPECT_EQ(rules.max_time, 4);
+  EXPECT_EQ(rules.par_time, 5);
+  EXPECT_EQ(rules.hold_time, 6);
+  EXPECT_EQ(rules.max_drops, 7);
+  EXPECT_EQ(rules.force_low, 8);
+  EXPECT_EQ(rules.force_high, 9);
+  EXPECT_EQ(rules.own, 10) << "what a lesson alone has stays";
+  EXPECT_TRUE(rules.ends);
+
+  // a judge without the others has no need of their parameters
+  struct Times {
+    double par_time = 20, max_time = 30;
+  };
+  struct Few {
+    double par_time = 0, max_time = 0;
+    bool ends = true;
+  } few;
+  set_common_rules(Times(), true, few);
+  EXPECT_EQ(few.par_time, 20);
+  EXPECT_EQ(few.max_time, 30);
+  EXPECT_FALSE(few.ends) << "practice ends no attempt";
 }
 
 }  // namespace
