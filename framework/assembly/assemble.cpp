@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assembly/assembler.hpp"
+#include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "host/library.hpp"
 #include "host/version.hpp"
@@ -70,7 +71,7 @@ void Assembler::resolve_mode() {
   const std::string mode = said.empty() ? "test" : said;
   const bool known = std::find(std::begin(kModes), std::end(kModes), mode) != std::end(kModes);
   if (!known && mode != kHandMode)
-    error("", "There is no mode \"" + mode + "\". There is: practice, test, demo.");
+    error("", say::kNoMode(mode));
   rig_->card.mode = mode;
   rig_->card.cues = said == "test" ? 0 : file_.cues;
   hand_ = mode == "demo" && overrides_.device.empty() ? "expert" : overrides_.device;
@@ -114,15 +115,14 @@ const PluginInfo* Assembler::usable(const PluginUse& use, int32_t kind) {
     return nullptr;
   }
   if (plugin->kind != kind) {
-    error(pointer, "\"" + plugin->id + "\" is a plugin of kind " + host::kind_text(plugin->kind) +
-                       "; this place takes kind " + host::kind_text(kind) + ".");
+    error(pointer, say::kOtherKind(plugin->id, host::kind_text(plugin->kind), host::kind_text(kind)));
     return nullptr;
   }
   for (const auto& [id, range] : file_.requirements) {
     bool valid = false;
     if (id != plugin->id || host::in_range(plugin->version, range, valid)) continue;
     error("/requires/" + pointer_step(id),
-          "\"" + id + "\" " + plugin->version + " is installed; this lesson requires " + range + ".");
+          say::kOtherVersion(id, plugin->version, range));
     return nullptr;
   }
   return plugin;
@@ -134,15 +134,14 @@ void Assembler::check_requirements() {
     required.insert(id);
     if (!used_.contains(id))
       note(Severity::kWarning, "/requires/" + pointer_step(id),
-           "Nothing in this lesson uses \"" + id + "\".");
+           say::kUnused(id));
   }
   for (const std::string& id : used_) {
     const PluginInfo* plugin = catalogue_.find(id);
     if (plugin == nullptr || required.contains(id)) continue;
     const std::string& v = plugin->version;
     note(Severity::kWarning, "/requires",
-         "This lesson uses \"" + id + "\". Add to \"requires\":  \"" + id + "\": \"^" +
-             v.substr(0, v.rfind('.')) + "\"");
+         say::kNotRequired(id, id, v.substr(0, v.rfind('.'))));
   }
 }
 
@@ -196,14 +195,13 @@ std::unique_ptr<Instance> Assembler::make(const PluginUse& use, int32_t kind, co
   if (configured) return instance;
   if (!sentence.empty()) error(use.pointer, sentence);
   if (problems_.size() == before)
-    error(use.pointer, plugin->id + " refused these parameters without a reason.");
+    error(use.pointer, say::kRefusedParams(plugin->id));
   return nullptr;
 }
 
 void Assembler::add_objects() {
   if (file_.objects.size() > snapshot::kMaxObjects)
-    return error("/objects", "A lesson has at most " + std::to_string(snapshot::kMaxObjects) +
-                                 " objects, not " + std::to_string(file_.objects.size()) + ".");
+    return error("/objects", say::kManyObjects(snapshot::kMaxObjects, file_.objects.size()));
   for (const LessonObject& use : file_.objects) {
     // a slot for each, so that indices are those of the file
     host::ObjectSlot& slot = rig_->objects.emplace_back();
@@ -230,8 +228,7 @@ void Assembler::add_objects() {
       if (body.motion != SWAGE_MOTION_SELF) continue;
       moves_itself = true;
       if (!slot.moves_itself())
-        error(use.pointer, "Body \"" + body.name + "\" moves itself, but " + slot.instance->plugin_id +
-                               " does not offer " SWAGE_EXT_SOLVER " nor " SWAGE_EXT_SOLVER_2 ".");
+        error(use.pointer, say::kNoSolver(body.name, slot.instance->plugin_id, SWAGE_EXT_SOLVER, SWAGE_EXT_SOLVER_2));
     }
     // an object may have a level without mechanics of its own
     if (!moves_itself) slot.solver = nullptr, slot.solver_2 = nullptr;

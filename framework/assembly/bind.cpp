@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assembly/assembler.hpp"
+#include "assembly/sentences.hpp"
 #include "host/guard.hpp"
 #include "host/nearest.hpp"
 #include "snapshot/snapshot.hpp"
@@ -38,10 +39,7 @@ bool Assembler::offers(const LessonCoupling& use, const ObjectSlot& object, cons
     for (const ObjectSlot& other : rig_->objects)
       if (other.instance && has_trait(*other.instance, trait)) others.push_back(other.instance->name);
     error(use.pointer + "/between/" + side,
-          "\"" + use.plugin + "\" needs the trait \"" + trait + "\" here; \"" + object.instance->name +
-              "\" (" + object.instance->plugin_id + ") does not offer it. " +
-              (others.empty() ? "No object of this lesson does."
-                              : "Those of this lesson that do: " + host::join(others) + "."));
+          say::kNoTrait(use.plugin, trait, object.instance->name, object.instance->plugin_id, others.empty() ? say::kNobodyOffers() : say::kOthersOffer(host::join(others))));
   }
   return all;
 }
@@ -75,13 +73,9 @@ void Assembler::find_pairs() {
         slot.pair = kNone;
         // one that was refused has been told of
         if (one_was_refused(use)) continue;
-        error(use.pointer, "\"" + use.plugin + "\" looks at the contacts between \"" + use.a + "\" and \"" +
-                               use.b +
-                               "\", but nothing in this lesson finds them; add a coupling that does, such as "
-                               "\"swage.coupling.contact\".");
+        error(use.pointer, say::kNobodyFinds(use.plugin, use.a, use.b));
       } else if (found->object_a != slot.object_a) {
-        error(use.pointer + "/between", "Another coupling finds these contacts as [\"" + use.b + "\", \"" +
-                                            use.a + "\"]; name the two in the same order in both.");
+        error(use.pointer + "/between", say::kOtherOrder(use.b, use.a));
       }
     }
   }
@@ -111,8 +105,7 @@ void Assembler::bind_couplings() {
     if (!kept) {
       error(use.pointer, host::quarantine_text(*slot.instance));
     } else if (result < 0 && problems_.size() == before) {
-      error(use.pointer, "\"" + use.plugin + "\" refused to join \"" + use.a + "\" and \"" + use.b +
-                             "\" without a reason.");
+      error(use.pointer, say::kRefusedPair(use.plugin, use.a, use.b));
     }
   }
 }
@@ -206,7 +199,7 @@ void Assembler::bind_lesson() {
   if (!kept) {
     error(file_.lesson.pointer, host::quarantine_text(*slot.instance));
   } else if (result < 0 && problems_.size() == before) {
-    error(file_.lesson.pointer, "\"" + file_.lesson.plugin + "\" refused this scene without a reason.");
+    error(file_.lesson.pointer, say::kRefusedScene(file_.lesson.plugin));
   }
 }
 
@@ -231,7 +224,7 @@ void Assembler::bind_sights() {
     if (!kept) {
       error(pointer, host::quarantine_text(*slot.instance));
     } else if (result < 0 && problems_.size() == before) {
-      error(pointer, "\"" + slot.instance->plugin_id + "\" refused to look at this scene without a reason.");
+      error(pointer, say::kRefusedSight(slot.instance->plugin_id));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "assembly/assembler.hpp"
+#include "assembly/sentences.hpp"
 #include "host/nearest.hpp"
 #include "host/stand_in.hpp"
 #include "snapshot/snapshot.hpp"
@@ -27,7 +28,7 @@ void Assembler::resolve_override() {
   if (wanted.empty() || !overrides_.recorded.empty()) return;
   if (file_.devices.empty()) {
     if (!file_.faulty)
-      note(Severity::kNote, "", "This lesson has no device; \"" + wanted + "\" is not used.");
+      note(Severity::kNote, "", say::kNoDevices(wanted));
     return;
   }
   // a choice of the file itself
@@ -56,8 +57,7 @@ void Assembler::resolve_override() {
   }
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  error("/devices", "There is no device \"" + wanted + "\" for this lesson." +
-                        host::did_you_mean(wanted, names) + " There is: " + host::join(names) + ".");
+  error("/devices", say::kNoDevice(wanted, host::did_you_mean(wanted, names), host::join(names)));
 }
 
 const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t index) {
@@ -74,7 +74,7 @@ const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t in
     used_.insert(first.plugin);
     note(
         Severity::kNote, first.pointer + "/plugin",
-        "\"" + first.plugin + "\" is not installed; \"" + device.name + "\" uses \"" + choice.plugin + "\".");
+        say::kReplaced(first.plugin, device.name, choice.plugin));
     return &choice;
   }
   return &first;
@@ -82,8 +82,7 @@ const DeviceChoice* Assembler::choose(const LessonDevice& device, std::size_t in
 
 void Assembler::add_devices() {
   if (file_.devices.size() > snapshot::kMaxDevices)
-    return error("/devices", "A lesson has at most " + std::to_string(snapshot::kMaxDevices) +
-                                 " devices, not " + std::to_string(file_.devices.size()) + ".");
+    return error("/devices", say::kManyDevices(snapshot::kMaxDevices, file_.devices.size()));
   for (std::size_t i = 0; i < file_.devices.size(); ++i) {
     const LessonDevice& use = file_.devices[i];
     // what the others name is used too, as far as "requires" is concerned
@@ -135,8 +134,7 @@ void Assembler::bind_follows() {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + b];
       if (body.motion != SWAGE_MOTION_FOLLOWS) continue;
       const std::string hand = file_.devices.empty() ? "hand" : file_.devices[0].name;
-      error(use.pointer, "\"" + use.name + "\" follows a hand; say which:  \"follows\": { \"pose\": \"" +
-                             hand + "\", \"closure\": \"" + hand + "\" }");
+      error(use.pointer, say::kFollowsNobody(use.name, hand, hand));
       break;
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "assembly/hand_shaping.hpp"
 
+#include "assembly/sentences.hpp"
 #include "host/units.hpp"
 
 namespace swage::assembly {
@@ -28,12 +29,12 @@ void read_table(ObjectReader& reader, const Teller& teller, host::Reaction& out)
   reader.each("table", kMostPoints, [&](const Json& json, const std::string& pointer) {
     host::Reaction::Point p{};
     if (!json.is_array() || json.size() != 2 || !force(json[0], p.scene) || !force(json[1], p.hand))
-      return teller.error(pointer, "a point is the force in the scene and that at the hand, [\"20 mN\", \"0.1 N\"], not " + short_dump(json) + ".");
+      return teller.error(pointer, say::kNoPoint(short_dump(json)));
     const bool rises = out.table.empty() ? p.scene == 0 && p.hand == 0 : p.scene > out.table.back().scene && p.hand >= out.table.back().hand;
-    if (!rises) return teller.error(pointer, "a table begins at [0, 0], and its forces rise from point to point.");
+    if (!rises) return teller.error(pointer, say::kFallingTable());
     out.table.push_back(p);
   });
-  if (out.table.size() < 2) teller.error(reader.at("table"), "a reaction by table needs \"table\", at least two points.");
+  if (out.table.size() < 2) teller.error(reader.at("table"), say::kShortTable());
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ void read_filters(const Json& json, const std::string& pointer, const Teller& te
   out.dead_turn = reader.quantity("dead_turn", "rad", 0, 0, 1);
   reader.each("clutch", 32, [&](const Json& bit, const std::string& at) {
     if (!bit.is_number_unsigned() || bit.get<uint64_t>() > 31)
-      return teller.error(at, "a button of a clutch is a whole number from 0 to 31, not " + short_dump(bit) + ".");
+      return teller.error(at, say::kNoClutch(short_dump(bit)));
     out.clutch |= 1u << bit.get<uint32_t>();
   });
   reader.finish();
@@ -61,9 +62,9 @@ void read_reaction(const Json& json, const std::string& pointer, const Teller& t
   if (out.law == Law::kTable)
     read_table(reader, teller, out);
   else if (reader.find("table") != nullptr)
-    teller.error(reader.at("table"), "\"table\" belongs to the law \"table\".");
+    teller.error(reader.at("table"), say::kTableOfNoLaw());
   const bool needs = out.law != Law::kProportional && out.law != Law::kTable;
-  if (needs && !(out.from > 0)) teller.error(reader.at("from"), "the law \"" + law + "\" needs \"from\", a force above 0 N.");
+  if (needs && !(out.from > 0)) teller.error(reader.at("from"), say::kNoForce(law));
   reader.finish();
 }
 

@@ -8,6 +8,7 @@
 #include "assembly/hand_shaping.hpp"
 #include "assembly/lesson_text.hpp"
 #include "assembly/reader.hpp"
+#include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "host/nearest.hpp"
 #include "host/version.hpp"
@@ -61,7 +62,7 @@ class LessonParser {
     const std::string format = top.text("format", true);
     if (format.empty() || format == kFormat) return !format.empty();
     teller_.error(top.at("format"),
-                  "\"" + format + "\" cannot be read; this program reads \"" + kFormat + "\".");
+                  say::kOtherFormat(format, kFormat));
     return false;
   }
 
@@ -74,7 +75,7 @@ class LessonParser {
       const auto found = std::find(std::begin(kChannels), std::end(kChannels), word);
       if (found == std::end(kChannels))
         return teller_.error(
-            pointer, short_dump(json) + " is no channel of cues; there is colour, shape, sound, force.");
+            pointer, say::kNoChannel(short_dump(json)));
       out_.cues |= 1u << (found - std::begin(kChannels));
     });
   }
@@ -83,7 +84,7 @@ class LessonParser {
     const Json* json = top.find("requires");
     if (json == nullptr) return;
     if (!json->is_object()) {
-      teller_.error(top.at("requires"), "\"requires\" is an object { \"plugin.id\": \"^1\", ... }.");
+      teller_.error(top.at("requires"), say::kNoRequirements());
       return;
     }
     for (const auto& [id, range] : json->items()) {
@@ -93,9 +94,7 @@ class LessonParser {
       if (valid) {
         out_.requirements.emplace_back(id, range.get<std::string>());
       } else {
-        teller_.error(pointer, short_dump(range) +
-                                   " is not a range of versions; write \"^1.2\" (1.2 or later, below "
-                                   "2), \">=1.2\" or \"1.2.0\" (exactly).");
+        teller_.error(pointer, say::kNoVersions(short_dump(range)));
       }
     }
   }
@@ -162,8 +161,7 @@ class LessonParser {
         coupling.a = (*between)[0].get<std::string>();
         coupling.b = (*between)[1].get<std::string>();
       } else {
-        teller_.error(reader.at("between"), "\"between\" is the names of two objects, [\"a\", \"b\"], not " +
-                                                short_dump(*between) + ".");
+        teller_.error(reader.at("between"), say::kNoPair(short_dump(*between)));
       }
     }
     reader.finish();
@@ -183,7 +181,7 @@ class LessonParser {
       if (name.empty()) return;
       if (!names.insert(name).second) {
         teller_.error(pointer + "/name",
-                      "\"" + name + "\" is taken: every device, object and coupling has its own name.");
+                      say::kTaken(name));
       } else if (list != nullptr) {
         list->push_back(name);
       }
@@ -205,9 +203,9 @@ class LessonParser {
   void check_reference(const std::string& name, const std::vector<std::string>& names,
                        const std::string& what, const std::string& pointer) {
     if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
-    const std::string has = names.empty() ? " It has none." : " It has: " + host::join(names) + ".";
+    const std::string has = names.empty() ? say::kHasNone() : say::kHas(host::join(names));
     teller_.error(pointer,
-                  "The lesson has no " + what + " \"" + name + "\"." + host::did_you_mean(name, names) + has);
+                  say::kNoSuch(what, name, host::did_you_mean(name, names), has));
   }
 
   LessonFile& out_;
@@ -230,7 +228,7 @@ void keep_first(base::Problems& problems, std::size_t most) {
   const base::Problems rest(problems.begin() + static_cast<long>(most), problems.end());
   problems.resize(most);
   problems.push_back({base::failed(rest) ? base::Severity::kError : base::Severity::kWarning,
-                      problems.back().where, "And " + std::to_string(rest.size()) + " more."});
+                      problems.back().where, say::kMore(rest.size())});
 }
 
 /// A file with double keys is read on: one list of everything that is wrong.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "base/text.hpp"
 #include "toolkit/read_file.hpp"
@@ -54,9 +55,7 @@ bool sound_texts(const Json& json, const std::string& pointer, const Link& link,
     const bool control = base::has_control(text);
     if (!control && text.size() <= kMostText) return true;
     problems.push_back({base::Severity::kError, link.places.where(at),
-                        control ? "\"" + base::printable(base::shortened(text, 40)) +
-                                      "\" holds a control character, which no text of a lesson needs."
-                                : "It is longer than 10 000 bytes."});
+                        control ? say::kControl(base::printable(base::shortened(text, 40))) : say::kLongText()});
     return false;
   };
   if (json.is_string()) return sound(json.get_ref<const std::string&>(), pointer);
@@ -80,28 +79,27 @@ bool parse(Link& link, base::Problems& problems) {
     problems.push_back({base::Severity::kError, where, message});
     return false;
   };
-  if (link.text.size() > kMaxBytes) return error(file, "It is larger than 4 MiB; that is no lesson.");
+  if (link.text.size() > kMaxBytes) return error(file, say::kTooLarge());
   if (link.text.find_first_not_of(" \t\r\n") == std::string::npos)
-    return error(file, "It is empty; the smallest lesson is { \"format\": \"swage-lesson/1\", ... }.");
-  if (nesting(link.text) > kMaxNesting) return error(file, "Its brackets are nested deeper than 32.");
+    return error(file, say::kEmpty());
+  if (nesting(link.text) > kMaxNesting) return error(file, say::kTooDeep());
   try {
     link.json = Json::parse(link.text);
   } catch (const Json::parse_error& e) {
     const auto [line, column] = place(link.text, e.byte);
     return error(file + ":" + std::to_string(line),
-                 "This is not valid JSON at column " + std::to_string(column) +
-                     ": a comma, colon, quotation mark or bracket is missing or too many.");
+                 say::kNotJson(column));
   } catch (const Json::exception&) {
-    return error(file, "It holds a number that is too large.");
+    return error(file, say::kLargeNumber());
   }
   SourceMap map = map_source(link.text);
   if (map.cut)
-    return error(file, "It holds more than 20 000 values, or a key of more than 200 letters; that is no lesson.");
+    return error(file, say::kTooMuch());
   link.readable = true;
   link.line_of = map.line_of;
   link.places = Places(link.path, link.path, std::move(map.line_of));
   for (const auto& [pointer, key] : map.double_keys)
-    error(link.places.where(pointer + "/" + pointer_step(key)), "\"" + key + "\" is there twice.");
+    error(link.places.where(pointer + "/" + pointer_step(key)), say::kTwice(key));
   return sound_texts(link.json, "", link, problems) && map.double_keys.empty();
 }
 
@@ -125,19 +123,19 @@ class Chain {
       const Link& link = links_.back();
       const Json& base = link.json["based_on"];
       if (!base.is_string() || base.get<std::string>().empty())
-        return error(link, "/based_on", "\"based_on\" is the lesson file that this one is another of.");
+        return error(link, "/based_on", say::kBaseIsNoText());
       const std::string next = (fs::path(link.path).parent_path() / base.get<std::string>()).string();
       std::error_code none;
       for (const Link& before : links_)
         if (fs::equivalent(before.path, next, none))
-          return error(link, "/based_on", "It is based on itself, by way of \"" + next + "\".");
+          return error(link, "/based_on", say::kBaseIsItself(next));
       if (links_.size() > kMostBases)
-        return error(link, "/based_on", "More than eight lessons are based on one another.");
+        return error(link, "/based_on", say::kTooManyBases());
       const std::string why = toolkit::file_refusal(next, kMaxBytes);
       if (why == "There is no such file.")
-        return error(link, "/based_on", "There is no lesson file \"" + next + "\" to be based on.");
+        return error(link, "/based_on", say::kNoBase(next));
       if (!why.empty())
-        return error(link, "/based_on", "\"" + next + "\" is no lesson to be based on. " + why);
+        return error(link, "/based_on", say::kBadBase(next, why));
       if (!open(next)) return false;
     }
     return true;
@@ -148,7 +146,7 @@ class Chain {
     out.made = links_.size() > 1 || !settings.empty();
     if (!out.made) return give(whole, out);
     if (!whole.json.is_object())
-      return error(whole, "", "It is not a JSON object, so nothing can be set in it.");
+      return error(whole, "", say::kNothingToSetIn());
     // the lesson is called by the first file; what no other file changes is in the last one
     whole.places = Places(links_.front().path, whole.path, whole.line_of);
     bool good = true;
@@ -177,7 +175,7 @@ class Chain {
       links_.push_back({path, std::move(text), {}, {}, {}, false});
       return parse(links_.back(), problems_);
     }
-    if (why == "There is no such file.") why = "There is no such lesson file.";
+    if (why == "There is no such file.") why = say::kNoFile();
     problems_.push_back({base::Severity::kError, path, why});
     return false;
   }
@@ -198,7 +196,7 @@ class Chain {
       if (!link.json.contains(key))
         good =
             error(link, "",
-                  std::string("\"") + key + "\" is missing: a lesson has its own, whatever it is based on.");
+                  say::kNotOwn(key));
     for (const auto& [key, value] : link.json.items()) {
       const std::string pointer = "/" + pointer_step(key);
       if (key == "set")
@@ -209,9 +207,7 @@ class Chain {
       } else {
         good =
             error(link, pointer,
-                  "\"" + key +
-                      "\" is what it has from the lesson it is based on. To change a value write \"set\": { "
-                      "\"needle.arc\": \"2/8\" }; to add or to leave out something write the lesson whole.");
+                  say::kFromBase(key));
       }
     }
     whole.json.erase("based_on");
@@ -220,12 +216,12 @@ class Chain {
 
   bool set_all(const Link& link, const Json& settings, Link& whole) {
     if (!settings.is_object())
-      return error(link, "/set", "\"set\" is an object { \"needle.arc\": \"2/8\", ... }.");
+      return error(link, "/set", say::kSetIsNoObject());
     bool good = true;
     for (const auto& [what, value] : settings.items()) {
       const std::string pointer = "/set/" + pointer_step(what);
       if (what.find('.') == std::string::npos || what.front() == '.')
-        good = error(link, pointer, "\"" + what + "\" is no value of a part; it looks like \"needle.arc\".");
+        good = error(link, pointer, say::kNoPart(what));
       else
         good = set(whole, {what, value.dump()}, link.places.where(pointer)) && good;
     }

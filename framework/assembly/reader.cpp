@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "base/text.hpp"
 #include "host/nearest.hpp"
@@ -36,7 +37,7 @@ ObjectReader::ObjectReader(const Json& json, std::string pointer, std::string wh
     : json_(&json), pointer_(std::move(pointer)), what_(std::move(what)), teller_(teller) {
   if (json.is_object()) return;
   teller_.error(pointer_,
-                "This is " + what_ + ": an object { \"name\": value, ... }, not " + short_dump(json) + ".");
+                say::kNoObject(what_, short_dump(json)));
   json_ = &empty_object();
 }
 
@@ -51,7 +52,7 @@ const Json* ObjectReader::find(const std::string& key) {
 const Json* ObjectReader::need(const std::string& key) {
   const Json* value = find(key);
   // an object that is none was reported already
-  if (value == nullptr && json_ != &empty_object()) teller_.error(pointer_, "\"" + key + "\" is missing.");
+  if (value == nullptr && json_ != &empty_object()) teller_.error(pointer_, say::kMissing(key));
   return value;
 }
 
@@ -59,11 +60,11 @@ std::string ObjectReader::text(const std::string& key, bool required) {
   const Json* value = required ? need(key) : find(key);
   if (value == nullptr) return "";
   if (!value->is_string()) {
-    teller_.error(at(key), "\"" + key + "\" is a text, not " + short_dump(*value) + ".");
+    teller_.error(at(key), say::kNoText(key, short_dump(*value)));
     return "";
   }
   if (required && value->get_ref<const std::string&>().empty())
-    teller_.error(at(key), "\"" + key + "\" is empty.");
+    teller_.error(at(key), say::kEmptyText(key));
   return value->get<std::string>();
 }
 
@@ -73,7 +74,7 @@ bool ObjectReader::flag(const std::string& key, bool fallback) {
   const Json* value = find(key);
   if (value == nullptr) return fallback;
   if (value->is_boolean()) return value->get<bool>();
-  teller_.error(at(key), "\"" + key + "\" is true or false, not " + short_dump(*value) + ".");
+  teller_.error(at(key), say::kNoFlag(key, short_dump(*value)));
   return fallback;
 }
 
@@ -81,8 +82,7 @@ std::string ObjectReader::choice(const std::string& key, std::span<const char* c
   const std::string word = text(key, false);
   if (std::find(words.begin(), words.end(), word) != words.end()) return word;
   const std::vector<std::string> all(words.begin(), words.end());
-  teller_.error(at(key), "\"" + word + "\" is not known for \"" + key + "\"." +
-                             host::did_you_mean(word, all) + " There is: " + host::join(all) + ".");
+  teller_.error(at(key), say::kNoChoice(word, key, host::did_you_mean(word, all), host::join(all)));
   return words.front();
 }
 
@@ -90,7 +90,7 @@ std::string ObjectReader::name(const std::string& key, bool required) {
   const std::string name = text(key, required);
   if (!name.empty() && !is_instance_name(name)) {
     teller_.error(at(key),
-                  "\"" + name + "\" is not a name: lower-case letters, digits and _, a letter first.");
+                  say::kNoName(name));
   }
   return name;
 }
@@ -107,8 +107,7 @@ bool ObjectReader::number(const Json& json, const std::string& pointer, const st
   } else {
     const host::Unit* u = host::find_unit(unit);
     const bool pure = std::string(unit) == "1";
-    sentence = "\"" + label + "\" is " + u->dimension + (pure ? "" : " (" + host::units_like(unit) + ")") +
-               ", not " + short_dump(json) + ".";
+    sentence = say::kNoQuantity(label, u->dimension + (pure ? "" : say::kUnits(host::units_like(unit))), short_dump(json));
   }
   teller_.error(pointer, sentence);
   return false;
@@ -120,9 +119,7 @@ double ObjectReader::quantity(const std::string& key, const char* unit, double f
   double out = fallback;
   if (value == nullptr || !number(*value, at(key), key, unit, out)) return fallback;
   if (out >= min && out <= max) return out;
-  teller_.error(at(key), short_dump(*value) + " is out of range; \"" + key + "\" goes from " +
-                             host::format_quantity(min, unit) + " to " + host::format_quantity(max, unit) +
-                             ".");
+  teller_.error(at(key), say::kOutOfRange(short_dump(*value), key, host::format_quantity(min, unit), host::format_quantity(max, unit)));
   return fallback;
 }
 
@@ -130,7 +127,7 @@ uint64_t ObjectReader::whole(const std::string& key, uint64_t fallback) {
   const Json* value = find(key);
   if (value == nullptr) return fallback;
   if (value->is_number_unsigned()) return value->get<uint64_t>();
-  teller_.error(at(key), "\"" + key + "\" is a whole number from 0, not " + short_dump(*value) + ".");
+  teller_.error(at(key), say::kNoWhole(key, short_dump(*value)));
   return fallback;
 }
 
@@ -138,7 +135,7 @@ swage_vec3 ObjectReader::vector(const std::string& key, const char* unit, swage_
   const Json* value = find(key);
   if (value == nullptr) return fallback;
   if (!value->is_array() || value->size() != 3) {
-    teller_.error(at(key), "\"" + key + "\" is a list of 3 numbers, not " + short_dump(*value) + ".");
+    teller_.error(at(key), say::kNoVector(key, short_dump(*value)));
     return fallback;
   }
   double v[3] = {0, 0, 0};
@@ -146,7 +143,7 @@ swage_vec3 ObjectReader::vector(const std::string& key, const char* unit, swage_
     if (!number((*value)[i], at(key) + "/" + std::to_string(i), key, unit, v[i])) return fallback;
     // 1 km: everything in a scene is smaller, and numbers like 1e300 only hide a mistake
     if (!(std::abs(v[i]) <= 1e3)) {
-      teller_.error(at(key) + "/" + std::to_string(i), short_dump((*value)[i]) + " is too large.");
+      teller_.error(at(key) + "/" + std::to_string(i), say::kTooLargeNumber(short_dump((*value)[i])));
       return fallback;
     }
   }
@@ -161,7 +158,7 @@ swage_pose ObjectReader::pose(const std::string& key) {
   out.p = reader.vector("p", "m", out.p);
   const Json* q = reader.find("q");
   const bool has_rpy = reader.find("rpy") != nullptr;
-  if (q != nullptr && has_rpy) teller_.error(at(key), "A pose has \"q\" or \"rpy\", not both.");
+  if (q != nullptr && has_rpy) teller_.error(at(key), say::kTwoRotations());
 
   // roll, pitch, yaw about the fixed axes x, y, z
   const swage_vec3 rpy = reader.vector("rpy", "rad", {0, 0, 0});
@@ -180,7 +177,7 @@ swage_pose ObjectReader::pose(const std::string& key) {
     given = Quat((*q)[0].get<double>(), (*q)[1].get<double>(), (*q)[2].get<double>(), (*q)[3].get<double>());
   // 1e-3: digits that a person rounds away; more is another rotation than the one meant
   if (!four || !(std::abs(given.norm() - 1) < 1e-3)) {
-    teller_.error(at(key) + "/q", "\"q\" is a unit quaternion [w, x, y, z], not " + short_dump(*q) + ".");
+    teller_.error(at(key) + "/q", say::kNoQuaternion(short_dump(*q)));
     return out;
   }
   out.q = toolkit::raw(given.normalized());
@@ -192,12 +189,11 @@ void ObjectReader::each(const std::string& key, std::size_t most,
   const Json* value = find(key);
   if (value == nullptr) return;
   if (!value->is_array()) {
-    teller_.error(at(key), "\"" + key + "\" is a list [ ... ], not " + short_dump(*value) + ".");
+    teller_.error(at(key), say::kNoList(key, short_dump(*value)));
     return;
   }
   if (value->size() > most)
-    return teller_.error(at(key), "\"" + key + "\" has at most " + std::to_string(most) + " entries, not " +
-                                      std::to_string(value->size()) + ".");
+    return teller_.error(at(key), say::kTooMany(key, most, value->size()));
   for (std::size_t i = 0; i < value->size(); ++i) f((*value)[i], at(key) + "/" + std::to_string(i));
 }
 
@@ -206,11 +202,10 @@ void ObjectReader::finish() {
   for (const auto& [key, value] : json_->items()) {
     if (key.starts_with("x-") || std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     if (++unknown > kMostUnknown) continue;
-    teller_.error(at(key), "\"" + key + "\" is not known in " + what_ + "." +
-                               host::did_you_mean(key, known_) + " It has: " + host::join(known_) + ".");
+    teller_.error(at(key), say::kUnknownKey(key, what_, host::did_you_mean(key, known_), host::join(known_)));
   }
   if (unknown > kMostUnknown)
-    teller_.error(pointer_, "And " + std::to_string(unknown - kMostUnknown) + " more keys are not known.");
+    teller_.error(pointer_, say::kMoreKeys(unknown - kMostUnknown));
 }
 
 }  // namespace swage::assembly

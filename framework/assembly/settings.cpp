@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "host/nearest.hpp"
 
@@ -132,9 +133,8 @@ bool set_in(Json& file, const Setting& setting, const std::string& place, base::
   const bool found = find_and_put(file, instance, entry, names);
   pointers = std::move(entry.pointers);
   if (found && !entry.refused) return true;
-  const std::string why = found ? "\"" + setting.what + "\" cannot be set: the lesson that this one is of has no \"params\": { ... } there."
-                                : "There is no \"" + instance + "\" to set \"" + setting.what + "\"." +
-                                      host::did_you_mean(instance, names) + " There is: " + host::join(names) + ".";
+  const std::string why = found ? say::kNoParams(setting.what)
+                                : say::kNobodyToSet(instance, setting.what, host::did_you_mean(instance, names), host::join(names));
   problems.push_back({base::Severity::kError, place, why});
   return false;
 }

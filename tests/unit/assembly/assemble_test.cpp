@@ -7,11 +7,14 @@
 #include <cmath>
 
 #include "../../catalogue.hpp"
+#include "assembly/sentences.hpp"
 #include "base/rng.hpp"
+#include "host/nearest.hpp"
 #include "judge/host_events.hpp"
 #include "test_places.hpp"
 
 using namespace swage;
+namespace say = assembly::say;
 using scene::kNone;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -177,8 +180,7 @@ TEST(Assemble, OverridesChooseByNameIdOrLastWord) {
   EXPECT_THAT(
       make(kScene, {"exprt", ""}).said,
       ElementsAre(
-          "a.json:2 #/devices: There is no device \"exprt\" for this lesson. Did you mean \"expert\"? "
-          "There is: expert, pad, pen."));
+          "a.json:2 #/devices: " + say::kNoDevice("exprt", host::did_you_mean("exprt", {"expert"}), "expert, pad, pen")));
 }
 
 TEST(Assemble, AnInstalledDeviceMayReplaceTheLessonsOwn) {
@@ -197,8 +199,7 @@ TEST(Assemble, WhatIsNotInstalledGivesWayToWhatIs) {
   ASSERT_NE(m.rig, nullptr);
   EXPECT_THAT(
       m.said,
-      ElementsAre("a.json:2 #/devices/0/plugin: \"org.example.haptic\" is not installed; \"hand\" uses "
-                  "\"org.example.pen\"."));
+      ElementsAre("a.json:2 #/devices/0/plugin: " + say::kReplaced("org.example.haptic", "hand", "org.example.pen")));
 }
 
 TEST(Assemble, LessonsWithoutDevicesRunWithAnyHand) {
@@ -206,7 +207,7 @@ TEST(Assemble, LessonsWithoutDevicesRunWithAnyHand) {
                          "lesson": {"plugin": "org.example.watch"})",
                       {"expert", ""});
   EXPECT_NE(m.rig, nullptr);
-  EXPECT_THAT(m.said, ElementsAre("a.json: This lesson has no device; \"expert\" is not used."));
+  EXPECT_THAT(m.said, ElementsAre("a.json: " + say::kNoDevices("expert")));
 }
 
 TEST(Assemble, RequirementsAreComparedWithWhatIsThere) {
@@ -216,14 +217,12 @@ TEST(Assemble, RequirementsAreComparedWithWhatIsThere) {
   EXPECT_THAT(
       make(kScene, {}, newer.c_str()).said,
       ElementsAre(
-          "a.json:1 #/requires/org.example.tool: \"org.example.tool\" 1.2.3 is installed; this lesson "
-          "requires ^1.3."));
+          "a.json:1 #/requires/org.example.tool: " + say::kOtherVersion("org.example.tool", "1.2.3", "^1.3")));
   const std::string fewer = replaced(kRequires, R"("org.example.tool": "^1", )", "");
   const Made told = make(kScene, {}, fewer.c_str());
   EXPECT_NE(told.rig, nullptr) << "a warning, no error";
   EXPECT_THAT(told.said,
-              ElementsAre("a.json:1 #/requires: This lesson uses \"org.example.tool\". Add to \"requires\":  "
-                          "\"org.example.tool\": \"^1.2\""));
+              ElementsAre("a.json:1 #/requires: " + say::kNotRequired("org.example.tool", "org.example.tool", "1.2")));
 }
 
 TEST(Assemble, MarksAreChecked) {
@@ -242,7 +241,7 @@ TEST(Assemble, TooManyObjectsAreRefused) {
     objects += std::string(i > 0 ? "," : "") + R"({"plugin": "org.example.ball", "name": "b)" +
                std::to_string(i) + "\"}";
   EXPECT_THAT(make("\"objects\": [" + objects + R"(], "lesson": {"plugin": "org.example.watch"})").said,
-              ElementsAre("a.json:1 #/objects: A lesson has at most 32 objects, not 33."));
+              ElementsAre("a.json:1 #/objects: " + say::kManyObjects(32, 33)));
 }
 
 TEST(Assemble, TheRigOutlivesNothingItNeeds) {

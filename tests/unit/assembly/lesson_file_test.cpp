@@ -7,7 +7,11 @@
 #include <cmath>
 #include <functional>
 
+#include "assembly/sentences.hpp"
+#include "host/nearest.hpp"
+
 using namespace swage;
+namespace say = assembly::say;
 using assembly::LessonFile;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -46,12 +50,12 @@ TEST(LessonFile, CountsAreCapped) {
   };
   const std::string coupling = R"({"plugin": "p.c", "between": ["o", "o"]})";
   EXPECT_THAT(with("\"couplings\": [" + many(3000, [&](std::size_t) { return coupling; }) + "]").said,
-              ElementsAre("a.json:2 #/couplings: \"couplings\" has at most 128 entries, not 3000."));
+              ElementsAre("a.json:2 #/couplings: " + say::kTooMany("couplings", 128, 3000)));
   EXPECT_THAT(with("\"couplings\": [" + many(20'000, [&](std::size_t) { return coupling; }) + "]").said,
-              ElementsAre("a.json: It holds more than 20 000 values, or a key of more than 200 letters; that is no lesson."));
+              ElementsAre("a.json: " + say::kTooMuch()));
   const Read keys = with(many(10'000, [](std::size_t i) { return "\"k" + std::to_string(i) + "\": 1"; }));
   ASSERT_EQ(keys.said.size(), 21u);
-  EXPECT_EQ(keys.said.back(), "a.json: And 9980 more keys are not known.");
+  EXPECT_EQ(keys.said.back(), "a.json: " + say::kMoreKeys(9980));
   EXPECT_EQ(with("\"cues\": [" + many(100, [](std::size_t) { return "3"; }) + "]," +
                  "\"objects_\": [" + many(5000, [](std::size_t) { return "{}"; }) + "]").said.size(), 101u);
   EXPECT_THAT(with("\"" + std::string(300, 'k') + "\": 1").said.size(), 1u);
@@ -64,14 +68,14 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
     return r.said.empty() ? std::string() : r.said.front();
   };
   EXPECT_EQ(said(R"("filters": {"low_pass": "10 Hz"}, "reaction": {"law": "quadratic", "from": "0.2 N"})"), "");
-  EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr("a button of a clutch is a whole number from 0 to 31, not 32."));
+  EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr(say::kNoClutch(32)));
   EXPECT_THAT(said(R"("filters": {"lowpass": 1})"), HasSubstr("lowpass"));
-  EXPECT_THAT(said(R"("reaction": {"law": "cubic"})"), HasSubstr("There is: proportional, null zone, threshold, quadratic, table."));
-  EXPECT_THAT(said(R"("reaction": {"law": "threshold"})"), HasSubstr("needs \"from\", a force above 0 N."));
-  EXPECT_THAT(said(R"("reaction": {"law": "table"})"), HasSubstr("at least two points"));
-  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], [1, 2], [1, 3]]})"), HasSubstr("rise from point to point"));
-  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], ["1 mm", 2]]})"), HasSubstr("a point is the force in the scene"));
-  EXPECT_THAT(said(R"("reaction": {"law": "quadratic", "from": 1, "table": []})"), HasSubstr("belongs to the law"));
+  EXPECT_THAT(said(R"("reaction": {"law": "cubic"})"), HasSubstr(say::kNoChoice("cubic", "law", "", "proportional, null zone, threshold, quadratic, table")));
+  EXPECT_THAT(said(R"("reaction": {"law": "threshold"})"), HasSubstr(say::kNoForce("threshold")));
+  EXPECT_THAT(said(R"("reaction": {"law": "table"})"), HasSubstr(say::kShortTable()));
+  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], [1, 2], [1, 3]]})"), HasSubstr(say::kFallingTable()));
+  EXPECT_THAT(said(R"("reaction": {"law": "table", "table": [[0, 0], ["1 mm", 2]]})"), HasSubstr(say::kNoPoint("[\"1 mm\",2]")));
+  EXPECT_THAT(said(R"("reaction": {"law": "quadratic", "from": 1, "table": []})"), HasSubstr(say::kTableOfNoLaw()));
 }
 
 TEST(LessonFile, ReadsEverything) {
@@ -144,42 +148,40 @@ TEST(LessonFile, HasDefaults) {
 TEST(LessonFile, NumbersHaveUnitsAndRanges) {
   EXPECT_THAT(
       with(R"("rate_hz": 50)").said,
-      ElementsAre("a.json:2 #/rate_hz: 50 is out of range; \"rate_hz\" goes from 200 Hz to 10000 Hz."));
+      ElementsAre("a.json:2 #/rate_hz: " + say::kOutOfRange(50, "rate_hz", "200 Hz", "10000 Hz")));
   EXPECT_THAT(
       with(R"("scene_length": "1 s")").said,
       ElementsAre("a.json:2 #/scene_length: \"1 s\" is a time; \"scene_length\" is a length (m, mm, um)."));
   EXPECT_THAT(with(R"("gravity": [0, 0])").said,
-              ElementsAre("a.json:2 #/gravity: \"gravity\" is a list of 3 numbers, not [0,0]."));
+              ElementsAre("a.json:2 #/gravity: " + say::kNoVector("gravity", "[0,0]")));
   EXPECT_THAT(with(R"("gravity": [0, 0, 1e300])").said,
-              ElementsAre("a.json:2 #/gravity/2: 1e+300 is too large."));
+              ElementsAre("a.json:2 #/gravity/2: " + say::kTooLargeNumber("1e+300")));
   EXPECT_THAT(with(R"("seed": 1.5)").said,
-              ElementsAre("a.json:2 #/seed: \"seed\" is a whole number from 0, not 1.5."));
+              ElementsAre("a.json:2 #/seed: " + say::kNoWhole("seed", "1.5")));
 }
 
 TEST(LessonFile, ListsAndObjectsAreWhatTheyAre) {
   EXPECT_THAT(with(R"("couplings": {})").said,
-              ElementsAre("a.json:2 #/couplings: \"couplings\" is a list [ ... ], not {}."));
+              ElementsAre("a.json:2 #/couplings: " + say::kNoList("couplings", "{}")));
   EXPECT_THAT(
       with(R"("couplings": [3])").said,
       ElementsAre(
-          "a.json:2 #/couplings/0: This is a coupling of a lesson: an object { \"name\": value, ... }, "
-          "not 3."));
+          "a.json:2 #/couplings/0: " + say::kNoObject("a coupling of a lesson", 3)));
   EXPECT_THAT(with(R"("requires": ["a"])").said,
-              ElementsAre("a.json:2 #/requires: \"requires\" is an object { \"plugin.id\": \"^1\", ... }."));
+              ElementsAre("a.json:2 #/requires: " + say::kNoRequirements()));
 }
 
 TEST(LessonFile, TellsWhereTheTextStopsToBeJson) {
   EXPECT_THAT(
       Read("{\n \"a\" 1}").said,
       ElementsAre(
-          "a.json:2: This is not valid JSON at column 6: a comma, colon, quotation mark or bracket is "
-          "missing or too many."));
+          "a.json:2: " + say::kNotJson(6)));
   EXPECT_EQ(Read("").said.size(), 1u);
   EXPECT_EQ(Read("{\"a\": 1e999}").said.size(), 1u);
   EXPECT_THAT(Read(std::string(5 << 20, ' ')).said,
-              ElementsAre("a.json: It is larger than 4 MiB; that is no lesson."));
+              ElementsAre("a.json: " + say::kTooLarge()));
   EXPECT_THAT(Read(std::string(200000, '[')).said,
-              ElementsAre("a.json: Its brackets are nested deeper than 32."));
+              ElementsAre("a.json: " + say::kTooDeep()));
 }
 
 TEST(LessonFile, AMissingFileIsSaid) {
@@ -188,7 +190,7 @@ TEST(LessonFile, AMissingFileIsSaid) {
   EXPECT_FALSE(assembly::read_lesson_file("/there/is/none.json", file, problems));
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].where, "/there/is/none.json");
-  EXPECT_EQ(problems[0].message, "There is no such lesson file.");
+  EXPECT_EQ(problems[0].message, say::kNoFile());
   EXPECT_FALSE(assembly::read_lesson_file("/tmp", file, problems)) << "a folder is no file";
 }
 
@@ -206,8 +208,7 @@ TEST(LessonFile, MirrorModeAndCues) {
   EXPECT_THAT(
       with(R"("mirror": 1, "mode": "tset", "cues": ["smell"])").said,
       ElementsAre(
-          "a.json:2 #/mirror: \"mirror\" is true or false, not 1.",
-          "a.json:2 #/mode: \"tset\" is not known for \"mode\". Did you mean \"test\"? There is: "
-          "practice, test, demo.",
-          "a.json:2 #/cues/0: \"smell\" is no channel of cues; there is colour, shape, sound, force."));
+          "a.json:2 #/mirror: " + say::kNoFlag("mirror", 1),
+          "a.json:2 #/mode: " + say::kNoChoice("tset", "mode", host::did_you_mean("tset", {"test"}), "practice, test, demo"),
+          "a.json:2 #/cues/0: " + say::kNoChannel("\"smell\"")));
 }

@@ -12,6 +12,8 @@
 
 #include "../../temp_folder.hpp"
 #include "assembly/lesson_file.hpp"
+#include "assembly/sentences.hpp"
+#include "host/nearest.hpp"
 
 namespace swage::assembly {
 namespace {
@@ -111,21 +113,21 @@ TEST_F(LessonTexts, WhatLeadsNowhereIsSaidWhereItIsWritten) {
   write("b.json", variant("none.json", R"("seed": 9)"));
   EXPECT_FALSE(read("b.json"));
   EXPECT_THAT(said_,
-              ElementsAre("b.json:3 #/based_on: There is no lesson file \"none.json\" to be based on."));
+              ElementsAre("b.json:3 #/based_on: " + say::kNoBase("none.json")));
   EXPECT_EQ(text_.text, "");
 
   write("b.json", variant("c.json", R"("seed": 9)"));
   write("c.json", variant("b.json", R"("seed": 9)"));
   EXPECT_FALSE(read("b.json"));
-  EXPECT_THAT(said_, ElementsAre("c.json:3 #/based_on: It is based on itself, by way of \"b.json\"."));
+  EXPECT_THAT(said_, ElementsAre("c.json:3 #/based_on: " + say::kBaseIsItself("b.json")));
 
   write("b.json", variant("c.json", R"("seed": 9)"));
   write("c.json", "{ \"a\" 1 }");
   EXPECT_FALSE(read("b.json"));
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("c.json:1: This is not valid JSON")));
+  EXPECT_THAT(said_, ElementsAre("c.json:1: " + say::kNotJson(7)));
 
   EXPECT_FALSE(read("none.json"));
-  EXPECT_THAT(said_, ElementsAre("none.json: There is no such lesson file."));
+  EXPECT_THAT(said_, ElementsAre("none.json: " + say::kNoFile()));
 }
 
 TEST_F(LessonTexts, WhatCannotBeSetIsSaidAllInOneGo) {
@@ -133,13 +135,11 @@ TEST_F(LessonTexts, WhatCannotBeSetIsSaidAllInOneGo) {
         variant("series/whole.json", "\"objects\": [],\n\"set\": {\n\"needel.arc\": 1,\n\"arc\": 1 }"));
   EXPECT_FALSE(read("b.json"));
   ASSERT_EQ(said_.size(), 3u);
-  EXPECT_THAT(said_[0],
-              HasSubstr("b.json:4 #/objects: \"objects\" is what it has from the lesson it is based on."));
+  EXPECT_EQ(said_[0],
+              "b.json:4 #/objects: " + say::kFromBase("objects"));
   EXPECT_EQ(said_[1],
-            "b.json:6 #/set/needel.arc: There is no \"needel\" to set \"needel.arc\". Did you mean "
-            "\"needle\"? There is: "
-            "needle, lesson.");
-  EXPECT_THAT(said_[2], HasSubstr("b.json:7 #/set/arc: \"arc\" is no value of a part"));
+            "b.json:6 #/set/needel.arc: " + say::kNobodyToSet("needel", "needel.arc", host::did_you_mean("needel", {"needle"}), "needle, lesson"));
+  EXPECT_EQ(said_[2], "b.json:7 #/set/arc: " + say::kNoPart("arc"));
 
   write("b.json", R"({ "format": "swage-lesson/1", "based_on": "series/whole.json", "set": [] })");
   EXPECT_FALSE(read("b.json"));
@@ -150,7 +150,7 @@ TEST_F(LessonTexts, AnEmptyFileIsNoLesson) {
   for (const char* text : {"", " \n\t"}) {
     write("empty.json", text);
     EXPECT_FALSE(read("empty.json"));
-    EXPECT_THAT(said_, ElementsAre(HasSubstr("empty.json: It is empty;")));
+    EXPECT_THAT(said_, ElementsAre(HasSubstr("empty.json: " + say::kEmpty())));
     LessonFile file;
     base::Problems problems;
     EXPECT_FALSE(read_lesson_file(folder_ / "empty.json", file, problems));
@@ -205,11 +205,11 @@ TEST_F(LessonTexts, TextsForATerminalOrWithoutAnEndAreRefused) {
   EXPECT_FALSE(parse_lesson_text(R"({ "title": "a\u001b[31mb", "x-\u009b": 1 })", "l", out, problems));
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].where, "l:1 #/title");
-  EXPECT_EQ(problems[0].message, "\"a\\x1b[31mb\" holds a control character, which no text of a lesson needs.");
+  EXPECT_EQ(problems[0].message, say::kControl("a\\x1b[31mb"));
   problems.clear();
   EXPECT_TRUE(parse_lesson_text(R"({ "title": "two\nlines \u00e9" })", "l", out, problems));
   EXPECT_FALSE(parse_lesson_text("{ \"title\": \"" + std::string(10'001, 'a') + "\" }", "l", out, problems));
-  EXPECT_EQ(problems.back().message, "It is longer than 10 000 bytes.");
+  EXPECT_EQ(problems.back().message, say::kLongText());
 }
 
 TEST_F(LessonTexts, AnEndlessChainEnds) {
@@ -217,14 +217,14 @@ TEST_F(LessonTexts, AnEndlessChainEnds) {
     write(std::to_string(i) + ".json", variant(std::to_string(i + 1) + ".json", R"("seed": 9)"));
   write("10.json", kWhole);
   EXPECT_FALSE(read("0.json"));
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("More than eight lessons are based on one another.")));
+  EXPECT_THAT(said_, ElementsAre(HasSubstr(say::kTooManyBases())));
   EXPECT_TRUE(read("3.json"));
 }
 
 TEST_F(LessonTexts, NothingCanBeSetInWhatIsNoLesson) {
   write("list.json", "[]");
   EXPECT_FALSE(read("list.json", {{"seed", "1"}}));
-  EXPECT_THAT(said_, ElementsAre("list.json: It is not a JSON object, so nothing can be set in it."));
+  EXPECT_THAT(said_, ElementsAre("list.json: " + say::kNothingToSetIn()));
 }
 
 }  // namespace

@@ -7,6 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "assembly/sentences.hpp"
+#include "host/nearest.hpp"
+
 namespace swage::assembly {
 namespace {
 
@@ -83,8 +86,7 @@ TEST(Settings, AreRefusedWithASentence) {
   EXPECT_TRUE(with({"needel.arc=2/8"}, problems).is_null());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].message,
-            "There is no \"needel\" to set \"needel.arc\". Did you mean \"needle\"? There is: needle, tray, "
-            "grasp, hand, lesson.");
+            say::kNobodyToSet("needel", "needel.arc", host::did_you_mean("needel", {"needle"}), "needle, tray, grasp, hand, lesson"));
 }
 
 }  // namespace
