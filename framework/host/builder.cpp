@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "host/plugin_info.hpp"
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 #include "snapshot/snapshot.hpp"
 #include "toolkit/math.hpp"
@@ -77,12 +78,12 @@ struct BuilderCalls {
     if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "bodies")) return kNone;
     if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return kNone;
     if (X_OB == nullptr || !finite(X_OB->p) || !unit(X_OB->q))
-      return b.refuse("Body \"" + called + "\": the start pose is not a position and a unit quaternion.");
+      return b.refuse(say::kOfBody(called, say::kStartPose()));
     if (motion < SWAGE_MOTION_FIXED || motion > SWAGE_MOTION_SELF)
-      return b.refuse("Body \"" + called + "\": motion " + std::to_string(motion) + " is unknown.");
+      return b.refuse(say::kOfBody(called, say::kMotion(motion)));
     scene::BodyInfo info;
     if (const std::string wrong = take_mass(motion, mass, info); !wrong.empty())
-      return b.refuse("Body \"" + called + "\": " + wrong);
+      return b.refuse(say::kOfBody(called, wrong));
 
     info.motion = motion;
     info.object = b.owner_.object;
@@ -96,14 +97,14 @@ struct BuilderCalls {
   }
 
   static std::string take_mass(int32_t motion, const swage_mass* mass, scene::BodyInfo& info) {
-    if (motion != SWAGE_MOTION_DYNAMIC) return mass == nullptr ? "" : "only dynamic bodies have a mass.";
-    if (mass == nullptr || !positive(mass->mass)) return "a dynamic body needs a mass > 0 kg.";
+    if (motion != SWAGE_MOTION_DYNAMIC) return mass == nullptr ? "" : say::kNoMassHere();
+    if (mass == nullptr || !positive(mass->mass)) return say::kNeedsMass();
     const double i[3] = {mass->inertia.x, mass->inertia.y, mass->inertia.z};
     for (int k = 0; k < 3; ++k) {
-      if (!positive(i[k])) return "a dynamic body needs moments of inertia > 0 kg m2.";
+      if (!positive(i[k])) return say::kNeedsInertia();
       // each moment is at most the sum of the others: no mass has a negative distance from an axis
       if (i[k] > (i[(k + 1) % 3] + i[(k + 2) % 3]) * (1 + 1e-9))
-        return "no body has these moments of inertia: one exceeds the sum of the others.";
+        return say::kNoSuchInertia();
     }
     info.mass = mass->mass;
     std::copy(std::begin(i), std::end(i), info.inertia);
@@ -117,12 +118,11 @@ struct BuilderCalls {
     if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "particles")) return kNone;
     if (!b.fits(w.particle_mass.size() + n, snapshot::kMaxParticles, "particles")) return kNone;
     if (n == 0 || p_O == nullptr || mass == nullptr || !(std::isfinite(radius) && radius >= 0))
-      return b.refuse("particles() needs positions, masses and a radius >= 0 m.");
+      return b.refuse(say::kParticles());
     for (uint32_t i = 0; i < n; ++i) {
       const Vec3 p(p_O[3 * i], p_O[3 * i + 1], p_O[3 * i + 2]);
       if (!p.allFinite() || !positive(mass[i]))
-        return b.refuse("Particle " + std::to_string(i) +
-                        ": its position must be finite and its mass > 0 kg.");
+        return b.refuse(say::kParticle(i));
     }
     const Pose X_WO = normalised(b.owner_.X_WO);
     for (uint32_t i = 0; i < n; ++i) {
@@ -143,7 +143,7 @@ struct BuilderCalls {
                          uint32_t flags) {
     Builder& b = of(raw);
     if (!b.owns_body(body, "A sphere")) return kNone;
-    if (!finite(centre) || !positive(radius) || radius > kFar) return b.refuse("A sphere needs a centre and a radius > 0 m.");
+    if (!finite(centre) || !positive(radius) || radius > kFar) return b.refuse(say::kSphere());
     scene::Shape shape;
     shape.kind = SWAGE_SHAPE_SPHERE;
     shape.X_BS = {centre, {1, 0, 0, 0}};
@@ -156,7 +156,7 @@ struct BuilderCalls {
     if (!b.owns_body(body, what)) return kNone;
     const double length = (toolkit::vec(c) - toolkit::vec(a)).norm();
     if (!positive(length) || !positive(radius))
-      return b.refuse(std::string(what) + " needs two different ends and a radius > 0 m.");
+      return b.refuse(say::kTube(what));
     scene::Shape shape;
     shape.kind = kind;
     shape.X_BS = axis_pose(toolkit::vec(a), toolkit::vec(c)).abi();
@@ -179,11 +179,11 @@ struct BuilderCalls {
     Builder& b = of(raw);
     if (!b.owns_body(body, "An arc")) return kNone;
     if (arc == nullptr || !finite(arc->X_BA.p) || !unit(arc->X_BA.q))
-      return b.refuse("An arc needs a pose: a position and a unit quaternion.");
+      return b.refuse(say::kArcPose());
     if (!positive(arc->radius) || !positive(arc->wire_radius) || arc->wire_radius >= arc->radius)
-      return b.refuse("An arc needs 0 < wire radius < radius.");
+      return b.refuse(say::kArcRadius());
     if (!positive(arc->sweep) || arc->sweep >= 2 * M_PI)
-      return b.refuse("An arc needs a sweep between 0 and 2 pi rad.");
+      return b.refuse(say::kArcSweep());
     scene::Shape shape;
     shape.kind = SWAGE_SHAPE_ARC;
     shape.X_BS = normalised(arc->X_BA).abi();
@@ -199,20 +199,20 @@ struct BuilderCalls {
     if (!b.owns_body(body, "A convex polyhedron")) return kNone;
     if (convex == nullptr || convex->vertex == nullptr || convex->face_start == nullptr ||
         convex->face_vertex == nullptr || convex->n_vertex == 0 || convex->n_face == 0)
-      return b.refuse("A convex polyhedron needs vertices and faces.");
+      return b.refuse(say::kConvexNothing());
     if (convex->n_vertex > kMaxConvex || convex->n_face > kMaxConvex)
-      return b.refuse("A convex polyhedron has at most " + std::to_string(kMaxConvex) + " vertices and as many faces.");
+      return b.refuse(say::kConvexMany(kMaxConvex));
     std::vector<Vec3> vertex;
     Vec3 low = Vec3::Constant(1e300), high = -low;
     for (uint32_t i = 0; i < convex->n_vertex; ++i) {
       vertex.emplace_back(convex->vertex[3 * i], convex->vertex[3 * i + 1], convex->vertex[3 * i + 2]);
-      if (!vertex.back().allFinite()) return b.refuse("A convex polyhedron has a vertex that is not finite.");
+      if (!vertex.back().allFinite()) return b.refuse(say::kConvexVertex());
       low = low.cwiseMin(vertex.back());
       high = high.cwiseMax(vertex.back());
     }
     for (uint32_t f = 0; f < convex->n_face; ++f)
       if (convex->face_start[f] > convex->face_start[f + 1])
-        return b.refuse("A convex polyhedron has faces that do not follow each other in face_start.");
+        return b.refuse(say::kConvexFaces());
 
     // S sits in the middle of the box, so that the bounding sphere is tight
     const Vec3 centre = 0.5 * (low + high);
@@ -225,7 +225,7 @@ struct BuilderCalls {
     const std::string wrong =
         toolkit::build_convex(vertex, {convex->face_start, convex->n_face + 1},
                               {convex->face_vertex, convex->face_start[convex->n_face]}, built);
-    if (!wrong.empty()) return b.refuse("A convex polyhedron is refused: " + wrong + ".");
+    if (!wrong.empty()) return b.refuse(say::kConvexRefused(wrong));
     shape.kind = SWAGE_SHAPE_CONVEX;
     shape.X_BS = {toolkit::raw(centre), {1, 0, 0, 0}};
     shape.convex = static_cast<uint32_t>(b.world_.convex.size());
@@ -238,18 +238,18 @@ struct BuilderCalls {
     Builder& b = of(raw);
     scene::World& w = b.world_;
     if (hinge == nullptr || !b.owns_body(hinge->parent, "A hinge") || !b.owns_body(hinge->child, "A hinge"))
-      return hinge == nullptr ? b.refuse("hinge() needs a hinge.") : kNone;
+      return hinge == nullptr ? b.refuse(say::kNullHinge()) : kNone;
     const uint32_t parent = b.body.first + hinge->parent, child = b.body.first + hinge->child;
-    const std::string name = "The hinge of body \"" + w.body[child].name + "\"";
+    const std::string& name = w.body[child].name;
     if (w.body[child].motion != SWAGE_MOTION_HINGED)
-      return b.refuse(name + ": the child must be declared as hinged.");
-    if (w.body[child].hinge != kNone) return b.refuse(name + " is there twice.");
-    if (parent >= child) return b.refuse(name + ": the parent must be declared before the child.");
+      return b.refuse(say::kOfHinge(name, say::kChildNotHinged()));
+    if (w.body[child].hinge != kNone) return b.refuse(say::kOfHinge(name, say::kHingeTwice()));
+    if (parent >= child) return b.refuse(say::kOfHinge(name, say::kChildBeforeParent()));
     if (!finite(hinge->anchor) || !finite(hinge->axis) || !unit(toolkit::vec(hinge->axis).norm()))
-      return b.refuse(name + " needs an anchor and a unit axis.");
-    if (!positive(hinge->inertia)) return b.refuse(name + " needs an inertia > 0 kg m2.");
+      return b.refuse(say::kOfHinge(name, say::kHingeAxis()));
+    if (!positive(hinge->inertia)) return b.refuse(say::kOfHinge(name, say::kHingeInertia()));
     if (!(hinge->min <= 0 && hinge->max >= 0 && hinge->min < hinge->max))
-      return b.refuse(name + ": angle 0 is the start pose, so min <= 0 <= max and min < max.");
+      return b.refuse(say::kOfHinge(name, say::kHingeAngles()));
 
     scene::HingeInfo info;
     info.object = b.owner_.object;
@@ -274,7 +274,7 @@ struct BuilderCalls {
     Builder& b = of(raw);
     if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return kNone;
     // 1 Mi doubles are 8 MB to save at each rewind; a number that large is a mistake
-    if (n > (1u << 20)) return b.refuse("state() of " + std::to_string(n) + " numbers is too large.");
+    if (n > (1u << 20)) return b.refuse(say::kLargeState(n));
     if (!b.fits(b.world_.plugin_state.size() + n, kMaxState, "private numbers")) return kNone;
     const uint32_t first = b.state.count;
     b.state.count += n;
@@ -309,7 +309,7 @@ struct BuilderCalls {
         if (!b.may(kind == SWAGE_KIND_LESSON, "phases")) return kNone;
         return b.add_name(b.script_.phases, b.phase, std::move(name));
       default:
-        return b.refuse("declare() does not know what " + std::to_string(what) + " is.");
+        return b.refuse(say::kUnknownWhat(what));
     }
   }
 
@@ -360,28 +360,26 @@ uint32_t Builder::refuse(const std::string& message, const std::string& param_id
 }
 
 bool Builder::may(bool allowed, const char* what) {
-  if (!allowed) refuse(article(owner_.kind) + " has no " + what + ".");
+  if (!allowed) refuse(say::kHasNo(article(owner_.kind), what));
   return allowed;
 }
 
 bool Builder::fits(std::size_t n, uint32_t capacity, const char* what) {
   if (n <= capacity) return true;
-  refuse("The scene would have " + std::to_string(n) + " " + what + "; there is room for " +
-         std::to_string(capacity) + ".");
+  refuse(say::kNoRoom(n, what, capacity));
   return false;
 }
 
 bool Builder::owns_body(uint32_t index, const char* shape_name) {
   if (index < body.count) return true;
-  refuse(std::string(shape_name) + " is fixed to body " + (index == kNone ? "NONE" : std::to_string(index)) +
-         ", which was not declared.");
+  refuse(say::kNotDeclared(shape_name, index == kNone ? "NONE" : std::to_string(index)));
   return false;
 }
 
 uint32_t Builder::add_shape(uint32_t body_index, scene::Shape s, uint32_t flags) {
   if (!fits(world_.shape.size() + 1, kMaxShapes, "shapes")) return kNone;
   if ((flags & ~SWAGE_SHAPE_USUAL) != 0)
-    return refuse("A shape has unknown flags (" + std::to_string(flags) + ").");
+    return refuse(say::kUnknownFlags(flags));
   s.body = body.first + body_index;
   s.object = owner_.object;
   s.flags = flags;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/builder.hpp"
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 
 namespace swage::host {
@@ -23,13 +24,12 @@ bool is_name(const std::string& id) {
 }  // namespace
 
 uint32_t Builder::add_name(std::vector<judge::Name>& list, Range& range, judge::Name name) {
-  const std::string quoted = "\"" + name.id + "\"";
-  if (!is_name(name.id)) return refuse(quoted + " is not a name such as \"grasp.force\".");
-  if (name.doc.empty()) return refuse(quoted + " has no doc.");
+  if (!is_name(name.id)) return refuse(say::kNotDotted(name.id));
+  if (name.doc.empty()) return refuse(say::kNameNoDoc(name.id));
   if (const Unit* u = find_unit(name.unit); u == nullptr || u->si != name.unit)
-    return refuse(quoted + ": \"" + name.unit + "\" is not an SI unit of the table (" + unit_list() + ").");
+    return refuse(say::kNameNoUnit(name.id, name.unit, unit_list()));
   for (uint32_t i = 0; i < range.count; ++i)
-    if (list[range.first + i].id == name.id) return refuse(quoted + " is declared twice.");
+    if (list[range.first + i].id == name.id) return refuse(say::kDeclaredTwice(name.id));
   list.push_back(std::move(name));
   return range.count++;
 }
@@ -38,7 +38,7 @@ void Builder::finish() {
   for (uint32_t i = 0; i < body.count; ++i) {
     const scene::BodyInfo& info = world_.body[body.first + i];
     if (info.motion == SWAGE_MOTION_HINGED && info.hinge == kNone)
-      refuse("Body \"" + info.name + "\" is hinged, but no hinge names it as its child.");
+      refuse(say::kNoHinge(info.name));
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/builder.hpp"
+#include "host/sentences.hpp"
 #include "snapshot/snapshot.hpp"
 
 namespace swage::host {
@@ -9,8 +10,7 @@ struct CapacityCalls {
     Builder& b = *static_cast<Builder*>(raw->host_data);
     if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "contact points")) return 0;
     if (points > scene::kLargest.points) {
-      b.refuse("An object may be asked about at most " + std::to_string(scene::kLargest.points) +
-               " contact points at once, not " + std::to_string(points) + ".");
+      b.refuse(say::kManyPoints(scene::kLargest.points, points));
       return 0;
     }
     scene::make_room(b.world_.capacity, points);

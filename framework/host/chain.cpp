@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/builder.hpp"
+#include "host/sentences.hpp"
 #include "scene/chain.hpp"
 #include "snapshot/snapshot.hpp"
 #include "toolkit/math.hpp"
@@ -23,25 +24,23 @@ Vec3 vertex(const swage_chain& c, uint32_t i) {
 
 /// What is wrong with a chain, or nothing. `states`: private doubles of the instance.
 std::string problem_of(const swage_chain* c, uint32_t states) {
-  if (c == nullptr || c->kind != SWAGE_CHAIN_SEGMENTS) return "A chain has pieces of kind 1, straight ones.";
+  if (c == nullptr || c->kind != SWAGE_CHAIN_SEGMENTS) return say::kChainKind();
   if (c->n_vertex < 2 || c->n_vertex > kMost)
-    return "A chain has 2 to " + std::to_string(kMost) + " vertices, not " + std::to_string(c->n_vertex) +
-           ".";
-  if (c->p_B == nullptr || c->radius == nullptr) return "A chain needs vertices and radii.";
+    return say::kChainCount(kMost, c->n_vertex);
+  if (c->p_B == nullptr || c->radius == nullptr) return say::kChainNothing();
   for (uint32_t i = 0; i < c->n_vertex; ++i) {
-    const std::string which = "Vertex " + std::to_string(i) + " of a chain";
-    if (!vertex(*c, i).allFinite()) return which + " is not finite.";
-    if (i > 0 && vertex(*c, i) == vertex(*c, i - 1)) return which + " is where the one before it is.";
+    if (!vertex(*c, i).allFinite()) return say::kOfVertex(i, say::kVertexNotFinite());
+    if (i > 0 && vertex(*c, i) == vertex(*c, i - 1)) return say::kOfVertex(i, say::kVertexTwice());
     if (c->s != nullptr && (!std::isfinite(c->s[i]) || (i > 0 && !(c->s[i] > c->s[i - 1]))))
-      return which + " has an arc length that is not finite or not above the one before it.";
+      return say::kOfVertex(i, say::kVertexArc());
   }
   for (uint32_t i = 0; i + 1 < c->n_vertex; ++i)
     if (!std::isfinite(c->radius[i]) || c->radius[i] < 0)
-      return "Piece " + std::to_string(i) + " of a chain needs a radius >= 0 m.";
-  if (!positive(c->bend_radius)) return "A chain needs a least radius of curvature > 0 m.";
+      return say::kPieceRadius(i);
+  if (!positive(c->bend_radius)) return say::kChainBend();
   const uint32_t n = scene::chain_doubles(c->n_vertex);
   if (c->state > states || n > states - c->state)
-    return "A chain names " + std::to_string(n) + " private doubles that were not declared.";
+    return say::kChainState(n);
   return "";
 }
 
@@ -67,7 +66,7 @@ struct ChainCalls {
     Builder& b = *static_cast<Builder*>(raw->host_data);
     if (!b.owns_body(body, "A chain")) return scene::kNone;
     if (b.world_.body[b.body.first + body].motion != SWAGE_MOTION_SELF)
-      return b.refuse("A chain is on a body that its object moves itself.");
+      return b.refuse(say::kChainBody());
     if (const std::string wrong = problem_of(chain, b.state.count); !wrong.empty()) return b.refuse(wrong);
     size_t drawn = b.world_.particle_mass.size() + chain->n_vertex;
     for (const scene::ChainInfo& other : b.world_.chain) drawn += other.start.size();

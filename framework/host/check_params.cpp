@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "host/nearest.hpp"
 #include "host/params_json.hpp"
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 #include "toolkit/read_file.hpp"
 
@@ -31,20 +32,19 @@ std::string expected(const Param& p) {
   const std::string units = unit != nullptr && p.unit != "1" ? " (" + units_like(p.unit) + ")" : "";
   switch (p.type) {
     case SWAGE_PARAM_INTEGER:
-      return "a whole number";
+      return say::kWhole();
     case SWAGE_PARAM_BOOL:
-      return "true or false";
+      return say::kFlag();
     case SWAGE_PARAM_CHOICE:
-      return "one of " + join(p.choices, true);
+      return say::kOneOf(join(p.choices, true));
     case SWAGE_PARAM_TEXT:
-      return "a text";
+      return say::kText();
     case SWAGE_PARAM_FILE:
-      return "the name of a file";
+      return say::kFileName();
     case SWAGE_PARAM_VECTOR:
-      return "a list of " + std::to_string(p.dimension) + " numbers" +
-             (unit != nullptr && p.unit != "1" ? ", each " + std::string(unit->dimension) + units : "");
+      return say::kNumbers(p.dimension, unit != nullptr && p.unit != "1" ? ", each " + std::string(unit->dimension) + units : "");
     default:
-      return (unit != nullptr ? unit->dimension : "a number") + units;
+      return (unit != nullptr ? unit->dimension : say::kNumber()) + units;
   }
 }
 
@@ -57,13 +57,13 @@ class Checker {
     out_ = default_values(table_, source_.bundle_folder);
     std::vector<bool> given(table_.size(), false);
     if (!object.is_object()) {
-      error("", "\"params\" is an object { \"name\": value, ... }, not " + dump(object) + ".");
+      error("", say::kParamsNoObject(dump(object)));
       return false;
     }
     std::size_t left = object.size();
     for (const auto& [key, value] : object.items()) {
       if (errors_ >= kMostTold) {
-        error("", "And " + std::to_string(left) + " more parameters have not been looked at.");
+        error("", say::kParamsLeft(left));
         break;
       }
       take(key, value, given);
@@ -71,8 +71,7 @@ class Checker {
     }
     for (std::size_t i = 0; i < table_.size(); ++i) {
       if (table_[i].required() && !given[i])
-        error("", source_.plugin_id + " needs \"" + table_[i].id + "\" (" + expected(table_[i]) +
-                      "): " + table_[i].doc);
+        error("", say::kNeedsParam(source_.plugin_id, table_[i].id, expected(table_[i]), table_[i].doc));
     }
     out_.point_to_texts();
     return errors_ == 0;
@@ -105,20 +104,20 @@ class Checker {
       if (p.id != key && !former) continue;
       if (former) {
         say(Severity::kWarning, pointer,
-            "\"" + key + "\" is now called \"" + p.id + "\". Write  \"" + p.id + "\": " + dump(value));
+            say::kFormerName(key, p.id, p.id, dump(value)));
       }
-      if (given[i]) return error(pointer, "\"" + p.id + "\" is given twice.");
+      if (given[i]) return error(pointer, say::kGivenTwice(p.id));
       given[i] = true;
       return check(p, pointer, value, i);
     }
-    const std::string has = ids.empty() ? " It has none." : " It has: " + join(ids) + ".";
-    error(pointer, source_.plugin_id + " has no such parameter." + did_you_mean(key, ids) + has);
+    const std::string has = ids.empty() ? say::kHasNone() : say::kHas(join(ids));
+    error(pointer, say::kNoSuchParam(source_.plugin_id, did_you_mean(key, ids), has));
   }
 
   void check(const Param& p, const std::string& pointer, const Json& json, std::size_t i) {
     swage_value& value = out_.value[i];
     const auto refuse = [&] {
-      error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + ".");
+      error(pointer, say::kOtherType(p.label, expected(p), dump(json)));
     };
     switch (p.type) {
       case SWAGE_PARAM_BOOL:
@@ -151,8 +150,7 @@ class Checker {
       value.number[0] = static_cast<double>(found - p.choices.begin());
       return;
     }
-    error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + "." +
-                       (json.is_string() ? did_you_mean(typed, p.choices) : ""));
+    error(pointer, say::kOtherType(p.label, expected(p), dump(json)) + (json.is_string() ? did_you_mean(typed, p.choices) : ""));
   }
 
   void file(const Param& p, const std::string& pointer, const std::string& name, std::string& text) {
@@ -174,9 +172,9 @@ class Checker {
       text = brought.string();
       out_.files.push_back({name, text});
     } else if (fs::exists(path, failed)) {
-      error(pointer, "\"" + p.label + "\", " + path.string() + ": " + why);
+      error(pointer, say::kBadFile(p.label, path.string(), why));
     } else {
-      error(pointer, "\"" + p.label + "\": there is no file " + path.string() + ".");
+      error(pointer, say::kNoFile(p.label, path.string()));
     }
   }
 
@@ -190,16 +188,14 @@ class Checker {
     } else if (json.is_number()) {
       value = json.get<double>();
     } else {
-      return error(pointer, "\"" + p.label + "\" is " + expected(p) + ", not " + dump(json) + ".");
+      return error(pointer, say::kOtherType(p.label, expected(p), dump(json)));
     }
     if (p.type == SWAGE_PARAM_INTEGER && value != std::floor(value))
-      return error(pointer, "\"" + p.label + "\" is a whole number, not " + dump(json) + ".");
+      return error(pointer, say::kOtherType(p.label, expected(p), dump(json)));
     // conversion rounds: "20 mm" must not exceed 0.02 m by its last bit
     const double slack = 1e-12 * std::max(std::abs(p.min), std::abs(p.max));
     if (!(value >= p.min - slack && value <= p.max + slack)) {
-      return error(pointer, dump(json) + " is out of range; \"" + p.label + "\" goes from " +
-                                format_quantity(p.min, p.display_unit) + " to " +
-                                format_quantity(p.max, p.display_unit) + ".");
+      return error(pointer, say::kOutOfRange(dump(json), p.label, format_quantity(p.min, p.display_unit), format_quantity(p.max, p.display_unit)));
     }
     out = std::clamp(value, p.min, p.max);
   }
@@ -224,7 +220,7 @@ bool check_params(std::string_view text, const ParamTable& table, const ParamSou
   if (object.is_discarded()) {
     out = default_values(table, source.bundle_folder);
     problems.push_back({Severity::kError, source.where ? source.where("") : source.plugin_id,
-                        "The parameters are not JSON: " + std::string(text.substr(0, 60))});
+                        say::kParamsNoJson(text.substr(0, 60))});
     return false;
   }
   return check_params_json(object, table, source, out, problems);

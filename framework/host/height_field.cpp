@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/builder.hpp"
+#include "host/sentences.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::host {
@@ -16,17 +17,17 @@ std::string problem_of(const swage_height_field* f, uint32_t states) {
   constexpr uint32_t kMost = 129;
   if (f == nullptr || !toolkit::vec(f->X_BH.p).allFinite() ||
       std::abs(toolkit::quat(f->X_BH.q).norm() - 1) > 1e-6)
-    return "A height field needs a pose: a position and a unit quaternion.";
+    return say::kFieldPose();
   if (std::min(f->nx, f->ny) < 2 || std::max(f->nx, f->ny) > kMost)
-    return "A height field has 2 to " + std::to_string(kMost) + " vertices along x and y.";
+    return say::kFieldCount(kMost);
   if (!positive(f->dx) || !positive(f->dy) || !positive(f->below))
-    return "A height field needs sides of its cells > 0 m and a reach below its surface > 0 m.";
+    return say::kFieldCells();
   const uint32_t n = f->nx * f->ny;
   const auto finite = [](double z) { return std::isfinite(z); };
   if (f->height == nullptr || !std::all_of(f->height, f->height + n, finite))
-    return "A height field needs finite heights.";
+    return say::kFieldHeights();
   if (f->state != SWAGE_NONE && (f->state > states || n > states - f->state))
-    return "A height field names private doubles for its heights that were not declared.";
+    return say::kFieldState();
   return "";
 }
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "host/params_json.hpp"
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 
 namespace swage::host {
@@ -33,25 +35,23 @@ bool numeric(const Param& p) {
 }
 
 // units, range and default of a number
-void number_faults(const Param& p, const std::string& name, std::vector<std::string>& faults) {
+void number_faults(const Param& p, const std::function<void(const std::string&)>& fault) {
   const Unit* unit = find_unit(p.unit);
   if (unit == nullptr || std::string(unit->si) != p.unit)
-    faults.push_back(name + ": unit \"" + p.unit + "\" is not an SI unit of the table (" + unit_list() +
-                     ").");
+    fault(say::kNoSiUnit(p.unit, unit_list()));
   const Unit* shown = find_unit(p.display_unit);
   if (shown == nullptr || (unit != nullptr && std::string(shown->si) != unit->si))
-    faults.push_back(name + ": display unit \"" + p.display_unit + "\" does not measure what \"" + p.unit +
-                     "\" does.");
-  if (!(p.min <= p.max)) faults.push_back(name + ": min is greater than max.");
+    fault(say::kOtherDisplayUnit(p.display_unit, p.unit));
+  if (!(p.min <= p.max)) fault(say::kEmptyRange());
   for (uint32_t i = 0; i < std::min(p.dimension, 4u); ++i) {
     const double d = p.default_number[i];
-    if (!(d >= p.min && d <= p.max)) faults.push_back(name + ": the default is out of range.");
+    if (!(d >= p.min && d <= p.max)) fault(say::kDefaultOutOfRange());
     if (p.type == SWAGE_PARAM_INTEGER && d != std::floor(d))
-      faults.push_back(name + ": the default is no integer.");
+      fault(say::kDefaultNotWhole());
   }
   const bool vector = p.type == SWAGE_PARAM_VECTOR;
   if (vector ? (p.dimension < 2 || p.dimension > 4) : p.dimension != 1)
-    faults.push_back(name + ": dimension must be " + (vector ? "2 to 4." : "1."));
+    fault(say::kDimension(vector ? "2 to 4" : "1"));
 }
 
 Json number_text(const Param& p, double v) {
@@ -98,21 +98,21 @@ std::vector<std::string> table_faults(const ParamTable& table) {
   std::vector<std::string> faults;
   std::set<std::string> names;
   for (const Param& p : table) {
-    const std::string name = "Parameter \"" + p.id + "\"";
-    if (!is_snake_case(p.id)) faults.push_back(name + ": the id is not snake_case.");
-    if (!names.insert(p.id).second) faults.push_back(name + ": the id is there twice.");
+    const auto fault = [&](const std::string& what) { faults.push_back(say::kOfParam(p.id, what)); };
+    if (!is_snake_case(p.id)) fault(say::kNotSnakeCase());
+    if (!names.insert(p.id).second) fault(say::kIdTwice());
     for (const std::string& alias : p.aliases)
       if (!names.insert(alias).second)
-        faults.push_back(name + ": the alias \"" + alias + "\" is there twice.");
-    if (p.label.empty()) faults.push_back(name + ": it has no label.");
-    if (p.doc.empty()) faults.push_back(name + ": it has no doc.");
+        fault(say::kAliasTwice(alias));
+    if (p.label.empty()) fault(say::kNoLabel());
+    if (p.doc.empty()) fault(say::kNoDoc());
     if (p.type < SWAGE_PARAM_REAL || p.type > SWAGE_PARAM_FILE)
-      faults.push_back(name + ": type " + std::to_string(p.type) + " is unknown.");
-    if (numeric(p)) number_faults(p, name, faults);
+      fault(say::kNoSuchType(p.type));
+    if (numeric(p)) number_faults(p, fault);
     if (p.type != SWAGE_PARAM_CHOICE) continue;
-    if (p.choices.empty()) faults.push_back(name + ": it has no choices.");
+    if (p.choices.empty()) fault(say::kNoChoices());
     if (!(p.default_number[0] >= 0 && p.default_number[0] < static_cast<double>(p.choices.size())))
-      faults.push_back(name + ": the default is not a choice.");
+      fault(say::kDefaultNoChoice());
   }
   return faults;
 }

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "host/sentences.hpp"
+#include "host/units.hpp"
 #include "snapshot/snapshot.hpp"
 
 using namespace swage::host;
@@ -116,12 +118,12 @@ TEST(Builder, RefusesBodiesThatCannotBe) {
   EXPECT_TRUE(b.builder.failed());
   EXPECT_THAT(
       b.said(),
-      ElementsAre("Body \"b\": the start pose is not a position and a unit quaternion.",
-                  "Body \"c\": the start pose is not a position and a unit quaternion.",
-                  "Body \"b\": motion 9 is unknown.", "Body \"b\": only dynamic bodies have a mass.",
-                  "Body \"b\": a dynamic body needs a mass > 0 kg.",  // twice in a row, told once
-                  "Body \"b\": no body has these moments of inertia: one exceeds the sum of the others.",
-                  "Body \"b\": a dynamic body needs moments of inertia > 0 kg m2."));
+      ElementsAre(say::kOfBody("b", say::kStartPose()),
+                  say::kOfBody("c", say::kStartPose()),
+                  say::kOfBody("b", say::kMotion(9)), say::kOfBody("b", say::kNoMassHere()),
+                  say::kOfBody("b", say::kNeedsMass()),  // twice in a row, told once
+                  say::kOfBody("b", say::kNoSuchInertia()),
+                  say::kOfBody("b", say::kNeedsInertia())));
 }
 
 TEST(Builder, CapacitiesAreThoseOfTheSnapshot) {
@@ -131,8 +133,8 @@ TEST(Builder, CapacitiesAreThoseOfTheSnapshot) {
   std::vector<double> p(3 * 1025, 0), m(1025, 1e-9);
   EXPECT_EQ(b.raw->particles(b.raw, 1025, p.data(), m.data(), 0), kNone);
   EXPECT_EQ(b.raw->particles(b.raw, 1024, p.data(), m.data(), 0), 0u);
-  EXPECT_THAT(b.said(), ElementsAre("The scene would have 257 bodies; there is room for 256.",
-                                    "The scene would have 1025 particles; there is room for 1024."));
+  EXPECT_THAT(b.said(), ElementsAre(say::kNoRoom(257, "bodies", 256),
+                                    say::kNoRoom(1025, "particles", 1024)));
 }
 
 TEST(Builder, RoomForContactPointsIsAskedFor) {
@@ -150,7 +152,7 @@ TEST(Builder, RoomForContactPointsIsAskedFor) {
   EXPECT_EQ(capacities_of(b.world).rows, 512u);
   EXPECT_THAT(b.said(), IsEmpty());
   EXPECT_EQ(reserve_points(b.raw, 257), 0u);
-  EXPECT_THAT(b.said(), ElementsAre("An object may be asked about at most 256 contact points at once, not 257."));
+  EXPECT_THAT(b.said(), ElementsAre(say::kManyPoints(256, 257)));
 }
 
 TEST(Builder, ShapesGetTheirFrames) {
@@ -184,12 +186,12 @@ TEST(Builder, RefusesShapesThatCannotBe) {
   EXPECT_EQ(b.raw->arc(b.raw, 0, &round, 3), kNone);
   EXPECT_EQ(b.raw->sphere(b.raw, 0, {0, 0, 0}, 1, 8), kNone);
   EXPECT_THAT(b.said(),
-              ElementsAre("A sphere is fixed to body 1, which was not declared.",
-                          "A sphere is fixed to body NONE, which was not declared.",
-                          "A sphere needs a centre and a radius > 0 m.",
-                          "A capsule needs two different ends and a radius > 0 m.",
-                          "An arc needs 0 < wire radius < radius.",
-                          "An arc needs a sweep between 0 and 2 pi rad.", "A shape has unknown flags (8)."));
+              ElementsAre(say::kNotDeclared("A sphere", 1),
+                          say::kNotDeclared("A sphere", "NONE"),
+                          say::kSphere(),
+                          say::kTube("A capsule"),
+                          say::kArcRadius(),
+                          say::kArcSweep(), say::kUnknownFlags(8)));
 }
 
 TEST(Builder, ConvexesAreCentredAndChecked) {
@@ -222,7 +224,7 @@ TEST(Builder, ConvexesAreCentredAndChecked) {
   for (const Cube& bad : {inward, dented, open, wild, backwards}) refused(bad);
   const swage_convex nothing{};
   EXPECT_EQ(b.raw->convex(b.raw, 0, &nothing, SWAGE_SHAPE_USUAL), kNone);
-  EXPECT_EQ(b.said().back(), "A convex polyhedron needs vertices and faces.");
+  EXPECT_EQ(b.said().back(), say::kConvexNothing());
 }
 
 TEST(Builder, HingesJoinParentAndChild) {
@@ -238,7 +240,7 @@ TEST(Builder, HingesJoinParentAndChild) {
   EXPECT_EQ(b.world.body[1].hinge, 0u);
   EXPECT_EQ(b.world.drive.size(), 1u);
   EXPECT_EQ(b.raw->hinge(b.raw, &good), kNone);
-  EXPECT_EQ(b.said().back(), "The hinge of body \"jaw\" is there twice.");
+  EXPECT_EQ(b.said().back(), say::kOfHinge("jaw", say::kHingeTwice()));
 }
 
 TEST(Builder, RefusesHingesThatCannotBe) {
@@ -255,14 +257,14 @@ TEST(Builder, RefusesHingesThatCannotBe) {
   b.builder.finish();
   EXPECT_THAT(
       b.said(),
-      ElementsAre("The hinge of body \"b\": the child must be declared as hinged.",
-                  "The hinge of body \"early\": the parent must be declared before the child.",
-                  "The hinge of body \"jaw\" needs an anchor and a unit axis.",
-                  "The hinge of body \"jaw\" needs an inertia > 0 kg m2.",
-                  "The hinge of body \"jaw\": angle 0 is the start pose, so min <= 0 <= max and min < max.",
-                  "A hinge is fixed to body 7, which was not declared.",
-                  "Body \"early\" is hinged, but no hinge names it as its child.",
-                  "Body \"jaw\" is hinged, but no hinge names it as its child."));
+      ElementsAre(say::kOfHinge("b", say::kChildNotHinged()),
+                  say::kOfHinge("early", say::kChildBeforeParent()),
+                  say::kOfHinge("jaw", say::kHingeAxis()),
+                  say::kOfHinge("jaw", say::kHingeInertia()),
+                  say::kOfHinge("jaw", say::kHingeAngles()),
+                  say::kNotDeclared("A hinge", 7),
+                  say::kNoHinge("early"),
+                  say::kNoHinge("jaw")));
 }
 
 TEST(Builder, EachKindDeclaresItsOwn) {
@@ -281,8 +283,8 @@ TEST(Builder, EachKindDeclaresItsOwn) {
   EXPECT_EQ(device.raw->state(device.raw, 1), kNone);
   EXPECT_EQ(lesson.body(), kNone);
   EXPECT_EQ(coupling.world.signal.size(), 1u);
-  EXPECT_EQ(lesson.said().back(), "A lesson has no bodies.");
-  EXPECT_EQ(object.said().back(), "An object has no events.");
+  EXPECT_EQ(lesson.said().back(), say::kHasNo("A lesson", "bodies"));
+  EXPECT_EQ(object.said().back(), say::kHasNo("An object", "events"));
 }
 
 TEST(Builder, NamesAreCheckedAndUnitsAreSi) {
@@ -298,9 +300,9 @@ TEST(Builder, NamesAreCheckedAndUnitsAreSi) {
   EXPECT_EQ(signal(nullptr, nullptr, nullptr), kNone);
   EXPECT_THAT(
       b.said(),
-      ElementsAre("\"grip.force\" is declared twice.", "\"Grip\" is not a name such as \"grasp.force\".",
-                  testing::StartsWith("\"grip.length\": \"mm\" is not an SI unit of the table (m, mm,"),
-                  "\"grip.length\" has no doc.", "\"\" is not a name such as \"grasp.force\"."));
+      ElementsAre(say::kDeclaredTwice("grip.force"), say::kNotDotted("Grip"),
+                  say::kNameNoUnit("grip.length", "mm", unit_list()),
+                  say::kNameNoDoc("grip.length"), say::kNotDotted("")));
 }
 
 TEST(Builder, StateAndErrorsOfTheAuthor) {
@@ -348,14 +350,14 @@ TEST(Builder, TakesAChainThatItsObjectMoves) {
   EXPECT_TRUE(refused([](swage_chain& c) { c.bend_radius = 0; }));
   EXPECT_TRUE(refused([](swage_chain& c) { c.state = 4; }));
   EXPECT_THAT(b.said(),
-              ElementsAre("A chain is fixed to body 0, which was not declared.",
-                          "A chain is on a body that its object moves itself.",
-                          "A chain names 24 private doubles that were not declared.",
-                          "A chain has pieces of kind 1, straight ones.",
-                          "A chain has 2 to 513 vertices, not 1.",
-                          "Vertex 2 of a chain has an arc length that is not finite or not above the one before it.",
-                          "Vertex 1 of a chain is where the one before it is.",
-                          "Piece 1 of a chain needs a radius >= 0 m.",
-                          "A chain needs a least radius of curvature > 0 m.",
-                          "A chain names 24 private doubles that were not declared."));
+              ElementsAre(say::kNotDeclared("A chain", 0),
+                          say::kChainBody(),
+                          say::kChainState(24),
+                          say::kChainKind(),
+                          say::kChainCount(513, 1),
+                          say::kOfVertex(2, say::kVertexArc()),
+                          say::kOfVertex(1, say::kVertexTwice()),
+                          say::kPieceRadius(1),
+                          say::kChainBend(),
+                          say::kChainState(24)));
 }

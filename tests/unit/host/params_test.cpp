@@ -9,7 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "../../temp_folder.hpp"
+#include "host/nearest.hpp"
 #include "host/params_json.hpp"
+#include "host/sentences.hpp"
+#include "host/units.hpp"
 
 using namespace swage::host;
 using swage::base::Problems;
@@ -96,23 +99,20 @@ TEST(Params, EverythingWrongIsToldAtOnce) {
   EXPECT_THAT(
       c.said,
       ElementsAre(
-          "E /arc: \"Arc\" is one of \"1/4\", \"3/8\", \"1/2\", not \"3/9\". Did you mean \"3/8\"?",
-          "E /arc_raduis: swage.object.needle has no such parameter. Did you mean \"arc_radius\"? It has: "
-          "arc, "
-          "arc_radius, wire_diameter.",
-          "E /arc_radius: \"3 m\" is out of range; \"Arc radius\" goes from 0.5 mm to 20 mm.",
+          "E /arc: " + say::kOtherType("Arc", say::kOneOf(join({"1/4", "3/8", "1/2"}, true)), "\"3/9\"") + did_you_mean("3/9", {"3/8"}),
+          "E /arc_raduis: " + say::kNoSuchParam("swage.object.needle", did_you_mean("arc_raduis", {"arc_radius"}), say::kHas("arc, arc_radius, wire_diameter")),
+          "E /arc_radius: " + say::kOutOfRange("\"3 m\"", "Arc radius", "0.5 mm", "20 mm"),
           "E /wire_diameter: \"0.1 N\" is a force; \"Wire diameter\" is a length (m, mm, um).",
-          "E /colour: swage.object.needle has no such parameter. It has: arc, arc_radius, wire_diameter."));
+          "E /colour: " + say::kNoSuchParam("swage.object.needle", "", say::kHas("arc, arc_radius, wire_diameter"))));
 }
 
 TEST(Params, FormerNamesWarnWithTheLineToPaste) {
   const Checked c = check(needle_table(), R"({"thickness": "0.2 mm"})");
   EXPECT_TRUE(c.good);
-  EXPECT_THAT(c.said, ElementsAre("W /thickness: \"thickness\" is now called \"wire_diameter\". Write  "
-                                  "\"wire_diameter\": \"0.2 mm\""));
+  EXPECT_THAT(c.said, ElementsAre("W /thickness: " + say::kFormerName("thickness", "wire_diameter", "wire_diameter", "\"0.2 mm\"")));
   EXPECT_DOUBLE_EQ(c.values.value[2].number[0], 0.2e-3);
   EXPECT_THAT(check(needle_table(), R"({"wire_diameter": "0.1 mm", "thickness": "0.2 mm"})").said[1],
-              "E /thickness: \"wire_diameter\" is given twice.");
+              "E /thickness: " + say::kGivenTwice("wire_diameter"));
 }
 
 TEST(Params, RangesHoldTheirEnds) {
@@ -132,26 +132,26 @@ TEST(Params, EachTypeRefusesTheOthers) {
   table[3].dimension = 2;
   EXPECT_TRUE(
       check(table, R"({"on": true, "count": 3, "text": "a", "range": [0.1, "50 %"], "size": 0.1})").good);
-  EXPECT_THAT(check(table, R"({"on": 1})").said, ElementsAre("E /on: \"on\" is true or false, not 1."));
+  EXPECT_THAT(check(table, R"({"on": 1})").said, ElementsAre("E /on: " + say::kOtherType("on", say::kFlag(), "1")));
   EXPECT_THAT(check(table, R"({"count": 2.5})").said,
-              ElementsAre("E /count: \"count\" is a whole number, not 2.5."));
-  EXPECT_THAT(check(table, R"({"text": 3})").said, ElementsAre("E /text: \"text\" is a text, not 3."));
+              ElementsAre("E /count: " + say::kOtherType("count", say::kWhole(), "2.5")));
+  EXPECT_THAT(check(table, R"({"text": 3})").said, ElementsAre("E /text: " + say::kOtherType("text", say::kText(), "3")));
   EXPECT_THAT(check(table, R"({"range": [1]})").said,
-              ElementsAre("E /range: \"range\" is a list of 2 numbers, not [1]."));
+              ElementsAre("E /range: " + say::kOtherType("range", say::kNumbers(2, ""), "[1]")));
   EXPECT_THAT(check(table, R"({"range": [1, "2 mm"]})").said,
               ElementsAre("E /range/1: \"2 mm\" is a length; \"range\" is a pure number (1, %)."));
   EXPECT_THAT(check(table, R"({"size": true})").said,
-              ElementsAre("E /size: \"Size\" is a length (m, mm, um), not true."));
+              ElementsAre("E /size: " + say::kOtherType("Size", "a length (m, mm, um)", "true")));
   EXPECT_THAT(check(table, R"([1])").said,
-              ElementsAre("E : \"params\" is an object { \"name\": value, ... }, not [1]."));
-  EXPECT_THAT(check(table, R"({)").said, ElementsAre("E : The parameters are not JSON: {"));
+              ElementsAre("E : " + say::kParamsNoObject("[1]")));
+  EXPECT_THAT(check(table, R"({)").said, ElementsAre("E : " + say::kParamsNoJson("{")));
 }
 
 TEST(Params, RequiredOnesMustBeThere) {
   ParamTable table = needle_table();
   table[1].flags = SWAGE_PARAM_REQUIRED;
   EXPECT_THAT(check(table, "{}").said,
-              ElementsAre("E : swage.object.needle needs \"arc_radius\" (a length (m, mm, um)): A length."));
+              ElementsAre("E : " + say::kNeedsParam("swage.object.needle", "arc_radius", "a length (m, mm, um)", "A length.")));
   EXPECT_TRUE(check(table, R"({"arc_radius": "1 mm"})").good);
 }
 
@@ -159,7 +159,7 @@ TEST(Params, PluginsWithoutParametersWork) {
   EXPECT_TRUE(check({}, "{}").good);
   EXPECT_TRUE(check({}, "").good);
   EXPECT_THAT(check({}, R"({"a": 1})").said,
-              ElementsAre("E /a: swage.object.needle has no such parameter. It has none."));
+              ElementsAre("E /a: " + say::kNoSuchParam("swage.object.needle", "", say::kHasNone())));
 }
 
 TEST(Params, FilesAreFoundBesideTheLesson) {
@@ -172,7 +172,7 @@ TEST(Params, FilesAreFoundBesideTheLesson) {
   EXPECT_EQ(c.values.text[0], folder + "/hand.json");
   EXPECT_EQ(std::string(c.values.value[0].text.data, c.values.value[0].text.size), c.values.text[0]);
   EXPECT_THAT(check(table, R"({"path": "no.json"})", folder).said,
-              ElementsAre("E /path: \"path\": there is no file " + folder + "/no.json."));
+              ElementsAre("E /path: " + say::kNoFile("path", folder + "/no.json")));
 }
 
 TEST(Params, NotesOfPeopleAreLeftAlone) {
@@ -188,11 +188,11 @@ TEST(Params, TableFaultsAreFound) {
   EXPECT_THAT(
       table_faults(table),
       ElementsAre(
-          "Parameter \"Big\": the id is not snake_case.", "Parameter \"Big\": min is greater than max.",
-          "Parameter \"Big\": the default is out of range.", "Parameter \"size\": it has no label.",
-          "Parameter \"size\": the default is out of range.", "Parameter \"size\": the id is there twice.",
-          "Parameter \"size\": it has no doc.",
-          testing::StartsWith("Parameter \"size\": unit \"mm\" is not an SI unit of the table (m, ")));
+          say::kOfParam("Big", say::kNotSnakeCase()), say::kOfParam("Big", say::kEmptyRange()),
+          say::kOfParam("Big", say::kDefaultOutOfRange()), say::kOfParam("size", say::kNoLabel()),
+          say::kOfParam("size", say::kDefaultOutOfRange()), say::kOfParam("size", say::kIdTwice()),
+          say::kOfParam("size", say::kNoDoc()),
+          say::kOfParam("size", say::kNoSiUnit("mm", unit_list()))));
 }
 
 TEST(Params, TheTableSurvivesItsSidecar) {

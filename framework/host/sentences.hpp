@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sentences that this room tells of parameters, of quantities, and of what a plugin declares. Tests name them, and never repeat their
+// words.
+#pragma once
+
+#include "base/sentence.hpp"
+
+namespace swage::host::say {
+
+using base::operator""_sentence;
+
+// values of parameters
+inline constexpr auto kParamsNoJson = "The parameters are not JSON: {}"_sentence;
+inline constexpr auto kParamsNoObject = "\"params\" is an object { \"name\": value, ... }, not {}."_sentence;
+inline constexpr auto kParamsLeft = "And {} more parameters have not been looked at."_sentence;
+inline constexpr auto kNeedsParam = "{} needs \"{}\" ({}): {}"_sentence;  // plugin, id, what it takes, its doc
+inline constexpr auto kNoSuchParam = "{} has no such parameter.{}{}"_sentence;  // plugin, "did you mean", what it has
+inline constexpr auto kHas = " It has: {}."_sentence;
+inline constexpr auto kHasNone = " It has none."_sentence;
+inline constexpr auto kFormerName = "\"{}\" is now called \"{}\". Write  \"{}\": {}"_sentence;
+inline constexpr auto kGivenTwice = "\"{}\" is given twice."_sentence;
+inline constexpr auto kOtherType = "\"{}\" is {}, not {}."_sentence;  // label, what it takes, what is there
+inline constexpr auto kOutOfRange = "{} is out of range; \"{}\" goes from {} to {}."_sentence;
+inline constexpr auto kNoFile = "\"{}\": there is no file {}."_sentence;
+inline constexpr auto kBadFile = "\"{}\", {}: {}"_sentence;
+
+// what a parameter takes
+inline constexpr auto kWhole = "a whole number"_sentence;
+inline constexpr auto kFlag = "true or false"_sentence;
+inline constexpr auto kOneOf = "one of {}"_sentence;
+inline constexpr auto kText = "a text"_sentence;
+inline constexpr auto kFileName = "the name of a file"_sentence;
+inline constexpr auto kNumbers = "a list of {} numbers{}"_sentence;
+inline constexpr auto kNumber = "a number"_sentence;
+
+// a table of parameters
+inline constexpr auto kOfParam = "Parameter \"{}\": {}"_sentence;
+inline constexpr auto kNotSnakeCase = "the id is not snake_case."_sentence;
+inline constexpr auto kIdTwice = "the id is there twice."_sentence;
+inline constexpr auto kAliasTwice = "the alias \"{}\" is there twice."_sentence;
+inline constexpr auto kNoLabel = "it has no label."_sentence;
+inline constexpr auto kNoDoc = "it has no doc."_sentence;
+inline constexpr auto kNoSuchType = "type {} is unknown."_sentence;
+inline constexpr auto kNoSiUnit = "unit \"{}\" is not an SI unit of the table ({})."_sentence;
+inline constexpr auto kOtherDisplayUnit = "display unit \"{}\" does not measure what \"{}\" does."_sentence;
+inline constexpr auto kEmptyRange = "min is greater than max."_sentence;
+inline constexpr auto kDefaultOutOfRange = "the default is out of range."_sentence;
+inline constexpr auto kDefaultNotWhole = "the default is no integer."_sentence;
+inline constexpr auto kDimension = "dimension must be {}."_sentence;
+inline constexpr auto kNoChoices = "it has no choices."_sentence;
+inline constexpr auto kDefaultNoChoice = "the default is not a choice."_sentence;
+
+// whatever is declared
+inline constexpr auto kHasNo = "{} has no {}."_sentence;  // "A lesson", "bodies"
+inline constexpr auto kNoRoom = "The scene would have {} {}; there is room for {}."_sentence;
+inline constexpr auto kNotDeclared = "{} is fixed to body {}, which was not declared."_sentence;
+inline constexpr auto kUnknownFlags = "A shape has unknown flags ({})."_sentence;
+inline constexpr auto kManyPoints = "An object may be asked about at most {} contact points at once, not {}."_sentence;
+inline constexpr auto kNotDotted = "\"{}\" is not a name such as \"grasp.force\"."_sentence;
+inline constexpr auto kNameNoDoc = "\"{}\" has no doc."_sentence;
+inline constexpr auto kNameNoUnit = "\"{}\": \"{}\" is not an SI unit of the table ({})."_sentence;
+inline constexpr auto kDeclaredTwice = "\"{}\" is declared twice."_sentence;
+inline constexpr auto kUnknownWhat = "declare() does not know what {} is."_sentence;
+inline constexpr auto kLargeState = "state() of {} numbers is too large."_sentence;
+
+// bodies, particles and hinges
+inline constexpr auto kOfBody = "Body \"{}\": {}"_sentence;
+inline constexpr auto kStartPose = "the start pose is not a position and a unit quaternion."_sentence;
+inline constexpr auto kMotion = "motion {} is unknown."_sentence;
+inline constexpr auto kNoMassHere = "only dynamic bodies have a mass."_sentence;
+inline constexpr auto kNeedsMass = "a dynamic body needs a mass > 0 kg."_sentence;
+inline constexpr auto kNeedsInertia = "a dynamic body needs moments of inertia > 0 kg m2."_sentence;
+inline constexpr auto kNoSuchInertia = "no body has these moments of inertia: one exceeds the sum of the others."_sentence;
+inline constexpr auto kNoHinge = "Body \"{}\" is hinged, but no hinge names it as its child."_sentence;
+inline constexpr auto kParticles = "particles() needs positions, masses and a radius >= 0 m."_sentence;
+inline constexpr auto kParticle = "Particle {}: its position must be finite and its mass > 0 kg."_sentence;
+inline constexpr auto kNullHinge = "hinge() needs a hinge."_sentence;
+inline constexpr auto kOfHinge = "The hinge of body \"{}\"{}"_sentence;
+inline constexpr auto kChildNotHinged = ": the child must be declared as hinged."_sentence;
+inline constexpr auto kHingeTwice = " is there twice."_sentence;
+inline constexpr auto kChildBeforeParent = ": the parent must be declared before the child."_sentence;
+inline constexpr auto kHingeAxis = " needs an anchor and a unit axis."_sentence;
+inline constexpr auto kHingeInertia = " needs an inertia > 0 kg m2."_sentence;
+inline constexpr auto kHingeAngles = ": angle 0 is the start pose, so min <= 0 <= max and min < max."_sentence;
+
+// shapes
+inline constexpr auto kSphere = "A sphere needs a centre and a radius > 0 m."_sentence;
+inline constexpr auto kTube = "{} needs two different ends and a radius > 0 m."_sentence;
+inline constexpr auto kArcPose = "An arc needs a pose: a position and a unit quaternion."_sentence;
+inline constexpr auto kArcRadius = "An arc needs 0 < wire radius < radius."_sentence;
+inline constexpr auto kArcSweep = "An arc needs a sweep between 0 and 2 pi rad."_sentence;
+inline constexpr auto kConvexNothing = "A convex polyhedron needs vertices and faces."_sentence;
+inline constexpr auto kConvexMany = "A convex polyhedron has at most {} vertices and as many faces."_sentence;
+inline constexpr auto kConvexVertex = "A convex polyhedron has a vertex that is not finite."_sentence;
+inline constexpr auto kConvexFaces = "A convex polyhedron has faces that do not follow each other in face_start."_sentence;
+inline constexpr auto kConvexRefused = "A convex polyhedron is refused: {}."_sentence;
+inline constexpr auto kFieldPose = "A height field needs a pose: a position and a unit quaternion."_sentence;
+inline constexpr auto kFieldCount = "A height field has 2 to {} vertices along x and y."_sentence;
+inline constexpr auto kFieldCells = "A height field needs sides of its cells > 0 m and a reach below its surface > 0 m."_sentence;
+inline constexpr auto kFieldHeights = "A height field needs finite heights."_sentence;
+inline constexpr auto kFieldState = "A height field names private doubles for its heights that were not declared."_sentence;
+inline constexpr auto kChainKind = "A chain has pieces of kind 1, straight ones."_sentence;
+inline constexpr auto kChainCount = "A chain has 2 to {} vertices, not {}."_sentence;
+inline constexpr auto kChainNothing = "A chain needs vertices and radii."_sentence;
+inline constexpr auto kOfVertex = "Vertex {} of a chain{}"_sentence;
+inline constexpr auto kVertexNotFinite = " is not finite."_sentence;
+inline constexpr auto kVertexTwice = " is where the one before it is."_sentence;
+inline constexpr auto kVertexArc = " has an arc length that is not finite or not above the one before it."_sentence;
+inline constexpr auto kPieceRadius = "Piece {} of a chain needs a radius >= 0 m."_sentence;
+inline constexpr auto kChainBend = "A chain needs a least radius of curvature > 0 m."_sentence;
+inline constexpr auto kChainState = "A chain names {} private doubles that were not declared."_sentence;
+inline constexpr auto kChainBody = "A chain is on a body that its object moves itself."_sentence;
+
+}  // namespace swage::host::say
