@@ -10,6 +10,7 @@
 #include "host/elf_exports.hpp"
 #include "host/library.hpp"
 #include "host/nearest.hpp"
+#include "host/sentences.hpp"
 #include "toolkit/read_file.hpp"
 
 namespace swage::host {
@@ -68,13 +69,13 @@ std::vector<fs::path> sorted_entries(const std::string& dir) {
 
 // one sentence about a child that has not described its library
 std::string why(const ChildResult& child, const std::string& program, double limit_s) {
-  if (!child.started) return "It could not be described: " + program + " does not run.";
+  if (!child.started) return say::kNotDescribed(program);
   if (child.timed_out)
-    return "It did not finish loading within " + std::to_string(static_cast<int>(limit_s)) + " s.";
-  if (child.signal != 0) return "It crashed while it was loaded: " + signal_text(child.signal) + ".";
+    return say::kLoadEndless(static_cast<int>(limit_s));
+  if (child.signal != 0) return say::kLoadCrashed(signal_text(child.signal));
   std::string text = child.err;
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text.empty() ? "It ended the program in which it was loaded, without a word." : text;
+  return text.empty() ? say::kLoadEnded() : text;
 }
 
 }  // namespace
@@ -171,27 +172,27 @@ std::vector<const PluginInfo*> Catalogue::of_kind(int32_t kind) const {
 const Library* Catalogue::load(const PluginInfo& plugin, std::string& error) const {
   const Library* library = Library::load(plugin.library_path, error);
   if (library == nullptr)
-    error = "\"" + plugin.id + "\" (" + plugin.library_path + ") cannot be used. " + error;
+    error = say::kUnusable(plugin.id, plugin.library_path, error);
   return library;
 }
 
 std::string Catalogue::missing_text(const std::string& id) const {
   for (const Refused& r : refused_)
-    if (r.id == id) return "\"" + id + "\" (" + r.path + ") cannot be used. " + r.reason;
+    if (r.id == id) return say::kUnusable(id, r.path, r.reason);
 
   std::vector<std::string> ids;
   for (const PluginInfo& plugin : plugins_) ids.push_back(plugin.id);
-  std::string text = "\"" + id + "\" is not installed.";
+  std::string text = say::kNotInstalled(id);
   if (const PluginInfo* near = find(nearest(id, ids)))
-    text += " Nearest: \"" + near->id + "\" " + near->version + ".";
+    text += say::kNearest(near->id, near->version);
 
   std::vector<std::string> where;
   for (const Searched& s : searched_)
-    where.push_back(s.dir + (s.exists ? " (" + std::to_string(s.plugins) + " plugins)" : " (absent)"));
-  text += " Searched: " + join(where) + ".";
+    where.push_back(s.dir + (s.exists ? say::kPlugins(s.plugins) : say::kAbsent()));
+  text += say::kSearched(join(where));
   std::vector<std::string> refusals;
   for (const Refused& r : refused_) refusals.push_back(r.id);
-  if (!refusals.empty()) text += " Refused: " + join(refusals) + ".";
+  if (!refusals.empty()) text += say::kRefused(join(refusals));
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "host/library.hpp"
 #include "host/plugin_info.hpp"
+#include "host/sentences.hpp"
 
 namespace swage::host {
 
@@ -41,9 +42,7 @@ const char* text(Misdeed misdeed) { return kMisdeeds.at(static_cast<std::size_t>
 const char* text(Call call) { return kCalls.at(static_cast<std::size_t>(call)); }
 
 std::string quarantine_text(const Instance& instance) {
-  return instance.name + " (" + instance.plugin_id + " " + instance.plugin_version + ") " +
-         text(instance.misdeed.load()) + " in " + text(instance.misdeed_call.load()) + "() at step " +
-         std::to_string(instance.quarantine_step.load()) + " and is in quarantine.";
+  return say::kQuarantine(instance.name, instance.plugin_id, instance.plugin_version, text(instance.misdeed.load()), text(instance.misdeed_call.load()), instance.quarantine_step.load());
 }
 
 std::unique_ptr<Instance> Instance::create(const PluginInfo& plugin, const Library& library,

@@ -11,6 +11,7 @@
 #include "base/clock.hpp"
 #include "host/elf_exports.hpp"
 #include "host/guard.hpp"
+#include "host/sentences.hpp"
 #include "toolkit/read_file.hpp"
 
 namespace swage::host {
@@ -52,10 +53,7 @@ std::string loader_error(const std::string& path) {
 std::string abi_refusal(uint32_t major, uint32_t minor) {
   if (major == SWAGE_ABI_MAJOR && minor <= SWAGE_ABI_MINOR) return "";
   const std::string offered = version_text(SWAGE_ABI_MAJOR, SWAGE_ABI_MINOR);
-  return "It was built for plugin interface " + version_text(major, minor) + "; this program offers " +
-         offered +
-         (major == SWAGE_ABI_MAJOR ? ". Update this program, or build the plugin for an older interface."
-                                   : ". Build it against this program's SDK.");
+  return say::kOtherAbi(version_text(major, minor), offered, major == SWAGE_ABI_MAJOR ? say::kNewerAbi() : say::kOtherMajor());
 }
 
 const Library* Library::load(const std::string& path, std::string& error) {
@@ -98,23 +96,20 @@ bool Library::open(std::string& error) {
   swage_result loaded_well = SWAGE_OK;
   call(Call::kLoad, changed, loaded_well, [&] { handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL); });
   if (handle == nullptr) {
-    error = loaded_well < 0 ? "It threw an exception while it was loaded."
-                            : "The dynamic loader refused it: " + loader_error(path_) + ".";
+    error = loaded_well < 0 ? say::kLoadThrew() : say::kLoaderRefused(loader_error(path_));
     return false;
   }
   mapped_ = true;
   if (changed != Misdeed::kNone) {
     error = changed == Misdeed::kLocale
-                ? "It changes the language of the program (setlocale) when it is loaded."
-                : "It changes how the processor calculates when it is loaded (linked with -ffast-math?). "
-                  "Link it without.";
+                ? say::kLoadLocale() : say::kLoadRounding();
     return false;
   }
 
   // the entry, and whether both sides speak the same language
   entry_ = static_cast<const swage_entry*>(dlsym(handle, SWAGE_ENTRY_SYMBOL));
   if (entry_ == nullptr) {
-    error = "It is not a Swage plugin: it exports no " SWAGE_ENTRY_SYMBOL ".";
+    error = say::kNoPlugin(SWAGE_ENTRY_SYMBOL);
     return false;
   }
   error = abi_refusal(entry_->abi_major, entry_->abi_minor);
@@ -137,16 +132,16 @@ bool Library::start(std::string& error) {
     if (contained < 0) result = contained;
   }
   if (changed == Misdeed::kLocale) {
-    error = "Its init changes the language of the program (setlocale).";
+    error = say::kInitLocale();
   } else if (changed != Misdeed::kNone) {
-    error = "Its init changes how the processor calculates.";
+    error = say::kInitRounding();
   } else if (entry_->struct_size < sizeof(swage_entry) || entry_->get_factory == nullptr) {
-    error = "Its " SWAGE_ENTRY_SYMBOL " is incomplete.";
+    error = say::kIncomplete(SWAGE_ENTRY_SYMBOL);
   } else if (result < 0) {
-    error = "Its init failed.";
+    error = say::kInitFailed();
   } else if (factory_ == nullptr || factory_->count == nullptr || factory_->descriptor == nullptr ||
              factory_->create == nullptr) {
-    error = "It offers no " SWAGE_FACTORY_INSTANCES ".";
+    error = say::kNoFactory(SWAGE_FACTORY_INSTANCES);
   }
   return error.empty();
 }

@@ -13,6 +13,7 @@
 #include "host/lesson_card.hpp"
 #include "host/library.hpp"
 #include "host/params_json.hpp"
+#include "host/sentences.hpp"
 #include "host/version.hpp"
 #include "toolkit/read_file.hpp"
 
@@ -62,7 +63,7 @@ PluginInfo copy_descriptor(const swage_descriptor& d) {
 void text_faults(const PluginInfo& plugin, std::vector<std::string>& faults) {
   const auto look = [&faults](const std::string& owner, std::initializer_list<const std::string*> texts) {
     if (std::any_of(texts.begin(), texts.end(), [](const std::string* t) { return base::has_control(*t); }))
-      faults.push_back(base::printable(owner) + " says something with control characters.");
+      faults.push_back(say::kControl(base::printable(owner)));
   };
   look("It", {&plugin.id, &plugin.version, &plugin.name, &plugin.summary, &plugin.author, &plugin.licence,
               &plugin.build_info});
@@ -93,7 +94,7 @@ bool read_descriptors(const Library& library, std::vector<PluginInfo>& out, std:
   for (uint32_t i = 0; i < n && i < kMostPlugins; ++i) {
     const swage_descriptor* d = library.factory().descriptor(i);
     if (d == nullptr) {
-      error = "Its descriptor " + std::to_string(i) + " of " + std::to_string(n) + " is NULL.";
+      error = say::kNullDescriptor(i, n);
       return false;
     }
     PluginInfo plugin = copy_descriptor(*d);
@@ -108,7 +109,7 @@ bool read_descriptors(const Library& library, std::vector<PluginInfo>& out, std:
     plugin.abi_minor = library.entry().abi_minor;
     out.push_back(std::move(plugin));
   }
-  if (out.empty()) error = "It holds no plugin.";
+  if (out.empty()) error = say::kHoldsNone();
   return !out.empty();
 }
 
@@ -122,29 +123,28 @@ bool describe(const Library& library, std::vector<PluginInfo>& out, std::string&
   Misdeed changed = Misdeed::kNone;
   const swage_result result = detail::contained(
       described, Call::kDescribe, 0, [&] { good = read_descriptors(library, out, error); }, &changed);
-  if (result < 0) error = "It threw an exception while it was described.";
-  if (result >= 0 && changed != Misdeed::kNone) error = "It " + std::string(text(changed)) + " while it was described.";
+  if (result < 0) error = say::kDescribeThrew();
+  if (result >= 0 && changed != Misdeed::kNone) error = say::kDescribeDid(text(changed));
   return good && result >= 0 && changed == Misdeed::kNone;
 }
 
 std::vector<std::string> plugin_faults(const PluginInfo& plugin) {
   std::vector<std::string> faults;
   if (!is_id(plugin.id))
-    faults.push_back("Id \"" + plugin.id +
-                     "\" is not a reverse domain in lower case such as \"org.example.clip\".");
+    faults.push_back(say::kNoId(plugin.id));
   Version version;
   if (!parse_version(plugin.version, version))
-    faults.push_back("Version \"" + plugin.version + "\" is not three numbers such as \"1.2.0\".");
+    faults.push_back(say::kNoVersion(plugin.version));
   if (plugin.kind < SWAGE_KIND_OBJECT || plugin.kind > SWAGE_KIND_LESSON)
-    faults.push_back("Kind " + std::to_string(plugin.kind) + " is not object, coupling, device or lesson.");
+    faults.push_back(say::kNoKind(plugin.kind));
   if (plugin.kind != SWAGE_KIND_OBJECT && !plugin.traits.empty())
-    faults.push_back("Only objects offer traits.");
+    faults.push_back(say::kTraitsOfObjects());
   const std::array<std::pair<const char*, const std::string*>, 4> texts = {{{"name", &plugin.name},
                                                                             {"summary", &plugin.summary},
                                                                             {"author", &plugin.author},
                                                                             {"licence", &plugin.licence}}};
   for (const auto& [what, text] : texts)
-    if (text->empty()) faults.push_back(std::string("It has no ") + what + ".");
+    if (text->empty()) faults.push_back(say::kHasNoText(what));
   text_faults(plugin, faults);
   for (std::string& fault : table_faults(plugin.params)) faults.push_back(std::move(fault));
   card_faults(plugin, faults);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this room tells of parameters, of quantities, and of what a plugin declares. Tests name them, and never repeat their
+// Sentences that this room tells of parameters, of what a plugin declares, and of libraries that cannot be loaded. Tests name them, and never repeat their
 // words.
 #pragma once
 
@@ -111,5 +111,47 @@ inline constexpr auto kPieceRadius = "Piece {} of a chain needs a radius >= 0 m.
 inline constexpr auto kChainBend = "A chain needs a least radius of curvature > 0 m."_sentence;
 inline constexpr auto kChainState = "A chain names {} private doubles that were not declared."_sentence;
 inline constexpr auto kChainBody = "A chain is on a body that its object moves itself."_sentence;
+
+// loading a library
+inline constexpr auto kOtherAbi = "It was built for plugin interface {}; this program offers {}. {}"_sentence;
+inline constexpr auto kNewerAbi = "Update this program, or build the plugin for an older interface."_sentence;
+inline constexpr auto kOtherMajor = "Build it against this program's SDK."_sentence;
+inline constexpr auto kLoadThrew = "It threw an exception while it was loaded."_sentence;
+inline constexpr auto kLoaderRefused = "The dynamic loader refused it: {}."_sentence;
+inline constexpr auto kLoadLocale = "It changes the language of the program (setlocale) when it is loaded."_sentence;
+inline constexpr auto kLoadRounding =
+    "It changes how the processor calculates when it is loaded (linked with -ffast-math?). Link it without."_sentence;
+inline constexpr auto kNoPlugin = "It is not a Swage plugin: it exports no {}."_sentence;
+inline constexpr auto kInitLocale = "Its init changes the language of the program (setlocale)."_sentence;
+inline constexpr auto kInitRounding = "Its init changes how the processor calculates."_sentence;
+inline constexpr auto kIncomplete = "Its {} is incomplete."_sentence;
+inline constexpr auto kInitFailed = "Its init failed."_sentence;
+inline constexpr auto kNoFactory = "It offers no {}."_sentence;
+inline constexpr auto kNotDescribed = "It could not be described: {} does not run."_sentence;
+inline constexpr auto kLoadEndless = "It did not finish loading within {} s."_sentence;
+inline constexpr auto kLoadCrashed = "It crashed while it was loaded: {}."_sentence;
+inline constexpr auto kLoadEnded = "It ended the program in which it was loaded, without a word."_sentence;
+inline constexpr auto kUnusable = "\"{}\" ({}) cannot be used. {}"_sentence;
+inline constexpr auto kNotInstalled = "\"{}\" is not installed."_sentence;
+inline constexpr auto kNearest = " Nearest: \"{}\" {}."_sentence;
+inline constexpr auto kSearched = " Searched: {}."_sentence;
+inline constexpr auto kPlugins = " ({} plugins)"_sentence;
+inline constexpr auto kAbsent = " (absent)"_sentence;
+inline constexpr auto kRefused = " Refused: {}."_sentence;
+
+// what a library says of its plugins
+inline constexpr auto kNullDescriptor = "Its descriptor {} of {} is NULL."_sentence;
+inline constexpr auto kHoldsNone = "It holds no plugin."_sentence;
+inline constexpr auto kDescribeThrew = "It threw an exception while it was described."_sentence;
+inline constexpr auto kDescribeDid = "It {} while it was described."_sentence;
+inline constexpr auto kNoId = "Id \"{}\" is not a reverse domain in lower case such as \"org.example.clip\"."_sentence;
+inline constexpr auto kNoVersion = "Version \"{}\" is not three numbers such as \"1.2.0\"."_sentence;
+inline constexpr auto kNoKind = "Kind {} is not object, coupling, device or lesson."_sentence;
+inline constexpr auto kTraitsOfObjects = "Only objects offer traits."_sentence;
+inline constexpr auto kHasNoText = "It has no {}."_sentence;
+inline constexpr auto kControl = "{} says something with control characters."_sentence;
+
+// quarantine
+inline constexpr auto kQuarantine = "{} ({} {}) {} in {}() at step {} and is in quarantine."_sentence;
 
 }  // namespace swage::host::say

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "../../temp_folder.hpp"
+#include "host/sentences.hpp"
 
 using namespace swage::host;
 using testing::ElementsAre;
@@ -38,9 +39,9 @@ TEST(PluginInfo, FaultsOfADescriptor) {
   bad.version = "v1";
   bad.summary = "";
   EXPECT_THAT(plugin_faults(bad),
-              ElementsAre("Id \"Clip\" is not a reverse domain in lower case such as \"org.example.clip\".",
-                          "Version \"v1\" is not three numbers such as \"1.2.0\".",
-                          "Only objects offer traits.", "It has no summary."));
+              ElementsAre(say::kNoId("Clip"),
+                          say::kNoVersion("v1"),
+                          say::kTraitsOfObjects(), say::kHasNoText("summary")));
 }
 
 TEST(PluginInfo, IdsAreReverseDomains) {
