@@ -81,7 +81,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"insert.depth", "1", "The deepest that the point has been below the surface, over the thickness of the wall.", "max of -height / thickness where it went in", "M46", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_B},
     {"insert.arc_error", "m", "Distance of the entry from the needle's own curve, by way: 0 when it is turned about its centre.", "sqrt(integral of d^2 dl / l)", "M47", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"insert.deflections", "1", "Punctures that failed because of the angle.", "count of pierce.deflected", "M48", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
-    {"wound.size", "1", "Wound size of the thesis: 1 (100 %) is perfect.", "greatest distance of the wound's edge from the first puncture / radius of the wire", "M49", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
+    {"wound.size", "1", "Size of the entry wound about the first puncture: 1 (100 %) is perfect.", "greatest distance of the wound's edge from the first puncture / radius of the wire", "M49", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"wound.area", "1", "Torn area over the needle's section: 1 is perfect.", "area / (pi d^2/4)", "M50", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"tissue.pull", "N*s", "Pull on the tissue along its surface, summed over time. Compare only within one tissue.", "integral of the length of f - f.n n", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"tissue.swept", "m2", "Area swept sideways inside the tissue.", "sum over steps", "M53", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},

@@ -35,7 +35,7 @@ struct Rules {
   double in_angle = 15 * kDegree;  // rad: what still counts as perpendicular
   double least_in_angle = 0.5;     // share of the way that must be within it
   double drive = 0.35;             // share of the needle that is to be inside
-  double max_wound = 6;            // edge of the wound from its centre over the wire's radius
+  double max_wound = 6;            // edge of the wound from the first puncture over the wire's radius
   double force_high = 1.5;         // N
   double par_time = 30;            // s
   double max_time = 300;           // s
