@@ -50,7 +50,7 @@ const std::vector<evil::Fault> kObjectFaults = {
     {"motion_unknown", "Has a body that moves in no known way."},
     {"hinge_of_itself", "Hinges a body to itself."},
     {"hinge_missing", "Has a hinged body without a hinge."},
-    {"convex_huge", "Has a polyhedron that claims four milliards of vertices."},
+    {"convex_huge", "Has a polyhedron that claims four billion vertices."},
     {"convex_wild", "Has a polyhedron whose faces name vertices that it has not."},
     {"metric_declared", "Declares what belongs to lessons."},
     {"declares_unknown", "Declares what nobody knows."},

@@ -32,7 +32,7 @@ const std::vector<evil::Fault> kCouplingFaults = {
     {"needs_endless", "Needs traits that are no names."},
     {"tie_nan", "Has a tie at a place that is no number."},
     {"tie_unknown_body", "Has a tie to a body that is not there."},
-    {"ties_many", "Says that it has four milliards of ties."},
+    {"ties_many", "Says that it has four billion ties."},
     {"body_declared", "Declares a body."},
 };
 const std::vector<evil::Fault> kLessonFaults = {
