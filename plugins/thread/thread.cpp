@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "path.hpp"
 #include "toolkit/rod_passage.hpp"
 
 namespace swage::thread {
@@ -18,14 +19,26 @@ using toolkit::vec;
 using toolkit::Vec3;
 
 /// Nodes of the start shape in O, an edge apart. The coil rises by two diameters a turn, so that it does not touch itself.
-Vec3 Thread::start_node(int i) const {
-  const double l = params_.length / params_.segments;
-  if (params_.start == Start::kStraight) return {l * i, 0, 0};
-  if (params_.start == Start::kHanging) return {0, 0, -l * i};
-  const double r = params_.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
+bool Thread::lay_start(const ThreadParams& p, ObjectBuilder& builder) {
+  const double l = p.length / p.segments;
+  start_.clear();
+  if (p.start == Start::kPath) {
+    const std::string wrong = nodes_along(p.path, l, nodes(), start_);
+    if (!wrong.empty()) builder.error("path", wrong);
+    return wrong.empty();
+  }
+  const double r = p.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
   const double rise = 2 * suture_.diameter * turn / (2 * std::numbers::pi),
                flat = std::sqrt(1 - std::pow(rise / l, 2));
-  return {flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i};
+  for (int i = 0; i < nodes(); ++i) {
+    if (p.start == Start::kStraight)
+      start_.emplace_back(l * i, 0, 0);
+    else if (p.start == Start::kHanging)
+      start_.emplace_back(0, 0, -l * i);
+    else
+      start_.emplace_back(flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i);
+  }
+  return true;
 }
 
 /// The body goes with the edge in the middle: its first node, x along it, y its director.
@@ -40,9 +53,10 @@ Pose Thread::middle(const RodState& s) const {
 }
 
 /// Directors without twist, on which the memory bends: a straight thread to its left in its plane, one that hangs towards x, a coil
-/// as it lies. A coil is fixed along its circle, of which an edge is a chord.
+/// as it lies, one along a path across its first piece. A coil is fixed along its circle, of which an edge is a chord.
 void Thread::start_frames(RodState& s, const toolkit::Quat& q_WO) {
-  const Vec3 d_O = params_.start == Start::kHanging ? Vec3(0, -1, 0) : Vec3(0, 0, 1);
+  Vec3 d_O = params_.start == Start::kHanging ? Vec3(0, -1, 0) : Vec3(0, 0, 1);
+  if (params_.start == Start::kPath) d_O = (start_[1] - start_[0]).unitOrthogonal();
   const Vec3 d = q_WO * d_O;
   const bool coil = params_.start == Start::kCoil;
   const double chord = coil ? std::asin(std::min(1.0, 0.5 * rod_.rest_length(0) / params_.coil_radius)) : 0;
@@ -92,6 +106,7 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
       suture_.memory);
   if (params.first == End::kFixed) rod_.hold(0);
   if (params.last == End::kFixed) rod_.hold(params.segments);
+  if (!lay_start(params, builder)) return;
   declare(builder);
   begun_.resize(RodState::size(nodes())), base_.resize(RodState::size(nodes()));
   sides_.resize(at(kSides * rod_.unknowns()));
@@ -102,12 +117,12 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
 void Thread::declare(ObjectBuilder& builder) {
   std::vector<double> numbers(RodState::size(nodes()), 0.0), p_B;
   RodState s(nodes(), numbers.data());
-  for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = start_node(i);
+  for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = start_[at(i)];
   start_frames(s, toolkit::Quat::Identity());
   X_OB0_ = middle(s);
   body_ = builder.own_body("thread", X_OB0_.abi());
   for (int i = 0; i < nodes(); ++i) {
-    const Vec3 p = X_OB0_.inverse() * start_node(i);
+    const Vec3 p = X_OB0_.inverse() * start_[at(i)];
     p_B.insert(p_B.end(), {p.x(), p.y(), p.z()});
   }
   const std::vector<double> radius(at(params_.segments), 0.5 * suture_.diameter);
@@ -135,7 +150,7 @@ void Thread::reset(const Step& step) {
   const int last = params_.segments - 1;
   RodState s = state(step);
   for (int i = 0; i < nodes(); ++i) {
-    Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_node(i);
+    Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_[at(i)];
     chain.s[at(i)] = i * rod_.rest_length(0);
     chain.radius[at(i)] = i <= last ? 0.5 * suture_.diameter : 0;
   }

@@ -17,7 +17,7 @@
 
 namespace swage::thread {
 
-enum class Start : int { kStraight, kHanging, kCoil };
+enum class Start : int { kStraight, kHanging, kCoil, kPath };
 enum class End : int { kFree, kFixed };
 enum class Around : int { kAir, kWater };
 
@@ -27,6 +27,7 @@ struct ThreadParams {
   double length = 20e-3;  // m
   int segments = 32;
   double coil_radius = 3e-3;  // m
+  std::string path;
   End first = End::kFree, last = End::kFree;
   Around around = Around::kAir;
   // of the material; 0, of the memory below 0: as the suture says
@@ -50,7 +51,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
-  static constexpr const char* kStarts[] = {"straight", "hanging", "coil", nullptr};
+  static constexpr const char* kStarts[] = {"straight", "hanging", "coil", "path", nullptr};
   static constexpr const char* kEnds[] = {"free", "fixed", nullptr};
   static constexpr const char* kAround[] = {"air", "water", nullptr};
   static constexpr std::array fields = {
@@ -58,11 +59,14 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                   "Suture of the library: \"nylon_10_0.json\" and others that come with the plugin, or a "
                                   "file of your own. Without one: 10-0 nylon that has lain straight."),
       choice<&ThreadParams::start>("start", "Start shape", kStarts,
-                                   "Straight along x, hanging along -z, or a coil about z, from the origin."),
+                                   "Straight along x, hanging along -z, or a coil about z, from the origin; or along a path."),
       real<&ThreadParams::length>("length", "Length", "m", "mm", 1e-3, 0.3, "Unloaded."),
       integer<&ThreadParams::segments>("segments", "Segments", 4, 200, "Straight pieces."),
       real<&ThreadParams::coil_radius>("coil_radius", "Coil radius", "m", "mm", 0.2e-3, 50e-3,
                                        "Of the start shape coil."),
+      text<&ThreadParams::path>("path", "Path",
+                                "Of the start shape path: points in mm from the first end on, \"0 0 0, 1 0 2, 5 0 2\"; beyond the last "
+                                "one the thread goes straight on."),
       choice<&ThreadParams::first>("first", "First end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::last>("last", "Last end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::around>("around", "Surroundings", kAround, "What drags on it and bears it up."),
@@ -139,7 +143,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
 
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
-  toolkit::Vec3 start_node(int i) const;
+  bool lay_start(const ThreadParams& params, ObjectBuilder& builder);
   void start_frames(toolkit::RodState& s, const toolkit::Quat& q_WO);
   toolkit::Pose middle(const toolkit::RodState& s) const;
   /// The edge nearest to a point, and the share of it from its first node.
@@ -164,6 +168,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   Suture suture_;
   toolkit::Rod rod_;
   toolkit::Pose X_OB0_;
+  std::vector<toolkit::Vec3> start_;  // m, O: nodes of the start shape
   Body body_;
   Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_;
 

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 #include <filesystem>
 
+#include "plugins/thread/path.hpp"
 #include "plugins/thread/thread.hpp"
 #include "test_places.hpp"
 
@@ -293,6 +294,36 @@ TEST(Thread, RefusesACoilNarrowerThanItsSegments) {
   b.bench.set("coil_radius", 0.3e-3);
   b.bench.set("segments", 10);
   EXPECT_FALSE(b.bench.start());
+}
+
+// nodes lie on the path a segment apart, beyond its last point straight on: nothing is stretched before it begins, and in its first step
+// it has moved by 0.2 um
+TEST(Thread, StartsAlongAPath) {
+  Bench b;
+  b.bench.set("start", 3.0);
+  b.bench.set("length", 10e-3);
+  b.bench.set("segments", 20.0);
+  b.bench.set_text("path", "0 0 1, 3 0 1, 3 2 1,3 2 3");
+  b.start();
+  EXPECT_NEAR((b.node(0) - Vec3(0, 0, 1e-3)).norm(), 0, 1e-6);
+  EXPECT_NEAR((b.node(6) - Vec3(3e-3, 0, 1e-3)).norm(), 0, 1e-6);
+  EXPECT_NEAR((b.node(20) - Vec3(3e-3, 2e-3, 6e-3)).norm(), 0, 1e-6);
+  for (int i = 0; i < 20; ++i) EXPECT_NEAR((b.node(i + 1) - b.node(i)).norm(), 0.5e-3, 1e-8) << i;
+}
+
+// round a corner an edge is the chord, as long as it is unloaded
+TEST(Thread, CutsTheCornersOfItsPath) {
+  std::vector<Vec3> nodes;
+  ASSERT_EQ(nodes_along("0 0 0, 0.7 0 0, 0.7 5 0", 0.5e-3, 8, nodes), "");
+  for (size_t i = 0; i + 1 < nodes.size(); ++i) EXPECT_NEAR((nodes[i + 1] - nodes[i]).norm(), 0.5e-3, 1e-15) << i;
+  EXPECT_NEAR(nodes[2].x(), 0.7e-3, 1e-15);
+}
+
+TEST(Thread, SaysWhatIsWrongWithAPath) {
+  std::vector<Vec3> nodes;
+  for (const auto& [path, wrong] : {std::pair{"", "at least two points"}, {"0 0 0", "at least two points"}, {"0 0, 1 0 0", "three numbers"},
+                                    {"0 0 0 1 0 0", "commas"}, {"0 0 0, 1 0 nan", "within"}, {"0 0 0, 0 0 0", "differ"}})
+    EXPECT_NE(nodes_along(path, 0.5e-3, 8, nodes).find(wrong), std::string::npos) << path << ": " << nodes_along(path, 0.5e-3, 8, nodes);
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A start shape that is written down: nodes along straight pieces between points. Header-only. Threads: [main].
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "toolkit/math.hpp"
+
+namespace swage::thread {
+
+using toolkit::Vec3;
+
+/// Reads points like "0 0 0, 1 0 2.5" in mm. Returns what is wrong, or "".
+inline std::string read_points(std::string_view text, std::vector<Vec3>& points) {
+  constexpr double kMm = 1e-3, kMost = 1;  // m
+  const auto skip = [&] {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  };
+  points.clear();
+  for (skip(); !text.empty(); skip()) {
+    if (!points.empty()) {
+      if (text.front() != ',') return "points have commas between them, numbers have spaces: \"0 0 0, 1 0 2.5\"";
+      text.remove_prefix(1);
+    }
+    Vec3 p;
+    for (int i = 0; i < 3; ++i) {
+      skip();
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), p[i]);
+      if (error != std::errc()) return "a point is three numbers in mm: \"0 0 0, 1 0 2.5\"";
+      p[i] *= kMm;
+      if (!(std::abs(p[i]) <= kMost)) return "a point lies within 1000 mm";
+      text.remove_prefix(static_cast<size_t>(end - text.data()));
+    }
+    points.push_back(p);
+  }
+  return points.size() < 2 ? "a path has at least two points: \"0 0 0, 1 0 2.5\"" : "";
+}
+
+/// n nodes along the points that `text` says, each exactly l [m] from the one before, so that nothing is stretched; beyond the last point
+/// straight on. Returns what is wrong, or "".
+inline std::string nodes_along(const std::string& text, double l, int n, std::vector<Vec3>& nodes) {
+  std::vector<Vec3> points;
+  if (const std::string wrong = read_points(text, points); !wrong.empty()) return wrong;
+  const Vec3 last = points.back() - points[points.size() - 2];
+  if (!(last.norm() > 0)) return "the last two points of a path differ";
+  points.push_back(points.back() + n * l * last.normalized());
+  nodes.assign(1, points.front());
+  for (size_t k = 0; static_cast<int>(nodes.size()) < n;) {
+    if (k + 1 == points.size()) return "its path leads back on itself: take shorter segments or a wider path";
+    // the farther of the two places of the line at the distance l from the node
+    const Vec3 a = points[k] - nodes.back(), d = points[k + 1] - points[k];
+    const double A = d.squaredNorm(), B = a.dot(d), C = a.squaredNorm() - l * l, D = B * B - A * C;
+    const double share = A > 0 && D >= 0 ? (-B + std::sqrt(D)) / A : 2;
+    if (share > 1 || share < 0)
+      ++k;
+    else
+      nodes.push_back(points[k] + share * d);
+  }
+  return "";
+}
+
+}  // namespace swage::thread
