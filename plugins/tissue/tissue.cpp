@@ -32,6 +32,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
     builder.error("slit", "the slit must be narrower than half the patch");
   if (params.edge_stiffness > 0 && (!(params.slit > 0) || !yields()))
     builder.error("edge_stiffness", "edges that move are those of a \"slit\", level compliant or mesh");
+  if (params.mount_stiffness > 0 && yields()) builder.error("mount_stiffness", "a patch that moves as a whole is of level plane");
   edges_ = {params.edge_stiffness > 0 ? 1 / params.edge_stiffness : 0, params.slit};
   if (params.form == Form::kTable) {
     try {
@@ -48,7 +49,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   }
   if (builder.failed()) return;
 
-  body_ = yields() ? builder.own_body("wall") : builder.fixed_body("wall");
+  build_body(params, builder);
   if (yields()) {
     asked_.C_W.resize(size_t{kPoints} * kPoints);
     edges_.move() ? builder.state<SlitState>() : builder.state<State>();
@@ -64,6 +65,26 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
   dimple_ = builder.signal("tissue.dimple", "m", "Deepest displacement of the surface; not level plane.");
   force_ = builder.signal("tissue.force", "N", "Sum of what presses on the surface; not level plane.");
   if (edges_.move()) gap_ = builder.signal("tissue.gap", "m", "Width of the slit as its edges are drawn now; 0: they meet.");
+}
+
+/// A patch that moves as a whole turns about a line far below it.
+void Tissue::build_body(const TissueParams& p, ObjectBuilder& builder) {
+  if (!mounted()) {
+    body_ = yields() ? builder.own_body("wall") : builder.fixed_body("wall");
+    return;
+  }
+  const Body base = builder.fixed_body("base");
+  body_ = builder.hinged_body("wall");
+  mount_ = builder.hinge({base, body_, {0, 0, -kMountArm}, {0, 1, 0}, p.mount_mass * kMountArm * kMountArm, -p.mount_travel / kMountArm,
+                          p.mount_travel / kMountArm});
+  shift_ = builder.signal("tissue.shift", "m", "Way of the whole patch along its x axis.");
+}
+
+/// The spring of the mount, critically damped.
+void Tissue::forces(const Step& step) {
+  if (!mounted()) return;
+  const double k = params_.mount_stiffness, square = kMountArm * kMountArm;
+  step.drive(mount_) = {0, k * square, 2 * std::sqrt(k * params_.mount_mass) * square, k * square};
 }
 
 /// What touches is deeper than what is seen, so that nothing is pushed out on the wrong side.

@@ -28,6 +28,9 @@ struct TissueParams {
   std::string heights;
   double slit = 0;           // m
   double edge_stiffness = 0;  // N/m
+  double mount_stiffness = 0;    // N/m
+  double mount_travel = 0.2e-3;  // m
+  double mount_mass = 50e-6;     // kg
   double stiffness = 100;    // N/m
   double stiffening = 5000;  // N/m2
   double young = 1e6;        // Pa
@@ -101,6 +104,14 @@ class Tissue final : public Object<TissueParams>,
       real<&TissueParams::edge_stiffness>("edge_stiffness", "Edge stiffness", "N/m", "N/m", 0, 1e5,
                                           "Of each edge of the slit against being drawn to the other one, levels compliant and mesh; 0: the "
                                           "edges stand still."),
+      real<&TissueParams::mount_stiffness>("mount_stiffness", "Mount stiffness", "N/m", "N/m", 0, 1e5,
+                                           "Of the whole patch against being drawn along x, as one edge of a wound towards the other, level "
+                                           "plane; 0: it stands still.")
+          .group("Mount"),
+      real<&TissueParams::mount_travel>("mount_travel", "Mount travel", "m", "mm", 1e-6, 5e-3,
+                                        "How far the patch goes along +x, to where it meets the other one.")
+          .group("Mount"),
+      real<&TissueParams::mount_mass>("mount_mass", "Mount mass", "kg", "g", 1e-7, 0.1, "Of what moves.").group("Mount").hidden(),
       real<&TissueParams::stiffness>("stiffness", "Stiffness", "N/m", "N/m", 1, 1e6,
                                      "Force per overlap of one touching place, level plane.")
           .group("Touch"),
@@ -162,6 +173,7 @@ class Tissue final : public Object<TissueParams>,
 
   void build(const TissueParams& params, ObjectBuilder& builder) override;
   void activate(double dt_s) override;
+  void forces(const Step& step) override;
   void finish(const Step& step) override;
   void reset(const Step& step) override;
 
@@ -209,6 +221,10 @@ class Tissue final : public Object<TissueParams>,
   };
 
   bool yields() const { return params_.level != Level::kPlane; }
+  // m, of the hinge below a patch that moves as a whole: so far that it goes straight, by 4 mrad of tilt for 0.2 mm
+  static constexpr double kMountArm = 50e-3;
+  bool mounted() const { return params_.mount_stiffness > 0; }
+  void build_body(const TissueParams& params, ObjectBuilder& builder);
   /// Half of the wall in which a spot lies: 0 left of the slit, 1 right of it.
   static size_t half(const Spot& spot) { return spot.foot_O.x() < 0 ? 0 : 1; }
   void add_surface(const TissueParams& params, ObjectBuilder& builder);
@@ -233,8 +249,9 @@ class Tissue final : public Object<TissueParams>,
   Creep creep_;
   Asked asked_;
   Body body_;
+  Hinge mount_;
   SlitEdges edges_;
-  Signal dimple_, force_, gap_;
+  Signal dimple_, force_, gap_, shift_;
 };
 
 }  // namespace swage::tissue

@@ -290,6 +290,7 @@ void Tissue::finish(const Step& step) {
   step.signal(dimple_, dimple);
   step.signal(force_, force);
   if (edges_.move()) step.signal(gap_, edges_.gap(step.state<SlitState>().f));
+  if (mounted()) step.signal(shift_, kMountArm * step.hinge_angle(mount_));
 }
 
 /// Displacement of a place by its own force.
