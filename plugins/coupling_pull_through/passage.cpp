@@ -137,6 +137,27 @@ Spot spot(const Site& site, const Hole& hole) {
   return out;
 }
 
+bool lie_through(const Site& site, Passage& passage) {
+  const double look = kLook * site.strand.radius;
+  const int looks = static_cast<int>(site.strand.length / look);
+  int first = -1, last = -1;
+  Vec3 n = Vec3::Zero();
+  for (int i = 0; i <= looks; ++i) {
+    if (!(site.inside(site.place(i * look).p_W, n) > 0)) continue;
+    if (first < 0) first = i;
+    last = i;
+  }
+  if (first < 1 || last == looks) return false;
+  passage = {};
+  const Site::Place in = crossing(site, last * look, (last + 1) * look, n);
+  passage.hole[0] = make_hole(site, in, n);
+  const Site::Place out = crossing(site, first * look, (first - 1) * look, n);
+  passage.hole[1] = make_hole(site, out, n);
+  passage.count = 2, passage.out = 1;
+  for (Hole& hole : passage.hole) hole.share = std::max(hole.share, 0.5 * passage.inside());
+  return true;
+}
+
 Change follow(const Site& site, Passage& passage, const PassageLaw& law, double from) {
   Vec3 n = Vec3::Zero();
   const double inside = site.inside(site.place(0).p_W, n);

@@ -91,6 +91,10 @@ struct Spot {
 };
 Spot spot(const Site& site, const Hole& hole);
 
+/// The thread lies through the tissue: it comes out where, seen from the leading end, it is first inside, and goes in where it last is. False
+/// where it does not.
+bool lie_through(const Site& site, Passage& passage);
+
 enum class Change { kNone, kWentIn, kCameOut, kWentBack, kIsThrough };
 /// After a step: the leading end goes in, on and out; holes that the thread has left close. `from` [m]: how deep the end goes before it
 /// is in.

@@ -53,6 +53,14 @@ PassageLaw PullThrough::law(const Site& site) const {
   return {params_.drag, params_.friction, site.law.side_stiffness, site.law.failure_stress, params_.saw};
 }
 
+void PullThrough::reset(const CouplingStep& step) {
+  auto& state = step.state<PullThroughState>();
+  state = {};
+  if (params_.starts == Starts::kOutside) return;
+  const Site site = this->site(step);
+  if (site.good) lie_through(site, state.passage);
+}
+
 /// What is in a hole, in the tissue, or still in the needle that goes in, does not touch the surface.
 bool PullThrough::passes(const Site& site, const Passage& passage, const swage_contact& contact) const {
   const double mouth = kMouth * site.strand.radius;
@@ -116,10 +124,14 @@ void PullThrough::finish(const CouplingStep& step) {
   switch (follow(site, state.passage, law(site), params_.in_from)) {
     case Change::kNone: break;
     case Change::kWentIn: step.event(in_, state.passage.inside()); break;
-    case Change::kCameOut: step.event(came_out_, state.passage.inside()); break;
+    case Change::kCameOut:  // again where the tissue springs back over the end: told once
+      if (state.told_out == 0) step.event(came_out_, state.passage.inside());
+      state.told_out = 1;
+      break;
     case Change::kWentBack: step.event(back_out_, inside); break;
     case Change::kIsThrough: step.event(through_, inside); break;
   }
+  if (state.passage.count == 0) state.told_out = 0;
   if (state.cut > params_.cut_from && state.told == 0) {
     state.told = 1;
     step.event(cut_event_, state.cut);

@@ -14,9 +14,11 @@
 namespace swage::coupling_pull_through {
 
 enum class Leads : int { kFirst, kLast };
+enum class Starts : int { kOutside, kThrough };
 
 struct PullThroughParams {
   Leads leads = Leads::kFirst;
+  Starts starts = Starts::kOutside;
   double drag = 1;             // N/m
   double friction = 0.2;
   double saw = 0.02;           // 1
@@ -27,7 +29,8 @@ struct PullThroughParams {
 /// The private numbers.
 struct PullThroughState {
   Passage passage;
-  double told;                            // 1: pull.cut was sent
+  double told;                            // 1: pull.has_cut was sent
+  double told_out;                        // 1: pull.came_out was sent of this passage
   double cut, back;                       // m, greatest so far of a hole; drawn back so far
   double drag_along, force[3], lateral;  // N, of the last step
 };
@@ -47,8 +50,11 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   static constexpr bool detects = true;
 
   static constexpr const char* kLeads[] = {"first", "last", nullptr};
+  static constexpr const char* kStarts[] = {"outside", "through", nullptr};
   static constexpr std::array fields = {
       choice<&PullThroughParams::leads>("leads", "Leading end", kLeads, "Which end of the thread the needle draws in."),
+      choice<&PullThroughParams::starts>("starts", "Starts", kStarts,
+                                         "Outside, or lying through the tissue already as the thread's start shape does: the needle is gone."),
       real<&PullThroughParams::drag>("drag", "Drag", "N/m", "N/m", 0, 1e4,
                                      "Against the thread, per length inside, before anything bears on its side."),
       real<&PullThroughParams::friction>("friction", "Friction", "1", "1", 0, 3,
@@ -65,7 +71,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
 
   void build(const PullThroughParams& params, CouplingBuilder& builder) override;
   void bind(const Peer& a, const Peer& b) override;
-  void reset(const CouplingStep& step) override { step.state<PullThroughState>() = {}; }
+  void reset(const CouplingStep& step) override;
   void resolve(const CouplingStep& step) override;
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
   void tied(const CouplingStep& step, std::span<const swage_tie> ties) override;

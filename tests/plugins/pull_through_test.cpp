@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "pierce_scene.hpp"
+#include "thread_scene.hpp"
 #include "scene/chain.hpp"
 
 namespace swage::test {
@@ -177,6 +178,34 @@ TEST(PullThrough, cuts_and_saws) {
   EXPECT_LT(cut("100 MPa", "0"), 1e-9);
   EXPECT_GT(cut("20 kPa", "0"), 100e-6);
   EXPECT_GT(cut("100 MPa", "1"), 5e-6);
+}
+
+/// A thread that lies through the two edges of a wound from the beginning: four holes, where its start shape goes through the surfaces.
+TEST(PullThrough, starts_in_the_tissue_where_the_thread_lies) {
+  const auto edge = [](const char* name, double x, double turn) {
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  R"(, {"name": "%s", "plugin": "swage.object.tissue", "pose": {"p": [%g, 0, 0], "rpy": [0, 0, %g]},
+                       "params": {"size": ["2 mm", "4 mm"], "thickness": "1 mm", "backing": 0, "mount_stiffness": "20 N/m"}})",
+                  name, x, turn);
+    return std::string(text);
+  };
+  const std::string through = R"("params": {"starts": "through"}})";
+  ThreadScene s(R"({"name": "thread", "plugin": "swage.object.thread",
+                    "params": {"start": "path", "path": "-8 0 -0.5, 8 0 -0.5", "length": "16 mm", "segments": 40}})" +
+                    edge("left", -1.2e-3, 0) + edge("right", 1.2e-3, M_PI),
+                R"({"plugin": "swage.coupling.pull_through", "between": ["thread", "left"], )" + through +
+                    R"(, {"plugin": "swage.coupling.pull_through", "between": ["thread", "right"], )" + through);
+  ASSERT_NE(s.engine, nullptr);
+  for (const int steps : {1, 500}) {
+    s.run(steps);
+    EXPECT_EQ(s.signal("pull.state"), 2);
+    EXPECT_NEAR(s.signal("pull.inside"), 2e-3, 2e-6);
+    EXPECT_NEAR(s.signal("pull.out"), 5.8e-3, 5e-6);
+    EXPECT_NEAR(s.signal("pull.tail"), 8.2e-3, 5e-6);
+    EXPECT_NEAR(s.signal("tissue.shift"), 0, 1e-6) << "nothing draws at it";
+  }
+  EXPECT_EQ(s.troubles(), "");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct ThreadScene {
     const std::string scene = R"("devices": [)" + devices + R"(], "objects": [)" + objects + R"(], "couplings": [)" +
                               couplings + R"(], "lesson": {"plugin": "swage.lesson.look", "params": {"duration": "1000 s"}}})";
     std::string used;
-    for (const char* id : {"swage.object.thread", "swage.object.solids", "swage.object.jaws", "swage.object.needle",
+    for (const char* id : {"swage.object.thread", "swage.object.solids", "swage.object.jaws", "swage.object.needle", "swage.object.tissue", "swage.coupling.pull_through",
                            "swage.coupling.contact", "swage.coupling.grasp", "swage.coupling.swage", "swage.coupling.knot", "swage.coupling.winding", "swage.coupling.cut", "test.coupling.leash",
                            "swage.device.scripted", "swage.lesson.look"})
       if (scene.find(std::string("\"") + id + "\"") != std::string::npos)
