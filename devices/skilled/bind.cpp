@@ -20,6 +20,7 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
   if (gripper_ == kNone) return refuse("there is no object \"" + params_.gripper + "\" (parameter gripper)");
   if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
   needle_peer_ = Peer(scene->object[needle_].instance);
+  strand_ = StrandPeer(needle_peer_);
   if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
   force_ = params_.grasp.empty() ? find_signal(scene, "grasp.force") : scene.find_signal(params_.grasp, "grasp.force");
   if (!params_.grasp.empty() && !force_.valid())
@@ -44,6 +45,8 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
       return refuse(
           where +
           " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
+    if (act.keep && !strand_.valid()) return refuse(where + " reaches for a place of a thread, but \"" + params_.needle + "\" is none");
+    if (act.verb == Verb::kDraw && !(act.less > 0)) return refuse(where + " draws up to a signal above 0");
     if (!find_marks(marks, i, where) || !find_things(scene, i, where) || !find_signals(scene, i, where)) return;
   }
 }

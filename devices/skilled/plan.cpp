@@ -26,18 +26,19 @@ const std::map<std::string, Form>& forms() {
   static const std::map<std::string, Form> all = {
       {"wait", {Verb::kWait, {}, {}}},
       {"await", {Verb::kAwait, {"of", "signal", "more", "less", "mark", "s", "near"}, {}}},
-      {"reach", {Verb::kReach, {"s", "past", "back", "from", "tilt"}, {"s", "from"}}},
+      {"reach", {Verb::kReach, {"s", "past", "back", "from", "tilt", "keep"}, {"s"}}},
       {"close", {Verb::kClose, {"force", "closure"}, {}}},
       {"open", {Verb::kOpen, {"closure"}, {"closure"}}},
       {"back", {Verb::kBack, {"by"}, {"by"}}},
-      {"move", {Verb::kMove, {"by"}, {"by"}}},
+      {"move", {Verb::kMove, {"by", "at", "roll"}, {}}},
+      {"draw", {Verb::kDraw, {"by", "of", "signal", "less"}, {"by", "of", "signal", "less"}}},
       {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
       {"aim",
        {Verb::kAim, {"mark", "into", "across", "hover", "above", "inside"}, {"mark", "into", "across"}}},
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
-      {"wind", {Verb::kWind, {"about", "turns", "along", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
+      {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
       {"again", {Verb::kAgain, {"from"}, {"from"}}},
   };
   return all;
@@ -81,6 +82,7 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("above", Measure::kLength, act.above);
   number("inside", Measure::kLength, act.inside);
   number("angle", Measure::kAngle, act.angle);
+  number("roll", Measure::kAngle, act.roll);
   number("more", Measure::kNumber, act.more);
   number("less", Measure::kNumber, act.less);
   number("near", Measure::kLength, act.near);
@@ -114,6 +116,25 @@ void check_wind(const Reader& reader, const Json& value, const std::string& wher
     reader.fail(where, R"(a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
 }
 
+bool flag(const Reader& reader, const Json& value, const char* key, const std::string& where) {
+  if (!value.contains(key)) return false;
+  if (!value[key].is_boolean()) reader.fail(where + "/" + key, "true or false is needed here");
+  return value[key].get<bool>();
+}
+
+// by a way, or to a place
+void read_way(const Reader& reader, const Json& value, const std::string& where, Act& act) {
+  act.to_place = value.contains("at");
+  if (act.to_place == value.contains("by")) reader.fail(where, R"(give "by", a way, or "at", a place)");
+  if (!act.to_place) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
+}
+
+// from a side, or as the jaws are turned already
+void read_reach(const Reader& reader, const Json& value, const std::string& where, Act& act) {
+  act.keep = flag(reader, value, "keep", where);
+  if (act.keep == value.contains("from")) reader.fail(where, R"(give "from", the side from which it comes, or "keep", its attitude)");
+}
+
 Act read_act(const Reader& reader, const Json& value, const std::string& where) {
   if (!value.is_object() || !value.contains("act"))
     reader.fail(where, R"(an act is an object like {"act": "wait"})");
@@ -130,8 +151,9 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   act.verb = found->second.verb;
   read_numbers(reader, value, where, act);
   if (act.verb == Verb::kAwait) check_await(reader, value, where);
-  if (act.verb == Verb::kWind) check_wind(reader, value, where);
-  if (act.verb == Verb::kMove) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
+  if (act.verb == Verb::kWind) check_wind(reader, value, where), act.rolls = flag(reader, value, "rolls", where);
+  if (act.verb == Verb::kMove || act.verb == Verb::kDraw) read_way(reader, value, where, act);
+  if (act.verb == Verb::kReach) read_reach(reader, value, where, act);
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
       reader.fail(where + "/from", "the number of an act before this one");

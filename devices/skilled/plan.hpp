@@ -12,11 +12,14 @@
 //          works on the same thing is answered by what it does, and not by the clock
 //   await  mark, s, near, time: until the needle's place s has been so near to the mark for so long
 //   reach  s, past, back, from, tilt, time: open jaws square around the wire at s (0 point .. 1 swage), coming along the normal
-//          of the needle's plane from the side `from`; the tips reach `past` it, or stay `back` before it
+//          of the needle's plane from the side `from`; the tips reach `past` it, or stay `back` before it. With `keep` the
+//          attitude stays, and s is a share of a thread's length: a strand among others is taken, whatever lies nearer
 //   close  force or closure, time: closes until the grip has the force; takes at least `time`
 //   open   closure, time
 //   back   by, time: straight back along the jaws
-//   move   by, time: a way in the world
+//   move   by or at, roll, time: a way in the world, or to a place there; meanwhile it rolls about its own axis
+//   draw   by, of, signal, less, time: by that way at most, ever slower as the signal comes near to `less`, and back while it is above:
+//          a thread is drawn until it has that tension
 //   bring  mark, s, time: what is held at s to where the mark is
 //   aim    mark, into, across, hover, above, inside, time: the point before the mark, so that turning about the needle's own
 //          centre leads it in there square; `into` a direction or the name of a tissue, `across` the normal of the needle's plane;
@@ -30,7 +33,7 @@
 //   wind   about, turns, along, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
 //          right-handed about the way from its hinge to its tips (negative: the other way), and by `along` on that way; meanwhile
 //          outwards by `by` in a second while the signal is below `more`, inwards while it is above `less`: a thread is kept drawn
-//          by what the hand feels of it
+//          by what the hand feels of it. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper
 //   again  from: on with that act, counted from 0
 #pragma once
 
@@ -52,6 +55,7 @@ enum class Verb : int {
   kOpen,
   kBack,
   kMove,
+  kDraw,
   kBring,
   kAim,
   kDrive,
@@ -66,6 +70,8 @@ struct Act {
   double time = 1;              // s
   double s = 0.6;               // 0 point .. 1 swage
   double past = 0, back = 0;    // m
+  bool keep = false;            // the attitude, while it reaches
+  bool to_place = false;        // a move to `at`
   Vec3 from = Vec3::UnitX();    // unit, W
   double tilt = 0;              // rad, of the jaws about the wire, from square
   double force = 0;             // N; 0: to the closure
@@ -85,6 +91,8 @@ struct Act {
   std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
   std::string about;            // of wind: name of a gripper
   double turns = 0, along = 0;  // 1, m
+  bool rolls = false;           // the tool turns along
+  double roll = 0;              // rad, about its own axis
   std::string signal;           // id
   double more = -1e300, less = 1e300;  // of the signal, SI
   double near = 0;              // m

@@ -104,6 +104,7 @@ void Skilled::look(const Sight& sight) {
   if (act_ >= plan_.acts.size()) return;
   const Seeks& seeks = seeks_[act_];
   if (seeks.signal.valid()) seen_.signal = scene.signal(seeks.signal);
+  if (plan_.acts[act_].keep) look_at_strand(scene, plan_.acts[act_]);
   if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
   if (seeks.other != kNone) seen_.other_W = vec(sight.mark(seeks.other));
   if (seen_.wire_good) seen_.up_W = seen_.wire.place(0).tangent_W;
@@ -151,6 +152,17 @@ void Skilled::begin_act(double time_s) {
   turn_W_.setZero();
   brought_W_.setZero();
   fresh_ = true;
+}
+
+/// Tips past or before the place of the thread, along the jaws as they are.
+void Skilled::look_at_strand(const View& scene, const Act& act) {
+  const Step thread = scene.object(needle_);
+  seen_.strand_good = false;
+  const auto law = strand_.law(thread);
+  if (!law) return;
+  const auto place = strand_.place(thread, act.s * law->length + missed_m_);
+  if (!place) return;
+  seen_.strand_W = vec(place->p_W), seen_.strand_good = true;
 }
 
 /// The jaws square around the wire: their axis along the normal of its plane, closing along its radius.
@@ -238,13 +250,19 @@ void Skilled::set_goal(const Act& act) {
   switch (act.verb) {
     case Verb::kReach:
       if (fresh_) missed_m_ = params_.spot_error * normal();
-      if (seen_.wire_good) goal_ = reach_goal(act);
+      if (act.keep && seen_.strand_good) goal_.p = seen_.strand_W + (act.past - act.back) * (from_.q * Vec3::UnitX());
+      if (!act.keep && seen_.wire_good) goal_ = reach_goal(act);
       return;  // and again in every step: it may swing
     case Verb::kBack:
       goal_.p = from_.p - act.by * (from_.q * Vec3::UnitX());
       break;
     case Verb::kMove:
+      goal_.p = act.to_place ? act.at : from_.p + act.way;
+      if (act.roll != 0) goal_.q = (from_.q * toolkit::exp_rotation(act.roll * Vec3::UnitX())).normalized();
+      break;
+    case Verb::kDraw:
       goal_.p = from_.p + act.way;
+      drawn_share_ = 0;
       break;
     case Verb::kBring:
       if (seen_.wire_good) goal_.p = from_.p + seen_.mark_W - wire.place(act.s).p_W;
@@ -306,7 +324,10 @@ void Skilled::follow_act(const Act& act, double share, double rate, double dt) {
   fresh_ = false;
   const double u = least_jerk(share);
   if (act.verb == Verb::kWind && !act.signal.empty()) feel(act, dt);
-  now_ = act.verb == Verb::kDrive ? driven(u) : act.verb == Verb::kWind ? wound(act, u) : between(from_, goal_, u);
+  if (act.verb == Verb::kDraw) draw(act, rate * dt);
+  now_ = act.verb == Verb::kDrive  ? driven(u)
+         : act.verb == Verb::kWind ? wound(act, u)
+                                   : between(from_, goal_, act.verb == Verb::kDraw ? drawn_share_ : u);
   if (act.verb == Verb::kDrive && hole_.valid()) {
     brought_W_ -= std::min(1.0, dt / params_.steady) * seen_.aside_W;
     now_.p += brought_W_;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <swage/sight.hpp>
+#include <swage/strand.hpp>
 
 #include <string>
 #include <vector>
@@ -149,6 +150,8 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   struct Seen {
     Wire wire;
     bool wire_good = false;
+    Vec3 strand_W = Vec3::Zero();  // m, place of the thread that is reached for
+    bool strand_good = false;
     double force = 0;              // N
     double signal = 0;             // that is awaited, SI
     Vec3 aside_W = Vec3::Zero();   // m, from where the needle went in to where it goes in now
@@ -161,6 +164,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
 
   void look_at_needle(const View& scene);
   void look_at_hole(const View& scene);
+  void look_at_strand(const View& scene, const Act& act);
   void restart();
   void begin_act(double time_s);
   Vec3 answer();
@@ -171,6 +175,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Pose driven(double u) const;
   Pose wound(const Act& act, double u) const;
   void feel(const Act& act, double dt);
+  void draw(const Act& act, double share);
   Vec3 side(const Act& act, const Vec3& into_W) const;
   Quat turned_to(const Vec3& into_W, const Vec3& across_W) const;
   bool has_wrist() const { return params_.wrist != WhoseWrist::kNone; }
@@ -190,6 +195,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   hand::Tremor tremor_;
   uint32_t gripper_ = kNone, needle_ = kNone;
   Peer needle_peer_;
+  StrandPeer strand_;  // the needle, where it is a thread
   Signal force_;
   struct Hole {
     Signal s, entry[3],
@@ -211,6 +217,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   Vec3 brought_W_ = Vec3::Zero();  // m, by what this drive has brought the needle back
   Vec3 about_W_ = Vec3::Zero(), about_axis_W_ = Vec3::UnitX();  // m, unit: what this winding goes round
   double radius_ = 0;              // m, of this winding
+  double drawn_share_ = 0;         // of the way of this draw
   Vec3 shown_W_ = Vec3::Zero();    // m, the mark that was last shown
   double missed_m_ = 0;            // along the needle, of this reach
   Vec3 missed_W_ = Vec3::Zero();   // m, of this aim
