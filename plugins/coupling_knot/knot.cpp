@@ -35,6 +35,7 @@ void Knot::build(const KnotParams& params, CouplingBuilder& builder) {
   kind_ = builder.signal("knot.kind", "1",
                          "0 no knot, 1 half knot, 2 square (signs take turns), 3 granny (signs alike), 4 of both, 5 knotted in another way.");
   sliding_ = builder.signal("knot.sliding", "1", "Throws in which one strand runs straight: they slide.");
+  loop_ = builder.signal("knot.loop", "m", "Length of the thread from one strand of the first throw to the other: what the knot is tied around; 0: no knot.");
   certain_ = builder.signal("knot.certain", "1", "1 when all views of the thread agreed in the last reading, else 0.");
   passages_ = builder.signal("knot.passages", "1", "How often the thread has gone through itself.");
   tied_event_ = builder.event("knot.tied", "A throw has been tied; value: its turns with their sign.");
@@ -88,6 +89,8 @@ void Knot::take(const toolkit::KnotName& said, KnotState& state) const {
   state.sliding = 0;
   if (said.certain) {
     seen.throws = said.word.throws;
+    const toolkit::KnotThrow& first = said.word.tied[0];
+    state.loop = said.word.throws > 0 ? length_ * (first.strand[1].first - first.strand[0].last) / (params_.places - 1) : 0;
     for (int i = 0; i < said.word.throws; ++i) {
       const toolkit::KnotThrow& t = said.word.tied[static_cast<size_t>(i)];
       if (i < KnotTold::kThrows) seen.tied[i] = t.sign * t.turns;
@@ -138,6 +141,7 @@ void Knot::write(const CouplingStep& step, const KnotState& state) const {
   for (int i = 0; i < KnotTold::kThrows; ++i) step.signal(tied_[i], state.told.tied[i]);
   step.signal(kind_, static_cast<int>(kind_of(state.told)));
   step.signal(sliding_, state.sliding);
+  step.signal(loop_, state.told.throws > 0 ? state.loop : 0);
   step.signal(certain_, state.certain);
   step.signal(passages_, state.passages);
 }

@@ -35,6 +35,7 @@ struct KnotState {
   KnotTold told, seen;           // what stands; what was read last
   double seen_s = 0;             // s, for how long
   double sliding = 0, certain = 1, passages = 0;
+  double loop = 0;  // m, of thread between the two strands of the first throw
   double p_W[3 * toolkit::KnotPassages::kNodes] = {};  // m, places of the step before
   toolkit::KnotThread thread;
 };
@@ -79,7 +80,7 @@ class Knot final : public Coupling<KnotParams> {
 
   KnotParams params_;
   StrandPeer thread_;
-  Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, certain_, passages_;
+  Signal throws_, tied_[KnotTold::kThrows], kind_, sliding_, loop_, certain_, passages_;
   Event tied_event_, untied_event_, tangled_event_, passage_event_;
 
   // of the present step

@@ -58,8 +58,9 @@ bool Winding::look(const CouplingStep& step) {
   return true;
 }
 
-void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
-  for (int i = 0; i + 1 < params_.places; ++i) {
+/// Of what is counted: the tail beyond is what the jaws take between them, on their line.
+void Winding::find_passages(const CouplingStep& step, WindingState& state, int last) const {
+  for (int i = 0; i < last; ++i) {
     const int gained =
         toolkit::wound_through(place(state.p_T, i), place(state.p_T, i + 1), place(p_T_, i), place(p_T_, i + 1), params_.reach);
     if (gained == 0) continue;
@@ -85,7 +86,7 @@ void Winding::finish(const CouplingStep& step) {
   toolkit::Winding winding(params_.reach);
   const int last = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
   for (int i = 0; i < last; ++i) winding.add(place(p_T_, i), place(p_T_, i + 1));
-  if (state.known != 0) find_passages(step, state);
+  if (state.known != 0) find_passages(step, state, last);
   std::copy_n(p_T_, 3 * params_.places, state.p_T);
   state.known = 1;
   tell(step, state, winding.turns());

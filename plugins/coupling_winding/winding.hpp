@@ -55,7 +55,7 @@ class Winding final : public Coupling<WindingParams> {
  private:
   bool look(const CouplingStep& step);
   toolkit::Vec3 place(const double* of, int i) const { return Eigen::Map<const toolkit::Vec3>(of + 3 * i); }
-  void find_passages(const CouplingStep& step, WindingState& state) const;
+  void find_passages(const CouplingStep& step, WindingState& state, int last) const;
   void tell(const CouplingStep& step, WindingState& state, double turns) const;
 
   WindingParams params_;
