@@ -4101,6 +4101,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Too many turns</source>
         <translation>Zu viele Windungen</translation>
     </message>
+    <message>
+        <source>Tied, and flat</source>
+        <translation>Geknüpft, liegt flach</translation>
+    </message>
+    <message>
+        <source>Not this throw, or it slides</source>
+        <translation>Falscher Schlag, oder er gleitet</translation>
+    </message>
+    <message>
+        <source>Edges together</source>
+        <translation>Ränder beisammen</translation>
+    </message>
 </context>
 <context>
     <name>words</name>

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swage::lesson_knot {
+namespace {
+
+// Share of the least force below which the jaws have let go: a grasp that is out of balance for a moment is still one that holds.
+constexpr double kLetGo = 0.5;
+// Of a turn: from here on the thread is wound about the holder, whose other half the hand that goes aside adds.
+constexpr double kWound = 0.7;
+
+}  // namespace
+
+int Word::like(const Word& asked) const {
+  const int n = std::min({static_cast<int>(throws), static_cast<int>(asked.throws), kThrows});
+  int same = 0;
+  const double side = n > 0 && turns[0] * asked.turns[0] < 0 ? -1 : 1;
+  while (same < n && turns[same] == side * asked.turns[same]) ++same;
+  return same;
+}
+
+Finding Judge::look(Memory& memory, const Look& look) const noexcept {
+  Finding finding;
+  follow_hands(memory, look, finding);
+  follow_force(memory, look, finding);
+  follow_knot(memory, look, finding);
+  decide(memory, look, finding);
+  return finding;
+}
+
+double Judge::task_time(const Memory& memory, double time_s) { return lessons::time_since_set_off(memory.path, time_s); }
+
+void Judge::follow_hands(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  for (int i = 0; i < 2; ++i) {
+    const bool had = memory.has[i] != 0;
+    memory.has[i] = look.grip[i] > kLetGo * rules_.force_low && (look.held[i] || had) ? 1 : 0;
+    path_.look(memory.path[i], look.tip_W[i], look.time_s);
+    grip_.look(memory.grip[i], look.grip[i], memory.has[i] != 0, look.time_s, look.dt_s);
+    finding.too_hard[i] = GripWatch::too_hard(memory.grip[i]);
+    // what the hand lets go of when all is tied is no drop
+    if (i == 0) finding.dropped = had && memory.has[i] == 0 && look.word.throws < rules_.asked.throws;
+  }
+  memory.drops += finding.dropped;
+  finding.held = memory.has[0] != 0;
+}
+
+void Judge::follow_force(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const bool holds = memory.has[0] != 0 || memory.has[1] != 0;
+  pull_.look(memory.pull, look.tension, holds, look.time_s, look.dt_s);
+  finding.taut = holds && GripWatch::too_hard(memory.pull);
+  memory.cut = std::max(memory.cut, look.cut);
+  memory.tail = look.tail;
+  if (!holds) return;
+  memory.held_s += look.dt_s;
+  if (std::max(memory.grip[0].now, memory.grip[1].now) > rules_.force_high) memory.over_s += look.dt_s;
+  if (memory.pull.now > rules_.tension) memory.taut_s += look.dt_s;
+}
+
+void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  const int like = look.word.like(rules_.asked);
+  const int throws = static_cast<int>(look.word.throws);
+  memory.passages = look.passages;
+  finding.undone = throws < memory.throws;
+  memory.undone += finding.undone;
+  memory.throws = throws;
+  memory.most_like = std::max(memory.most_like, static_cast<double>(like));
+  finding.wrong = look.tangled || like < throws;
+  memory.wrong += finding.wrong && memory.is_wrong == 0;
+  memory.is_wrong = finding.wrong ? 1 : 0;
+  finding.tied = !look.tangled && look.word.is(rules_.asked);
+  finding.sliding = throws > 0 && look.sliding > 0;
+  finding.together = look.gap <= rules_.most_gap;
+  memory.least_gap = std::min(memory.least_gap, look.gap);
+
+  const bool snug = look.loop <= rules_.most_loop;
+  const bool hard = finding.too_hard[0] || finding.too_hard[1];
+  const bool good = finding.tied && !finding.sliding && finding.together && snug && !finding.taut && !hard;
+  memory.hold_s = good ? memory.hold_s + look.dt_s : 0;
+  memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
+  finding.stage = stage(look, finding, good);
+}
+
+Stage Judge::stage(const Look& look, const Finding& finding, bool good) const noexcept {
+  if (look.word.throws >= rules_.asked.throws) return good ? Stage::kHold : Stage::kLay;
+  if (!finding.held) return Stage::kTake;
+  if (look.held[1]) return Stage::kDraw;
+  return std::abs(look.turns) >= kWound ? Stage::kTail : Stage::kWind;
+}
+
+End Judge::end(const Memory& memory, const Look& look) const noexcept {
+  if (look.passages > 0) return End::kPassage;  // what is tied from here on is not to be trusted
+  if (memory.hold_s >= rules_.hold_time) return End::kPassed;
+  if (look.parted > 0) return End::kBroken;
+  if (!look.through) return End::kDrawnOut;
+  if (memory.cut > rules_.most_cut) return End::kCut;
+  if (memory.drops > rules_.max_drops) return End::kDropped;
+  if (rules_.ends && memory.over_s > rules_.max_over_time) return End::kTooHard;
+  return rules_.ends && look.time_s >= rules_.max_time ? End::kOutOfTime : End::kRunning;
+}
+
+void Judge::decide(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  finding.end = end(memory, look);
+  if (finding.end == End::kRunning) return;
+  finding.stage = Stage::kDone;
+  finding.lost = points(memory, look.time_s);
+  memory.passed = finding.end == End::kPassed ? 1 : 0;
+  // an attempt that did not pass is worth at most 40: the share of the throws and of the hold that was reached
+  const double share = 0.5 * (memory.most_like / rules_.asked.throws + std::min(1.0, memory.best_hold_s / rules_.hold_time));
+  finding.score = memory.passed != 0 ? std::clamp(100 - finding.lost.sum(), 40.0, 100.0) : 40 * share;
+}
+
+Points Judge::points(const Memory& memory, double time_s) const noexcept {
+  Points lost;
+  lost.undone = 10 * std::min(memory.undone + memory.wrong, 3.0);
+  lost.drops = 15 * memory.drops;
+  lost.tension = memory.held_s > 0 ? 40 * memory.taut_s / memory.held_s : 0;
+  lost.force = memory.held_s > 0 ? 40 * memory.over_s / memory.held_s : 0;
+  lost.cut = 20 * std::min(1.0, memory.cut / rules_.most_cut);
+  lost.time = 15 * std::clamp(task_time(memory, time_s) / rules_.par_time - 1, 0.0, 1.0);
+  return lost;
+}
+
+}  // namespace swage::lesson_knot

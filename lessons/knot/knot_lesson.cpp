@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "knot_lesson.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "common/declare.hpp"
+
+namespace swage::lesson_knot {
+
+using lessons::index;
+using toolkit::vec;
+
+namespace {
+
+constexpr double kTangled = 5;  // knot.kind of a thread that is knotted in another way
+
+/// Reads "2 -1 1". False where it is no word.
+bool read_word(std::string_view text, Word& word) {
+  word = {};
+  while (true) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    if (text.empty()) return word.throws > 0;
+    int turns = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), turns);
+    if (error != std::errc() || turns == 0 || std::abs(turns) > 9 || word.throws == kThrows) return false;
+    word.turns[static_cast<size_t>(word.throws)] = turns;
+    word.throws += 1;
+    text.remove_prefix(static_cast<size_t>(end - text.data()));
+  }
+}
+
+}  // namespace
+
+void KnotLesson::build(const P& params, LessonBuilder& builder) {
+  lessons::require_ordered(builder, "force", params.force);
+  if (params.holder == params.winder) builder.error("winder", "two grippers are needed, not one");
+  if (params.left == params.right) builder.error("right", "a wound has two edges, not one");
+  if (!read_word(params.word, asked_)) builder.error("word", "a word is one to six whole numbers that are not 0, such as \"1 -1\"");
+  builder.state<Memory>();
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
+  const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
+  phase(Stage::kTake, "take", "Take the long end of the thread with one instrument.");
+  phase(Stage::kWind, "wind", "Wind it about the tips of the other.");
+  phase(Stage::kTail, "tail", "Take the tail with that one.");
+  phase(Stage::kDraw, "draw", "Draw the tail through the loop.");
+  phase(Stage::kLay, "lay", "Lay the throw down flat, each end to the other side, until the edges come together.");
+  phase(Stage::kHold, "hold", "Keep it so.");
+  phase(Stage::kDone, "done", "The attempt is over.");
+  dropped_ = builder.event("thread.dropped", "The thread has got out of the jaws that wind it.");
+  undone_ = builder.event("knot.came_undone", "A throw that was tied has come undone.");
+  const auto failed = [&](End end, const char* key, const char* doc) { failed_[index(end)] = builder.event(key, doc); };
+  failed(End::kPassage, "failed.passage",
+         "The simulation has let the thread go through itself or the instrument: what was tied is not to be trusted.");
+  failed(End::kBroken, "failed.broken", "The thread has broken.");
+  failed(End::kDrawnOut, "failed.drawn_out", "The thread was drawn out of the tissue.");
+  failed(End::kCut, "failed.cut", "The thread has cut through the tissue.");
+  failed(End::kDropped, "failed.dropped", "The thread got out of the jaws too often.");
+  failed(End::kTooHard, "failed.too_hard", "The thread was gripped too hard for too long.");
+  failed(End::kOutOfTime, "failed.out_of_time", "Time ran out before the knot was tied and drawn down.");
+}
+
+void KnotLesson::bind(const Scene& scene, Binder& binder) {
+  const P& p = params();
+  gripper_[0] = lessons::find_gripper(scene, binder, p.winder, gripper_object_[0]);
+  gripper_[1] = lessons::find_gripper(scene, binder, p.holder, gripper_object_[1]);
+  thread_object_ = lessons::find_object(scene, binder, p.thread);
+  grasp_[0] = lessons::find_grasp(scene, binder, p.grasp);
+  grasp_[1] = lessons::find_grasp(scene, binder, p.tail_grasp);
+  side_[0].tissue = lessons::find_object(scene, binder, p.left);
+  side_[1].tissue = lessons::find_object(scene, binder, p.right);
+  find_knot(scene, binder);
+}
+
+void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
+  const P& p = params();
+  const auto signal = [&](const std::string& owner, const std::string& wanted) {
+    const Signal found = scene.find_signal(owner, wanted.c_str());
+    if (!found.valid()) binder.missing(scene, "signal", owner, wanted.c_str(), "which this lesson watches");
+    return found;
+  };
+  const std::string tissue[2] = {p.left, p.right}, stitch[2] = {p.left_stitch, p.right_stitch};
+  for (size_t i = 0; i < 2; ++i) {
+    side_[i].shift = signal(tissue[i], "tissue.shift");
+    side_[i].state = signal(stitch[i], "pull.state");
+    side_[i].tail = signal(stitch[i], "pull.tail");
+    side_[i].tension = signal(stitch[i], i == 0 ? "pull.tension_tail" : "pull.tension_out");
+    side_[i].cut = signal(stitch[i], "pull.cut");
+  }
+  turns_ = signal(p.winding, "winding.turns");
+  through_ = signal(p.winding, "winding.passages");
+  throws_ = signal(p.knot, "knot.throws");
+  for (int i = 0; i < kThrows; ++i) throw_[i] = signal(p.knot, "knot.throw_" + std::to_string(i + 1));
+  kind_ = signal(p.knot, "knot.kind");
+  sliding_ = signal(p.knot, "knot.sliding");
+  loop_ = signal(p.knot, "knot.loop");
+  through_itself_ = signal(p.knot, "knot.passages");
+  parted_ = signal(p.thread, "thread.parted");
+}
+
+void KnotLesson::activate(double dt_s) {
+  const P& p = params();
+  Rules rules;
+  rules.asked = asked_;
+  rules.most_gap = p.most_gap;
+  rules.most_loop = p.most_loop;
+  rules.tension = p.tension;
+  rules.most_cut = p.most_cut;
+  rules.force_low = p.force.low;
+  rules.force_high = p.force.high;
+  rules.hold_time = p.hold_time;
+  rules.par_time = p.par_time;
+  rules.max_time = p.max_time;
+  rules.max_over_time = p.max_over_time;
+  rules.max_drops = p.max_drops;
+  rules.ends = !is_practice();
+  judge_ = Judge(rules, dt_s);
+}
+
+void KnotLesson::read_knot(const View& view, Look& look) const {
+  look.word.throws = std::min(view.signal(throws_), double{kThrows});
+  for (int i = 0; i < kThrows; ++i) look.word.turns[i] = view.signal(throw_[i]);
+  look.tangled = view.signal(kind_) == kTangled;
+  look.sliding = view.signal(sliding_);
+  look.loop = view.signal(loop_);
+  look.passages = view.signal(through_) + view.signal(through_itself_);
+}
+
+bool KnotLesson::read(const View& view, Look& look) const {
+  look.time_s = view.time();
+  look.dt_s = view.dt();
+  look.gap = params().gap;
+  for (int i = 0; i < 2; ++i) {
+    const auto jaws = gripper_[i].describe(view.object(gripper_object_[i]));
+    if (!jaws) return false;
+    look.tip_W[i] = vec(jaws->tip_W);
+    look.held[i] = view.signal(grasp_[i].held) != 0;
+    look.grip[i] = view.signal(grasp_[i].force);
+    look.gap -= view.signal(side_[i].shift);
+    look.tension = std::max(look.tension, view.signal(side_[i].tension));
+    look.cut = std::max(look.cut, view.signal(side_[i].cut));
+    look.through = look.through && view.signal(side_[i].state) == 2;
+  }
+  look.tail = view.signal(side_[0].tail);
+  look.turns = view.signal(turns_);
+  look.parted = view.signal(parted_);
+  read_knot(view, look);
+  return true;
+}
+
+void KnotLesson::observe(const View& view, const Verdict& verdict, std::span<double> state) {
+  Look look;
+  auto& memory = as<Memory>(state);
+  if (!read(view, look)) return discard();
+  const Finding finding = judge_.look(memory, look);
+  report(memory, look, verdict);
+  if (finding.end == End::kPassed) report_points(finding.lost, verdict);
+  say(finding, verdict);
+}
+
+void KnotLesson::say(const Finding& finding, const Verdict& verdict) const {
+  const auto show = [&](uint32_t object, bool is, Sign sign) {
+    is ? verdict.cue(object, cue_[index(sign)]) : verdict.clear_cue(object);
+  };
+  const bool wrong = finding.wrong || finding.sliding;
+  const Sign thread = finding.taut ? Sign::kTaut : wrong ? Sign::kWrong : finding.tied ? Sign::kTied : Sign::kHeld;
+  show(thread_object_, finding.held || finding.taut || wrong || finding.tied, thread);
+  show(gripper_object_[0], finding.too_hard[0], Sign::kTooHard);
+  const bool on = finding.stage == Stage::kTail;
+  show(gripper_object_[1], finding.too_hard[1] || on, finding.too_hard[1] ? Sign::kTooHard : Sign::kOn);
+  const Sign edges = finding.end == End::kPassed ? Sign::kDone : Sign::kTogether;
+  for (const Side& side : side_) show(side.tissue, finding.together, edges);
+  if (finding.dropped) verdict.event(dropped_);
+  if (finding.undone) verdict.event(undone_);
+  verdict.phase(phase_[index(finding.stage)]);
+  if (finding.end != End::kRunning) tell_end(finding, verdict);
+}
+
+void KnotLesson::tell_end(const Finding& finding, const Verdict& verdict) const {
+  if (finding.end == End::kPassed) return verdict.pass(finding.score);
+  const Event reason = failed_[index(finding.end)];
+  verdict.event(reason);
+  verdict.fail(reason, finding.score);
+}
+
+void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdict) const {
+  tell(verdict, Measure::kTime, Judge::task_time(m, look.time_s));
+  tell(verdict, Measure::kSuccess, m.passed);
+  tell(verdict, Measure::kThrows, m.most_like);
+  tell(verdict, Measure::kUndone, m.undone);
+  tell(verdict, Measure::kWrong, m.wrong);
+  tell(verdict, Measure::kSliding, look.sliding);
+  if (look.word.throws > 0) tell(verdict, Measure::kLoop, look.loop);
+  tell(verdict, Measure::kGap, look.gap);
+  tell(verdict, Measure::kCut, m.cut);
+  tell(verdict, Measure::kTail, look.tail);
+  tell(verdict, Measure::kDrops, m.drops);
+  tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
+  tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
+  tell(verdict, Measure::kPassages, m.passages);
+  if (m.held_s > 0) report_held(m, verdict);
+}
+
+// What has no value before the thread was held is not told. Of the two grips that counts which is the harder one.
+void KnotLesson::report_held(const Memory& m, const Verdict& verdict) const {
+  const GripWatch& grip = judge_.grip();
+  tell(verdict, Measure::kTension, judge_.pull().peak(m.pull));
+  tell(verdict, Measure::kTaut, m.taut_s / m.held_s);
+  tell(verdict, Measure::kForce, std::max(GripWatch::mean(m.grip[0]), GripWatch::mean(m.grip[1])));
+  tell(verdict, Measure::kPeak, std::max(grip.peak(m.grip[0]), grip.peak(m.grip[1])));
+  tell(verdict, Measure::kOverTime, m.over_s / m.held_s);
+}
+
+void KnotLesson::report_points(const Points& lost, const Verdict& verdict) const {
+  tell(verdict, Measure::kPointsUndone, lost.undone);
+  tell(verdict, Measure::kPointsDrops, lost.drops);
+  tell(verdict, Measure::kPointsTension, lost.tension);
+  tell(verdict, Measure::kPointsForce, lost.force);
+  tell(verdict, Measure::kPointsCut, lost.cut);
+  tell(verdict, Measure::kPointsTime, lost.time);
+}
+
+}  // namespace swage::lesson_knot
+
+SWAGE_EXPORT(swage::lesson_knot::KnotLesson)

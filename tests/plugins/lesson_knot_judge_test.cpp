@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What counts as a knot on a wound: the word that is asked for or its mirror image, flat, drawn down, with the edges together; limits, score.
+#include "lessons/knot/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+
+namespace swage::lesson_knot {
+namespace {
+
+Word word(std::initializer_list<double> turns) {
+  Word out;
+  for (const double t : turns) out.turns[static_cast<size_t>(out.throws++)] = t;
+  return out;
+}
+
+/// An attempt told step by step, with both ends held.
+struct Attempt {
+  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {
+    now.gap = 0.4e-3;
+    hold(0.3);
+  }
+  Finding go(int n) {
+    Finding finding;
+    for (int i = 0; i < n; ++i) {
+      now.time_s = 1e-3 * step++;
+      finding = judge.look(memory, now);
+      if (finding.end != End::kRunning) break;
+    }
+    return finding;
+  }
+  void hold(double force) {
+    for (int i = 0; i < 2; ++i) now.grip[i] = force, now.held[i] = force > 0;
+  }
+  /// Tied, drawn down, edges together.
+  void tie(const Word& tied) { now.word = tied, now.loop = 5e-3, now.gap = 0.02e-3, now.tension = 4e-3; }
+
+  Judge judge;
+  Memory memory;
+  Look now;
+  int step = 0;
+};
+
+TEST(KnotJudge, AKnotThatIsKeptDrawnDownPasses) {
+  for (const double sign : {1.0, -1.0}) {
+    Attempt a;
+    a.tie(word({sign}));
+    EXPECT_EQ(a.go(900).stage, Stage::kHold);
+    const Finding end = a.go(200);
+    EXPECT_EQ(end.end, End::kPassed);
+    EXPECT_EQ(end.score, 100);
+  }
+}
+
+TEST(KnotJudge, PhasesFollowWhatTheHandsHave) {
+  Attempt a;
+  a.hold(0);
+  EXPECT_EQ(a.go(5).stage, Stage::kTake);
+  a.now.grip[0] = 0.3, a.now.held[0] = true;
+  EXPECT_EQ(a.go(5).stage, Stage::kWind);
+  a.now.turns = -0.9;
+  EXPECT_EQ(a.go(5).stage, Stage::kTail);
+  a.now.grip[1] = 0.3, a.now.held[1] = true;
+  EXPECT_EQ(a.go(5).stage, Stage::kDraw);
+  a.now.word = word({1}), a.now.loop = 9e-3;
+  EXPECT_EQ(a.go(5).stage, Stage::kLay);
+}
+
+TEST(KnotJudge, WhatIsLooseOpenOrSlidesIsNotKept) {
+  const auto held = [](auto&& spoil) {
+    Attempt a;
+    a.tie(word({1}));
+    spoil(a.now);
+    a.go(3000);
+    return a.memory.best_hold_s;
+  };
+  EXPECT_GT(held([](Look&) {}), 0.9);
+  EXPECT_EQ(held([](Look& now) { now.gap = 0.2e-3; }), 0);
+  EXPECT_EQ(held([](Look& now) { now.loop = 8e-3; }), 0);
+  EXPECT_EQ(held([](Look& now) { now.sliding = 1; }), 0);
+  EXPECT_EQ(held([](Look& now) { now.tangled = true; }), 0);
+  EXPECT_LT(held([](Look& now) { now.tension = 50e-3; }), 0.2) << "until it is seen";
+  EXPECT_LT(held([](Look& now) { now.grip[1] = 2; }), 0.2);
+}
+
+TEST(KnotJudge, AGrannyIsNoSquareKnot) {
+  Rules rules;
+  rules.asked = word({1, -1});
+  for (const double sign : {1.0, -1.0}) {
+    Attempt square(rules), granny(rules);
+    square.tie(word({sign, -sign}));
+    EXPECT_EQ(square.go(1100).end, End::kPassed);
+    granny.tie(word({sign, sign}));
+    const Finding finding = granny.go(1100);
+    EXPECT_EQ(finding.end, End::kRunning);
+    EXPECT_TRUE(finding.wrong);
+    EXPECT_EQ(granny.memory.wrong, 1);
+    EXPECT_EQ(granny.memory.most_like, 1);
+  }
+}
+
+TEST(KnotJudge, AThrowThatComesUndoneCosts) {
+  Attempt a;
+  a.tie(word({1}));
+  a.go(500);
+  a.now.word = {};
+  EXPECT_TRUE(a.go(1).undone);
+  EXPECT_FALSE(a.go(1).undone);
+  a.tie(word({1}));
+  const Finding end = a.go(1100);
+  EXPECT_EQ(end.end, End::kPassed);
+  EXPECT_EQ(end.score, 90);
+}
+
+TEST(KnotJudge, WhatEndsAnAttempt) {
+  const auto end = [](auto&& spoil) {
+    Attempt a;
+    a.tie(word({1}));
+    a.go(500);
+    spoil(a.now);
+    const Finding finding = a.go(1);
+    EXPECT_LE(finding.score, 40);
+    return finding.end;
+  };
+  EXPECT_EQ(end([](Look& now) { now.passages = 1; }), End::kPassage);
+  EXPECT_EQ(end([](Look& now) { now.parted = 1; }), End::kBroken);
+  EXPECT_EQ(end([](Look& now) { now.through = false; }), End::kDrawnOut);
+  EXPECT_EQ(end([](Look& now) { now.cut = 0.5e-3; }), End::kCut);
+}
+
+TEST(KnotJudge, LettingGoOfATiedThreadIsNoDrop) {
+  Attempt a;
+  for (int i = 0; i < 2; ++i) {
+    a.hold(0.3), a.go(100);
+    a.hold(0), a.go(100);
+  }
+  EXPECT_EQ(a.memory.drops, 2);
+  a.hold(0.3), a.go(100);
+  a.tie(word({1})), a.now.gap = 0.4e-3;
+  a.go(100);
+  a.hold(0), a.go(100);
+  EXPECT_EQ(a.memory.drops, 2);
+}
+
+TEST(KnotJudge, GrippingTooHardEndsATestAndNotPractice) {
+  for (const bool ends : {true, false}) {
+    Rules rules;
+    rules.ends = ends;
+    Attempt a(rules);
+    a.hold(1.5);
+    const Finding finding = a.go(4000);
+    EXPECT_EQ(finding.end, ends ? End::kTooHard : End::kRunning);
+    EXPECT_TRUE(finding.too_hard[0] && finding.too_hard[1]);
+  }
+}
+
+}  // namespace
+}  // namespace swage::lesson_knot
