@@ -18,8 +18,8 @@ inline double cap_ring(double radius, double depth) {
   return depth > 0 ? 3 * std::numbers::pi / 16 * std::sqrt(radius * depth) : 0.0;
 }
 
-/// Turns each contact of ball `a` with a face of `b` into three points of a third of its weight on that ring. They keep the
-/// gap of the middle, and their places on the face keep their directions, so that bristles go on.
+/// Turns each contact of ball `a` with a face of `b` into three points of a third of its weight on that ring. Each keeps the gap of
+/// the middle. Their directions in the face are fixed, so that friction memory carries over.
 inline void spread_caps(const Solid& a, const Frame& X_BA, const Frame& X_WB, Manifold& out) {
   const int n = out.count;
   for (int i = 0; i < n; ++i) {

@@ -39,8 +39,8 @@ class ChainTree {
   /// [main] `shape`: of kind CHAIN.
   ChainTree(const scene::World& world, uint32_t shape);
 
-  /// Fits boxes and pieces to how the chain stands. Each box holds its pieces, thickened, all the way of the step as seen by who
-  /// goes with the chain: at the mean velocity of its vertices.
+  /// Refits pieces and boxes to the vertices. Each box encloses its pieces, with their radius, over the whole step, in the frame
+  /// that moves with the mean velocity of the vertices.
   void refit(const scene::World& world) noexcept;
 
   uint32_t segments() const { return segments_; }
@@ -48,15 +48,15 @@ class ChainTree {
   bool there(uint32_t i) const { return i < segments_ && piece_[i].radius > 0; }
   double radius(uint32_t i) const { return piece_[i].radius; }
   const Box& all() const { return node_[0].box; }
-  /// How far any vertex comes in the step, seen by who goes with the chain, and how far that one comes, m.
+  /// The largest displacement of a vertex in the step relative to that frame, and the displacement of the frame, m.
   double moves() const { return moves_; }
   double drift() const { return drift_.norm(); }
   const Vec3& drift_W() const { return drift_; }
-  /// Places nearer to each other along the chain than this do not touch, m: half a circle of the least radius of curvature; a wire
-  /// that is bent no more than that is farther apart than it is thick over all longer ways.
+  /// Two places closer than this along the chain are not tested against each other, m: half a circle of the least radius of
+  /// curvature. A wire bent no tighter cannot meet itself within that length.
   double exclusion() const { return exclusion_; }
 
-  /// Whether the centre lines of piece i of this and j of the other are farther apart than they are thick and the margin [m].
+  /// Whether the centre lines of piece i and of piece j of the other chain are farther apart than both radii and the margin [m].
   bool apart(uint32_t i, const ChainTree& other, uint32_t j, double margin) const {
     const toolkit::Segment p{piece_[i].p0, piece_[i].p1}, q{other.piece_[j].p0, other.piece_[j].p1};
     const toolkit::SegmentPair at = closest(p, q);
@@ -64,13 +64,13 @@ class ChainTree {
     return (p.point(at.s) - q.point(at.t)).squaredNorm() > reach * reach;
   }
 
-  /// Unit, from vertex `end` of piece i away from it, into the next piece; zero where there is none.
+  /// Unit vector from vertex `end` of piece i into the neighbouring piece; zero where there is none.
   Vec3 onward(uint32_t i, bool end) const;
   /// The place of piece i nearest to p_W.
   ChainPlace place(uint32_t i, const Vec3& p_W) const;
   double s(uint32_t i) const { return piece_[i].s0; }
 
-  /// Makes `solid` the capsule of piece i, about its middle, unturned in W; its frame and its motion over the step.
+  /// Writes piece i as a capsule about its middle with the axes of W, its frame, and its motion over the step.
   void solid_of(uint32_t i, double dt, Solid& solid, Frame& X_WS, Motion& motion) const;
 
   /// Calls f(i) for all pieces in boxes for which near(box), in the order of the chain.
@@ -91,7 +91,7 @@ class ChainTree {
   void visit_pairs(const ChainTree& other, double margin, const F& f) const {
     pairs(0, other, 0, margin, 0, f);
   }
-  /// The same among the pieces of this chain, i < j, but for those that do not touch because they are near along it.
+  /// The same for pairs of pieces of this chain, i < j, without those closer than exclusion() along it.
   template <class F>
   void visit_self(double margin, const F& f, uint32_t node = 0) const {
     const Node& n = node_[node];
@@ -113,7 +113,7 @@ class ChainTree {
     uint32_t right = 0;  // the left child follows its parent; 0: a leaf
     double s_low = 0, s_high = 0;
   };
-  /// Pieces of a leaf. More: fewer boxes, more pairs looked at in vain.
+  /// Pieces per leaf. More: fewer boxes, more pairs tested in vain.
   static constexpr uint32_t kLeaf = 2;
 
   uint32_t build(uint32_t first, uint32_t count);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A wire that is made of several arcs on bodies of its own (a needle that bends) lies on a face with each of them. What they
-// bear together is one line: each gets the share of the weight that its stretch has of all, so that the pressure along the
-// line is even and the stiffness that of one wire.
+// A bending needle is several arcs, each on a body of its own. Where they lie on one face, their contacts are one line contact: the
+// weight of each arc is its share of the line's length, so that the pressure along the line is even and the stiffness is that of
+// one wire.
 #pragma once
 
 #include "contact/contact_set.hpp"
@@ -11,8 +11,8 @@
 
 namespace swage::contact {
 
-/// Points of one arc of a chain on a face; the line has them from all its arcs. Two are enough for its share of the friction
-/// moment: an even number of equal parts is exact for even pressure.
+/// Contact points of each arc in such a line. Two are enough: an even number of equal parts gives the friction moment of an even
+/// pressure exactly.
 inline constexpr int kChainPoints = 2;
 
 /// True for an arc on a body that its object moves itself.
@@ -30,7 +30,7 @@ inline void share_chain_lines(const scene::World& world, ContactSet& set, size_t
     uint32_t other = 0;  // shape on which it lies
     double length = 0;   // m
   };
-  toolkit::FixedVector<Line, kMost> line;  // left as it is: few scenes have a chain
+  toolkit::FixedVector<Line, kMost> line;  // not initialised: few scenes have a chain
   for (size_t i = first; i + 1 < set.contact.size() && !line.full(); ++i) {
     const Contact &c = set.contact[i], &next = set.contact[i + 1];
     const bool two = (c.feature & 0xF) == 1 && next.feature == c.feature + 1 && c.shape_a == next.shape_a &&

@@ -44,8 +44,8 @@ class Detector {
   Detector(const scene::World& world, std::vector<Pair> pairs, const Options& options);
 
   /// [rt] Contacts at the poses of `world`, which are where the step is predicted to end; the twists say where it began.
-  /// Bodies that move farther than their wires are thick are swept, and touch where they first touched. `set` holds last
-  /// step's contacts on entry: bristle, force and slip of a contact that lasts are carried over, all else is
+  /// Bodies that move farther than the thickness of their wires are swept; their contact is where they first touch. `set`
+  /// holds last step's contacts on entry: bristle, force and slip of a contact that lasts are carried over, all else is
   /// written anew.
   void detect(const scene::World& world, ContactSet& set) noexcept;
 
@@ -65,12 +65,12 @@ class Detector {
 
   // --- queries within the step, for what flies and rebounds in it (dynamics/rebound.hpp): detector_swept.cpp
 
-  /// Two shapes of which one may fly: a DYNAMIC body, and nothing that its object moves itself. Numbered 0 to swept_pairs().
+  /// Two shapes, at least one of them on a DYNAMIC body (it may fly), none on a body that its object moves itself. Numbered 0 to swept_pairs().
   struct Shapes {
     uint32_t pair = 0, shape_a = 0, shape_b = 0;  // the object pair; global
     uint32_t body_a = 0, body_b = 0;              // global
   };
-  /// A touch that must stay in the set, because an impulse passed there.
+  /// A contact that must stay in the set, because an impulse acted there.
   struct Struck {
     uint32_t swept = 0;  // number of the shapes
     Candidate candidate;
@@ -84,15 +84,15 @@ class Detector {
   const Shapes& swept(uint32_t i) const { return swept_[i]; }
   /// [rt] Whether two shapes may meet while their bodies move so.
   Reach reach(const scene::World& world, uint32_t i, const Motion& a, const Motion& b) const noexcept;
-  /// [rt] When they first overlap by more than `sunk` [m] and a little, which grows with the number of touches before: what
-  /// touches already is not found again at once. Polyhedra, which cannot be made thinner, are found a little before they touch.
+  /// [rt] When they first overlap by more than `sunk` [m] plus a small tolerance that grows with the number of touches before, so
+  /// that a present touch is not found again at once. Polyhedra cannot be made thinner and are found slightly before they touch.
   FirstTouch first_overlap(const scene::World& world, uint32_t i, const Motion& a, const Motion& b, double sunk,
                          uint32_t touches) noexcept;
   /// [rt] Their contacts at these poses with gaps up to `margin`; valid until the next query.
   const Manifold& touches(const scene::World& world, uint32_t i, const Frame& X_WA, const Frame& X_WB,
                           double margin) noexcept;
   /// [rt] Finds the contacts of the bodies marked in `moved` anew, at their poses of now; the others stay. Laws, bristles and
-  /// forces of what lasts are carried over; what was struck is there in any case, room permitting.
+  /// forces of lasting contacts are carried over; contacts with an impulse stay as long as there is room.
   void look_again(const scene::World& world, ContactSet& set, std::span<const uint8_t> moved,
                   std::span<const Struck> struck) noexcept;
 
@@ -103,15 +103,15 @@ class Detector {
   struct ShapePair {
     uint32_t pair = 0, shape_a = 0, shape_b = 0, group = kNoGroup;
     Separation memory;
-    bool remembers = true;  // pieces of a chain do not: there are many, and few of them are near
+    bool remembers = true;  // pieces of a chain do not: they are many, and few are near
   };
 
-  /// Of one step: a ball around a shape in W, and how far any point of it comes [m].
+  /// A ball around a shape in W, and a bound on the way of its points in the step [m].
   struct Ball {
     Vec3 centre = Vec3::Zero();
     double radius = 0, moves = 0;
   };
-  /// Arcs that are one wire (chain_line.hpp), in a ball; and such a chain against one shape.
+  /// The arcs of one wire (chain_line.hpp) in one ball; and such a wire against one shape.
   struct Chain {
     uint32_t first = 0, shapes = 0;
     Ball ball;

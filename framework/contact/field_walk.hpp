@@ -66,7 +66,7 @@ class FieldWalk {
   /// Triangles tilted against each other by less than this are one face: their common edge is no feature. 0.03 rad: a wire
   /// of 50 um across such a ridge lies 6 nm too deep.
   static constexpr double kSmooth = 0.03;
-  /// Regions are this much larger than they are, in sides of a cell: a wire along an edge lies in one of them.
+  /// Overlap of neighbouring regions, in sides of a cell: a wire along their border lies in one of them.
   static constexpr double kOverlap = 1e-9;
 
   static constexpr uint32_t kNone = 0xFFFFFFFFu;
@@ -75,7 +75,7 @@ class FieldWalk {
   struct Span {
     double low = 1e300, high = -1e300;
   };
-  /// From where to where the stretches reach along a direction.
+  /// The range of the stretches along a direction.
   Span span(const Stretches<Curve>& list, const Vec3& axis) const {
     const Height up = curve_.height(axis, 0), down = curve_.height(-axis, 0);
     Span s;
@@ -102,7 +102,7 @@ class FieldWalk {
     clip<Curve>(list, curve_.height(-axis, -low));
   }
 
-  /// Visits the vertices (i, j) above whose cells, or beside them within reach, some of the curve is; near_ is that part.
+  /// Visits each vertex (i, j) whose cell has some of the curve above it or within reach; near_ is that part of the curve.
   template <class Visit>
   void find_pieces(Visit&& visit) {
     Stretches<Curve> all;
@@ -135,7 +135,7 @@ class FieldWalk {
 
   // --- faces
 
-  /// Above the surface a face has what is nearest to it, under it what is straight below it.
+  /// Above the surface a face owns the places nearest to it, under the surface those straight below it.
   void add_faces(uint32_t i, uint32_t j) {
     if (!has_cell(i, j)) return;
     for (uint32_t half = 0; half < 2; ++half) {
@@ -257,7 +257,7 @@ class FieldWalk {
     if (first.at_from != Border::kClipped) flat_end(face(first), first.from, run);
     if (last.at_to != Border::kClipped) flat_end(face(last), last.to, run);
   }
-  /// Straight under a fold the distance steps from one face's to the next's: by how much [m].
+  /// Under a fold the distance jumps from that of one face to that of the next; the size of the jump [m].
   double step_after(const Piece& p) const {
     if (p.next < 0 || !p.under || smooth(p.n, piece_[p.next].n)) return 0;
     const double step = piece_[p.next].height.at(piece_[p.next].from) - p.height.at(p.to);
@@ -322,7 +322,7 @@ class FieldWalk {
     visit_dips(RegionDistance<Curve>(curve_, v, Vec3::Zero()), part, feature, dip);
   }
 
-  /// Whether only ridges that are no features meet at a vertex: the faces beside them have all that is nearest to it.
+  /// Whether only smooth ridges meet at a vertex: every place near it then belongs to a face.
   bool is_round(uint32_t i, uint32_t j) const {
     if (i == 0 || j == 0 || !has_cell(i, j)) return false;
     const uint32_t around[6] = {triangle(i, j, 0),         triangle(i, j, 1),         triangle(i - 1, j, 0),

@@ -21,13 +21,13 @@ namespace swage::contact {
 struct Query {
   double margin = 0;     // m, report features with a gap below this
   double length = 1e-3;  // m, characteristic length of the scene
-  /// A stretch of wire whose gap varies by less than flatness * length counts as lying on the face: it
-  /// becomes a line contact of line_points points. 2 um for a 1 mm scene: what a needle is pressed in by a
-  /// firm grip (1 to 2 N). Zero: every contact is a point, and neither a wire nor a ball (cap.hpp) on a face has a
-  /// friction moment.
+  /// A stretch of wire whose gap varies by less than flatness * length counts as lying on the face: it becomes a
+  /// line contact of line_points points. 2 um for a 1 mm scene: the indentation of a needle in a firm grip (1 to
+  /// 2 N). Zero: every contact is a point, and neither a wire nor a ball (cap.hpp) on a face has a friction
+  /// moment.
   double flatness = 2e-3;
   int line_points = 4;  // even, 2..8
-  /// The wire goes on before its start, as another solid: what is lowest there is that one's to tell.
+  /// The wire continues before its start as another solid, which reports a minimum at the joint.
   bool goes_on = false;
   bool piece = false;  // the wire is one of the pieces of a chain
 };
@@ -44,8 +44,8 @@ struct Manifold {
   Candidate* add(double gap);
 };
 
-/// What is remembered between two calls for the same pair: a direction along which they were apart. Saves
-/// time, never changes the answer. Part of the saved state.
+/// Memory between two calls for the same pair: a direction along which they were apart. It saves time and never changes the answer.
+/// Part of the saved state.
 struct Separation {
   Vec3 n_B = Vec3::Zero();  // unit, from b to a, in b; zero: none known
 };

@@ -7,7 +7,7 @@
 
 namespace swage::contact {
 
-/// Each advance closes most of the gap when bodies approach head on: 2 or 3 are usual. Sliding ones take more.
+/// An advance closes most of the gap when bodies approach head on: 2 or 3 are usual, more when they slide.
 inline constexpr int kMaxAdvances = 48;
 
 /// Motion of the points of a as b sees it, in the frame of b, per step. With rho = p - p_B in W:

@@ -35,7 +35,7 @@ struct Motion {
   }
 };
 
-/// A bound on how far any point of a moves against b over the step, m. Small when both move together.
+/// A bound on the displacement of any point of a relative to b over the step, m. Small when both move together.
 double relative_motion(const Solid& a, const Motion& motion_a, const Motion& motion_b) noexcept;
 
 struct FirstTouch {
@@ -43,8 +43,8 @@ struct FirstTouch {
   double t = 1;  // share of the step, 0..1
 };
 
-/// First time at which the gap is at most `tolerance`; 0 when a and b overlap at the start. Bodies that slide closely along
-/// each other may be reported early, or although they pass; never late.
+/// First time at which the gap is at most `tolerance`; 0 when a and b overlap at the start. Bodies that slide closely past each
+/// other may be reported early, or although they miss; never late.
 FirstTouch first_touch(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
                        double tolerance, Separation& memory, Manifold& work) noexcept;
 

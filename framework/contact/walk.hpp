@@ -12,7 +12,7 @@
 
 namespace swage::contact {
 
-/// Slope of the distance, per length of wire, that still counts as level: moves the gap of a 6 mm wire by 6e-12 m.
+/// Slope of the distance, per length of wire, that counts as level: an error of 6e-12 m over a wire of 6 mm.
 inline constexpr double kLevel = 1e-9;
 
 /// Distance of the places of a curve to the polyhedron, within one region.

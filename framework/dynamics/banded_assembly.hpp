@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts of threads and rigid bodies, as they enter the system of banded_blocks.hpp. A point of contact goes by
-// u = sum J_k d_k over at most two blocks: the two nodes of an edge with its rotation, or a body's translation and rotation.
+// Contacts of threads and rigid bodies, as they enter the system of banded_blocks.hpp. The displacement of a contact point is u =
+// sum J_k d_k over at most two blocks: the two nodes of an edge with its rotation, or a body's translation and rotation.
 // Header-only, [rt].
 #pragma once
 
@@ -13,7 +13,7 @@ namespace swage::dynamics {
 
 using BlockJacobian = Eigen::Matrix<double, 3, 4>;
 
-/// One side of a contact: how its point goes with its blocks. size 0: it stands.
+/// One side of a contact: the Jacobian of its point. size 0: a fixed point.
 struct BlockPoint {
   uint32_t size = 0;
   uint32_t block[2] = {};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A chain whose mechanics is a band (swage.object.band/1), in one step: unknowns q are the changes of its vertices, and the
-// rotations of its pieces about themselves, from where it advanced to. With what contacts push it by, J' f,
+// rotations of its pieces about themselves, from where it advanced to. With the contact forces J' f,
 //
 //     A q + g = J' f,    A = M/h^2 + K,    g = M/h^2 (x - x_free) + dE/dx
 //
-// A point of its surface goes with the two vertices of its piece and turns with the piece: 8 unknowns side by side.
+// A point of its surface moves with the two vertices of its piece and turns with the piece: 8 unknowns side by side.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -26,7 +26,7 @@ class BandedBody {
  public:
   static constexpr uint32_t kUnknowns = 4;       // of a vertex
   static constexpr uint32_t kOfPoint = 8;        // of a point: those of two vertices
-  static constexpr double kHeld = 1e30;          // N/m, of what cannot move: 1 N moves it by less than an atom
+  static constexpr double kHeld = 1e30;          // N/m, of a fixed vertex: 1 N moves it by less than an atom
 
   BandedBody(uint32_t object, uint32_t vertices);
 
@@ -34,13 +34,13 @@ class BandedBody {
   uint32_t vertices() const noexcept { return vertices_; }
   uint32_t unknowns() const noexcept { return kUnknowns * vertices_; }
 
-  /// A step begins: it stands where it advanced to.
+  /// Begins a step, at the state to which the chain advanced.
   void begin() noexcept;
   /// Asks its object for A and g. False: there is no such step.
   bool linearise(FlexibleBody& object) noexcept;
   /// q += d.
   void go(const double* d) noexcept;
-  /// To where it goes without contacts. False when it is there.
+  /// Moves to the state without contacts. False when it is there already.
   bool release() noexcept;
   const double* change() const noexcept { return q_.data(); }
 
@@ -58,7 +58,7 @@ class BandedBody {
   double merit(const double* F) const noexcept;
   void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) const noexcept;
 
-  /// How a point goes with q: `turn` = tangent x arm.
+  /// The Jacobian of a point with respect to q: `turn` = tangent x arm.
   toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
     return moved(at, turn, q_.data());
   }

@@ -9,7 +9,7 @@
 
 namespace swage::dynamics {
 
-/// `limit`: N, of a contact whose limit is held; what Coulomb's law gives is written there.
+/// `limit`: the friction limit [N]; read for a contact whose limit is held, else written by Coulomb's law.
 inline Force constraint_force(const Constraint& c, const Displacement& u, Friction friction, double& limit) {
   if (c.tie) return tie_force(*c.tie, u);
   const double fn = normal_force(c.surface, u.g);
@@ -17,7 +17,7 @@ inline Force constraint_force(const Constraint& c, const Displacement& u, Fricti
   return force_with_limit(c.surface, u, fn, limit);
 }
 
-/// Of what `f`, the force at u, stands on.
+/// Tangent of the piece of the law that `f`, the force at u, is on.
 inline Tangent constraint_tangent(const Constraint& c, const Displacement& u, const Force& f,
                                   Friction friction, double limit) {
   if (c.tie) return tie_tangent(*c.tie, u);

@@ -3,7 +3,7 @@
 // The law of one compliant contact with exact Coulomb friction, as a function of gap and tangential
 // displacement.
 //
-//     f_n = k max(0, d + T d')                          overlap d = -g; T: what does not rebound comes back late
+//     f_n = k max(0, d + T d')                          overlap d = -g; T: retardation time of the surfaces
 //     f_t = -k_t s            while k_t |s| <= mu f_n      (stick: an elastic bristle, no creep)
 //           -mu f_n s / |s|   beyond                       (slip: the bristle returns radially to the cone)
 //
@@ -59,7 +59,7 @@ enum class Friction {
   kTresca,   // held
 };
 
-/// Friction limited by `limit` [N], whatever it depends on.
+/// Friction limited by a given `limit` [N].
 inline Force force_with_limit(const Surface& s, const Displacement& d, double fn, double limit) {
   if (!(limit > 0)) return {fn, 0, 0, true};
   const double f1 = -s.kt * d.s1, f2 = -s.kt * d.s2;
@@ -77,7 +77,7 @@ inline Force coulomb(const Surface& s, const Displacement& d) {
   return fn > 0 ? force_with_limit(s, d, fn, s.mu * fn) : Force{};
 }
 
-/// Stiffness of what `f` stands on; `limit_grows`: the limit is mu f_n (Coulomb), not a constant (Tresca).
+/// Tangent of the piece of the law that `f` is on; `limit_grows`: the limit is mu f_n (Coulomb), not a constant (Tresca).
 inline Tangent tangent(const Surface& s, const Displacement& d, const Force& f, double limit,
                        bool limit_grows) {
   Tangent t;
@@ -133,7 +133,7 @@ inline Tangent tangent_on(Piece piece, const Surface& s, const Displacement& d) 
   return t;
 }
 
-/// Where the way d + t e, t > 0, leaves a piece: infinite where it never does.
+/// The t > 0 at which d + t e leaves a piece; infinite where it never does.
 struct Kink {
   double t = HUGE_VAL;
   Piece next = Piece::kOpen;

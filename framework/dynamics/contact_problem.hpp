@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contact problem of one step: what is known of each contact and tie, and how each of them looks at the present poses. The parts
-// of the solve work on it: contact_islands.hpp (who is solved together), flexible_points.hpp (what flexible bodies are asked about),
-// tie_constraints.hpp, contact_solve.hpp (passes).
+// The contact problem of one step: a workspace for each contact and tie, and their constraints at the present poses. The parts of
+// the solve work on it: contact_islands.hpp (islands), flexible_points.hpp (points of flexible bodies), tie_constraints.hpp,
+// contact_solve.hpp (passes).
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -24,26 +24,26 @@ namespace swage::dynamics {
 /// A coupling that says stiffness 0 lets the two pass through each other there.
 inline bool overlaps(const contact::Contact& c) { return c.gap < 0 && c.law.stiffness > 0; }
 
-/// What this step knows of a contact beyond the contact set.
+/// The workspace of a contact in this step, beside the contact set.
 struct ContactWorkspace {
   Side a, b;
   bool active = false;   // takes part: overlaps, or did in an earlier pass
   bool skipped = false;  // a flexible body has not been asked about it
-  bool needed = false;   // it has been after all, because its block has no other point
+  bool needed = false;   // it was asked all the same, because its block has no other point
   bool bore = false;     // bore force in the last step
   bool dropped = false;  // has no room in its island
   uint32_t constraint = scene::kNone;
   contact::Touch found;  // of the shapes, when the step began
 };
 
-/// What this step knows of a tie: its two sides and the material points that it holds, in their bodies.
+/// The workspace of a tie in this step: its two sides and the material points that it holds, in their bodies.
 struct TieWorkspace {
   Side a, b;
   Vec3 p_A = Vec3::Zero(), p_B = Vec3::Zero();
   Vec3 p_W = Vec3::Zero();      // now
   Vec3 axis_A = Vec3::UnitX();  // its axis, in body a
   uint32_t constraint = scene::kNone;
-  bool active = false;  // something that it holds can be moved
+  bool active = false;  // at least one of its sides can be moved
 };
 
 /// One island: a stretch of the blocks and of the constraints.
@@ -51,22 +51,22 @@ struct IslandWorkspace {
   uint32_t first_block = 0, blocks = 0;
   uint32_t first_constraint = 0, constraints = 0;
   uint32_t unknowns = 0;
-  double geometry_error = 0;  // m, by which its contacts are elsewhere than the linear problem said
+  double geometry_error = 0;  // m, distance of its contacts from where the linear problem put them
   uint32_t passes = 0;
-  double relaxation = 1;  // of the way that the last linear problem asked for
+  double relaxation = 1;  // share taken of the last linear problem's step
   bool converged = false, limits_hold = true, held = false, done = false;
-  double remaining = 0;                          // m of that way that were not gone
+  double remaining = 0;                          // m, the rest of that step
   bool tied = false;                             // ties are among its constraints
   bool own = false;                              // flexible bodies that are no bands are among its blocks
   bool banded = false;                           // bands are
-  bool stalled = false;                          // passes bring it no nearer
+  bool stalled = false;                          // passes no longer converge
   double last_errors[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
 };
 
 struct ContactProblem {
   explicit ContactProblem(const scene::World& world);
 
-  /// A step begins: contacts and their sides. [rt]
+  /// Begins a step: contacts and their sides. [rt]
   void begin(scene::World& world, Motion& motion, const contact::ContactSet& contacts,
              std::span<FlexibleBody* const> self) noexcept;
 
@@ -76,7 +76,7 @@ struct ContactProblem {
   void linearise(const contact::Contact& c, const ContactWorkspace& k, Constraint& constraint) noexcept;
   void linearise(const Tie& tie, TieWorkspace& k, Constraint& constraint) noexcept;
 
-  /// What is between the shape on which a contact was found and the surface, of a side and of both along the normal [m].
+  /// Distance of the surface from the shape on which a contact was found: of one side, and of both along the normal [m].
   Vec3 off_shape(const Side& side, const Vec3& p_W) const noexcept;
   double off_shapes(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
 

@@ -53,7 +53,7 @@ class ContactSolve {
   void count(const contact::ContactSet& contacts, Stats& stats) noexcept;
 
   const Options options_;
-  uint32_t few_ = 32;  // more cost more by their forces, whose matrix is dense, than by displacements
+  uint32_t few_ = 32;  // beyond, the dense matrix of the forces costs more than the sparse one of the displacements
   ContactProblem p_;
   ContactIslands islands_;
   FlexiblePoints points_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island in the forces y of its constraints, 3 numbers each in W, and one per hinge for its drive. Without them the blocks would go
-// by d* from here, so that the constraints stand at
+// An island in the forces y of its constraints, 3 numbers each in W, and one per hinge for its drive. Without them the blocks would
+// move by d* from here, and the constraints would be at
 //
 //     v = v* + W y,    v* = u(at) + J d*,    W = J A^-1 J'                      the Delassus operator
 //
-// and y = f(v) is to be found. W is put together from 3 x 3 blocks: of a flexible body what it answered, of a body J A^-1 J'. With
-// f(v) ~ c - D v and D = S R', of as many columns as directions in which constraints push back (0 open, 1 without friction or torn, 2
-// sliding, 3 sticking), Newton's step ends at
+// and y = f(v) is to be found. W consists of 3 x 3 blocks: of a flexible body those that it answered, of a rigid body J A^-1 J'.
+// With f(v) ~ c - D v and D = S R', of as many columns as directions in which constraints push back (0 open, 1 without friction or
+// torn, 2 sliding, 3 sticking), Newton's step ends at
 //
 //     (I + R' W S) s = R' (v* + W c),    y = c - S s,    v = v* + W y
 //
@@ -60,7 +60,7 @@ class ContactSpace final : public Space {
     bool symmetric = true;
     Vec3 R[3], S[3];
   };
-  /// What is as it was in the last direction.
+  /// What has not changed since the last direction.
   struct Kept {
     bool stiffness = true, forces = true;  // of the drives; c
   };
@@ -71,7 +71,7 @@ class ContactSpace final : public Space {
   void add_banded(const DofBlock& block) noexcept;
   void add_drive(const DofBlock& hinge, size_t at) noexcept;
   double* line(size_t i) noexcept { return W_.data() + i * n_; }
-  /// Of a constraint or, after all constraints, of a drive, among the numbers of y.
+  /// First number of a constraint, or of a drive (after all constraints), in y.
   size_t place(size_t constraint) const noexcept {
     return constraint < n_constraints_ ? 3 * constraint : 2 * n_constraints_ + constraint;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the contact solve can move: a rigid body, a hinge, a particle, a band, or an object with its own mechanics. All look alike
-// to the solve: unknowns x, inertia A = M / h^2, a force A (x - x_hat) that contacts must balance, and for a hinge the torque
-// of its drive. Unknowns count from the pose at which the geometry was last evaluated.
+// A block of degrees of freedom: a rigid body, a hinge, a particle, a band, or a flexible body. To the solve all are alike:
+// unknowns x, inertia A = M / h^2, a force A (x - x_hat) that contacts must balance, and for a hinge the torque of its drive.
+// Unknowns count from the pose at which the geometry was last evaluated.
 //
 // Threads: [rt], nothing allocates.
 #pragma once
@@ -15,10 +15,10 @@
 
 namespace swage::dynamics {
 
-/// What a flexible body answered about its points: they go by what it said first, and h^2 W f.
+/// The answer of a flexible body about its points: their displacement is the free one plus h^2 W f.
 struct PointMobility {
   const double* W = nullptr;      // m/s per N s, stride x stride, constraint-major
-  const double* extra = nullptr;  // m, by which they are beyond where they go without forces; stride
+  const double* extra = nullptr;  // m, displacement beyond the free one; stride
   size_t stride = 0;
   double hh = 0;  // s2
 };
@@ -26,16 +26,16 @@ struct PointMobility {
 struct DofBlock {
   enum class Kind : uint8_t { kRigid, kHinge, kParticle, kFlexible, kBanded };
   Kind kind = Kind::kRigid;
-  uint32_t index = 0;            // body, hinge, particle of the world, or place among the self solvers
+  uint32_t index = 0;            // body, hinge, particle of the world, or place among the flexible bodies
   uint32_t size = 6;             // unknowns; kFlexible: none, it answers for its points (contact_space.hpp)
   uint32_t offset = 0;           // of its unknowns in the island
   double m_hh = 0;               // N/m, mass / h^2
   Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
   Mat3 inv_I_hh = Mat3::Zero();  // its inverse
   HingeDrive drive;
-  double stiffness = 0;  // N m/rad of the drive, of which the last system was made
+  double stiffness = 0;  // N m/rad of the drive in the last system
 
-  Vec3 x = Vec3::Zero();  // m, from where it would go without contacts
+  Vec3 x = Vec3::Zero();  // m, from the pose without contacts
   Vec3 a = Vec3::Zero();  // rad, rotation over the step
   // N m, L0 / h + t: angular momentum at the start and torque. Balance is of momentum, because the spin of a thin wire about
   // itself says little about the rest of it
@@ -67,7 +67,7 @@ struct DofBlock {
     }
   }
 
-  /// Where it would go from here without contacts, a hinge without its drive.
+  /// The step from here to the pose without contacts; of a hinge without its drive.
   void to_free(double* d) const noexcept {
     if (kind == Kind::kBanded) return band->to_free(d);
     if (kind == Kind::kHinge) {

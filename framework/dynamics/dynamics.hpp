@@ -59,7 +59,7 @@ class Dynamics {
   void solve_sparse_beyond(uint32_t contacts) noexcept;
 
   const Stats& stats() const noexcept;
-  /// Poses within the last step at which something that flew was pushed or looked at anew.
+  /// Poses of flying bodies within the last step, at each impulse and each new look ahead.
   std::span<const Waypoint> waypoints() const noexcept;
   const Options& options() const noexcept;
 

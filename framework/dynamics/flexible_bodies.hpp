@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Objects with their own mechanics inside the contact solve: their points go by u = u_free + h^2 W f, and are given exactly the
-// forces for which they went (contact_space.hpp). Banded ones have unknowns instead (banded_body.hpp): their points only report.
+// Flexible bodies inside the contact solve: the displacement of their points is u = u_free + h^2 W f, and they receive exactly the
+// forces f of that displacement (contact_space.hpp). Banded ones have unknowns instead (banded_body.hpp): their points only report.
 //
 // Threads: built on [main]; the rest [rt].
 #pragma once
@@ -24,7 +24,7 @@ class FlexibleBodies {
  public:
   explicit FlexibleBodies(const scene::World& world);
 
-  /// Forgets the last step. `self`: who answers, one per object.
+  /// Forgets the last step. `self`: the flexible bodies, one entry per object.
   void begin(std::span<FlexibleBody* const> self) noexcept;
   /// Place of the object among the blocks of this step, or kNone when nobody answers for it.
   uint32_t slot(uint32_t object) const noexcept;
@@ -37,9 +37,9 @@ class FlexibleBodies {
   uint32_t ask(double h) noexcept;
   /// Where its solver expects a point at the end of the step: displacement over the step [m].
   void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;
-  /// Puts all points where they are expected, whatever forces that would take.
+  /// Puts all points at their expected displacement, without forces.
   void start() noexcept;
-  /// Puts the points of one where they go by themselves. True where that is elsewhere; not of what stands apart from its shapes.
+  /// Puts the points of one body at their free displacement. True where that moves them; never for a body whose surface is apart from its shapes.
   bool release(uint32_t slot) noexcept;
 
   /// Points that one object may have.
@@ -50,7 +50,7 @@ class FlexibleBodies {
   Vec3 place(uint32_t slot, uint32_t point) const noexcept { return toolkit::vec(object_[slot].point[point].p_W); }
   /// The band of one that has one, or nullptr.
   BandedBody* band(uint32_t slot) const noexcept { return object_[slot].band; }
-  /// What a point of a banded one is pushed by [N], for its object to know.
+  /// Force on a point of a banded body [N], reported to its object.
   void report_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept {
     for (uint32_t i = 0; i < 3; ++i) object_[slot].force[3 * point + i] += force[i];
   }
@@ -61,10 +61,10 @@ class FlexibleBodies {
   uint32_t count() const noexcept { return static_cast<uint32_t>(flexible_.size()); }
   uint32_t points(uint32_t slot) const noexcept { return object_[slot].points; }
   bool surface_is_shape(uint32_t slot) const noexcept { return flexible_[slot]->surface_is_shape(); }
-  /// False: it has no points or has failed, and stands still.
+  /// False: it has no points or has failed, and does not move.
   bool gives(uint32_t slot) const noexcept { return object_[slot].sound; }
   PointMobility answer(uint32_t slot) const noexcept;
-  /// Displacement over the step [m] of a point as it stands, its free part alone, and the rest.
+  /// Displacement of a point over the step [m]: all of it, its free part, and the rest.
   Vec3 displacement(uint32_t slot, uint32_t point) const noexcept {
     return u_free(slot, point) + extra(slot, point);
   }
@@ -75,12 +75,12 @@ class FlexibleBodies {
   /// Its surface is told apart from its shapes, also where both coincide: elastic tissue under a load keeps no displacement of its
   /// own, and its free motion over the step springs back from one that no shape shows.
   bool displaced(uint32_t slot) const noexcept { return object_[slot].displaced; }
-  /// How far a point is from where its shape is [m].
+  /// Distance of a point from its shape [m].
   Vec3 off_shape(uint32_t slot, uint32_t point) const noexcept {
     return extra(slot, point) + at(object_[slot].u, point);
   }
 
-  /// New forces, from none: then those at the points [N], then the share of the way to where they bring the points that is gone.
+  /// New forces, in three calls: start from none; the forces at the points [N]; the share of the resulting displacement that is taken.
   void begin_forces(uint32_t slot) noexcept;
   void add_force(uint32_t slot, uint32_t point, const Vec3& force) noexcept;
   void go(uint32_t slot, double relaxation) noexcept;

@@ -21,18 +21,18 @@ class FlexibleBody {
   /// Index of the object, as in BodyInfo::object.
   virtual uint32_t object() const noexcept = 0;
 
-  /// Its surface is where its shapes are: contacts that those do not reach need not be asked about.
+  /// Its surface is its shapes: it need not be asked about contacts that these do not reach.
   virtual bool surface_is_shape() const noexcept { return false; }
 
-  /// Where on its chains the points of the next calls are; stays valid until the next call of this.
+  /// Places on its chains of the points of the next calls; valid until this is called again.
   virtual void locate(std::span<const swage_chain_place> /*place*/) noexcept {}
 
-  /// How much it gives: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, constraint-major, symmetric, positive
+  /// Its mobility: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, constraint-major, symmetric, positive
   /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be
   /// moved.
   virtual bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
 
-  /// It answers displacement(): its surface is not where its shapes are, in no step, however little it is displaced by.
+  /// It answers displacement(): its surface is apart from its shapes in every step, however small the displacement.
   virtual bool displaces() const noexcept { return false; }
 
   /// By how much the free surface is displaced from the shapes at the same points: u_W is 3 n [m], zero on entry. False: as

@@ -105,8 +105,8 @@ void FlexiblePoints::meet_surfaces(contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// Whether something came so far from where it was expected that a contact may touch of which nobody was told. `moved`: that the
-/// solve moved anything at all.
+/// Whether something moved so far from its expected place that a contact that no flexible body was asked about may touch.
+/// `moved`: the solve has moved something.
 bool FlexiblePoints::missed_contact(contact::ContactSet& contacts, bool moved) noexcept {
   uint32_t of = kNone;  // whose way is known
   PredictionError prediction_error;

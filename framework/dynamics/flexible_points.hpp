@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Contacts of flexible bodies. What such a body costs grows with the square of the points that it is asked about, and most contacts
-// that are found touch nothing: a needle has some within 20 um all along the jaws. So it is asked about those that overlap, or
-// nearly so; and about all of them, from the start, where the answer goes farther than expected. Where there is no room for a point
-// its contact shares the nearest one, and is counted: first contacts that bore force in the last step have room, then the deepest.
+// Contacts of flexible bodies. The cost of such a body grows with the square of its points, and most contacts found do not touch: a
+// needle has some within 20 um all along the jaws. So the body is asked about contacts that overlap or nearly do, and, where its
+// answer moves farther than expected, again about all of them. Where there is no room for a point its contact shares the nearest
+// one, and is counted: first contacts that bore force in the last step have room, then the deepest.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -24,17 +24,17 @@ class FlexiblePoints {
 
   /// Adds the points of contacts, of all of them where `all`.
   void add(const contact::ContactSet& contacts, std::span<const Tie> ties, bool all) noexcept;
-  /// Contacts were found on shapes; where a surface stands elsewhere they overlap by something else.
+  /// Corrects the gaps of contacts of a body whose surface is apart from its shapes.
   void meet_surfaces(contact::ContactSet& contacts) noexcept;
   /// The solve starts where flexible bodies expect their points.
   void start_at_predictions(contact::ContactSet& contacts, TieConstraints& ties) noexcept;
-  /// Whether a contact may touch of which nobody was told. `moved`: that the solve moved anything at all.
+  /// Whether a contact that no flexible body was asked about may touch. `moved`: the solve has moved something.
   bool missed_contact(contact::ContactSet& contacts, bool moved) noexcept;
-  /// Contacts as they were before the solve looked at them.
+  /// Restores the contacts as they were before the solve.
   void restore(contact::ContactSet& contacts) noexcept;
 
  private:
-  /// How far points of a flexible body are from where they were expected [m]: most (1 + grows |p - middle|).
+  /// A bound on the distance of a flexible body's points from their expected places [m]: most (1 + grows |p - middle|).
   struct PredictionError {
     double most = 0, grows = 0;  // m, 1/m
     Vec3 middle = Vec3::Zero();  // m, of the points that were asked about

@@ -35,7 +35,7 @@ struct Constraint {
   Surface surface;
   Vec3 n, t1, t2;          // axes in W
   Displacement at;         // at the linearisation; its gap counts from `yielded`
-  double relaxed_gap = 0;  // m, gap at which the surfaces push no more, because they come back late
+  double relaxed_gap = 0;  // m, gap at which retarded surfaces stop pushing
   const double* J =
       nullptr;  // 3 x (size_a + size_b), constraint-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
@@ -45,7 +45,7 @@ struct Constraint {
   double limit = 0;  // N, of friction
   Piece piece = Piece::kOpen;
   Displacement along;      // along the Newton step
-  Tangent D;               // of which the last system was made
+  Tangent D;               // in the last system
   Displacement last_step;  // from `at` to `u`, in the last pass
   // N on a, in W; in contact space only. What flexible bodies are given: f but for the tolerance of the solve, which is 1e-10 m, at
   // 1e6 N/m 0.1 mN, and that would throw a needle of 0.4 mg by a quarter of a millimetre
@@ -63,9 +63,9 @@ struct Island {
 /// How a solve ended.
 struct Outcome {
   bool converged = false;   // the last correction was below the tolerance
-  bool limits_hold = true;  // and every friction limit is mu f_n, to one in a thousand of the largest
-  bool fell_back = false;   // Newton alone did not do it
-  bool held = false;        // friction limits are those of a pass before, to be held from here on
+  bool limits_hold = true;  // and every friction limit is mu f_n, to a thousandth of the largest
+  bool fell_back = false;   // Newton's method alone did not converge
+  bool held = false;        // friction limits of an earlier pass, held from here on
   uint32_t newton = 0;      // linear systems solved
   uint32_t rounds = 0;      // convex problems solved
   double moved = 0;         // m, from the pose of the linearisation
@@ -74,10 +74,10 @@ struct Outcome {
 /// How friction limits are found.
 enum class Limits : uint8_t {
   kCoulomb,  // mu f_n
-  kHeld,     // as the last pass left them: convex, so passes cannot jump to and fro
+  kHeld,     // those of the last pass: convex, so that passes do not alternate
 };
 
-/// Whether something pushes back.
+/// Whether any constraint bears force.
 inline bool stiffens(const Tangent& D) { return D.nn != 0 || D.t11 != 0 || D.t22 != 0; }
 
 class Space;
@@ -129,7 +129,7 @@ class IslandSolver {
   size_t size_ = 0, point_size_ = 0;  // of d, of a point
   uint32_t newton_ = 0;
   bool consistent_ = false;  // the point is one of the space's, not only the start
-  bool law_ = false;         // D of the constraints is of the law, not of its pieces
+  bool law_ = false;         // D of the constraints is the tangent of the law, not of one of its pieces
   std::unique_ptr<Space> displacement_space_, sparse_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the free motion of this step leaves for the contact solve. Reserved on [main], rewritten every step on [rt];
-// only `held` lives on.
+// Results of the free motion that the contact solve needs. Reserved on [main], rewritten every step on [rt]; only `held` lives
+// on.
 #pragma once
 
 #include <cstdint>
@@ -30,16 +30,16 @@ struct Motion {
   // particles
   std::vector<Vec3> p0, p_free, v_free_p;
 
-  // which bodies, hinges, particles had a contact force in the last step: they are predicted to go on as they went
+  // which bodies, hinges, particles had a contact force in the last step: they are predicted to keep their velocity
   std::vector<uint64_t> held_body, held_hinge, held_particle;
 
-  // which bodies were pushed within this step before the contact solve (rebound.hpp): their X0 is not where they came from
+  // which bodies had an impulse within this step before the contact solve (rebound.hpp): their X0 is not their pose at its start
   std::vector<uint8_t> flown;
 
   explicit Motion(const scene::World& world);
   /// Predicts all of the above and writes the predicted poses to the world. [rt]
   void predict(scene::World& world, FreeMotion method) noexcept;
-  /// Nothing touches anything: what was predicted to stay held goes where it goes by itself. [rt]
+  /// For a step without contacts: bodies predicted as held get their free motion. [rt]
   void go_free(scene::World& world) noexcept;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where everything stands while the contact solve looks for the end of the step: trial poses, the blocks that change them,
-// and how far each has come since the start of the step.
+// Trial poses of the contact solve, the blocks that change them, and displacements since the start of the
+// step.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -26,14 +26,14 @@ struct Side {
   uint32_t chain = scene::kNone;  // of the world, where the body's surface is one there
   contact::ChainPlace place;      // on it
   bool tied = false;              // of a tie
-  bool shares = false;            // it is the nearest point of another contact: there is no room for its own
+  bool shares = false;            // shares the point of another contact: there was no room for its own
 };
 
 class Placement {
  public:
   explicit Placement(const scene::World& world);
 
-  /// Forgets the last step; bodies are looked at when a contact first names them.
+  /// Forgets the last step. A body is prepared when a contact first names it.
   void begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept;
   /// The side of a contact, its block ready at the predicted pose.
   Side side(uint32_t body, uint32_t particle) noexcept;
@@ -45,7 +45,7 @@ class Placement {
 
   FlexibleBodies& flexible() noexcept { return flexible_; }
   const FlexibleBodies& flexible() const noexcept { return flexible_; }
-  /// Self blocks know how they give once they have been last_step.
+  /// Flexible blocks have their mobility once they have been asked for it in this step.
   void take_answers() noexcept;
 
   DofBlock& block(uint32_t i) noexcept { return block_[i]; }
@@ -56,17 +56,17 @@ class Placement {
   bool is_flexible(uint32_t block) const noexcept {
     return block != scene::kNone && block >= first_flexible_;
   }
-  /// It is flexible, and a band: it has unknowns.
+  /// A flexible body that is a band: it has unknowns.
   bool is_banded(uint32_t block) const noexcept {
     return is_flexible(block) && block_[block].kind == DofBlock::Kind::kBanded;
   }
-  /// False for a self block that gives nowhere.
+  /// False for a flexible block that moves nowhere.
   bool moves(uint32_t block) const noexcept {
     return block != scene::kNone && (!is_flexible(block) || flexible_.gives(block - first_flexible_));
   }
 
   toolkit::Frame frame(const Side& side) const noexcept;
-  /// Displacement over the step of the material point that is now at p_W [m].
+  /// Displacement over the step of the material point at p_W [m].
   Vec3 displacement(const Side& side, const Vec3& p_W) const noexcept;
   /// A point of a flexible body is expected in the pose that its solver wrote.
   void expect(const Side& side, const Vec3& p_W) noexcept;
@@ -86,9 +86,9 @@ class Placement {
 
   /// Adds d to the unknowns of a block.
   void move(uint32_t block, const double* d) noexcept;
-  /// It was predicted to go on as it went, but nothing holds it: to where it goes by itself. False when it is there.
+  /// Moves a block that was predicted as held, but is not, to its free pose. False when it is there.
   bool release(uint32_t block) noexcept;
-  /// Shortens its way over the step to at most `speed` [m/s]; what the fallback of the fallback is.
+  /// Limits its velocity over the step to `speed` [m/s]: the last fallback.
   void slow_down(uint32_t block, double speed) noexcept;
   /// Speed that the loads on it give a body's centre, or a particle, in this step where nothing touches it [m/s].
   double gain(uint32_t block) const noexcept;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What flies within a step: from touch to touch, each found anew where the bodies then are. A DYNAMIC body flies when it moves so far
-// in the step that it may come out on the far side of something, or when nothing held it in the last step and it meets something
-// with a restitution above 0. At a touch it takes Newton's impulse and flies on with what that made of its motion:
+// What flies within a step: from touch to touch, each found anew where the bodies then are. A DYNAMIC body flies when it moves so
+// far in the step that it may come out on the far side of something, or when nothing held it in the last step and it meets
+// something with a restitution above 0. At a touch it gets Newton's impulse and flies on with the new velocity:
 //
 //     n . v+ = -e n . v-       |j_t| <= mu j_n, which stops the point that touches if it can
 //
@@ -27,7 +27,7 @@
 
 namespace swage::dynamics {
 
-/// Where a body was within the step when something flew there: between two of them it moved by a constant twist.
+/// A pose within the step of a body that flew or was hit. Between two of them the twist is constant.
 struct Waypoint {
   uint32_t body;
   double t;  // s, since the start of the step
@@ -48,7 +48,7 @@ class Rebound {
   /// False where the touches did not end within the budget of looks.
   bool fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,
            FreeMotion method, double tolerance) noexcept;
-  /// After the contact solve: adds what was pushed, over the step, to the forces of the contacts.
+  /// After the contact solve: adds the impulses, divided by the step, to the forces of the contacts.
   void report(contact::ContactSet& contacts, double h) const noexcept;
 
   /// Of the last step, body by body in the order of time.
@@ -58,7 +58,7 @@ class Rebound {
   /// One body in flight.
   struct Flyer {
     uint32_t body = scene::kNone;
-    bool fast = false;  // might come out on the far side of something
+    bool fast = false;  // may pass through something
     Vec3 f_W = Vec3::Zero(), t_W = Vec3::Zero();  // loads
     RigidState s, end;                            // now, and at the end of the look when nothing is met
     Vec3 turn = Vec3::Zero();                     // rad, from now to then
@@ -76,7 +76,7 @@ class Rebound {
     uint32_t meeting = 0;
     contact::Candidate candidate;
   };
-  /// What of a touch a push needs.
+  /// What an impulse needs to know of a touch.
   struct Sides {
     Vec3 n, p;                         // from b to a; where
     Flyer *a = nullptr, *b = nullptr;  // null: does not fly

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A step of rigid bodies that did not converge, done again in parts. Beyond Coulomb's limit what is left of a couple turns a needle of
-// 0.2 mg several rad in 1 ms where nothing holds it: past all contacts that the step knows, though a longer line of contact would hold it
-// after 0.1 rad. Within a part the way is short enough: its contacts are found anew, with the bristles of the part before.
+// A step of rigid bodies that did not converge, done again in parts. A couple beyond Coulomb's limit turns a needle of 0.2 mg
+// several rad in 1 ms, past all contacts of the step, although a longer line of contact would hold it after 0.1 rad. Within a part
+// the rotation is small enough: its contacts are found anew, with the bristles of the part before.
 //
 // Flexible bodies, particles and ties keep the step as it is, and it is counted; so does a step in which something flew (rebound.hpp).
 //
@@ -25,7 +25,7 @@ class Refinement {
  public:
   explicit Refinement(const scene::World& world);
 
-  /// Before the contact solve: what that writes over and the parts start from. False: there is no room for it.
+  /// Before the contact solve: keeps the state that the solve overwrites and the parts start from. False: there is no room for it.
   bool keep(const Motion& motion, const contact::ContactSet& contacts, const base::SolverHealth& health) noexcept;
   /// The step from its start on, in parts. Contact forces are those of the last part.
   void run(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lengths and times of a scene that the contact solve goes by, as shares of its characteristic length (scene::World::length): a
-// scene at ten times the scale behaves alike.
+// Lengths and times of the contact solve, as shares of the scene's characteristic length (scene::World::length): a scene at ten
+// times the scale behaves alike.
 #pragma once
 
 #include "dynamics/options.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) know a point z, how the constraints
-// stand there and a direction from it; what z is they leave to one of three:
+// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) work with a point z, the
+// constraints there and a search direction; z is one of three:
 //
 //     DisplacementSpace     displacements of the blocks: few where many contacts hold one body
 //     SparseSpace           the same where bands are among the blocks: sparse
@@ -23,12 +23,12 @@ class Space {
 
   /// Numbers of a point z of this island. The island stays as it is until the next begin().
   virtual size_t begin(const Island& island) noexcept = 0;
-  /// The pose of the linearisation. False: what a point must keep to holds only after a whole step from here.
+  /// z at the pose of the linearisation. False: z becomes consistent only after a whole step from here.
   virtual bool start(double* z) noexcept = 0;
 
   /// Fills u of every constraint.
   virtual void displace(const double* z) noexcept = 0;
-  /// From f of every constraint: what is out of balance, and that as an energy, F' A^-1 F [J].
+  /// From f of every constraint: the residual F, and its energy F' A^-1 F [J].
   virtual void residual(const double* z) noexcept = 0;
   virtual double merit() noexcept = 0;
   /// Newton's step from z, by u, f and D of every constraint; after residual(). `same`: every D is that of the last call.
@@ -36,9 +36,9 @@ class Space {
   /// Sign of det H of the last direction.
   virtual int sign() const noexcept = 0;
 
-  /// Fills `way` of every constraint: how it moves along a step.
+  /// Fills `along` of every constraint: its displacement along a step.
   virtual void set_search_direction(const double* step) noexcept = 0;
-  /// Work of what is not in constraints along a step, at z [J].
+  /// Work along a step, at z, of all forces but those of constraints [J].
   virtual double slope(const double* z, const double* step) noexcept = 0;
   /// The farthest that a centre or a constraint moves along a step [m].
   virtual double length(const double* step) noexcept = 0;

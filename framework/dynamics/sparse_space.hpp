@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island in the displacements of its blocks, bands among them: H step = -F, sparse (banded_blocks.hpp). A band is one block of four
-// unknowns per vertex, a rigid body two, (v, -) and (w, -), a hinge or a particle one; what is idle has a stiffness of 1. Threads,
-// needles and jaws, and what touches itself, are factored together. [rt]; built on [main].
+// An island in the displacements of its blocks, bands among them: H step = -F, sparse (banded_blocks.hpp). A band is one block of
+// four unknowns per vertex, a rigid body two, (v, -) and (w, -), a hinge or a particle one; idle unknowns have a stiffness of 1.
+// Threads (also in contact with themselves), needles and jaws are factored together. [rt]; built on [main].
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ struct Tie {
   TieLaw law;
   // --- results of the solve
   Vec3 f_a_W = Vec3::Zero();           // N on a
-  Vec3 plastic_slip_W = Vec3::Zero();  // m, what it gave up
+  Vec3 plastic_slip_W = Vec3::Zero();  // m, plastic part of the displacement
 };
 
 /// Force on a. In the axes of the tie, g is along and s1, s2 are across.
@@ -66,7 +66,7 @@ inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
   return t;
 }
 
-/// What of the displacement the force does not answer for: it has slid or given way [m].
+/// The plastic part of the displacement: slip along, yielding across [m].
 inline Displacement tie_plastic_slip(const TieLaw& law, const Displacement& d, const Force& f) {
   Displacement slid;
   if (law.k_along > 0) slid.g = d.g + f.fn / law.k_along;

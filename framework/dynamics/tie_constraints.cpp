@@ -80,7 +80,7 @@ void TieConstraints::refresh(ContactIslands& islands) noexcept {
   }
 }
 
-/// What was put elsewhere than its constraints said.
+/// Linearises the ties of an island at the present poses.
 void TieConstraints::linearise(const IslandWorkspace& island) noexcept {
   for (uint32_t r = island.first_constraint; r < island.first_constraint + island.constraints; ++r)
     if (p_.constraint[r].tie != nullptr)

@@ -18,11 +18,11 @@ class TieConstraints {
   /// Sides and, where a flexible body answers for itself, its points.
   void begin(std::span<Tie> ties) noexcept;
   void predict() noexcept;
-  /// The material points that each tie holds, once it is known who can be moved.
+  /// Finds the material points that each tie holds, once the movable sides are known.
   void start() noexcept;
-  /// Looks at the ties of everything that moved.
+  /// Updates the constraints of all ties whose sides moved.
   void refresh(ContactIslands& islands) noexcept;
-  /// What was put elsewhere than its constraints said.
+  /// Linearises the ties of an island at the present poses.
   void linearise(const IslandWorkspace& island) noexcept;
   void write() noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A chain as it stands: the 8 n private doubles in which its object keeps vertices, velocities, arc lengths and radii
+// The state of a chain: the 8 n private doubles in which its object keeps vertices, velocities, arc lengths and radii
 // (swage/abi/builder.h).
 //
 // Units: SI. Frame: W. Threads: [rt].

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a scene ends. What moves freely and leaves stands still from there on, until it is put back: nothing falls for ever.
+// The border of a scene. A free body that leaves it stands still until it is put back: nothing falls for ever.
 #pragma once
 
 #include "scene/world.hpp"

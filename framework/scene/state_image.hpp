@@ -100,7 +100,7 @@ class Reader {
   }
   void get_bytes(void* data, size_t size) noexcept;
 
-  /// False when the image ended early or did not fit the world; what was read since is untouched.
+  /// False when the image ended early or did not fit the world; values after the fault are not written.
   bool ok() const noexcept { return ok_; }
   void fail() noexcept { ok_ = false; }
 

@@ -64,7 +64,7 @@ struct HeightFieldInfo {
   uint32_t state = kNone;      // first of nx ny in World::plugin_state that hold the heights instead
 };
 
-/// A flexible wire (chain.hpp); how it stands is in the object's private doubles.
+/// A flexible wire (chain.hpp); its state is in the object's private doubles.
 struct ChainInfo {
   std::vector<swage_vec3> start;  // m, vertices as declared, in B
   std::vector<double> s;          // m, arc length of each vertex, rising
