@@ -29,6 +29,8 @@ BandedBody::BandedBody(uint32_t object, uint32_t vertices)
       factors_(static_cast<int>(kUnknowns * vertices)),
       block_(3 * static_cast<size_t>(vertices)) {
   for (std::vector<double>* v : {&gradient_, &free_, &q_, &line_}) v->assign(unknowns(), 0.0);
+  column_.assign(size_t{kUnknowns} * unknowns() * vertices, 0.0);
+  column_from_.assign(vertices, vertices);
 }
 
 void BandedBody::begin() noexcept {
@@ -37,18 +39,18 @@ void BandedBody::begin() noexcept {
 }
 
 bool BandedBody::linearise(FlexibleBody& object) noexcept {
-  const size_t numbers = size_t{unknowns()} * SWAGE_BAND_COLUMN;
   for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
     A_.set_zero();
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     if (!object.linearise(stiffer, A_.column(0), gradient_.data())) return false;
-    if (!finite(A_.column(0), numbers) || !finite(gradient_.data(), unknowns())) return false;
+    if (!finite(gradient_.data(), unknowns())) return false;
     hold();
     factors_ = A_;  // of the same size: nothing allocates
-    if (!factors_.factor()) continue;
+    if (!factors_.factor()) continue;  // nor is what is no number
     for (uint32_t i = 0; i < unknowns(); ++i) free_[i] = -gradient_[i];
     factors_.solve(free_.data());
-    keep_blocks();
+    has_blocks_ = false;
+    std::fill(column_from_.begin(), column_from_.end(), vertices_);
     return true;
   }
   return false;
@@ -67,7 +69,20 @@ void BandedBody::hold() noexcept {
   }
 }
 
-void BandedBody::keep_blocks() noexcept {
+const double* BandedBody::column(uint32_t vertex, uint32_t least) noexcept {
+  constexpr int kSides = static_cast<int>(kUnknowns);
+  double* to = column_.data() + size_t{kUnknowns} * unknowns() * vertex;
+  if (column_from_[vertex] <= least) return to;
+  std::fill_n(to, size_t{kUnknowns} * unknowns(), 0.0);
+  for (uint32_t k = 0; k < kUnknowns; ++k) to[kUnknowns * (kUnknowns * vertex + k) + k] = 1;
+  factors_.solve<kSides>(to, kSides * static_cast<int>(vertex), kSides * static_cast<int>(least));
+  column_from_[vertex] = least;
+  return to;
+}
+
+/// Only who factors the whole asks for them.
+void BandedBody::find_blocks() noexcept {
+  has_blocks_ = true;
   for (uint32_t j = 0; j < vertices_; ++j)
     for (uint32_t below = 0; below < 3 && j + below < vertices_; ++below) {
       BandedBlocks::Block& M = block_[3 * j + below];
@@ -82,7 +97,8 @@ void BandedBody::keep_blocks() noexcept {
     }
 }
 
-void BandedBody::add_stiffness(BandedBlocks& H, uint32_t first, bool symmetric) const noexcept {
+void BandedBody::add_stiffness(BandedBlocks& H, uint32_t first, bool symmetric) noexcept {
+  if (!has_blocks_) find_blocks();
   for (uint32_t j = 0; j < vertices_; ++j)
     for (uint32_t below = 0; below < 3 && j + below < vertices_; ++below) {
       const BandedBlocks::Block& M = block_[3 * j + below];

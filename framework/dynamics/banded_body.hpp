@@ -10,6 +10,7 @@
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -49,14 +50,17 @@ class BandedBody {
   void residual(const double* d, double* F) const noexcept;
   /// From q to where it goes without contacts.
   void to_free(double* d) const noexcept;
-  /// x = A^-1 x, of R right-hand sides side by side.
-  template <int R = 1>
-  void apply_inverse(double* x) const noexcept {
-    factors_.solve<R>(x);
+  /// d = A^-1 F. Not from columns: forces that balance each other move little, and columns a great deal that must cancel.
+  void apply_inverse(const double* F, double* d) const noexcept {
+    std::copy_n(F, unknowns(), d);
+    factors_.solve(d);
   }
   /// F' A^-1 F.
   double merit(const double* F) const noexcept;
-  void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) const noexcept;
+  void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) noexcept;
+  /// How unknowns go with forces on those of one vertex: a column of A^-1, four numbers an unknown, of the vertices from `least` on.
+  /// Solved for once a step.
+  const double* column(uint32_t vertex, uint32_t least) noexcept;
 
   /// The Jacobian of a point with respect to q: `turn` = tangent x arm.
   toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
@@ -70,11 +74,14 @@ class BandedBody {
   using Matrix = toolkit::Band<10>;
   static toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn, const double* q) noexcept;
   void hold() noexcept;
-  void keep_blocks() noexcept;
+  void find_blocks() noexcept;
 
   const uint32_t object_, vertices_;
   Matrix A_, factors_;
   std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A, 3 below each other per vertex
+  bool has_blocks_ = false;            // of this step
+  std::vector<double> column_;         // of A^-1, vertex by vertex
+  std::vector<uint32_t> column_from_;  // of this step, per vertex: the first vertex of which it is there
   std::vector<double> gradient_, free_, q_;
   mutable std::vector<double> line_;
 };

@@ -27,7 +27,7 @@ ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32
   W_.resize(n * n), M_.resize(n * n);
   for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &s_, &right_, &line_}) v->resize(n);
   Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints);
-  of_block_.resize(std::max(max_of_bands, 6u)), three_.resize(size_t{3} * max_of_bands);
+  of_block_.resize(std::max(max_of_bands, 6u));
   arm_.reserve(size_t{2} * max_constraints);
   factors_.resize(max_constraints + max_hinges);
   drive_.resize(max_hinges);

@@ -93,7 +93,7 @@ class ContactSpace final : public Space {
   std::vector<double> c_, drive_, v_,
       y_;  // of the last direction, and where it leads; N m/rad, of the drives
   std::vector<double> F_, s_, right_, line_;
-  std::vector<double> of_block_, three_;  // numbers of a block, and three sides of them
+  std::vector<double> of_block_;  // numbers of a block
   std::vector<Vec3> Jt_, Minv_Jt_;  // of the block at hand, per arm and unknown: columns of J' and A^-1 J'
   std::vector<JacobianBlock> arm_;
   std::vector<Factors> factors_;

@@ -110,11 +110,14 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
   if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);
 }
 
-/// J A^-1 J' of a band: for each side three solves, of which the other sides take what they touch.
+/// J A^-1 J' of a band: a side goes with two vertices, and with what forces on those of another side move them by. The same in every pass
+/// of a step are the columns of A^-1; J is not.
 void ContactSpace::add_banded(const DofBlock& block) noexcept {
-  constexpr uint32_t kColumns = BandedBody::kOfPoint;
+  constexpr uint32_t kColumns = BandedBody::kOfPoint, kOfVertex = BandedBody::kUnknowns;
+  using Sides = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;  // of a vertex: its columns of J'
+  using Square = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
   block.to_free(of_block_.data());
-  work += 120 * arm_.size() * block.size;
+  work += 40 * arm_.size() * block.size;
   for (size_t p = 0; p < arm_.size(); ++p) {
     const JacobianBlock& a = arm_[p];
     Vec3 *Jt = &Jt_[kColumns * p], moves = Vec3::Zero();
@@ -124,16 +127,24 @@ void ContactSpace::add_banded(const DofBlock& block) noexcept {
     }
     for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
   }
+  uint32_t least = UINT32_MAX;
+  for (const JacobianBlock& a : arm_) least = std::min(least, a.first / kOfVertex);
+  const auto sides = [&](size_t p, uint32_t vertex) {
+    return Eigen::Map<const Sides>(Jt_[kColumns * p + kOfVertex * vertex].data());
+  };
   for (size_t p = 0; p < arm_.size(); ++p) {
     const JacobianBlock& a = arm_[p];
-    std::fill_n(three_.begin(), size_t{3} * block.size, 0.0);
-    for (uint32_t u = 0; u < kColumns; ++u) put(Jt_[kColumns * p + u], &three_[size_t{3} * (a.first + u)]);
-    block.band->apply_inverse<3>(three_.data());
+    const uint32_t first = a.first / kOfVertex;
+    const double* column[2] = {block.band->column(first, least), block.band->column(first + 1, least)};
     for (size_t q = p; q < arm_.size(); ++q) {
       const JacobianBlock& b = arm_[q];
       Mat3 W_ba = Mat3::Zero();
-      for (uint32_t u = 0; u < kColumns; ++u)
-        W_ba += Jt_[kColumns * q + u] * Eigen::Map<const Vec3>(&three_[size_t{3} * (b.first + u)]).transpose();
+      for (uint32_t v = 0; v < 2; ++v) {
+        const size_t at = size_t{kOfVertex} * (b.first + kOfVertex * v);
+        const Sides gone = Eigen::Map<const Square>(column[0] + at) * sides(p, 0) +
+                           Eigen::Map<const Square>(column[1] + at) * sides(p, 1);
+        W_ba += sides(q, v).transpose() * gone;
+      }
       for (size_t i = 0; i < 3; ++i)
         for (size_t k = 0; k < 3; ++k) {
           const double w = W_ba(index(i), index(k));

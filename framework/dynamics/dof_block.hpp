@@ -82,10 +82,7 @@ struct DofBlock {
 
   /// A^-1 F.
   void apply_inverse_mass(const double* F, double* d) const noexcept {
-    if (kind == Kind::kBanded) {
-      for (uint32_t i = 0; i < size; ++i) d[i] = F[i];
-      return band->apply_inverse(d);
-    }
+    if (kind == Kind::kBanded) return band->apply_inverse(F, d);
     if (kind == Kind::kHinge) {
       d[0] = F[0] / drive.inertia_hh;
       return;

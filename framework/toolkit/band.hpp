@@ -71,11 +71,11 @@ class Band {
   }
 
   /// x = A^-1 x for R right-hand sides at once, side by side: unknown i of side r is x[i R + r]. Each gets the bits that it would
-  /// get alone.
+  /// get alone. `first`: unknowns before it are 0 in all of them; `least`: those before it are not wanted.
   template <int R = 1>
-  void solve(double* x) const {
-    forward<R>(x);
-    backward<R>(x);
+  void solve(double* x, int first = 0, int least = 0) const {
+    forward<R>(x, first);
+    backward<R>(x, least);
   }
 
  private:
@@ -95,15 +95,15 @@ class Band {
   // Each unknown less its share of up to B others: in two sums, of the odd and of the even neighbours, the nearest last, as it is
   // the one that has just been found.
   template <int R>
-  void forward(double* x) const {
-    for (int j = 1; j < n_; ++j)
+  void forward(double* x, int first) const {
+    for (int j = first + 1; j < n_; ++j)
       subtract<R>(column(j), 1 - static_cast<std::ptrdiff_t>(kStride), -R, std::min(B, j),
                   x + static_cast<std::ptrdiff_t>(j) * R);
   }
   template <int R>
-  void backward(double* x) const {
+  void backward(double* x, int least) const {
     using Line = Eigen::Matrix<double, R, 1>;
-    for (int j = n_ - 1; j >= 0; --j) {
+    for (int j = n_ - 1; j >= least; --j) {
       double* xj = x + static_cast<std::ptrdiff_t>(j) * R;
       Eigen::Map<Line> at_j(xj);
       at_j *= column(j)[0];

@@ -133,17 +133,16 @@ class Rod {
   /// One step in time, or (h = 0) the shape at rest. `tolerance` [m], of the last change.
   RodEffort step(RodState& s, const RodLoad& load, int iterations, double tolerance);
 
-  /// All nodes go on by h v, but for what alternates from node to node; only held ones where that would stretch an edge by more than
-  /// `most_strain` or turn it by much.
-  void go_on(RodState& s, const RodLoad& load, double most_strain);
-  /// For contacts: the step that begins at `start`, linear about the state `s`. Afterwards matrix() is its Hessian, factored, and
-  /// change() is how far the rod goes from there without contacts. False where there is no such step.
-  bool linearise(const RodState& start, const RodState& s, const RodLoad& load);
+  /// All nodes go on by h v, but for what alternates from node to node. False: only held ones did, as it would stretch an edge by more
+  /// than `most_strain` or turn it by much.
+  bool go_on(RodState& s, const RodLoad& load, double most_strain);
+  /// For contacts: the step that prepare() or step() has begun, linear about the state `s`. Afterwards matrix() is its Hessian, factored,
+  /// and change() is how far the rod goes from there without contacts. False where there is no such step.
+  bool linearise(const RodState& s, const RodLoad& load);
   const double* change() const { return change_.data(); }
   /// The same for one who solves for contacts himself: the columns of its matrix (kStride numbers each, 0 on the diagonal of what is
   /// held) and its gradient. `stiffer` 1, 2 ..: for as long as it cannot be factored, as a rod that is not stable is made so.
-  void linearise(const RodState& start, const RodState& s, const RodLoad& load, int stiffer, double* columns,
-                 double* gradient);
+  void linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient);
   /// After that: goes from `s` by a change of all unknowns.
   void go(const RodState& s, const double* change, RodState& to);
   /// After linearise() about `s`: where that linear step leads under more forces on the unknowns [N, N m], which become their
@@ -185,7 +184,8 @@ class Rod {
     Vec3 t;
     double inverse;  // 1/m
   };
-  Edge edge(const RodState& s, int j) const;
+  static Edge along(const Vec3& e);
+  Edge edge(const RodState& s, int j) const { return along(s.edge(j)); }
   RodJoint joint(const RodState& s, int i) const;
   RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
   bool has_joint(int i) const {
@@ -194,14 +194,17 @@ class Rod {
     return !cut_[at(i - 1)] && !cut_[at(i)];
   }
   double joint_length(int i) const;
-  Vec3 remembered(const Vec3& director, double length) const;
-  static double angle(const RodJoint& j, const Vec3& de, const Vec3& df, double before);
+  /// Of twist, between directors on two edges: of the many that differ by whole turns the one nearest to `before`.
+  static double angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df, double before);
+  static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
   void add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const;
   static void add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
   static void add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
   static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
+  void begin_linear(const RodState& s);
+  void add_drag(const RodState& s, const RodLoad& load);
   void system(const RodState& s, const RodLoad& load, bool hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
   bool factor(const RodState& s, const RodLoad& load);
@@ -218,6 +221,7 @@ class Rod {
   double length_ = 0;                          // m
   double memory_ = 0;                          // 1/m
   std::vector<double> rest_, mass_, tension_;  // m, kg, N
+  std::vector<double> remembered_;             // of each joint: natural curvature times its length
   std::vector<char> held_, turn_held_, cut_;
   RodClamp clamp_[2];
 

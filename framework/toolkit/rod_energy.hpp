@@ -19,6 +19,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
     mass_[at(j + 1)] += 0.5 * section.mass * rest_[at(j)];
   }
   tension_.assign(at(edges()), 0.0);
+  for (int i = 0; i < n_; ++i) remembered_.push_back(2 * std::tan(0.5 * memory * joint_length(i)));
   held_.assign(at(n_), 0);
   turn_held_.assign(at(edges()), 0);
   cut_.assign(at(edges()), 0);
@@ -28,8 +29,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
 }
 
-inline Rod::Edge Rod::edge(const RodState& s, int j) const {
-  const Vec3 e = s.edge(j);
+inline Rod::Edge Rod::along(const Vec3& e) {
   const double inverse = 1 / e.norm();
   return {inverse * e, inverse};
 }
@@ -40,24 +40,24 @@ inline double Rod::joint_length(int i) const {
   return 0.5 * (before + after);
 }
 
-/// Natural curvature of a piece of the rod, about its director: the binormal of the circle to which it would bend.
-inline Vec3 Rod::remembered(const Vec3& director, double length) const {
-  return 2 * std::tan(0.5 * memory_ * length) * director;
-}
-
 /// The director after the least rotation that takes one tangent to the other.
-inline Vec3 Rod::carried(const Vec3& director, const Vec3& from, const Vec3& to) {
+[[gnu::flatten]] inline Vec3 Rod::transported(const Vec3& director, const Vec3& from, const Vec3& to) {
   const Vec3 axis = from.cross(to);
   const double c = from.dot(to), along = axis.dot(director) / (1 + c);
-  Vec3 d = c * director + axis.cross(director) + along * axis;
-  d -= d.dot(to) * to;
-  return d / d.norm();
+  return c * director + axis.cross(director) + along * axis;
 }
 
-/// The angle of twist at a joint: of the many that differ by whole turns the one nearest to `before`.
-inline double Rod::angle(const RodJoint& j, const Vec3& de, const Vec3& df, double before) {
-  const Vec3 d = carried(de, j.te, j.tf);
-  const double m = std::atan2(j.tf.dot(d.cross(df)), d.dot(df));
+/// The same, exactly of length 1 and across the edge however often it is done.
+[[gnu::flatten]] inline Vec3 Rod::carried(const Vec3& director, const Vec3& from, const Vec3& to) {
+  Vec3 d = transported(director, from, to);
+  d -= d.dot(to) * to;
+  return (1 / d.norm()) * d;
+}
+
+[[gnu::flatten]] inline double Rod::angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df,
+                                          double before) {
+  const Vec3 d = transported(de, te, tf);
+  const double m = std::atan2(tf.dot(d.cross(df)), d.dot(df));
   constexpr double kTurn = 2 * std::numbers::pi;
   return m + kTurn * std::floor((before - m) / kTurn + 0.5);
 }
@@ -76,8 +76,9 @@ inline RodJoint Rod::joint(const RodState& s, int i, const Edge& e, const Edge& 
   j.bend = section_.bending / l, j.turn = section_.twisting / l;
   j.twist = s.twist[i];
   if (memory_ != 0) {
-    j.Ke = remembered(first ? clamp_[0].director : s.material(i - 1), l);
-    j.Kf = remembered(last ? clamp_[1].director : s.material(i), l);
+    // the binormal of the circle to which it would bend
+    j.Ke = remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1));
+    j.Kf = remembered_[at(i)] * (last ? clamp_[1].director : s.material(i));
   }
   return j;
 }
@@ -172,7 +173,7 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
   }
 }
 
-inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
+[[gnu::flatten]] inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
   for (int k = 0; k < unknowns(); ++k) gradient[k] = 0;
   if (hessian != nullptr) hessian->set_zero();
   const bool bends = section_.bending > 0;
@@ -189,35 +190,34 @@ inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hess
   }
 }
 
-inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
+[[gnu::flatten]] inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
   // edge by edge, so that `to` may be `from`: an edge is known before its second node goes
   Vec3 x = from.node(0), next = x;
   const auto gone = [&](int i) {
     return Vec3(from.node(i) + share * Vec3(change[4 * i], change[4 * i + 1], change[4 * i + 2]));
   };
-  Vec3 x_new = gone(0);
+  Vec3 x_new = gone(0), t_before = clamp_[0].tangent, d_before = clamp_[0].director;
   for (int j = 0; j < edges(); ++j) {
     next = from.node(j + 1);
-    const Vec3 next_new = gone(j + 1);
-    const Vec3 t = (next - x).normalized(), t_new = (next_new - x_new).normalized();
+    const Vec3 next_new = gone(j + 1), t = along(next - x).t, t_new = along(next_new - x_new).t;
     Vec3 d = carried(from.material(j), t, t_new);
     const double turn = share * change[4 * j + 3];
     if (turn != 0) d = std::cos(turn) * d + std::sin(turn) * t_new.cross(d);
     Eigen::Map<Vec3>(to.director + 3 * j) = d;
     Eigen::Map<Vec3>(to.x + 3 * j) = x_new;
-    x = next, x_new = next_new;
+    to.twist[j] = has_joint(j) ? angle(t_before, t_new, d_before, d, from.twist[j]) : 0.0;
+    x = next, x_new = next_new, t_before = t_new, d_before = d;
   }
-  Eigen::Map<Vec3>(to.x + 3 * (n_ - 1)) = x_new;
-  for (int i = 0; i < n_; ++i) to.twist[i] = has_joint(i) ? twisted(to, i, from.twist[i]) : 0.0;
+  const int last = n_ - 1;
+  Eigen::Map<Vec3>(to.x + 3 * last) = x_new;
+  to.twist[last] =
+      has_joint(last) ? angle(t_before, clamp_[1].tangent, d_before, clamp_[1].director, from.twist[last]) : 0.0;
 }
 
 inline double Rod::twisted(const RodState& s, int i, double before) const {
   const bool first = i == 0, last = i == n_ - 1;
-  RodJoint j;
-  j.te = first ? clamp_[0].tangent : edge(s, i - 1).t;
-  j.tf = last ? clamp_[1].tangent : edge(s, i).t;
-  return angle(j, first ? clamp_[0].director : s.material(i - 1), last ? clamp_[1].director : s.material(i),
-               before);
+  return angle(first ? clamp_[0].tangent : edge(s, i - 1).t, last ? clamp_[1].tangent : edge(s, i).t,
+               first ? clamp_[0].director : s.material(i - 1), last ? clamp_[1].director : s.material(i), before);
 }
 
 inline double Rod::tension(const RodState& s, int j) const {

@@ -35,11 +35,20 @@ inline void Rod::prepare(const RodState& s, const RodLoad& load) {
     x0_[at(k)] = x;
     hat_[at(k)] = x + g_ * v;
   }
+  begin_linear(s);
+  add_drag(s, load);
+}
+
+/// The linear model of a state, of which nothing has turned yet.
+inline void Rod::begin_linear(const RodState& s) {
   take_tension(s);
   std::fill(turned_.begin(), turned_.end(), 0.0);
+}
+
+/// Half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz.
+[[gnu::flatten]] inline void Rod::add_drag(const RodState& s, const RodLoad& load) {
   std::fill(drag_.begin(), drag_.end(), 0.0);
   if (!(load.fluid.viscosity > 0) || load.h == 0) return;
-  // half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz
   for (int j = 0; j < edges(); ++j) {
     const Vec3 t = edge(s, j).t;
     for (const int i : {j, j + 1}) {
@@ -54,7 +63,7 @@ inline void Rod::prepare(const RodState& s, const RodLoad& load) {
 }
 
 /// Gradient of the step's potential and, when asked for, its Hessian.
-inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
+[[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
   differentiate(s, gradient_.data(), hessian ? &A_ : nullptr);
   const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
                                                    section_.radius / section_.mass
@@ -166,7 +175,7 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
 }
 
 /// The tension of the linear model after a change.
-inline void Rod::follow_tension(const RodState& s, const double* change, double share) {
+[[gnu::flatten]] inline void Rod::follow_tension(const RodState& s, const double* change, double share) {
   for (int j = 0; j < edges(); ++j) {
     const Edge e = edge(s, j);
     const double* d = change + 4 * j;
@@ -177,7 +186,7 @@ inline void Rod::follow_tension(const RodState& s, const double* change, double 
 }
 
 /// The share of a change after which no edge has turned by more than half a radian, nor about itself by more than one.
-inline double Rod::bounded(const RodState& s) const {
+[[gnu::flatten]] inline double Rod::bounded(const RodState& s) const {
   double most = 1;
   for (int j = 0; j < edges(); ++j) {
     const double* d = change_.data() + 4 * j;
@@ -198,8 +207,8 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
 /// that lie on a round surface would rock on it. A joint of edges of length l under the tension T bends with EI / l and T l; what a
 /// contact does when its edge tilts, T l too, comes one step late, and what goes on tilts twice as far: beyond T = 2 EI / l^2 it would
 /// be amplified.
-inline void Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
-  if (load.h == 0) return;
+[[gnu::flatten]] inline bool Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
+  if (load.h == 0) return true;
   for (int k = 0; k < unknowns(); ++k) {
     const int i = k / 4, at_k = 3 * i + k % 4;
     if (k % 4 == 3) {
@@ -218,6 +227,7 @@ inline void Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
   for (int k = 0; far && k < unknowns(); ++k)
     if (k % 4 != 3 && held_[at(k / 4)] == 0) change_[at(k)] = 0;
   move(s, change_.data(), 1, s);
+  return !far;
 }
 
 inline RodEffort Rod::step(RodState& s, const RodLoad& load, int iterations, double tolerance) {
@@ -266,9 +276,8 @@ inline double Rod::search(const RodState& s, const RodLoad& load, double share) 
   return share;
 }
 
-inline bool Rod::linearise(const RodState& start, const RodState& s, const RodLoad& load) {
-  prepare(start, load);
-  take_tension(s);
+inline bool Rod::linearise(const RodState& s, const RodLoad& load) {
+  begin_linear(s);
   slow_ = false;
   if (!factor(s, load)) return false;
   for (int k = 0; k < unknowns(); ++k) change_[at(k)] = -gradient_[at(k)];
@@ -276,10 +285,8 @@ inline bool Rod::linearise(const RodState& start, const RodState& s, const RodLo
   return true;
 }
 
-inline void Rod::linearise(const RodState& start, const RodState& s, const RodLoad& load, int stiffer, double* columns,
-                           double* gradient) {
-  prepare(start, load);
-  take_tension(s);
+inline void Rod::linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient) {
+  begin_linear(s);
   slow_ = false;
   stiffened_system(s, load, stiffer);
   std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);

@@ -103,7 +103,7 @@ void Thread::compliance(const Step& step, std::span<const swage_contact_point> p
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   const int rows = 3 * n, stride = 3 * static_cast<int>(points.size());
   std::fill_n(v_free, stride, 0.0), std::fill_n(W, stride * stride, 0.0);
-  linear_ = rod_.linearise(begun, base, load(step));
+  linear_ = rod_.linearise(base, load(step));
   for (int i = 0; i < n; ++i) {
     const Point& p = point_[at(i)] = point(points[at(i)], place[at(i)]);
     const Vec3 x0 = begun.node(p.edge) + p.s * begun.edge(p.edge),
@@ -153,8 +153,8 @@ void Thread::yield(const Step& step, std::span<const swage_contact_point> points
 }
 
 void Thread::linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) {
-  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
-  rod_.linearise(begun, base, load(step), static_cast<int>(stiffer), stiffness, gradient);
+  const RodState base(nodes(), base_.data());
+  rod_.linearise(base, load(step), static_cast<int>(stiffer), stiffness, gradient);
 }
 
 void Thread::displace(const Step& step, const double* change, std::span<const swage_contact_point>,

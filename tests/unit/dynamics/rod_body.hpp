@@ -53,8 +53,7 @@ class RodBody final : public FlexibleBody {
   void locate(std::span<const swage_chain_place> place) noexcept override { place_ = place; }
   bool banded() const noexcept override { return as_band_; }
   bool linearise(uint32_t stiffer, double* stiffness, double* gradient) noexcept override {
-    const toolkit::RodState begun(n_, begun_.data()), base(n_, base_.data());
-    rod_.linearise(begun, base, load(), static_cast<int>(stiffer), stiffness, gradient);
+    rod_.linearise(toolkit::RodState(n_, base_.data()), load(), static_cast<int>(stiffer), stiffness, gradient);
     return true;
   }
   void displace(const double* change, std::span<const swage_contact_point>, const double* impulse) noexcept override {
@@ -64,7 +63,7 @@ class RodBody final : public FlexibleBody {
   }
   bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept override {
     const toolkit::RodState begun(n_, begun_.data()), base(n_, base_.data());
-    if (!rod_.linearise(begun, base, load())) return false;
+    if (!rod_.linearise(base, load())) return false;
     const double h = world_.dt;
     const size_t rows = 3 * point.size();
     for (size_t c = 0; c < rows; ++c) {

@@ -54,6 +54,20 @@ TEST(Band, SolvesManySidesToTheBitAsEachAlone) {
   }
 }
 
+TEST(Band, SolvesAPartToTheBitOfTheWhole) {
+  constexpr int kFirst = 40, kLeast = 24;
+  Eigen::MatrixXd dense;
+  Band<10> a = some<10>(77, 3, dense);
+  ASSERT_TRUE(a.factor());
+  std::vector<double> whole(4 * 77);
+  for (size_t r = 0; r < 4; ++r) whole[4 * (kFirst + r) + r] = 1;
+  std::vector<double> part = whole;
+  a.solve<4>(whole.data());
+  a.solve<4>(part.data(), kFirst, kLeast);
+  for (size_t i = 4 * kLeast; i < whole.size(); ++i) EXPECT_EQ(part[i], whole[i]) << i;
+  EXPECT_NE(part[4 * kLeast - 1], whole[4 * kLeast - 1]);
+}
+
 TEST(Band, RefusesWhatIsNotPositiveDefinite) {
   Eigen::MatrixXd dense;
   Band<10> a = some<10>(30, 3, dense);
