@@ -154,7 +154,7 @@ void add_describe(CLI::App& app, Arguments& a) {
 void add_new(CLI::App& app, Arguments& a) {
   CLI::App* verb = app.add_subcommand("new", "Start a plugin or lesson of your own");
   NewOptions& o = a.make_new;
-  verb->add_option("kind", o.kind, "object, coupling, device, hardware (a device with a driver) or lesson")->required();
+  verb->add_option("kind", o.kind, "object, flexible (an object that stretches and bends), coupling, device, hardware (a device with a driver) or lesson")->required();
   verb->add_option("id", o.id, "Reverse domain, lower case: org.example.clip")->required();
   verb->add_option("--name", o.name, "Name of the class; the last word of the id unless given");
   verb->add_option("--dir", o.dir, "Folder to make; the last word of the id unless given");

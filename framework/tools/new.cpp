@@ -87,7 +87,7 @@ bool copy(const fs::path& from, const fs::path& to, const Tokens& tokens, std::v
 }  // namespace
 
 int make_new(const NewOptions& o) {
-  static const std::vector<std::string> kKinds = {"object", "coupling", "device", "hardware", "lesson"};
+  static const std::vector<std::string> kKinds = {"object", "flexible", "coupling", "device", "hardware", "lesson"};
   if (std::find(kKinds.begin(), kKinds.end(), o.kind) == kKinds.end())
     return problem("\"" + o.kind + "\" is no template; there are " + host::join(kKinds) + "." +
                    host::did_you_mean(o.kind, kKinds));

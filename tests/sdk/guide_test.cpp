@@ -38,6 +38,7 @@ std::map<std::string, std::string> instantiated() {
   const struct {
     const char *kind, *file, *name;
   } examples[] = {{"object", "clip", "Clip"},
+                  {"flexible", "loop", "Loop"},
                   {"coupling", "touch", "Touch"},
                   {"device", "circle", "Circle"},
                   {"hardware", "pen", "Pen"},

@@ -18,7 +18,7 @@ std::string slurp(const fs::path& file) {
 }
 
 TEST_F(New, EveryKindLosesItsTokens) {
-  for (const std::string kind : {"object", "coupling", "device", "hardware", "lesson"}) {
+  for (const std::string kind : {"object", "flexible", "coupling", "device", "hardware", "lesson"}) {
     const fs::path folder = path(kind);
     const Said said = swage({"new", kind, "org.example.fine_clip", "--dir", folder.string()});
     ASSERT_EQ(said.code, 0) << said.err;
@@ -47,7 +47,7 @@ TEST_F(New, SaysWhatIsWrong) {
     EXPECT_THAT(said.err, HasSubstr(sentence));
   };
   expect({"new", "objekt", "org.example.clip"},
-         "\"objekt\" is no template; there are object, coupling, device, hardware, lesson. Did you mean "
+         "\"objekt\" is no template; there are object, flexible, coupling, device, hardware, lesson. Did you mean "
          "\"object\"?");
   for (const char* id :
        {"clip", "org.Example.clip", "org..clip", "org.example.", "org.example.9clip", "org.ex-ample.clip"})
