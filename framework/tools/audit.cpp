@@ -70,6 +70,8 @@ Json to_json(const AuditLadder& ladder) {
   return out;
 }
 
+constexpr const char* kRuns = "/audit_runs.json";
+
 bool write(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
@@ -80,10 +82,22 @@ bool write(const std::string& path, const std::string& text) {
 bool write_all(const std::string& out, const std::vector<AuditLesson>& lessons, const AuditRule& rule) {
   std::error_code ignored;
   std::filesystem::create_directories(out, ignored);
-  return write(out + "/audit.csv", audit_csv(lessons)) &&
+  return write(out + kRuns, audit_runs(lessons)) && write(out + "/audit.csv", audit_csv(lessons)) &&
          write(out + "/audit_metrics.csv", audit_metrics_csv(lessons)) &&
          write(out + "/audit.md", audit_markdown(lessons, rule)) &&
          write(out + "/audit.svg", audit_svg(lessons));
+}
+
+/// The lessons that a folder has from an earlier audit, judged by the rule of this one. False with a problem told.
+bool read_earlier(const std::string& out, const AuditRule& rule, std::vector<AuditLesson>& lessons) {
+  std::ifstream file(out + kRuns, std::ios::binary);
+  if (!file) return true;
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!read_audit_runs(text, lessons))
+    return problem("\"" + out + kRuns + "\" is no record of an audit; without --add it is written anew."), false;
+  for (AuditLesson& lesson : lessons)
+    for (AuditLadder& ladder : lesson.ladder) judge(rule, ladder);
+  return true;
 }
 
 /// Every lesson that comes with Swage, in order of its number. False with a problem told.
@@ -131,11 +145,13 @@ int audit(const AuditOptions& o) {
   bool good = true;
   Json all = Json::array();
   std::vector<AuditLesson> lessons;
+  if (o.add && o.out.empty()) return problem("--add needs --out: the folder of the audit to which lessons are added.");
+  if (o.add && !read_earlier(o.out, rule, lessons)) return kProblem;
   for (const std::string& path : paths) {
-    AuditLesson& lesson = lessons.emplace_back();
+    AuditLesson lesson;
     if (!play(o, path, lesson)) return kProblem;
     if (!o.json)
-      std::printf("%s%s: hand %s, tolerance %.3g %%\n", lessons.size() == 1 ? "" : "\n", lesson.title.c_str(),
+      std::printf("%s%s: hand %s, tolerance %.3g %%\n", path == paths.front() ? "" : "\n", lesson.title.c_str(),
                   o.device.c_str(), 100 * o.tolerance);
     if (lesson.ladder.empty()) return problem("\"" + path + "\" has no such ladder as --only names.");
     Json out = {{"lesson", path}, {"device", o.device}, {"tolerance", o.tolerance}};
@@ -148,6 +164,7 @@ int audit(const AuditOptions& o) {
         print_ladder(ladder);
     }
     all.push_back(std::move(out));
+    add_lesson(lessons, std::move(lesson));
     std::fflush(stdout);
   }
   if (o.json) print(all);

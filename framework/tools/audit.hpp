@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // An audit: one lesson at every level of its ladders, each level beside the finest one that could be played, and which level is
-// enough. The rule stands in README.md; audit_play.cpp plays, audit_rule.cpp judges, audit_report.cpp writes. [main]
+// enough. The rule stands in README.md; audit_play.cpp plays, audit_rule.cpp judges, audit_report.cpp writes, audit_runs.cpp keeps
+// the runs for an audit in pieces. [main]
 #pragma once
 
 #include <cstdint>
@@ -47,7 +48,8 @@ struct AuditLevel {
   bool enough = false;
 };
 
-/// A choice named "level" of an object or coupling, or one of the engine: levels from the simplest to the finest.
+/// A choice named "level" of an object or coupling, the number of its "segments", or a method of the engine: from the simplest to the
+/// finest.
 struct AuditLadder {
   std::string name;
   std::vector<AuditLevel> level;
@@ -79,10 +81,17 @@ struct AuditPlan {
 AuditLesson play_levels(const AuditPlan& plan, const host::Catalogue& catalogue, assembly::LessonFile file,
                         void (*said)(const std::string&));
 
+/// What was played, as JSON, for a later audit that adds lessons to it.
+std::string audit_runs(const std::vector<AuditLesson>& lessons);
+/// Reads that, unjudged. False when it is no such text.
+bool read_audit_runs(const std::string& text, std::vector<AuditLesson>& lessons);
+/// Puts a lesson in the place of the same lesson and hand, or where its number belongs.
+void add_lesson(std::vector<AuditLesson>& lessons, AuditLesson lesson);
+
 /// One row a level, and one row a metric of a level.
 std::string audit_csv(const std::vector<AuditLesson>& lessons);
 std::string audit_metrics_csv(const std::vector<AuditLesson>& lessons);
-/// Which level is enough for which lesson, then every lesson's levels.
+/// What each model costs and in how many lessons it is enough, which level is enough for which lesson, then every lesson's levels.
 std::string audit_markdown(const std::vector<AuditLesson>& lessons, const AuditRule& rule);
 /// A panel a lesson: largest difference against processor time of a step.
 std::string audit_svg(const std::vector<AuditLesson>& lessons);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/clock.hpp"
 #include "step/step.hpp"
@@ -18,9 +19,11 @@ using dynamics::FreeMotion;
 struct Place {
   std::string name, plugin;
   std::vector<std::string> level;
-  std::size_t own = 0;            // the lesson's
-  std::string* params = nullptr;  // of the plugin in the lesson file; nullptr: of the engine
-  void (*choose)(step::Options&, std::size_t) = nullptr;
+  std::size_t own = 0;                                    // the lesson's
+  void (*choose)(step::Options&, std::size_t) = nullptr;  // of the engine
+  std::string* params = nullptr;                          // of the plugin in the lesson file; nullptr: of the engine
+  std::string key = {};                                   // parameter
+  std::vector<Json> value = {};                           // of it, one a level
 };
 
 constexpr FreeMotion kMotions[] = {FreeMotion::kThesis,     FreeMotion::kSymplecticEuler,
@@ -62,28 +65,50 @@ class Player {
     const host::PluginInfo* plugin = catalogue_.find(use.plugin);
     if (plugin == nullptr) return;
     for (const host::Param& p : plugin->params) {
-      if (p.id != "level" || p.type != SWAGE_PARAM_CHOICE) continue;
-      Place place{instance + ".level", use.plugin, p.choices, static_cast<std::size_t>(p.default_number[0]),
-                  &use.params,         nullptr};
-      const std::string own = Json::parse(use.params).value("level", std::string());
-      const auto found = std::find(p.choices.begin(), p.choices.end(), own);
-      if (found != p.choices.end()) place.own = static_cast<std::size_t>(found - p.choices.begin());
-      places_.push_back(std::move(place));
+      if (p.id == "level" && p.type == SWAGE_PARAM_CHOICE)
+        add_levels(instance, use, p);
+      else if (p.id == "segments" && p.type == SWAGE_PARAM_INTEGER)
+        add_segments(instance, use, p);
     }
   }
 
+  void add_levels(const std::string& instance, assembly::PluginUse& use, const host::Param& p) {
+    Place place{instance + ".level", use.plugin, p.choices, static_cast<std::size_t>(p.default_number[0]),
+                nullptr,             &use.params, p.id,      {p.choices.begin(), p.choices.end()}};
+    const std::string own = Json::parse(use.params).value(p.id, std::string());
+    const auto found = std::find(p.choices.begin(), p.choices.end(), own);
+    if (found != p.choices.end()) place.own = static_cast<std::size_t>(found - p.choices.begin());
+    places_.push_back(std::move(place));
+  }
+
+  // of how many pieces a thread consists: a quarter of the lesson's to four times as many, as its table permits
+  void add_segments(const std::string& instance, assembly::PluginUse& use, const host::Param& p) {
+    const double own = Json::parse(use.params).value(p.id, p.default_number[0]);
+    Place place{instance + ".segments", use.plugin, {}, 0, nullptr, &use.params, p.id};
+    for (const auto& [factor, name] : {std::pair{0.25, "quarter"},
+                                       {0.5, "half"},
+                                       {1.0, "its own"},
+                                       {2.0, "twice"},
+                                       {4.0, "four times"}}) {
+      const double count = std::round(factor * own);
+      if (count < p.min || count > p.max) continue;
+      if (factor == 1) place.own = place.level.size();
+      place.level.push_back(format("%s (%.0f)", name, count));
+      place.value.emplace_back(static_cast<int64_t>(count));
+    }
+    places_.push_back(std::move(place));
+  }
+
   void add_engine() {
-    places_.push_back(
-        {"engine.contact", "", {"thesis", "exact"}, 1, nullptr, [](step::Options& o, std::size_t i) {
-           o.contact.level = i == 0 ? contact::Level::kThesis : contact::Level::kExact;
-         }});
+    places_.push_back({"engine.contact", "", {"thesis", "exact"}, 1, [](step::Options& o, std::size_t i) {
+                         o.contact.level = i == 0 ? contact::Level::kThesis : contact::Level::kExact;
+                       }});
     const auto usual =
         std::find(std::begin(kMotions), std::end(kMotions), step::Options().dynamics.free_motion);
     places_.push_back({"engine.free_motion",
                        "",
                        {"thesis", "symplectic_euler", "splitting_2", "splitting_4", "taylor", "elliptic"},
                        static_cast<std::size_t>(usual - std::begin(kMotions)),
-                       nullptr,
                        [](step::Options& o, std::size_t i) { o.dynamics.free_motion = kMotions[i]; }});
   }
 
@@ -98,7 +123,7 @@ class Player {
       place.choose(options, level);
     } else if (!as_it_is) {
       Json params = Json::parse(before);
-      params["level"] = place.level[level];
+      params[place.key] = place.value[level];
       *place.params = params.dump();
     }
     AuditRun out = play(options);

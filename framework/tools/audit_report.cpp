@@ -46,6 +46,69 @@ std::string levels_in_short(const AuditLadder& ladder) {
   return out;
 }
 
+/// One level of a model, over all lessons that have the model.
+struct ModelRow {
+  std::string model, level;
+  std::size_t played = 0, enough = 0, own = 0;
+  std::vector<double> cost = {};  // of a step over that with the finest level, one a lesson
+  double worst = 0;               // the largest difference
+  std::string where = "", why = "";  // of it
+};
+
+/// "swage.object.needle" -> "needle.level", whatever a lesson calls its needle; of the engine: as it is.
+std::string model_of(const AuditLadder& ladder) {
+  if (ladder.plugin.empty()) return ladder.name;
+  return ladder.plugin.substr(ladder.plugin.rfind('.') + 1) + ladder.name.substr(ladder.name.rfind('.'));
+}
+
+/// "twice (96)" -> "twice"
+std::string kind_of_level(const std::string& level) { return level.substr(0, level.find(" (")); }
+
+ModelRow& row_of(std::vector<ModelRow>& rows, const std::string& model, const std::string& level) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [&](const ModelRow& r) { return r.model == model && r.level == level; });
+  return found != rows.end() ? *found : rows.emplace_back(ModelRow{model, level});
+}
+
+std::vector<ModelRow> model_rows(const std::vector<AuditLesson>& lessons) {
+  std::vector<ModelRow> rows;
+  for (const AuditLesson& lesson : lessons)
+    for (const AuditLadder& ladder : lesson.ladder)
+      for (std::size_t i = 0; i < ladder.level.size(); ++i) {
+        const AuditLevel& level = ladder.level[i];
+        ModelRow& row = row_of(rows, model_of(ladder), kind_of_level(level.run.level));
+        row.own += i == ladder.own;
+        if (!level.run.problem.empty()) continue;
+        ++row.played;
+        row.enough += level.enough;
+        row.cost.push_back(level.run.cpu_s / ladder.level[ladder.reference].run.cpu_s);
+        if (level.worst > row.worst) row.worst = level.worst, row.where = lesson.title, row.why = level.why;
+      }
+  std::stable_sort(rows.begin(), rows.end(), [](const ModelRow& a, const ModelRow& b) { return a.model < b.model; });
+  return rows;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+void model_table(const std::vector<AuditLesson>& lessons, std::ostringstream& o) {
+  o << "## Models\n\nCost: processor time of a step over that with the finest level of the same lesson, the median of the lessons. "
+       "Error: the largest difference in any lesson; one of 1 is as much as counts as equal.\n\n"
+    << "| model | level | lessons that have it | played | enough in | cost | largest error | |\n"
+       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string last;
+  for (const ModelRow& row : model_rows(lessons)) {
+    o << "| " << (row.model == last ? "" : row.model) << " | " << row.level << " | " << row.own << " | " << row.played << " | "
+      << row.enough << " | " << (row.cost.empty() ? "-" : format("%.2f", median(row.cost))) << " | "
+      << (std::isinf(row.worst) ? "another verdict" : format("%.2f", row.worst)) << " | "
+      << (row.worst > 1 ? row.where + ": " + row.why : "") << " |\n";
+    last = row.model;
+  }
+  o << "\n## Lessons\n\n";
+}
+
 void lesson_table(const AuditLesson& lesson, std::ostringstream& o) {
   o << "\n## " << lesson.title << " (`" << lesson.id << "`)\n\n"
     << "| ladder | level | verdict | score | us a step | difference | largest |\n| --- | --- | --- | --- | "
@@ -259,8 +322,9 @@ std::string audit_markdown(const std::vector<AuditLesson>& lessons, const AuditR
            lessons.empty() ? "" : lessons.front().device.c_str(), 100 * rule.tolerance)
     << "A level is enough when its verdict is that of the finest that could be played and no difference "
        "exceeds 1. Named is the simplest of those that are enough and cost the least, to 10 %. "
-       "Costs are processor time of a step, all in one run.\n\n"
-    << "| lesson | ladder | it has | enough | saves | us a step (differences above 1) | |\n"
+       "Costs are processor time of a step; those of one lesson were measured in one run.\n\n";
+  model_table(lessons, o);
+  o << "| lesson | ladder | it has | enough | saves | us a step (differences above 1) | |\n"
        "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const AuditLesson& lesson : lessons)
     for (const AuditLadder& ladder : lesson.ladder)

@@ -108,6 +108,7 @@ void add_audit(CLI::App& app, Arguments& a) {
   verb->add_option("lessons", o.lessons, "Lesson files (.json)");
   verb->add_flag("--series", o.series, "Every lesson that comes with Swage");
   verb->add_option("--out", o.out, "Folder for tables (CSV, Markdown) and chart (SVG)");
+  verb->add_flag("--add", o.add, "Keep the lessons that --out has from an earlier audit: a long one in pieces");
   verb->add_option("--only", o.only, "One ladder, as needle.level; may be repeated")->allow_extra_args(false);
   verb->add_option("--device", o.device, "Hand that plays them")->capture_default_str();
   verb->add_option("--tolerance", o.tolerance, "Relative difference that still counts as equal")

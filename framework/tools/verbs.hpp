@@ -65,6 +65,7 @@ struct AuditOptions {
   double budget_s = 45;     // of processor time, for one run
   std::string out;          // folder for tables and chart, "" for none
   bool series = false;      // also every lesson that comes with Swage
+  bool add = false;         // the lessons that the folder has from an earlier audit stay
   bool json = false;
 };
 int audit(const AuditOptions&);

@@ -132,5 +132,53 @@ TEST(AuditRule, AFinestLevelThatFailsOrIsTooSlowIsSaidAndTheNextMeasures) {
   EXPECT_THAT(svg, testing::Not(HasSubstr(">reference<")));
 }
 
+AuditLesson lesson_of(const char* file, const char* id, const AuditLadder& ladder) {
+  return {std::string("/somewhere/") + file, id, std::string("Lesson ") + file, "expert", {ladder}};
+}
+
+TEST(AuditReport, SaysWhatEachModelCostsAndErrsInAllLessons) {
+  AuditLadder good = judged({run("rigid", 10, 0.6), run("bending", 40, 0.6)}, 0);
+  AuditLadder bad = judged({run("rigid", 20, 0.66), run("bending", 40, 0.6)}, 1);
+  bad.name = "other_needle.level";
+  const std::string md = audit_markdown({lesson_of("1.json", "a", good), lesson_of("2.json", "b", bad)}, {0.05});
+  EXPECT_THAT(md, HasSubstr("| needle.level | rigid | 1 | 2 | 1 | 0.38 | 1.82 | Lesson 2.json: force.mean 0.66 instead of 0.6 N |"))
+      << md;
+  EXPECT_THAT(md, HasSubstr("|  | bending | 1 | 2 | 2 | 1.00 | 0.00 |  |"));
+  // numbers of segments differ from lesson to lesson, what they are beside the lesson's does not
+  AuditLadder thread = judged({run("half (20)", 10, 0.6), run("its own (40)", 20, 0.6)}, 1);
+  AuditLadder other = judged({run("half (24)", 10, 0.6), run("its own (48)", 20, 0.6)}, 1);
+  thread.plugin = other.plugin = "swage.object.thread";
+  thread.name = other.name = "suture.segments";
+  EXPECT_THAT(audit_markdown({lesson_of("1.json", "a", thread), lesson_of("2.json", "b", other)}, {0.05}),
+              HasSubstr("| thread.segments | half | 0 | 2 | 2 | 0.50 | 0.00 |  |"));
+}
+
+TEST(AuditRuns, AreKeptForALaterPiece) {
+  AuditRun slow = run("reference", 9000, 0.6);
+  slow.problem = "too slow";
+  const AuditLadder ladder = judged({run("rigid", 10, 0.8), run("bending", 40, 0.6), slow}, 1);
+  std::vector<AuditLesson> written = {lesson_of("020.json", "a", ladder), lesson_of("110.json", "b", ladder)}, read;
+  ASSERT_TRUE(read_audit_runs(audit_runs(written), read));
+  for (AuditLesson& lesson : read)
+    for (AuditLadder& l : lesson.ladder) judge({0.05}, l);
+  EXPECT_EQ(audit_csv(read), audit_csv(written));
+  EXPECT_EQ(audit_metrics_csv(read), audit_metrics_csv(written));
+  EXPECT_EQ(audit_markdown(read, {0.05}), audit_markdown(written, {0.05}));
+  EXPECT_EQ(audit_svg(read), audit_svg(written));
+
+  add_lesson(read, lesson_of("050.json", "c", ladder));
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_EQ(read[1].id, "c") << "in the order of their numbers";
+  AuditLesson again = lesson_of("020.json", "a", ladder);
+  again.title = "played again";
+  add_lesson(read, again);
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_EQ(read[0].title, "played again");
+
+  for (const char* text : {"", "[]", "{\"format\": \"swage-audit/2\", \"lessons\": []}",
+                           "{\"format\": \"swage-audit/1\", \"lessons\": [{\"path\": 3}]}"})
+    EXPECT_FALSE(read_audit_runs(text, read)) << text;
+}
+
 }  // namespace
 }  // namespace swage::tools

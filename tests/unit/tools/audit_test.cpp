@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
+#include <fstream>
 
 #include "program.hpp"
 
@@ -38,6 +39,46 @@ TEST_F(Audit, WritesTablesAndChartWhenAsked) {
   ASSERT_LE(said.code, 1) << said.err;
   for (const char* name : {"audit.csv", "audit_metrics.csv", "audit.md", "audit.svg"})
     EXPECT_TRUE(std::filesystem::exists(path("audit/") + name)) << name;
+}
+
+TEST_F(Audit, AddsLessonsToAnEarlierOne) {
+  const std::string other = source("lessons/series/030_grasp_advanced_1_quarter.json");
+  const auto audit = [&](const std::string& lesson, std::vector<std::string> more) {
+    std::vector<std::string> line = {"audit", lesson, "--out", path("audit"), "--max-time", "0.05", "--only", "grasp.level"};
+    line.insert(line.end(), more.begin(), more.end());
+    return swage(line).code;
+  };
+  const auto lessons = [&] {
+    std::ifstream file(path("audit/audit_runs.json"));
+    const auto runs = nlohmann::json::parse(file);
+    std::vector<std::string> ids;
+    for (const auto& lesson : runs["lessons"]) ids.push_back(lesson["id"]);
+    return ids;
+  };
+  ASSERT_LE(audit(other, {"--add"}), 1) << "a folder without an audit";
+  ASSERT_LE(audit(kLesson, {"--add"}), 1);
+  ASSERT_EQ(lessons().size(), 2u);
+  EXPECT_EQ(lessons()[0], "swage.series.grasp_basic");
+  ASSERT_LE(audit(kLesson, {}), 1);
+  EXPECT_EQ(lessons().size(), 1u) << "without --add it is written anew";
+  write("audit/audit_runs.json", "{");
+  EXPECT_EQ(audit(kLesson, {"--add"}), 2);
+  EXPECT_EQ(swage({"audit", kLesson, "--add"}).code, 2) << "to which audit?";
+}
+
+TEST_F(Audit, ClimbsTheNumberOfSegmentsOfAThread) {
+  const Said said = swage({"audit", source("lessons/series/050_suture_grasp.json"), "--json", "--only", "suture.segments",
+                           "--max-time", "0.02"});
+  ASSERT_LE(said.code, 1) << said.err;
+  const nlohmann::json ladder = said.json()[0]["ladders"][0];
+  std::vector<std::string> names;
+  for (const auto& level : ladder["levels"]) {
+    names.push_back(level["level"]);
+    EXPECT_EQ(level["problem"], "");
+  }
+  EXPECT_THAT(names, testing::ElementsAre("quarter (10)", "half (20)", "its own (40)", "twice (80)", "four times (160)"));
+  EXPECT_EQ(ladder["own"], "its own (40)");
+  EXPECT_EQ(ladder["reference"], "four times (160)");
 }
 
 // no level ends within a millisecond of processor time, and it is said
