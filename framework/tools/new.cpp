@@ -84,6 +84,16 @@ bool copy(const fs::path& from, const fs::path& to, const Tokens& tokens, std::v
   return true;
 }
 
+/// The guide's page of a kind, "" where there is no guide.
+std::string guide_page(const std::string& kind) {
+  std::vector<std::string> searched;
+  std::string folder = data_folder("guide", searched);
+  if (folder.empty()) folder = data_folder("framework/sdk/guide", searched);
+  const fs::path page = fs::path(folder) / ((kind == "hardware" ? "device" : kind) + "s.md");
+  std::error_code ignored;
+  return fs::exists(page, ignored) ? page.string() : "";
+}
+
 }  // namespace
 
 int make_new(const NewOptions& o) {
@@ -123,6 +133,7 @@ int make_new(const NewOptions& o) {
 
   for (const std::string& path : made) std::printf("%s\n", path.c_str());
   std::printf("Next: read %s\n", (to / "README.md").string().c_str());
+  if (const std::string page = guide_page(o.kind); !page.empty()) std::printf("Guide: %s\n", page.c_str());
   return kPassed;
 }
 

@@ -23,6 +23,9 @@ TEST_F(New, EveryKindLosesItsTokens) {
     const Said said = swage({"new", kind, "org.example.fine_clip", "--dir", folder.string()});
     ASSERT_EQ(said.code, 0) << said.err;
     EXPECT_THAT(said.out, HasSubstr("Next: read " + (folder / "README.md").string()));
+    const size_t guide = said.out.find("Guide: ");
+    ASSERT_NE(guide, std::string::npos) << said.out;
+    EXPECT_TRUE(fs::is_regular_file(said.out.substr(guide + 7, said.out.find('\n', guide) - guide - 7))) << said.out;
     EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"),
                 HasSubstr("org.example.fine_clip"));
     EXPECT_THAT(slurp(folder / "fine_clip.hpp") + slurp(folder / "fine_clip.cpp"), HasSubstr("FineClip"));
