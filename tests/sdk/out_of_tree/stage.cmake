@@ -13,3 +13,10 @@ execute_process(COMMAND ${STAGE}/bin/swage validate ${STAGE}/lib/swage/plugins/s
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "an installed plugin does not validate:\n${said}")
 endif()
+
+# an author without our sources reads the guide there
+foreach(page README objects couplings devices lessons errors)
+  if(NOT EXISTS ${STAGE}/share/swage/guide/${page}.md)
+    message(FATAL_ERROR "the guide's page ${page}.md is not installed")
+  endif()
+endforeach()
