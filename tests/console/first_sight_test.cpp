@@ -216,11 +216,14 @@ TEST_F(FirstSight, TheLegendHasRoomForTwelveCues) {
   console::CueLegend* legend = page()->legend();
   legend->set_meanings({"target.near", "insert.good", "insert.angle_off", "needle.stuck", "tissue.tear", "grip.too_hard", "target.done",
                         "suture.swage_held", "suture.tail_good", "target.point", "tail.point", "exit.point"});
-  QCoreApplication::processEvents();
   QList<QRect> rows;
-  for (const QWidget* row : legend->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
-    if (!row->accessibleName().isEmpty() && row->isVisible()) rows += row->geometry();
-  ASSERT_EQ(rows.size(), 12);
+  const auto shown = [&] {
+    rows.clear();
+    for (const QWidget* row : legend->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      if (!row->accessibleName().isEmpty() && row->isVisible()) rows += row->geometry();
+    return rows.size() == 12;
+  };
+  ASSERT_TRUE(eventually(shown)) << rows.size() << " rows";
   for (int i = 0; i < rows.size(); ++i) {
     EXPECT_TRUE(legend->rect().contains(rows[i])) << "row " << i;
     for (int k = 0; k < i; ++k) EXPECT_FALSE(rows[i].intersects(rows[k])) << "rows " << k << " and " << i;
