@@ -62,8 +62,11 @@ Json find_params(const Json& uses, const std::string& name, const std::string& p
   return Json::object();
 }
 
+// The lesson comes first: what it asks for is changed more often than the shape of a jaw.
 std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
   std::vector<Use> out;
+  const auto lesson = root.find("lesson");
+  if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
   const Json objects = list(root, "objects"), devices = list(root, "devices");
   for (const snapshot::CardObject& o : card.objects)
     out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
@@ -73,8 +76,6 @@ std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
     out.push_back({names[i], text(couplings[i], "plugin"), params_of(couplings[i])});
   for (const snapshot::CardDevice& d : card.devices)
     out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin), true});
-  const auto lesson = root.find("lesson");
-  if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
   return out;
 }
 

@@ -209,11 +209,17 @@ int LiveForm::preset(const QVector<Change>& values) {
   return taken;
 }
 
+// "hold" finds the time of a hold and not all of the holder; "needle" all of the needle; "tiss" all of the tissue, where no value is
+// called so
 bool LiveForm::find(const QString& text) {
+  const auto named = [&](const Field& field) { return field.label->text().contains(text, Qt::CaseInsensitive); };
+  const bool names = std::any_of(fields_.begin(), fields_.end(), named);
   QHash<QLabel*, bool> any;
   for (const Field& field : fields_) {
-    const bool shown = text.isEmpty() || field.label->text().contains(text, Qt::CaseInsensitive) ||
-                       field.heading->text().contains(text, Qt::CaseInsensitive);
+    const QString part = field.heading->text();
+    const bool of_part = names ? part.split(QLatin1Char(' ')).contains(text, Qt::CaseInsensitive)
+                               : part.contains(text, Qt::CaseInsensitive);
+    const bool shown = text.isEmpty() || named(field) || of_part;
     field.label->setVisible(shown);
     field.back->setVisible(shown);
     for (QWidget* editor : field.editors) editor->setVisible(shown);

@@ -11,6 +11,7 @@
 #include "assembly/lesson_text.hpp"
 #include "console/models/variant.hpp"
 #include "console/pages/variant_dialog.hpp"
+#include "console/widgets/live_form.hpp"
 
 namespace swage::console {
 namespace {
@@ -217,6 +218,19 @@ TEST_F(VariantDialogs, FindAValueByItsNameOrItsPart) {
   EXPECT_TRUE(shown("live_needle_size_0") && shown("live_needle_wire_0"));
   find->clear();
   EXPECT_TRUE(shown("live_tissue_thickness_0") && shown("live_needle_size_0"));
+}
+
+TEST(LiveForms, AWordFindsValuesOfThatNameBeforePartsThatContainIt) {
+  LiveForm form(nullptr, LiveForm::Of::kVariant);
+  form.set_params({length("lesson", "way", "Hold within", 1e-3), length("holder", "length", "Jaw length", 6e-3)});
+  const auto shown = [&](const char* name) { return !form.findChild<QWidget*>(QString::fromLatin1(name))->isHidden(); };
+  EXPECT_TRUE(form.find("hold"));
+  EXPECT_TRUE(shown("live_lesson_way_0"));
+  EXPECT_FALSE(shown("live_holder_length_0")) << "holder is another word";
+  EXPECT_TRUE(form.find("holder"));
+  EXPECT_TRUE(shown("live_holder_length_0"));
+  EXPECT_TRUE(form.find("JAW"));
+  EXPECT_FALSE(shown("live_lesson_way_0"));
 }
 
 }  // namespace
