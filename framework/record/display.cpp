@@ -12,7 +12,7 @@ constexpr const char* kFormat = "swage-display/1";
 
 std::string to_json(const Display& d) {
   return nlohmann::ordered_json{{"format", kFormat}, {"mode", d.mode},     {"stereo", d.stereo}, {"eyes_swapped", d.eyes_swapped},
-                                {"mirror", d.mirror}, {"scale", d.scale}}
+                                {"mirror", d.mirror}, {"scale", d.scale}, {"guided", d.guided}}
       .dump();
 }
 
@@ -20,7 +20,8 @@ bool from_json(const std::string& text, Display& out) {
   const nlohmann::json j = nlohmann::json::parse(text, nullptr, false);
   if (!j.is_object() || !j.contains("format") || j["format"] != kFormat) return false;
   try {
-    out = {j.at("mode"), j.at("stereo"), j.at("eyes_swapped"), j.at("mirror"), j.at("scale")};
+    out = {j.at("mode"), j.at("stereo"), j.at("eyes_swapped"), j.at("mirror"), j.at("scale"),
+           j.value("guided", false)};  // attempts of before had no guide
   } catch (const nlohmann::json::exception&) {
     return false;
   }
@@ -32,10 +33,12 @@ std::string words(const Display& d) {
   if (out.empty()) return out;
   if (d.eyes_swapped) out += ", eyes swapped";
   if (!d.mirror.empty()) out += ", mirrored " + d.mirror;
-  if (!(d.scale > 0)) return out;
-  char scale[32];  // with a point in every language
-  const auto end = std::to_chars(scale, scale + sizeof scale, d.scale, std::chars_format::general, 4).ptr;
-  return out + ", scale " + std::string(scale, end);
+  if (d.scale > 0) {
+    char scale[32];  // with a point in every language
+    const auto end = std::to_chars(scale, scale + sizeof scale, d.scale, std::chars_format::general, 4).ptr;
+    out += ", scale " + std::string(scale, end);
+  }
+  return d.guided ? out + ", guided" : out;
 }
 
 }  // namespace swage::record

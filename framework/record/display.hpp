@@ -13,6 +13,7 @@ struct Display {
   bool eyes_swapped = false;  // left and right exchanged
   std::string mirror = {};    // "", "left_right", "up_down"
   double scale = 0;           // size on the screen over size in the scene where that is known; 0: not known
+  bool guided = false;        // an expert's instruments were shown beside one's own
   bool operator==(const Display&) const = default;
 };
 
@@ -26,7 +27,7 @@ std::string to_json(const Display& display);
 /// False for a text of another format; then `out` is as it was.
 bool from_json(const std::string& text, Display& out);
 
-/// For people and tables: "side, eyes swapped, mirrored left_right, scale 1"; "" when nobody looked.
+/// For people and tables: "side, eyes swapped, mirrored left_right, scale 1, guided"; "" when nobody looked.
 std::string words(const Display& display);
 
 }  // namespace swage::record

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "assembly/assemble.hpp"
-#include "assembly/lesson_file.hpp"
 #include "host/call_watch.hpp"
-#include "host/catalogue.hpp"
 #include "host/nearest.hpp"
+#include "session/lesson_rig.hpp"
 #include "session/run.hpp"
 #include "session/sentinel.hpp"
 
@@ -42,18 +41,8 @@ std::unique_ptr<Session> Session::open(const Options& options, Problems& problem
   auto sentinel = std::make_unique<Sentinel>();
   host::CallWatch::on_end([](const host::LastCall& call, const char* cause) { Sentinel::write(call, cause); });
 
-  assembly::LessonFile file;
-  // a faulty file is assembled all the same, as far as it goes: one run tells everything that is wrong with it
-  std::vector<assembly::Setting> settings(options.settings.size());
-  for (std::size_t i = 0; i < settings.size(); ++i)
-    if (!assembly::parse_setting(options.settings[i], settings[i]))
-      problems.push_back({base::Severity::kError, "--set",
-                          "\"" + options.settings[i] + "\" is no setting; it looks like needle.arc=2/8"});
-  assembly::read_lesson_file(options.lesson_path, settings, file, problems);
-  host::Catalogue::Options search;
-  search.plugin_dirs = options.plugin_dirs;
-  search.safe_mode = options.safe_mode;
-  host::Catalogue catalogue(search);
+  const assembly::LessonFile file = read_lesson(options, problems);
+  host::Catalogue catalogue = catalogue_of(options);
   Sentinel::suspect(foreign_plugins(file, catalogue));
   auto rig =
       assembly::assemble(file, catalogue, {options.device, options.device_params, options.mode, eyes_of(options.display)}, problems);

@@ -194,7 +194,7 @@ TEST_F(Export, TablesReadBackWithTheirProvenanceAndWithoutNames) {
 // How it was seen and what it was measured with stand in every export, and come back with the recording.
 TEST_F(Export, TheDisplayAndTheCalibrationStandInEveryExport) {
   AttemptInfo info = make_info(3, "Bo");
-  info.display = {"lines", true, true, "up_down", 1};
+  info.display = {"lines", true, true, "up_down", 1, true};
   const std::string ours = R"({"format": "swage-calibration/1", "serial": "SN7", "date": "2026-11-01", "expires": "2027-11-01",
     "displacement": {"slope": 0.001, "worst": 2.5e-05}})", theirs = R"({"serial": "T1", "date": "2026-10-01", "residual": 0.25})";
   info.files.push_back({kCalibrationFile + std::string("handle"), ours});
@@ -208,14 +208,14 @@ TEST_F(Export, TheDisplayAndTheCalibrationStandInEveryExport) {
 
   const std::vector<Exported> one = read({"", "", id});
   ASSERT_EQ(one.size(), 1u);
-  EXPECT_EQ(one[0].display, "lines, eyes swapped, mirrored up_down, scale 1");
+  EXPECT_EQ(one[0].display, "lines, eyes swapped, mirrored up_down, scale 1, guided");
   const json calibrations = json::parse(one[0].calibration);
   ASSERT_EQ(calibrations.size(), 2u) << one[0].calibration;
   EXPECT_EQ(calibrations[0]["serial"], "SN7");
   EXPECT_EQ(calibrations[0]["date"], "2026-11-01");
   EXPECT_EQ(calibrations[0]["residual"], 2.5e-05) << "m, the worst of the fit";
   EXPECT_EQ(calibrations[1]["residual"], 0.25);
-  EXPECT_THAT(csv_wide(one), HasSubstr("\"lines, eyes swapped, mirrored up_down, scale 1\""));
+  EXPECT_THAT(csv_wide(one), HasSubstr("\"lines, eyes swapped, mirrored up_down, scale 1, guided\""));
   EXPECT_THAT(about_json(one[0]), HasSubstr("mirrored up_down"));
   std::string said;
   ASSERT_TRUE(xapi_statements(one, kHome, said, error_));

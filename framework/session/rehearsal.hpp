@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A lesson as its scripted hands play it, to look at: stepped without a clock, nothing is kept, no device is touched.
+// Threads: opened and destroyed on [main]; stepped and read by one thread at a time. It may run beside a session.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/rig.hpp"
+#include "session/device_ports.hpp"
+#include "session/session.hpp"
+#include "step/step.hpp"
+
+namespace swage::session {
+
+class Rehearsal {
+ public:
+  /// Builds the lesson of `options` with its hand of that name. nullptr and `problems` where it has none, or where its hand is a live
+  /// device.
+  static std::unique_ptr<Rehearsal> open(const Options& options, const char* hand, Problems& problems);
+  ~Rehearsal();
+  Rehearsal(const Rehearsal&) = delete;
+  Rehearsal& operator=(const Rehearsal&) = delete;
+
+  const snapshot::SceneCard& card() const { return rig_->card; }
+  /// Steps made so far.
+  uint64_t at() const { return at_; }
+  /// The lesson has its verdict, or nobody plays any more.
+  bool over() const { return over_; }
+  /// One step forward. False at the end.
+  bool step();
+  void fill(snapshot::Snapshot& out) const { engine_->fill(out); }
+
+ private:
+  explicit Rehearsal(std::unique_ptr<host::Rig> rig) : rig_(std::move(rig)) {}
+  bool build(Problems& problems);
+
+  std::unique_ptr<host::Rig> rig_;
+  std::vector<host::DeviceSlot*> opened_;
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::unique_ptr<step::Engine> engine_;
+  uint64_t at_ = 0;
+  bool over_ = false;
+};
+
+}  // namespace swage::session
