@@ -36,6 +36,7 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->world.gravity = file_.gravity;
   rig_->seed = file_.seed;
   rig_->mirror = file_.mirror;
+  rig_->card.tips_only = file_.tips_only;
   rig_->max_time_s = file_.max_time_s;
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;

@@ -126,6 +126,8 @@ void Assembler::bind_follows() {
       if (file_.devices[i].name == name) return i;
     return kNone;
   };
+  for (std::size_t i = 0; i < rig_->devices.size(); ++i)
+    if (!file_.devices[i].clutch_of.empty()) rig_->devices[i].filters.clutch_device = index_of(file_.devices[i].clutch_of);
   for (std::size_t i = 0; i < rig_->objects.size(); ++i) {
     const LessonObject& use = file_.objects[i];
     host::ObjectSlot& slot = rig_->objects[i];

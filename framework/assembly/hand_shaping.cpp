@@ -39,7 +39,8 @@ void read_table(ObjectReader& reader, const Teller& teller, host::Reaction& out)
 
 }  // namespace
 
-void read_filters(const Json& json, const std::string& pointer, const Teller& teller, host::HandFilters& out) {
+void read_filters(const Json& json, const std::string& pointer, const Teller& teller, LessonDevice& device) {
+  host::HandFilters& out = device.filters;
   ObjectReader reader(json, pointer, "\"filters\"", teller);
   out.rate = reader.quantity("rate", "Hz", 0, 0, 1e3);
   out.low_pass = reader.quantity("low_pass", "Hz", 0, 0, 500);
@@ -50,6 +51,8 @@ void read_filters(const Json& json, const std::string& pointer, const Teller& te
       return teller.error(at, say::kNoClutch(short_dump(bit)));
     out.clutch |= 1u << bit.get<uint32_t>();
   });
+  device.clutch_of = reader.name("clutch_of", false);
+  if (!device.clutch_of.empty() && out.clutch == 0) teller.error(reader.at("clutch_of"), say::kNoButtons());
   reader.finish();
 }
 

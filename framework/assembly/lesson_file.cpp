@@ -41,6 +41,7 @@ class LessonParser {
     out_.gravity = top.vector("gravity", "m/s2", {0, 0, -9.80665});
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
     out_.mirror = top.flag("mirror", false);
+    out_.tips_only = top.flag("tips_only", false);
     read_modes(top);
     read_requirements(top);
     top.each("devices", kMostUses, [this](const Json& j, const std::string& p) { read_device(j, p); });
@@ -117,7 +118,7 @@ class LessonParser {
     device.motion_scale = reader.quantity("motion_scale", "1", 1, 1e-3, 1e3);
     device.force_scale = reader.quantity("force_scale", "1", 0, 0, 1e3);
     device.X_WD0 = reader.pose("pose");
-    if (const Json* filters = reader.find("filters")) read_filters(*filters, reader.at("filters"), teller_, device.filters);
+    if (const Json* filters = reader.find("filters")) read_filters(*filters, reader.at("filters"), teller_, device);
     if (const Json* reaction = reader.find("reaction")) read_reaction(*reaction, reader.at("reaction"), teller_, device.reaction);
     reader.each("or", kMostChoices, [&](const Json& j, const std::string& p) {
       ObjectReader alternative(j, p, "an alternative of a device", teller_);
@@ -190,6 +191,7 @@ class LessonParser {
     for (const LessonObject& o : out_.objects) take(o.name, o.pointer, &objects);
     for (const LessonCoupling& c : out_.couplings) take(c.name, c.pointer, nullptr);
 
+    for (const LessonDevice& d : out_.devices) check_reference(d.clutch_of, devices, "device", d.choices[0].pointer + "/filters/clutch_of");
     for (const LessonObject& o : out_.objects) {
       check_reference(o.follow_pose, devices, "device", o.pointer + "/follows/pose");
       check_reference(o.follow_closure, devices, "device", o.pointer + "/follows/closure");

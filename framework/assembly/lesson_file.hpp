@@ -37,6 +37,7 @@ struct LessonDevice {
   double force_scale = 0;             // N at the hand per N in the scene
   swage_pose X_WD0{{0, 0, 0}, {1, 0, 0, 0}};
   host::HandFilters filters;
+  std::string clutch_of;  // name of the device whose buttons are the clutch, "" for its own
   host::Reaction reaction;
 };
 
@@ -69,6 +70,7 @@ struct LessonFile {
   double scene_length = 1e-3;  // m
   swage_vec3 gravity{0, 0, -9.80665};
   double max_time_s = 0;          // simulated; 0: no limit
+  bool tips_only = false;         // of instruments only the tips are drawn
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
   std::string mode;  // one of kModes, "": as the run says, and else a test with cues
   uint32_t cues = kAllChannels;   // SWAGE_CHANNEL_* that cues may use while they are shown

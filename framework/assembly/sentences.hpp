@@ -72,6 +72,7 @@ inline constexpr auto kNoSuch = "The lesson has no {} \"{}\".{}{}"_sentence;  //
 inline constexpr auto kHas = " It has: {}."_sentence;
 inline constexpr auto kHasNone = " It has none."_sentence;
 inline constexpr auto kNoClutch = "A button of a clutch is a whole number from 0 to 31, not {}."_sentence;
+inline constexpr auto kNoButtons = "\"clutch_of\" needs \"clutch\", the buttons of that device."_sentence;
 inline constexpr auto kNoPoint = "A point is the force in the scene and that at the hand, [\"20 mN\", \"0.1 N\"], not {}."_sentence;
 inline constexpr auto kFallingTable = "A table begins at [0, 0], and its forces rise from point to point."_sentence;
 inline constexpr auto kShortTable = "A reaction by table needs \"table\", at least two points."_sentence;

@@ -15,6 +15,7 @@ struct HandFilters {
   double dead_band = 0;  // m at the hand: play within which the tool stays; of a deflection: what leads nowhere
   double dead_turn = 0;  // rad, likewise
   uint32_t clutch = 0;   // bits of buttons: while one is down the tool stays, and goes on without a leap afterwards
+  uint32_t clutch_device = ~0u;  // whose buttons these are, of the lesson's devices: a pedal, say; ~0: its own
 
   bool shape() const { return rate > 0 || low_pass > 0 || dead_band > 0 || dead_turn > 0; }
 };

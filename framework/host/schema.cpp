@@ -136,7 +136,8 @@ Json filters_schema() {
                  {"low_pass", quantity_schema("Hz", 0, 500)},
                  {"dead_band", quantity_schema("m", 0, 0.1)},
                  {"dead_turn", quantity_schema("rad", 0, 1)},
-                 {"clutch", bits}},
+                 {"clutch", bits},
+                 {"clutch_of", {{"type", "string"}, {"pattern", "^[a-z][a-z0-9_]*$"}}}},
                 {});
 }
 
@@ -191,6 +192,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"gravity", three("m/s2")},
                    {"max_time", quantity_schema("s", 0, 86400)},
                    {"mirror", {{"type", "boolean"}}},
+                   {"tips_only", {{"type", "boolean"}}},
                    {"mode", {{"enum", {"practice", "test", "demo"}}}},
                    {"cues", list({{"enum", {"colour", "shape", "sound", "force"}}})},
                    {"requires", {{"type", "object"}, {"additionalProperties", text}}},

@@ -210,9 +210,13 @@ void Hands::place(uint32_t device) noexcept {
   seen_[device] = 1;
 }
 
+// A pedal that has fallen silent stays as it was last, as every lost hand does.
 bool Hands::clutched(uint32_t device) const noexcept {
-  const swage_sample& sample = sample_[device];
-  return (sample.valid & SWAGE_VALID_BUTTONS) != 0 && (sample.buttons & rig_.devices[device].filters.clutch) != 0;
+  const host::HandFilters& filters = rig_.devices[device].filters;
+  const bool pedal = filters.clutch_device < sample_.size();
+  const swage_sample& sample = sample_[pedal ? filters.clutch_device : device];
+  const bool said = (sample.valid & SWAGE_VALID_BUTTONS) != 0 || (pedal && sample.valid == 0);
+  return said && (sample.buttons & filters.clutch) != 0;
 }
 
 bool Hands::returns(uint32_t device) const noexcept {

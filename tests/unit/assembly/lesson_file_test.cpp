@@ -69,6 +69,8 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
   };
   EXPECT_EQ(said(R"("filters": {"low_pass": "10 Hz"}, "reaction": {"law": "quadratic", "from": "0.2 N"})"), "");
   EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr(say::kNoClutch(32)));
+  EXPECT_THAT(said(R"("filters": {"clutch_of": "hand"})"), HasSubstr(say::kNoButtons()));
+  EXPECT_THAT(said(R"("filters": {"clutch": [1], "clutch_of": "foot"})"), HasSubstr("The lesson has no device \"foot\"."));
   EXPECT_THAT(said(R"("filters": {"lowpass": 1})"), HasSubstr("lowpass"));
   EXPECT_THAT(said(R"("reaction": {"law": "cubic"})"), HasSubstr(say::kNoChoice("cubic", "law", "", "proportional, null zone, threshold, quadratic, table")));
   EXPECT_THAT(said(R"("reaction": {"law": "threshold"})"), HasSubstr(say::kNoForce("threshold")));
@@ -199,6 +201,8 @@ TEST(LessonFile, MirrorModeAndCues) {
   EXPECT_FALSE(usual.file.mirror);
   EXPECT_EQ(usual.file.mode, "");
   EXPECT_EQ(usual.file.cues, 15u);
+  EXPECT_FALSE(usual.file.tips_only);
+  EXPECT_TRUE(with(R"("tips_only": true)").file.tips_only);
   const Read r = with(R"("mirror": true, "mode": "test", "cues": ["shape", "sound"])");
   ASSERT_THAT(r.said, IsEmpty());
   EXPECT_TRUE(r.file.mirror);

@@ -159,5 +159,95 @@ TEST_P(ClutchedHand, StaysAndGoesOnWithoutALeap) {
   EXPECT_NEAR(x(), before + 0.5e-3, 1e-8);
 }
 
+// The buttons of another device: what a foot does while both hands are at work.
+class Pedal : public FilteredHand {
+ protected:
+  Pedal() {
+    host::DeviceSlot& slot = s.rig.devices.emplace_back();
+    slot.instance = foot_.instance("pedal");
+    slot.device = &foot_.device;
+    slot.X_WD0 = at(0, 0, 0);
+    foot_.device.flags = SWAGE_DEVICE_LOCKSTEP;
+    foot_.exchange = [this](const swage_command*, swage_sample* out) {
+      ++out->sequence;
+      out->buttons = down;
+      out->valid = foot_valid;
+      return swage_result{SWAGE_OK};
+    };
+    begin({.clutch = 2, .clutch_device = 1});
+  }
+  Fake foot_;
+  uint32_t down = 0, foot_valid = SWAGE_VALID_BUTTONS;
+};
+
+TEST_F(Pedal, OfAnotherDeviceIsAClutch) {
+  pose.p.x = 1e-3;
+  buttons = 2;
+  s.run(50);
+  EXPECT_NEAR(x(), 1e-3, 1e-12) << "its own button is none";
+  down = 2;
+  s.run(2);  // the foot is read after the hand
+  for (int i = 0; i < 50; ++i) {
+    pose.p.x += 0.1e-3;
+    s.run(1);
+    ASSERT_EQ(x(), 1e-3);
+  }
+  down = 1;
+  s.run(2);
+  EXPECT_NEAR(x(), 1e-3, 1e-12) << "no leap";
+  pose.p.x += 0.5e-3;
+  s.run(1);
+  EXPECT_NEAR(x(), 1.5e-3, 1e-12);
+}
+
+TEST_F(Pedal, ThatIsLostStaysAsItWas) {
+  down = 2;
+  s.run(10);
+  foot_valid = 0;
+  pose.p.x = 3e-3;
+  s.run(300);
+  EXPECT_EQ(x(), 0) << "pressed when it was pulled out";
+  foot_valid = SWAGE_VALID_BUTTONS;
+  down = 0;
+  s.run(3);
+  EXPECT_NEAR(x(), 0, 1e-12);
+  foot_valid = 0;
+  pose.p.x = 3.5e-3;
+  s.run(3);
+  EXPECT_NEAR(x(), 0.5e-3, 1e-12) << "free when it was pulled out";
+}
+
+// A lesson for the left hand is stepped as its mirror image; what is seen is where the hand is, wherever its device was placed. So an arm
+// and its tool are in one place there, too.
+TEST(PlacedHand, IsSeenWhereItIsInAMirroredLesson) {
+  for (const bool mirror : {false, true}) {
+    FakeScene s;
+    s.rig.mirror = mirror;
+    s.device_.device.flags = 0;  // a live arm
+    host::DeviceSlot& slot = s.rig.devices[0];
+    slot.motion_scale = 4;
+    slot.X_WD0 = {{2e-3, -1e-3, 0.5e-3}, toolkit::raw(toolkit::exp_rotation({0.9, 0.2, -0.4}))};
+    const swage_pose hand{{8e-3, 4e-3, -2e-3}, toolkit::raw(toolkit::exp_rotation({0.3, -0.2, 0.5}))};
+    class Arm final : public DevicePort {
+     public:
+      void read(uint64_t, double, swage_sample& out) noexcept override {
+        ++out.sequence;
+        out.pose = X;
+        out.valid = SWAGE_VALID_POSE;
+      }
+      void send(const ToolForce&) noexcept override {}
+      swage_pose X{};
+    } arm;
+    arm.X = hand;
+    Engine engine(s.rig, Options(), {&arm});
+    for (int i = 0; i < 300; ++i) engine.step();
+    auto shown = std::make_unique<snapshot::Snapshot>();
+    engine.fill(*shown);
+    const toolkit::Pose wanted = toolkit::Pose(slot.X_WD0) * toolkit::Pose(toolkit::vec(hand.p) / 4, toolkit::quat(hand.q));
+    EXPECT_LT((toolkit::vec(shown->X_WB[0].p) - wanted.p).norm(), 1e-12) << mirror;
+    EXPECT_LT((toolkit::quat(shown->X_WB[0].q).toRotationMatrix() - wanted.q.toRotationMatrix()).norm(), 1e-9) << mirror;
+  }
+}
+
 }  // namespace
 }  // namespace swage::step
