@@ -3,24 +3,21 @@
 // The 3D mouse's driver against a daemon of a few lines on a socket of its own.
 #include "spacemouse/spacemouse.hpp"
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <swage/testbed.hpp>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
+#include "fake_spnav.hpp"
 #include "temp_folder.hpp"
 
 namespace swage::spacemouse {
 namespace {
 
+using test::Daemon;
 using testing::HasSubstr;
 using toolkit::Vec3;
 using Bench = testbed::DeviceBench<Spacemouse>;
@@ -35,45 +32,6 @@ void nap(double seconds) {
   const timespec pause{0, static_cast<long>(1e9 * seconds)};
   nanosleep(&pause, nullptr);
 }
-
-/// Listens like spacenavd; tells whoever has come.
-class Daemon {
- public:
-  explicit Daemon(std::string path) : path_(std::move(path)) { start(); }
-  ~Daemon() { stop(); }
-  void start() {
-    listener_ = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::memcpy(address.sun_path, path_.c_str(), path_.size());
-    ::unlink(path_.c_str());
-    EXPECT_EQ(bind(listener_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-    EXPECT_EQ(listen(listener_, 4), 0);
-  }
-  void stop() {
-    if (client_ >= 0) ::close(client_);
-    if (listener_ >= 0) ::close(listener_);
-    client_ = listener_ = -1;
-    ::unlink(path_.c_str());
-  }
-  void tell(int32_t type, std::initializer_list<int32_t> data, std::size_t bytes = sizeof(SpnavEvent)) {
-    SpnavEvent e;
-    e.type = type;
-    std::copy(data.begin(), data.end(), e.data);
-    send(&e, bytes);
-  }
-  void send(const void* data, std::size_t bytes) {
-    if (const int next = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC); next >= 0) {
-      if (client_ >= 0) ::close(client_);
-      client_ = next;
-    }
-    EXPECT_TRUE(client_ < 0 || ::send(client_, data, bytes, MSG_NOSIGNAL) == static_cast<ssize_t>(bytes));
-  }
-
- private:
-  const std::string path_;
-  int listener_ = -1, client_ = -1;
-};
 
 class Cap : public testing::Test {
  protected:
