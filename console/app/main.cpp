@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
 
   console::Doors doors;
   doors.open_session = &session::Session::open;
+  doors.open_expert = &console::open_session_expert;
   if (launch.options.store_path != ":none:") {
     doors.open_store = [where = launch.options.store_path](std::string& error) {
       return record::Store::open_as_allowed(where, error);

@@ -66,6 +66,7 @@ MainWindow::~MainWindow() = default;
 // Their order is that of the buttons and of Ctrl+1, Ctrl+2...
 void MainWindow::add_pages(Doors& doors) {
   run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
+  run_->set_expert(std::move(doors.open_expert));
   pages_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, {},
                [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
   lessons_page_ = new LessonsPage(
@@ -202,6 +203,7 @@ void MainWindow::add_actions() {
   add(tr("Put back"), Qt::Key_F7, [control] { control->reset_work(); });
   add(tr("Mark"), Qt::Key_F8, [control] { control->mark(); });
   add(tr("Stop"), Qt::SHIFT | Qt::Key_F5, [control] { control->stop(); });
+  add(tr("Guide"), Qt::Key_F4, [this] { run_->click_guide(); });
   add(tr("Instructor"), Qt::Key_F10, [this] { run_->show_instructor(!run_->instructor_shown()); });
   add(tr("Show frame rate"), Qt::Key_F12, [this] {
     strip_->set_frames_shown(!strip_->frames_shown());
@@ -297,6 +299,7 @@ void MainWindow::restore(const Launch& launch) {
   run_->set_sound(settings_.text("sound", QStringLiteral("true")) == QLatin1String("true"),
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   run_->set_used_controls(settings_.text("used_controls"));
+  run_->set_guided(settings_.text("guided") == QLatin1String("true"));
   read_station_look();
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);
@@ -357,6 +360,7 @@ void MainWindow::remember() {
   settings_.set("person", run_->setup()->person());
   settings_.set("lesson", run_->setup()->lesson());
   settings_.set("used_controls", run_->used_controls());
+  settings_.set("guided", run_->guided());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

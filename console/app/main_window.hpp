@@ -33,6 +33,7 @@ struct Doors {
   FileOpener open_file;  // an attempt out of a file
   FileReader read_file;
   SchoolOpener open_school = {};  // none: people and courses cannot be changed
+  ExpertOpener open_expert = {};  // none: nobody guides
 };
 
 class MainWindow : public QMainWindow {

@@ -82,12 +82,12 @@ void MainWindow::show_calibration() {
   dialog->show();
 }
 
-// The instrument where the registered arm stands before the trainee's picture; nothing where that is not so. A mirrored lesson is
-// reflected after the hand has been placed, so hand and tool cannot be in one place there.
+// The instrument where the registered arm stands before the trainee's picture; nothing where that is not so. A mirrored lesson is no
+// exception: what is seen of it is where the hand is.
 std::optional<Placement> MainWindow::place_hand(const std::string& device) {
   const TrueSize& size = station_.size;
   const bool placed = trainee_ && size.on && size.held && size.known() && station_.registered && station_.device.toStdString() == device;
-  if (!placed || run_->setup()->mirrored()) return {};
+  if (!placed) return {};
   const OrbitCamera& camera = trainee_->view()->camera();
   const QVector3D at = camera.focus() / static_cast<float>(kMmPerM);
   const QQuaternion q = camera.q_WC();

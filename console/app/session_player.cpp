@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "session/playback.hpp"
+#include "session/rehearsal.hpp"
 
 namespace swage::console {
 namespace {
@@ -22,7 +23,29 @@ class SessionPlayer final : public Player {
   std::unique_ptr<session::Playback> playback_;
 };
 
+class SessionExpert final : public Player {
+ public:
+  explicit SessionExpert(std::unique_ptr<session::Rehearsal> rehearsal) : rehearsal_(std::move(rehearsal)) {}
+  const snapshot::SceneCard& card() const override { return rehearsal_->card(); }
+  uint64_t at() const override { return rehearsal_->at(); }
+  uint64_t count() const override { return rehearsal_->over() ? rehearsal_->at() : ~uint64_t{0}; }
+  bool toward(uint64_t target, uint64_t most) override {
+    for (uint64_t n = 0; n < most && rehearsal_->at() < target && rehearsal_->step(); ++n) continue;
+    return rehearsal_->at() == target && !rehearsal_->over();
+  }
+  void fill(snapshot::Snapshot& out) const override { rehearsal_->fill(out); }
+  uint64_t first_difference() const override { return count(); }
+
+ private:
+  std::unique_ptr<session::Rehearsal> rehearsal_;
+};
+
 }  // namespace
+
+std::unique_ptr<Player> open_session_expert(const session::Options& options, base::Problems& problems) {
+  auto rehearsal = session::Rehearsal::open(options, "expert", problems);
+  return rehearsal ? std::make_unique<SessionExpert>(std::move(rehearsal)) : nullptr;
+}
 
 std::unique_ptr<Player> open_session_player(const record::Recording& recording,
                                             const std::vector<std::string>& plugin_dirs,

@@ -125,6 +125,13 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   layout_->setToolTip(
       tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
   form->addRow(tr("&Picture"), layout_);
+  QLabel* shutter = make_muted(
+      has_quad_buffers()
+          ? tr("This driver has two buffers for glasses that shut in turn. Swage does not draw into them yet: choose what else the screen can show.")
+          : tr("Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none."),
+      this);
+  shutter->setObjectName(QStringLiteral("trainee_shutter"));
+  form->addRow(QString(), shutter);
   squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
   squeezed_->setChecked(look.stereo.squeezed);
   form->addRow(QString(), squeezed_);

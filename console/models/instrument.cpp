@@ -91,8 +91,14 @@ void bind(Json& devices, Json& objects, const Binding& binding, const host::Cata
     const Json start = start_of(own, pose_of(member(own, "pose")), scale != nullptr && scale->is_number() ? scale->get<double>() : 1);
     if (!start.empty()) hand["params"] = start;
   }
+  const bool jaws = !binding.jaws.empty() && binding.jaws != binding.pose;
+  if (binding.clutch >= 0 && !binding.pedal.empty() && binding.pedal != binding.pose) {
+    const bool same = jaws && binding.pedal == binding.jaws;
+    hand["filters"]["clutch_of"] = name + (same ? "_jaws" : "_pedal");
+    if (!same) devices.push_back({{"name", name + "_pedal"}, {"plugin", binding.pedal}});
+  }
   devices[0] = hand;
-  if (binding.jaws.empty() || binding.jaws == binding.pose) return;
+  if (!jaws) return;
   devices.push_back({{"name", name + "_jaws"}, {"plugin", binding.jaws}});
   for (Json& object : objects)
     if (object.contains("follows") && object["follows"].value("closure", std::string()) == name) object["follows"]["closure"] = name + "_jaws";
@@ -107,7 +113,7 @@ Binding read_binding(const Settings& settings, const QString& person) {
   if (!all.is_object() || !all.contains(who)) return out;
   try {
     const auto& one = all.at(who);
-    out = {one.at("pose"), one.at("jaws"), one.at("clutch")};
+    out = {one.at("pose"), one.at("jaws"), one.at("clutch"), one.value("pedal", std::string())};
   } catch (const nlohmann::json::exception&) {
     // as if nobody had chosen
   }
@@ -117,7 +123,7 @@ Binding read_binding(const Settings& settings, const QString& person) {
 void remember(const Binding& binding, const QString& person, Settings& settings) {
   nlohmann::json all = nlohmann::json::parse(settings.text("bindings").toStdString(), nullptr, false);
   if (!all.is_object()) all = nlohmann::json::object();
-  all[person.toStdString()] = {{"pose", binding.pose}, {"jaws", binding.jaws}, {"clutch", binding.clutch}};
+  all[person.toStdString()] = {{"pose", binding.pose}, {"jaws", binding.jaws}, {"clutch", binding.clutch}, {"pedal", binding.pedal}};
   settings.set("bindings", QString::fromStdString(all.dump()));
 }
 
@@ -148,7 +154,7 @@ std::vector<std::string> instrument_settings(const std::string& lesson_path, con
   if (!binding.any()) return {"devices=" + devices.dump()};
   bind(devices, objects, binding, catalogue);
   Json needs = lesson.json.value("requires", Json::object());
-  for (const std::string& id : {binding.pose, binding.jaws})
+  for (const std::string& id : {binding.pose, binding.jaws, binding.clutch >= 0 ? binding.pedal : std::string()})
     if (!id.empty()) require(needs, id, catalogue);
   return {"devices=" + devices.dump(), "objects=" + objects.dump(), "requires=" + needs.dump()};
 }

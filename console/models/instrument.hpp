@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A person's own instrument in any lesson: the pose from one device, the jaws from another, a button that is a clutch; and where it
+// A person's own instrument in any lesson: the pose from one device, the jaws from another, the clutch from a third; and where it
 // stands. As settings of the session, so that the attempt says what it was. No widgets.
 #pragma once
 
@@ -20,7 +20,8 @@ namespace swage::console {
 struct Binding {
   std::string pose;  // id of a device plugin; "": what the lesson says
   std::string jaws;  // likewise; "" or the same: the device of the pose
-  int clutch = -1;   // button of the pose's device, 0 to 31, that lets the tool stay while it is down; -1: none
+  int clutch = -1;   // button, 0 to 31, that lets the tool stay while it is down; -1: none
+  std::string pedal = {};  // id of the device plugin whose button that is; "": the device of the pose
   bool any() const { return !pose.empty(); }
   bool operator==(const Binding&) const = default;
 };

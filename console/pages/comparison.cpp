@@ -42,6 +42,11 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   align_->setToolTip(tr("What lies at the same place of the timeline in both attempts"));
   label->setBuddy(align_);
   head->addWidget(align_);
+  ghost_ = new QCheckBox(tr("Ghost"), this);
+  ghost_->setObjectName(QStringLiteral("ghost"));
+  ghost_->setChecked(true);
+  ghost_->setToolTip(tr("Show these instruments in the other picture, too, seen through (G)"));
+  head->addWidget(ghost_);
   auto* close = make_button(QStringLiteral("✕"), {}, QStringLiteral("close_comparison"), this);
   close->setAccessibleName(tr("End the comparison"));
   close->setToolTip(tr("End the comparison (Esc)"));
@@ -56,6 +61,7 @@ Comparison::Comparison(QWidget* parent) : QWidget(parent), snapshot_(std::make_u
   problem_->hide();
   column->addWidget(problem_);
   connect(align_, &QComboBox::currentIndexChanged, this, &Comparison::aligned);
+  connect(ghost_, &QCheckBox::toggled, this, &Comparison::ghost_changed);
   connect(close, &QPushButton::clicked, this, &Comparison::closed);
 }
 

@@ -3,10 +3,12 @@
 // Another attempt beside the one under review, on the same clock: its picture, and by how much it is shifted.
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 #include <memory>
+#include <span>
 
 #include "console/link/player.hpp"
 #include "console/models/review.hpp"
@@ -36,11 +38,17 @@ class Comparison : public QWidget {
   const Player* player() const { return player_.get(); }
   /// What is at t in the first attempt is at t + later_s() in this one.
   double later_s() const;
+  /// Whether its instruments are wanted in the picture of the first attempt, whose they are, and where they are now.
+  bool ghost_wanted() const { return player_ && ghost_->isChecked(); }
+  QString person() const { return QString::fromStdString(review_.attempt.person_name); }
+  std::span<const swage_pose> X_WB() const { return {snapshot_->X_WB, snapshot_->n_body}; }
+  void toggle_ghost() { ghost_->toggle(); }
   /// Towards the time beside a time of the first attempt, with at most `most` steps of work; true when there.
   bool toward(double first_s, uint64_t most);
 
  Q_SIGNALS:
   void aligned();
+  void ghost_changed();
   void closed();
 
  private:
@@ -52,6 +60,7 @@ class Comparison : public QWidget {
   std::unique_ptr<snapshot::Snapshot> snapshot_;
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QComboBox* align_ = nullptr;
+  QCheckBox* ghost_ = nullptr;
   SceneView* view_ = nullptr;
 };
 

@@ -128,6 +128,7 @@ bool ReviewPage::compare(const QString& attempt_id) {
     other_->set_themes(ui_, cues_);
     pictures_->addWidget(other_, 1);
     connect(other_, &Comparison::aligned, this, &ReviewPage::show_comparison);
+    connect(other_, &Comparison::ghost_changed, this, &ReviewPage::set_ghost);
     connect(other_, &Comparison::closed, this, &ReviewPage::end_comparison);
   }
   other_->set_attempt(review_, row, std::move(recording), store_->events(id), opener_);
@@ -140,13 +141,26 @@ bool ReviewPage::compare(const QString& attempt_id) {
 void ReviewPage::show_comparison() {
   if (!comparing()) return;
   timeline_->set_other(&other_->review(), &other_->recording(), other_->later_s());
+  set_ghost();
   go(wanted_s_);
+}
+
+// The other attempt's instruments in this one's picture, on the same clock.
+void ReviewPage::set_ghost() {
+  const bool wanted = player_ && comparing() && other_->ghost_wanted();
+  view_->set_ghost(wanted ? &other_->player()->card() : nullptr, wanted ? other_->person() : QString());
+  move_ghost();
+}
+
+void ReviewPage::move_ghost() {
+  if (comparing() && other_->ghost_wanted()) view_->show_ghost(other_->X_WB());
 }
 
 void ReviewPage::end_comparison() {
   timeline_->set_other(nullptr, nullptr, 0);
   if (!comparing()) return;
   other_->hide();
+  set_ghost();
   timeline_->setFocus();
 }
 

@@ -72,6 +72,9 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
   key(tr("Next worst moment"), Qt::Key_W, [this] { to_next_worst(); });
   key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
+  key(tr("Ghost"), Qt::Key_G, [this] {
+    if (comparing()) other_->toggle_ghost();
+  });
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
   timeline_->addAction(play);
   view_->addAction(play);
@@ -324,6 +327,7 @@ void ReviewPage::tick() {
     show_player();
   }
   if (comparing()) there = other_->toward(wanted_s_, kMostSteps) && there;
+  move_ghost();
   if (there && !playing_) timer_.stop();
 }
 

@@ -95,6 +95,8 @@ class ReviewPage : public QWidget {
   void to_worst(int row);
   void loop_worst(int row);
   void show_comparison();
+  void set_ghost();
+  void move_ghost();
   void fill_traces();
   void show_traces();
   void show_problem(const QString& text);

@@ -140,11 +140,14 @@ void RunPage::add_view(SceneView* view) {
   if (have_card_) view->set_card(card_, preset_);
   view->set_instrument(view_->instrument());
   view->set_cues_shown(view_->cues_shown());
+  if (guide_) view->set_ghost(&guide_->card(), tr("Expert"));
 }
 
 record::Display RunPage::display() const {
   const auto open = std::find_if(views_.rbegin(), views_.rend(), [](const SceneView* v) { return v->isVisible(); });
-  return (open != views_.rend() ? *open : view_)->display();
+  record::Display out = (open != views_.rend() ? *open : view_)->display();
+  out.guided = guide_ && !guide_->failed();
+  return out;
 }
 
 // A view that changes in the middle of an attempt is noted at its moment; the head of the record says how it began.
@@ -181,6 +184,7 @@ void RunPage::update_state() {
     rate_steps_ = control_->newest() ? control_->newest()->step : 0;
   }
   if (!running) strip_->set_idle(tr("○ Ready"));
+  if (!running) end_guide();
   update_cues();
   update_frame();
 }
@@ -211,6 +215,7 @@ void RunPage::update_second() {
 void RunPage::update_cues() {
   // a test is taken without help: only the instructor's window shows cues
   cues_button_->setEnabled(!cues_hidden());
+  guide_button_->setEnabled(expert_ && !cues_hidden());
   const bool shown = !cues_hidden() && cues_button_->isChecked();
   for (SceneView* view : views_) view->set_cues_shown(shown);
   legend_->set_in_picture(shown);
@@ -223,6 +228,7 @@ void RunPage::update_frame() {
   if (const snapshot::Snapshot* shown = control_->shown()) {
     for (SceneView* view : views_) view->show_snapshot(*shown);
   }
+  move_guide();
   const bool paused = control_->state() == RunControl::State::kPaused;
   if (!control_->running()) return;
   set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());

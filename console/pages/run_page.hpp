@@ -18,6 +18,7 @@
 
 #include "console/cues/speaker.hpp"
 #include "console/link/arm_reader.hpp"
+#include "console/link/guide.hpp"
 #include "console/link/run_control.hpp"
 #include "console/models/event_log.hpp"
 #include "console/models/instrument.hpp"
@@ -64,6 +65,13 @@ class RunPage : public QWidget {
   std::unique_ptr<ArmReader> make_arm_reader();
   /// A person's own instrument, chosen among those of the lesson.
   void set_binding(const Binding& binding);
+  /// Who plays a lesson for a guide; without one there is none.
+  void set_expert(ExpertOpener open);
+  /// Live help: a ghost of an expert's instruments in the picture, at the trainee's pace. Never in a test.
+  void set_guided(bool on) { guide_button_->setChecked(on); }
+  void click_guide() { guide_button_->click(); }  // nothing while it is disabled
+  bool guided() const { return guide_button_->isChecked(); }
+  const Guide* guide() const { return guide_.get(); }
   /// How the trainee sees the scene: in the view that was added last and is open, else in that of this page.
   record::Display display() const;
   ResultPanel* result() { return result_; }
@@ -115,7 +123,13 @@ class RunPage : public QWidget {
   void change(const QString& instance, const QString& json, const QString& words);
   void sound(const Reading& reading, double time_s);
   bool cues_hidden() const { return setup_->mode() == QLatin1String("test"); }
+  session::Options lesson_options() const;
   session::Options options() const;
+  void begin_guide(const session::Options& like);
+  void end_guide();
+  void show_guide();
+  void move_guide();
+  void toggle_guide(bool on);
   void preview();
   const snapshot::SceneCard* card_of(const QString& lesson_path);
   void show_card(const snapshot::SceneCard& card);
@@ -140,6 +154,10 @@ class RunPage : public QWidget {
 
   session::Options base_;
   Placing placing_;
+  ExpertOpener expert_;
+  std::unique_ptr<Guide> guide_;
+  session::Options guide_options_;  // of the attempt, for a guide that is asked for in the middle of it
+  bool guide_told_ = false;         // that it is gone
   Binding binding_;
   bool draws_seed_ = false;
   host::Catalogue catalogue_;
@@ -154,7 +172,7 @@ class RunPage : public QWidget {
   QPushButton* unrecorded_ = nullptr;  // offered where the store refuses
   QString refused_;                    // why it refused
   QPushButton *pause_ = nullptr, *reset_ = nullptr, *mark_ = nullptr, *stop_ = nullptr,
-              *cues_button_ = nullptr, *second_button_ = nullptr;
+              *cues_button_ = nullptr, *second_button_ = nullptr, *guide_button_ = nullptr;
   QList<QPushButton*> folding_;  // over the picture
   QPushButton* view_menu_ = nullptr;
   QWidget *bottom_ = nullptr, *right_box_ = nullptr;

@@ -21,24 +21,30 @@ constexpr int kMostSeed = 1000000;  // six digits can be read out and typed agai
 
 }  // namespace
 
-session::Options RunPage::options() const {
+// the lesson as it is chosen, whoever plays it
+session::Options RunPage::lesson_options() const {
   session::Options o = base_;
   o.lesson_path = setup_->lesson().toStdString();
   o.person = setup_->person().toStdString();
   o.mode = asked_.show ? "demo" : setup_->mode().toStdString();
-  o.device = setup_->device().toStdString();
   o.display = display();
+  if (setup_->left_handed()) o.settings.push_back("mirror=true");
+  // a demonstration is nobody's attempt
+  if (o.mode == "demo") o.store_path = ":none:";
+  return o;
+}
+
+session::Options RunPage::options() const {
+  session::Options o = lesson_options();
+  o.device = setup_->device().toStdString();
   for (const QString& meaning : cue_theme_.meanings()) {
     const CueForce f = cue_theme_.style(meaning).force;
     if (f.pulses > 0)
       o.cue_pulses.push_back(
           {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
   }
-  if (setup_->left_handed()) o.settings.push_back("mirror=true");
   const std::optional<Placement> place = placing_ ? placing_(o.device) : std::nullopt;
   take_instrument(o, place);
-  // a demonstration is nobody's attempt
-  if (o.mode == "demo") o.store_path = ":none:";
   return o;
 }
 
@@ -89,12 +95,18 @@ void RunPage::launch(bool unrecorded) {
   sounds_.reset();
   problem_->hide();
   unrecorded_->hide();
-  session::Options o = options();
+  session::Options o = options(), like = lesson_options();
   if (unrecorded) o.store_path = ":none:";
-  if (draws_seed_)
-    o.settings.push_back("seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed)));
-  seen_ = o.display;
-  if (control_->start(o)) view_->setFocus();
+  if (draws_seed_) {
+    const std::string seed = "seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed));
+    o.settings.push_back(seed);
+    like.settings.push_back(seed);
+  }
+  begin_guide(like);
+  seen_ = o.display = display();
+  if (!control_->start(o)) return;
+  show_guide();
+  view_->setFocus();
 }
 
 // What is left of the last attempt belongs to its lesson.

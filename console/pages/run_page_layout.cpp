@@ -63,6 +63,7 @@ void RunPage::resizeEvent(QResizeEvent* event) {
   setup_->setFixedWidth(narrow ? kSlimLessons_px : kLessons_px);
   right_box_->setFixedWidth(narrow ? kSlimSide_px : kSide_px);
   bottom_->setVisible(height() >= kLow_px);
+  guide_button_->setVisible(!narrow);  // then it is in the menu
   fold_view_bar();
   QWidget::resizeEvent(event);
 }
@@ -80,7 +81,7 @@ void RunPage::fold_view_bar() {
 
 void RunPage::fill_view_menu(QMenu* menu) const {
   menu->clear();
-  for (QPushButton* b : folding_) {
+  for (QPushButton* b : folding_ + QList<QPushButton*>{guide_button_}) {
     QAction* action = menu->addAction(b->accessibleName(), b, &QPushButton::click);
     action->setCheckable(b->isCheckable());
     action->setChecked(b->isChecked());
@@ -199,7 +200,11 @@ QWidget* RunPage::make_actions() {
   mark_ = make_button(tr("Mark"), QStringLiteral("F8"), QStringLiteral("mark"), bar);
   mark_->setToolTip(tr("Remember the moment two seconds ago (F8)"));
   stop_ = make_button(tr("Stop"), QStringLiteral("Shift+F5"), QStringLiteral("stop"), bar);
-  for (QPushButton* b : {pause_, reset_, mark_, stop_}) row->addWidget(b, 1);
+  guide_button_ = make_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), bar);
+  guide_button_->setCheckable(true);
+  guide_button_->setToolTip(tr("An expert's instruments, seen through, show what comes next and wait for you; not in a test (F4)"));
+  connect(guide_button_, &QPushButton::toggled, this, &RunPage::toggle_guide);
+  for (QPushButton* b : {pause_, reset_, mark_, stop_, guide_button_}) row->addWidget(b, 1);
   connect(pause_, &QPushButton::clicked, control_, &RunControl::toggle_pause);
   connect(reset_, &QPushButton::clicked, control_, &RunControl::reset_work);
   connect(mark_, &QPushButton::clicked, control_, &RunControl::mark);

@@ -99,16 +99,15 @@ QWidget* SetupPage::make_instrument() {
   pose_ = make_choice(tr("Pose from"), "binding_pose", tr("The device that says where the instrument is"), form);
   jaws_ = make_choice(tr("Jaws from"), "binding_jaws", tr("The device that says how far the jaws are closed, and how hard"), form);
   clutch_ = make_choice(tr("Clutch"), "binding_clutch",
-                        tr("While this button or pedal of the first device is down the tool stays, and goes on without a leap"), form);
+                        tr("While this button or pedal is down the tool stays, and goes on without a leap"), form);
   clutch_->addItem(tr("None"), -1);
   for (int i = 0; i < 16; ++i) clutch_->addItem(tr("Button %1").arg(i + 1), i);
-  for (QComboBox* choice : {pose_, jaws_, clutch_})
+  pedal_ = make_choice(tr("Clutch of"), "binding_pedal", tr("The device whose button or pedal that is"), form);
+  for (QComboBox* choice : {pose_, jaws_, clutch_, pedal_})
     connect(choice, &QComboBox::activated, this, [this] {
-      const Binding chosen{pose_->currentData().toString().toStdString(), jaws_->currentData().toString().toStdString(),
-                           clutch_->currentData().toInt()};
-      jaws_->setEnabled(chosen.any());
-      clutch_->setEnabled(chosen.any());
-      Q_EMIT binding_chosen(chosen);
+      enable_bindings();
+      Q_EMIT binding_chosen({pose_->currentData().toString().toStdString(), jaws_->currentData().toString().toStdString(),
+                             clutch_->currentData().toInt(), pedal_->currentData().toString().toStdString()});
     });
   auto* pedal = make_muted(tr("A pedal that sends the keys F5, F6 and F7 starts, pauses and puts back without letting go of the instrument."), box);
   form->addRow(pedal);
@@ -116,12 +115,11 @@ QWidget* SetupPage::make_instrument() {
 }
 
 void SetupPage::set_devices(const std::vector<const host::PluginInfo*>& devices) {
-  pose_->clear();
-  jaws_->clear();
+  for (QComboBox* choice : {pose_, jaws_, pedal_}) choice->clear();
   pose_->addItem(tr("As the lesson says"), QString());
-  jaws_->addItem(tr("The same device"), QString());
+  for (QComboBox* choice : {jaws_, pedal_}) choice->addItem(tr("The same device"), QString());
   for (const host::PluginInfo* plugin : devices)
-    for (QComboBox* choice : {pose_, jaws_}) choice->addItem(QString::fromStdString(plugin->name), QString::fromStdString(plugin->id));
+    for (QComboBox* choice : {pose_, jaws_, pedal_}) choice->addItem(QString::fromStdString(plugin->name), QString::fromStdString(plugin->id));
 }
 
 void SetupPage::show_binding(const Binding& binding, const QString& person) {
@@ -129,8 +127,15 @@ void SetupPage::show_binding(const Binding& binding, const QString& person) {
   pose_->setCurrentIndex(std::max(0, pose_->findData(QString::fromStdString(binding.pose))));
   jaws_->setCurrentIndex(std::max(0, jaws_->findData(QString::fromStdString(binding.jaws))));
   clutch_->setCurrentIndex(std::max(0, clutch_->findData(binding.clutch)));
-  jaws_->setEnabled(binding.any());
-  clutch_->setEnabled(binding.any());
+  pedal_->setCurrentIndex(std::max(0, pedal_->findData(QString::fromStdString(binding.pedal))));
+  enable_bindings();
+}
+
+void SetupPage::enable_bindings() {
+  const bool any = pose_->currentIndex() > 0;
+  jaws_->setEnabled(any);
+  clutch_->setEnabled(any);
+  pedal_->setEnabled(any && clutch_->currentIndex() > 0);
 }
 
 QWidget* SetupPage::make_sensors() {

@@ -41,11 +41,12 @@ class SetupPage : public QWidget {
   QWidget* make_trainee();
   QWidget* make_sensors();
   QWidget* make_instrument();
+  void enable_bindings();
 
   QVBoxLayout* columns_[2];
   int sections_ = 0;
   QLabel *calibrations_ = nullptr, *whose_ = nullptr;
-  QComboBox *pose_ = nullptr, *jaws_ = nullptr, *clutch_ = nullptr;
+  QComboBox *pose_ = nullptr, *jaws_ = nullptr, *clutch_ = nullptr, *pedal_ = nullptr;
   QComboBox *theme_ = nullptr, *cues_ = nullptr;
 };
 

@@ -816,6 +816,14 @@
         <source>End</source>
         <translation>Ende</translation>
     </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Durchscheinend</translation>
+    </message>
+    <message>
+        <source>Show these instruments in the other picture, too, seen through (G)</source>
+        <translation>Diese Instrumente auch im anderen Bild zeigen, durchscheinend (G)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::CoursesPage</name>
@@ -1562,6 +1570,14 @@
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+    <message>
+        <source>F4</source>
+        <translation>F4</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s instruments as a guide</source>
+        <translation>Instrumente eines Experten als Führung</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -1841,6 +1857,10 @@
     <message>
         <source>Swage attempts (*.swage);;All files (*)</source>
         <translation>Swage-Versuche (*.swage);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
     </message>
 </context>
 <context>
@@ -2756,6 +2776,10 @@
         <source>▲ The note was not kept: %1</source>
         <translation>▲ Die Notiz wurde nicht behalten: %1</translation>
     </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Durchscheinend</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::RosterDialog</name>
@@ -3038,6 +3062,26 @@ Bea L., Frühjahr, links</translation>
         <source>The lesson cannot be built with these values.</source>
         <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
     </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>No guide: %1</source>
+        <translation>Keine Führung: %1</translation>
+    </message>
+    <message>
+        <source>No guide: the scripted expert does not pass this lesson as it is set.</source>
+        <translation>Keine Führung: der vorgegebene Experte besteht diese Lektion mit diesen Einstellungen nicht.</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Führung</translation>
+    </message>
+    <message>
+        <source>An expert&apos;s instruments, seen through, show what comes next and wait for you; not in a test (F4)</source>
+        <translation>Durchscheinende Instrumente eines Experten zeigen, was als Nächstes kommt, und warten auf Sie; nicht im Test (F4)</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::SceneView</name>
@@ -3209,10 +3253,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Kupplung</translation>
     </message>
     <message>
-        <source>While this button or pedal of the first device is down the tool stays, and goes on without a leap</source>
-        <translation>Solange diese Taste oder dieses Pedal des ersten Geräts gedrückt ist, bleibt das Werkzeug stehen und geht ohne Sprung weiter</translation>
-    </message>
-    <message>
         <source>None</source>
         <translation>Nicht</translation>
     </message>
@@ -3247,6 +3287,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>No sensor is calibrated on this computer.</source>
         <translation>An diesem Rechner ist kein Sensor kalibriert.</translation>
+    </message>
+    <message>
+        <source>While this button or pedal is down the tool stays, and goes on without a leap</source>
+        <translation>Solange dieser Knopf oder dieses Pedal gedrückt ist, bleibt das Instrument stehen; dann geht es ohne Sprung weiter</translation>
+    </message>
+    <message>
+        <source>Clutch of</source>
+        <translation>Kupplung an</translation>
+    </message>
+    <message>
+        <source>The device whose button or pedal that is</source>
+        <translation>Das Gerät, dessen Knopf oder Pedal das ist</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +3859,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Ma&amp;gnification</source>
         <translation>&amp;Vergrößerung</translation>
+    </message>
+    <message>
+        <source>This driver has two buffers for glasses that shut in turn. Swage does not draw into them yet: choose what else the screen can show.</source>
+        <translation>Dieser Treiber hat zwei Puffer für Brillen, die abwechselnd schließen. Swage zeichnet noch nicht hinein: wählen Sie, was der Bildschirm sonst zeigen kann.</translation>
+    </message>
+    <message>
+        <source>Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none.</source>
+        <translation>Brillen, die abwechselnd schließen (Shutter), brauchen einen Treiber mit Quad-Buffer, und dieser hat keinen.</translation>
     </message>
 </context>
 <context>

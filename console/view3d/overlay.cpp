@@ -151,6 +151,15 @@ void Overlay::led(const QPointF& at, const QString& name) {
   pill(top + QPointF(0, 1.6 * kHalf_px + 14), name, p_.font());
 }
 
+void Overlay::ghost(const QPointF& at, const QString& name) {
+  const QFont font = p_.font();
+  const QRectF r = room(at + QPointF(-70, -46), name, font, 0);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(ui_["ghost"], 1.4, Qt::DashLine));
+  p_.drawLine(at, r.center());
+  pill(r, name, font, 0);
+}
+
 void Overlay::clock(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);

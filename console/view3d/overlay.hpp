@@ -34,6 +34,8 @@ class Overlay {
   void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
   /// The tool that is led, of several: a triangle below its tips, and its name.
   void led(const QPointF& at, const QString& name);
+  /// Whose instrument is seen through here: a thin line to a name.
+  void ghost(const QPointF& at, const QString& name);
   void force(const QPointF& from, const QPointF& to);
   /// No label of those to come lies there.
   void keep_clear(const QRectF& place) { taken_.push_back(place); }

@@ -108,6 +108,19 @@ void main() {
   fragColor = vec4(c, 1.0);
 })";
 
+// premultiplied: a pane of glass with a bright edge
+const char* const kGhostFragment = R"(#version 330 core
+in vec3 position;
+in vec3 normal;
+in vec3 place;
+out vec4 fragColor;
+uniform vec3 colour;
+void main() {
+  float facing = abs(dot(normalize(normal), normalize(-position)));
+  float a = mix(0.30, 0.85, pow(1.0 - facing, 1.5));
+  fragColor = vec4(colour * a, a);
+})";
+
 const char* const kFloorVertex = R"(#version 330 core
 in vec3 vertexPosition;
 out vec2 place;
@@ -250,6 +263,13 @@ void SolidMaterial::set(const Surface& s) {
   gloss_->setValue(s.gloss);
   finish_->setValue(static_cast<float>(s.finish));
 }
+
+GhostMaterial::GhostMaterial(Qt3DCore::QNode* parent) : QMaterial(parent), colour_(add_parameter(this, "colour")) {
+  lay_over(add_technique(this, kSolidVertex, kGhostFragment), Qt3DRender::QCullFace::Back);
+  set({});
+}
+
+void GhostMaterial::set(const Surface& s) { colour_->setValue(shade(s.colour)); }
 
 FloorMaterial::FloorMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),

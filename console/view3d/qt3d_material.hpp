@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The materials of the view: solid things in studio light, the floor that gives scale, and shadows on it.
+// The materials of the view: solid things in studio light, ghosts, the floor that gives scale, and shadows on it.
 #pragma once
 
 #include <Qt3DCore/QNode>
@@ -18,6 +18,16 @@ class SolidMaterial : public Qt3DRender::QMaterial {
 
  private:
   Qt3DRender::QParameter *colour_, *metal_, *gloss_, *finish_;
+};
+
+/// Seen through, brighter towards its outline; draws over what is behind it and hides nothing.
+class GhostMaterial : public Qt3DRender::QMaterial {
+ public:
+  explicit GhostMaterial(Qt3DCore::QNode* parent);
+  void set(const Surface& surface);
+
+ private:
+  Qt3DRender::QParameter* colour_;
 };
 
 class FloorMaterial : public Qt3DRender::QMaterial {

@@ -39,12 +39,13 @@ class Qt3dRenderer final : public Renderer {
 
   ~Qt3dRenderer() override { engine_.setRootEntity(Qt3DCore::QEntityPtr()); }
 
-  void clear() override {
-    for (Part& part : parts_) {
-      for (Shadow& shadow : part.shadow) delete shadow.entity;
-      delete part.entity;
+  void clear() override { drop_from(0); }
+
+  void drop_from(int first) override {
+    for (; parts_.size() > static_cast<size_t>(first); parts_.pop_back()) {
+      for (Shadow& shadow : parts_.back().shadow) delete shadow.entity;
+      delete parts_.back().entity;
     }
-    parts_.clear();
   }
 
   int add_part(const Mesh& mesh, const Surface& surface, Casts casts) override {
@@ -52,11 +53,9 @@ class Qt3dRenderer final : public Renderer {
     part.entity = new Qt3DCore::QEntity(root_);
     part.geometry = new MeshGeometry(part.entity);
     part.geometry->set(mesh);
-    part.material = new SolidMaterial(part.entity);
-    part.material->set(surface);
     part.transform = new Qt3DCore::QTransform(part.entity);
     part.entity->addComponent(part.geometry);
-    part.entity->addComponent(part.material);
+    add_material(part, surface);
     part.entity->addComponent(part.transform);
     part.shadow[0].wanted = casts.on_floor;
     part.shadow[1].wanted = casts.on_shelf;
@@ -76,7 +75,10 @@ class Qt3dRenderer final : public Renderer {
     for (Shadow& shadow : at(part).shadow)
       if (shadow.entity) shadow.transform->setMatrix(X);
   }
-  void set_surface(int part, const Surface& surface) override { at(part).material->set(surface); }
+  void set_surface(int part, const Surface& surface) override {
+    if (at(part).ghost) return at(part).ghost->set(surface);
+    at(part).material->set(surface);
+  }
   void set_visible(int part, bool visible) override {
     at(part).entity->setEnabled(visible);
     show_shadows(at(part));
@@ -141,11 +143,25 @@ class Qt3dRenderer final : public Renderer {
   struct Part {
     Qt3DCore::QEntity* entity = nullptr;
     MeshGeometry* geometry = nullptr;
-    SolidMaterial* material = nullptr;
+    SolidMaterial* material = nullptr;  // one of the two
+    GhostMaterial* ghost = nullptr;
     Qt3DCore::QTransform* transform = nullptr;
     Shadow shadow[2];  // on the floor, on the shelf
   };
   Part& at(int part) { return parts_[static_cast<size_t>(part)]; }
+
+  void add_material(Part& part, const Surface& surface) {
+    if (surface.finish == Finish::kGhost) {
+      part.ghost = new GhostMaterial(part.entity);
+      part.ghost->set(surface);
+      part.entity->addComponent(part.ghost);
+      part.entity->addComponent(target_->ghost_layer());
+      return;
+    }
+    part.material = new SolidMaterial(part.entity);
+    part.material->set(surface);
+    part.entity->addComponent(part.material);
+  }
 
   void add_shadow(Shadow& shadow, ShadowMaterial& material, const Mesh& mesh) {
     shadow.entity = new Qt3DCore::QEntity(root_);
@@ -231,6 +247,27 @@ GlProbe probe_gl() {
   if (!probe.ok) probe.why = QStringLiteral("OpenGL 3.3 is needed");
   context.doneCurrent();
   return probe;
+}
+
+bool has_quad_buffers() {
+  static const bool has = [] {
+    constexpr GLenum kStereo = 0x0C33;  // GL_STEREO, which not every header has
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setStereo(true);
+    QOpenGLContext context;
+    context.setFormat(format);
+    if (!context.create()) return false;
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    if (!surface.isValid() || !context.makeCurrent(&surface)) return false;
+    GLboolean stereo = GL_FALSE;
+    context.functions()->glGetBooleanv(kStereo, &stereo);
+    context.doneCurrent();
+    return stereo == GL_TRUE;
+  }();
+  return has;
 }
 
 std::unique_ptr<Renderer> make_qt3d_renderer(int samples, int most_views) {

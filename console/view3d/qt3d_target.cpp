@@ -48,6 +48,7 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   surface_->setSurface(surface);
   floor_layer_ = new QLayer(parent);
   shadow_layer_ = new QLayer(parent);
+  ghost_layer_ = new QLayer(parent);
 
   auto* draw = new QRenderTargetSelector(surface_);
   QRenderTarget* drawn = make_target(draw, samples, textures_);
@@ -81,15 +82,16 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   capture_ = new QRenderCapture(leaf);
 }
 
-// everything, then the floor, then the shadows on it
+// everything, then the floor, then the shadows on it, then what is seen through
 void PictureTarget::add_view(QFrameGraphNode* parent) {
   ViewNodes view{};
   view.awake = new QSubtreeEnabler(parent);
   view.port = new QViewport(view.awake);
   view.camera = new QCamera(surface_);
-  add_pass(view, {floor_layer_, shadow_layer_}, false);
+  add_pass(view, {floor_layer_, shadow_layer_, ghost_layer_}, false);
   add_pass(view, {floor_layer_}, true);
   add_pass(view, {shadow_layer_}, true);
+  add_pass(view, {ghost_layer_}, true);
   views_.push_back(view);
 }
 

@@ -19,7 +19,7 @@
 
 namespace swage::console {
 
-/// Owned by its parent node. Each view: first what is on no layer, then the floor, then the shadows on it.
+/// Owned by its parent node. Each view: first what is on no layer, then the floor, the shadows on it, and ghosts.
 class PictureTarget {
  public:
   PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views);
@@ -31,6 +31,7 @@ class PictureTarget {
   void hide(size_t view) { views_[view].awake->setEnabled(false); }
   Qt3DRender::QLayer* floor_layer() { return floor_layer_; }
   Qt3DRender::QLayer* shadow_layer() { return shadow_layer_; }
+  Qt3DRender::QLayer* ghost_layer() { return ghost_layer_; }
   Qt3DRender::QRenderCapture* capture() { return capture_; }
   void resize(const QSize& pixels);
 
@@ -45,7 +46,7 @@ class PictureTarget {
 
   Qt3DRender::QRenderSurfaceSelector* surface_;
   std::vector<ViewNodes> views_;
-  Qt3DRender::QLayer *floor_layer_, *shadow_layer_;
+  Qt3DRender::QLayer *floor_layer_, *shadow_layer_, *ghost_layer_;
   Qt3DRender::QRenderCapture* capture_;
   std::vector<Qt3DRender::QAbstractTexture*> textures_;
   std::vector<Qt3DRender::QBlitFramebuffer*> blits_;

@@ -26,6 +26,7 @@ enum class Finish {
   kPlain,
   kMoist,    // living tissue: mottled, uneven, with a film of water
   kBrushed,  // steel with marks of its making along x of the mesh
+  kGhost,    // something that is not there: its outline, seen through; over everything else, and without a shadow
 };
 
 /// How a surface answers light.
@@ -67,6 +68,8 @@ struct GlProbe {
   QString why, renderer;
 };
 GlProbe probe_gl();
+/// Whether the driver has a left and a right buffer for glasses that shut in turn. Asked once.
+bool has_quad_buffers();
 
 /// Draws parts with a pose each. All calls from the GUI thread.
 class Renderer {
@@ -74,6 +77,8 @@ class Renderer {
   virtual ~Renderer() = default;
   virtual void clear() = 0;
   virtual int add_part(const Mesh& mesh, const Surface& surface, Casts casts) = 0;
+  /// Takes away this part and those that were added after it.
+  virtual void drop_from(int part) = 0;
   virtual void set_mesh(int part, const Mesh& mesh) = 0;  // for threads: new triangles every picture
   virtual void set_pose(int part, const QMatrix4x4& X_WB_mm) = 0;
   virtual void set_surface(int part, const Surface& surface) = 0;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "console/view3d/region_look.hpp"
+#include "console/view3d/tool_tips.hpp"
 
 namespace swage::console {
 namespace {
@@ -376,6 +377,7 @@ SceneParts make_parts(const snapshot::SceneCard& card) {
   for (const ScenePart& p : parts.part)
     if (p.role == Role::kTool && !parts.tips_of.contains(p.object)) parts.tips_of[p.object] = find_tips(card, parts, p.object);
   if (!parts.tips_of.empty()) parts.tips = parts.tips_of.begin()->second;
+  if (card.tips_only) keep_tips(card, parts);
   find_aim(card, parts);
   return parts;
 }

@@ -86,6 +86,7 @@ void SceneView::set_themes(const UiTheme& ui, const CueTheme& cues) {
   cues_ = cues;
   background_ = {};
   if (have_card_) colour_parts();
+  for (size_t i = 0; ghost_ && i < ghost_->part.size(); ++i) renderer_->set_surface(ghost_->part[i].first, {ui_["ghost"], 0, 0, Finish::kGhost});
   touch();
   update();
 }
@@ -99,6 +100,7 @@ void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
   image_ = {};
   image_parts_.clear();
   second_ = {};
+  ghost_.reset();
   since_card_.start();
   camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
   near_ = {};

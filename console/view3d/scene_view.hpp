@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "console/cues/cue_theme.hpp"
 #include "console/cues/ui_theme.hpp"
@@ -70,6 +71,12 @@ class SceneView : public QWidget {
   /// While true, mouse and keys drive the instrument and not the camera.
   void set_instrument(bool on);
   bool instrument() const { return instrument_; }
+  /// Instruments of somebody else in this scene, seen through, with a name at their tips: until the next card, or without a card. The
+  /// card is of the same lesson; bodies are its.
+  void set_ghost(const snapshot::SceneCard* card, const QString& name = {});
+  /// Where they are; none: they are not shown.
+  void show_ghost(std::span<const swage_pose> X_WB);
+  bool ghost_shown() const { return ghost_ && ghost_->shown; }
   /// A picture of the scene has arrived since the last card.
   bool ready() const { return !image_.isNull(); }
   QImage image() const;
@@ -116,6 +123,14 @@ class SceneView : public QWidget {
     View view;    // and where it lies in the renderer's picture
     Inset inset = Inset::kNone;
   };
+  struct Ghost {
+    QString name;
+    std::vector<std::pair<int, uint32_t>> part;  // of the renderer, and its body
+    std::vector<std::vector<Spot>> tips;         // of each instrument
+    std::vector<swage_pose> X_WB;
+    bool shown = false;
+  };
+  void paint_ghost(Overlay& overlay, const Panel& panel) const;
   std::vector<Panel> panels() const;
   std::array<Eye, 2> eyes(const QSizeF& own) const;
   void lay_out();
@@ -191,6 +206,7 @@ class SceneView : public QWidget {
   bool have_card_ = false, have_snapshot_ = false;
   bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
   bool stress_shown_ = false, second_shown_ = false;
+  std::unique_ptr<Ghost> ghost_;
   std::optional<StereoLook> stereo_;
   std::optional<QPointF> station_mark_;
   Bounds second_;          // what the second view shows now

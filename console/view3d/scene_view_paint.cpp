@@ -159,7 +159,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
   if (have_snapshot_) {
     if (panel.inset != Inset::kWound) paint_marks(overlay, panel);
     paint_forces(overlay, panel);
-    if (panel.inset == Inset::kNone) paint_cues(overlay, panel), paint_led(overlay, panel);
+    if (panel.inset == Inset::kNone) paint_cues(overlay, panel), paint_led(overlay, panel), paint_ghost(overlay, panel);
   }
   // each eye sees clock, verdict and task at the depth of the screen
   if (stereo_) {

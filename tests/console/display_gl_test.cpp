@@ -69,6 +69,39 @@ TEST_F(Gl, EveryDisplayShowsEachEyeItsOwnPicture) {
   EXPECT_LT(apart(pressed.copy(w, 0, w, h), other, scene), 0.7 * apart(pressed.copy(w, 0, w, h), whole, scene));
 }
 
+// Over each other: each eye's picture at half the size in the middle of its half, or all of it pressed together.
+TEST_F(Gl, OverAndUnderShowsEachEyeItsOwnPicture) {
+  open_ready();
+  if (IsSkipped()) return;
+  using Layout = console::StereoLayout;
+  const auto shot = [&](Layout layout, bool squeezed, bool swapped = false) {
+    console::StereoLook look;
+    look.layout = layout;
+    look.squeezed = squeezed;
+    look.rig.swapped = swapped;
+    look.rig.eye_distance_mm = 40;
+    view()->set_stereo(look);
+    settle();
+    return picture();
+  };
+  const QImage left = shot(Layout::kLeftEye, false), right = shot(Layout::kRightEye, false);
+  const int w = left.width(), h = left.height() / 2;
+  const auto small = [&](const QImage& eye, int width) { return eye.scaled(width, h, Qt::IgnoreAspectRatio, Qt::SmoothTransformation); };
+  // words over the lower edge lie elsewhere in a lower picture
+  const auto scene = [&](int x, int y) { return y > h / 8 && y < 3 * h / 4 && x > 4 && x < w / 2 - 4; };
+  const auto is_of = [&](const QImage& half, const QImage& own, const QImage& other) {
+    EXPECT_LT(apart(half, own, scene), 0.7 * apart(half, other, scene));
+  };
+  const QImage whole = shot(Layout::kOverUnder, false);
+  is_of(whole.copy(w / 4, 0, w / 2, h), small(left, w / 2), small(right, w / 2));
+  is_of(whole.copy(w / 4, h, w / 2, h), small(right, w / 2), small(left, w / 2));
+  const QImage swapped = shot(Layout::kOverUnder, false, true);
+  is_of(swapped.copy(w / 4, 0, w / 2, h), small(right, w / 2), small(left, w / 2));
+  const QImage pressed = shot(Layout::kOverUnder, true);
+  is_of(pressed.copy(0, 0, w, h), small(left, w), small(right, w));
+  is_of(pressed.copy(0, h, w, h), small(right, w), small(left, w));
+}
+
 /// A plate of 10 mm by 10 mm that lies in the middle.
 snapshot::SceneCard plate() {
   snapshot::SceneCard card;

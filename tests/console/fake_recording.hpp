@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "console/link/player.hpp"
+#include "fake_session.hpp"
 #include "record/store.hpp"
 
 namespace swage::test {
@@ -81,10 +82,32 @@ class FakePlayer final : public console::Player {
   }
   uint64_t first_difference() const override { return differs; }
   uint64_t differs = ~uint64_t{0};
-
  private:
   snapshot::SceneCard card_;
   uint64_t at_ = 0, count_;
+};
+
+/// Plays the fake session's scene without a clock.
+class FakeExpert final : public console::Player {
+ public:
+  FakeExpert(snapshot::SceneCard card, bool passes) : card_(std::move(card)), passes_(passes) {}
+  const snapshot::SceneCard& card() const override { return card_; }
+  uint64_t at() const override { return at_; }
+  uint64_t count() const override { return 12000; }
+  bool toward(uint64_t target, uint64_t most) override {
+    at_ = std::min({target, at_ + most, count()});
+    return at_ == target && at_ < count();
+  }
+  void fill(snapshot::Snapshot& out) const override {
+    fake_state({}, 1e-3 * static_cast<double>(at_), out);
+    if (at_ == count()) out.outcome = static_cast<uint32_t>(passes_ ? judge::Outcome::kPassed : judge::Outcome::kFailed);
+  }
+  uint64_t first_difference() const override { return count(); }
+
+ private:
+  snapshot::SceneCard card_;
+  bool passes_;
+  uint64_t at_ = 0;
 };
 
 }  // namespace swage::test

@@ -148,14 +148,16 @@ class FakeSession final : public session::Session {
 
   bool latest(snapshot::Snapshot& out) const override {
     if (!running_ && before_ <= 0) return false;
-    const double t = std::floor(now() * 1000) / 1000;
+    state(std::floor(now() * 1000) / 1000, out);
+    out.paused = paused_;
+    return true;
+  }
+  void state(double t, snapshot::Snapshot& out) const {
     out = {};
     out.step = static_cast<uint64_t>(t * 1000);
     out.time_s = t;
-    out.paused = paused_;
     pose(t, out);
     judge(t, out);
-    return true;
   }
 
   bool next_event(judge::Event& out) override {
@@ -296,5 +298,7 @@ std::unique_ptr<session::Session> open_fake(const session::Options& options,
   ++log->opened;
   return std::make_unique<FakeSession>(options, script, std::move(log));
 }
+
+void fake_state(const FakeScript& script, double t, snapshot::Snapshot& out) { FakeSession({}, script, nullptr).state(t, out); }
 
 }  // namespace swage::test

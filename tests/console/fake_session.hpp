@@ -37,4 +37,7 @@ std::unique_ptr<session::Session> open_fake(const session::Options& options,
                                             std::vector<base::Problem>& problems, const FakeScript& script,
                                             std::shared_ptr<FakeLog> log);
 
+/// The scene of a fake session `t` seconds after its start.
+void fake_state(const FakeScript& script, double t, snapshot::Snapshot& out);
+
 }  // namespace swage::test

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <swage/abi/lesson.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "console/view3d/tool_tips.hpp"
 
 namespace swage::console {
 namespace {
@@ -222,6 +225,55 @@ TEST(SceneParts, ACourseIsShownWhole) {
   EXPECT_GT(parts.focus.radius(), near);
   EXPECT_NEAR(parts.focus.high.x(), 7.05, 0.1F) << "its far end";
   EXPECT_LT(parts.focus.high.x(), 9) << "but not the tray";
+}
+
+// The thesis: the body of an instrument stands in the way of the eye.
+TEST(SceneParts, OfInstrumentsOnlyTheTipsAreDrawnWhereTheLessonSaysSo) {
+  snapshot::SceneCard card = scene();
+  const auto holder = [&] {
+    const SceneParts parts = make_parts(card);
+    const auto found = std::find_if(parts.part.begin(), parts.part.end(), [](const ScenePart& p) { return p.role == Role::kTool; });
+    EXPECT_NE(found, parts.part.end());
+    return found->mesh;
+  };
+  const auto bounds = [](const Mesh& mesh) {
+    Bounds b;
+    for (const Vertex& v : mesh.vertex) b.add({v.p[0], v.p[1], v.p[2]});
+    return b;
+  };
+  EXPECT_NEAR(bounds(holder()).high.x(), 40, 1e-3);
+  card.tips_only = true;
+  const Mesh tips = holder();
+  EXPECT_NEAR(bounds(tips).low.x(), 0, 1e-3);
+  EXPECT_NEAR(bounds(tips).high.x(), kTips_mm, 0.6) << "square to the way from the tip at an edge to the middle";
+  EXPECT_GT(bounds(tips).high.x(), 5);
+  // nobody looks into it: where it was cut it is closed
+  float area = 0;
+  for (size_t i = 0; i + 2 < tips.index.size(); i += 3) {
+    QVector3D p[3];
+    for (size_t k = 0; k < 3; ++k) p[k] = {tips.vertex[tips.index[i + k]].p[0], tips.vertex[tips.index[i + k]].p[1], tips.vertex[tips.index[i + k]].p[2]};
+    const QVector3D n = QVector3D::crossProduct(p[1] - p[0], p[2] - p[0]);
+    if (n.x() > 0.9F * n.length() && p[0].x() > 5) area += 0.5F * n.length();
+  }
+  EXPECT_NEAR(area, 2 * 1, 0.1) << "mm2 of the section, seen from behind";
+}
+
+TEST(ToolTips, ACutKeepsOneSide) {
+  Mesh mesh;
+  mesh.vertex = {{{0, 0, 0}, {0, 0, 1}}, {{4, 0, 0}, {0, 0, 1}}, {{0, 2, 0}, {0, 0, 1}}};
+  mesh.index = {0, 1, 2};
+  const auto area = [](const Mesh& m) {
+    float sum = 0;
+    for (size_t i = 0; i + 2 < m.index.size(); i += 3) {
+      const auto at = [&](size_t k) { const float* p = m.vertex[m.index[i + k]].p; return QVector3D(p[0], p[1], p[2]); };
+      sum += 0.5F * QVector3D::crossProduct(at(1) - at(0), at(2) - at(0)).length();
+    }
+    return sum;
+  };
+  EXPECT_FLOAT_EQ(area(cut(mesh, {2, 0, 0}, {1, 0, 0})), 3) << "of 4 mm2 a quarter is beyond";
+  EXPECT_FLOAT_EQ(area(cut(mesh, {2, 0, 0}, {-1, 0, 0})), 1);
+  EXPECT_FLOAT_EQ(area(cut(mesh, {5, 0, 0}, {1, 0, 0})), 4);
+  EXPECT_FLOAT_EQ(area(cut(mesh, {-1, 0, 0}, {1, 0, 0})), 0);
 }
 
 }  // namespace

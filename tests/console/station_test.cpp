@@ -222,7 +222,8 @@ TEST_F(StationTest, ASessionIsToldWhereTheHandStands) {
   control()->stop();
   page()->setup()->set_left_handed(true);
   click("start");
-  EXPECT_EQ(told(), "") << "a mirrored lesson is reflected after the hand is placed";
+  const auto mirrored = nlohmann::json::parse(told())[0];
+  EXPECT_EQ(mirrored["pose"], device["pose"]) << "what is seen of a mirrored lesson is where the hand is";
 }
 
 const std::string kGrasp = SWAGE_SOURCE_DIR "/lessons/series/020_grasp_basic.json";
@@ -266,6 +267,18 @@ TEST_F(StationTest, APersonsInstrumentTakesThePlaceOfTheLessonsOwn) {
   EXPECT_EQ(lesson.json["objects"][0]["follows"]["pose"], "hand");
   EXPECT_EQ(lesson.json["objects"][0]["follows"]["closure"], "hand_jaws");
   EXPECT_EQ(lesson.json["requires"]["swage.device.gamepad"], "^1");
+  // a pedal of a third device, or of the one that has the jaws
+  const auto clutched = [&](const char* pedal) {
+    const auto said = console::instrument_settings(kGrasp, {"swage.device.gamepad", "swage.device.jaw_sensor", 2, pedal}, {}, catalogue);
+    return nlohmann::json::parse(said[0].substr(8));
+  };
+  const auto three = clutched("swage.device.spacemouse"), two = clutched("swage.device.jaw_sensor"), own = clutched("swage.device.gamepad");
+  ASSERT_EQ(three.size(), 3u);
+  EXPECT_EQ(three[0]["filters"]["clutch_of"], three[1]["name"]);
+  EXPECT_EQ(three[1]["plugin"], "swage.device.spacemouse");
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[0]["filters"]["clutch_of"], "hand_jaws");
+  EXPECT_FALSE(own[0]["filters"].contains("clutch_of"));
   // one device for both, without a clutch
   const auto one = console::instrument_settings(kGrasp, {"swage.device.gamepad", "", -1}, {}, catalogue);
   const auto alone = nlohmann::json::parse(one[0].substr(8));

@@ -63,6 +63,18 @@ class WindowTest : public testing::Test {
       player->differs = differs;
       return player;
     };
+    if (with_expert) {
+      doors.open_expert = [this](const session::Options& o, base::Problems& problems) -> std::unique_ptr<console::Player> {
+        ++experts;
+        expert_options = o;
+        if (!no_expert.empty()) {
+          problems.push_back({base::Severity::kError, "lesson.json", no_expert});
+          return nullptr;
+        }
+        base::Problems none;
+        return std::make_unique<FakeExpert>(open_fake({}, none, script, std::make_shared<FakeLog>())->card(), expert_passes);
+      };
+    }
     launch.settings_file = dir.filePath("settings.ini");
     launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
     if (!first_start) launch.size = QSize(1440, 900);
@@ -113,6 +125,11 @@ class WindowTest : public testing::Test {
 
   bool with_store = true;
   bool with_school = false;  // a real store, in which people and courses can be changed
+  bool with_expert = false;  // who guides
+  bool expert_passes = true;
+  std::string no_expert;  // non-empty: why there is none
+  int experts = 0;        // that were asked for
+  session::Options expert_options;
   bool first_start = false;  // no size is given or remembered
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
