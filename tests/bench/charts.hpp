@@ -13,6 +13,7 @@ Scatter chart_grasp(bool quick);    // slip of a held needle, per step
 Scatter chart_slip(bool quick);     // where a pulled wire begins to slip, per step
 Scatter chart_bend(bool quick);     // how far a needle bends under a force, per step of a grasp with it
 Scatter chart_keep(bool quick);     // the angle that it keeps, per step
+Scatter chart_thread(bool quick);   // how far a thread held by one end hangs from the exact elastica, per simulated millisecond
 Scatter chart_dent(bool quick);     // how deep tissue is dented, per step of an insertion into it
 
 struct ChartOf {
@@ -21,6 +22,6 @@ struct ChartOf {
 };
 inline constexpr ChartOf kCharts[] = {{"query", chart_queries}, {"free", chart_free}, {"grasp", chart_grasp},
                                       {"slip", chart_slip},     {"bend", chart_bend}, {"keep", chart_keep},
-                                      {"dent", chart_dent}};
+                                      {"dent", chart_dent},     {"thread", chart_thread}};
 
 }  // namespace swage::bench

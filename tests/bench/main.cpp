@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
   std::string charts_out = "resources/charts", out, only, scenes = SWAGE_SOURCE_DIR "/tests/stability";
   auto* charts = app.add_subcommand("charts", "error against cost of every method and peer, as SVG and CSV");
   charts->add_option("--out", charts_out, "folder")->capture_default_str();
-  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep, dent, tables");
+  charts->add_option("--only", only, "one of query, free, grasp, slip, bend, keep, dent, thread, tables");
   charts->add_flag("--quick", quick, "fewer poses and shorter runs");
   auto* stability =
       app.add_subcommand("stability", "sweeps every scene of the catalogue to where methods break");
