@@ -13,6 +13,10 @@ bool is_of(const CourseStep& step, const AttemptRow& a) {
   return a.lesson_id == step.lesson_id && (step.digest.empty() || a.lesson_digest == step.digest);
 }
 
+// A machine that was too slow, forces that were off and steps that are missing bend times, speeds and forces: such an attempt proves
+// nothing, unless somebody who has looked at it says that it counts.
+bool is_sound(const AttemptRow& a) { return !a.is_void && (a.remark.empty() || !a.void_by.empty()); }
+
 std::vector<std::pair<std::string, double>> pairs(const AttemptRow& a) {
   std::vector<std::pair<std::string, double>> out;
   for (const MetricValue& m : a.metrics) out.emplace_back(m.id, m.value);
@@ -41,7 +45,7 @@ StepStanding stand(const CourseStep& step, std::span<const AttemptRow* const> ol
 }  // namespace
 
 bool counts(const CourseStep& step, const AttemptRow& a) {
-  return is_of(step, a) && a.mode == "test" && a.state == "complete" && !a.is_void && !a.is_scripted;
+  return is_of(step, a) && a.mode == "test" && a.state == "complete" && is_sound(a) && !a.is_scripted;
 }
 
 judge::Met meets(const CourseStep& step, const AttemptRow& a) {
@@ -69,7 +73,7 @@ std::vector<StepStanding> standing(const Course& course, std::span<const Attempt
 std::vector<std::vector<std::pair<std::string, double>>> metrics_of(const CourseStep& step, std::span<const AttemptRow> attempts) {
   std::vector<std::vector<std::pair<std::string, double>>> out;
   for (const AttemptRow& a : attempts)
-    if (is_of(step, a) && a.state == "complete" && !a.is_void) out.push_back(pairs(a));
+    if (is_of(step, a) && a.state == "complete" && is_sound(a)) out.push_back(pairs(a));
   return out;
 }
 

@@ -13,7 +13,8 @@
 
 namespace swage::record {
 
-/// Whether an attempt counts for a step: in Test, ended by itself, not void, by a person's hand, of the step's lesson and version.
+/// Whether an attempt counts for a step: in Test, ended by itself, not void, by a person's hand, of the step's lesson and version,
+/// with nothing that bends its numbers (AttemptRow::remark) unless an instructor has said that it counts all the same.
 bool counts(const CourseStep&, const AttemptRow&);
 
 /// Whether an attempt meets what a step asks: its limits, or the lesson's own verdict where there are none.
@@ -31,7 +32,8 @@ struct StepStanding {
 /// Of one person; `attempts` in any order. Days are those of this machine's time zone.
 std::vector<StepStanding> standing(const Course&, std::span<const AttemptRow> attempts);
 
-/// The metrics of attempts as judge::meet_together() and judge::expert_band() take them: of the step's lesson, complete, not void.
+/// The metrics of attempts as judge::meet_together() and judge::expert_band() take them: of the step's lesson, complete, not void, not
+/// bent.
 std::vector<std::vector<std::pair<std::string, double>>> metrics_of(const CourseStep&, std::span<const AttemptRow> attempts);
 
 /// Number of the day of a time such as "2025-06-01T09:30:00.125Z", in this machine's time zone. -1 for what is no time.

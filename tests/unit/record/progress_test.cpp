@@ -8,6 +8,7 @@
 
 #include "attempt.hpp"
 #include "record/people_list.hpp"
+#include "record/school.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -60,6 +61,44 @@ TEST(Progress, CountsOnlyWhatProvesSomething) {
   EXPECT_FALSE(without([](AttemptRow& a) { a.is_scripted = true; }));
   EXPECT_FALSE(without([](AttemptRow& a) { a.lesson_id = "b"; }));
   EXPECT_FALSE(without([](AttemptRow& a) { a.lesson_digest = "another version"; }));
+}
+
+// U13: steps that the machine lost bend times and speeds, so that nothing is proved, unless somebody who has seen it says so
+TEST(Progress, AnAttemptOnASlowMachineIsFlaggedAndLeftOutOfTheRule) {
+  const Folder folder;
+  std::string error;
+  const auto record = [&](uint64_t lost) {
+    AttemptInfo info = make_info();
+    info.mode = "test";
+    info.realtime = true;
+    for (HandInfo& h : info.hands) h.flags = 0;
+    base::Problems problems;
+    const auto recorder = Recorder::open(folder / "a.db", info, problems);
+    for (uint64_t i = 0; i < 10; ++i) recorder->step(make_step(7, i));
+    AttemptEnd end = make_end();
+    end.health.executed = 10000 - lost;
+    end.health.dropped = lost;
+    recorder->finish(end);
+    return recorder->attempt_id();
+  };
+  CourseStep step;
+  step.lesson_id = make_info().lesson_id;
+  const auto store = Store::open(folder / "a.db", error);
+  AttemptRow a;
+  ASSERT_TRUE(store->attempt(record(100), a));
+  EXPECT_EQ(a.remark, "") << "one step in a hundred is noticed by nobody";
+  EXPECT_TRUE(counts(step, a));
+  EXPECT_EQ(metrics_of(step, std::span(&a, 1)).size(), 1u);
+  const std::string slow = record(1000);
+  ASSERT_TRUE(store->attempt(slow, a));
+  EXPECT_EQ(a.remark, "at 90 % of real speed");
+  EXPECT_FALSE(counts(step, a));
+  EXPECT_TRUE(metrics_of(step, std::span(&a, 1)).empty()) << "and it gives no limits";
+  // accepted all the same
+  const auto school = School::open(folder / "a.db", error);
+  ASSERT_TRUE(school->set_void(slow, false, "the pause was a nurse's call", "Mei")) << school->error();
+  ASSERT_TRUE(store->attempt(slow, a));
+  EXPECT_TRUE(counts(step, a));
 }
 
 TEST(Progress, GoesThroughACourseInOrder) {
