@@ -95,6 +95,9 @@ bool erase_rows(Database& db, const std::string& person_id) {
                 {now, person_id}) &&
          db.run("INSERT INTO erased (erased_id, is_person, erased_utc) VALUES (?, 1, ?) ON CONFLICT DO NOTHING",
                 {person_id, now}) &&
+         // what a station last said of this person, and showed
+         db.run("DELETE FROM station_picture WHERE station_id IN (SELECT station_id FROM station WHERE person_id = ?)", who) &&
+         db.run("UPDATE station SET person_id = '', attempt_id = '' WHERE person_id = ?", who) &&
          db.run("DELETE FROM assignment WHERE to_group = 0 AND who_id = ?", who) &&
          // attempts, chunks, metrics, notes, rulings, the name and the list of files go with it
          db.run("DELETE FROM person WHERE person_id = ?", who);

@@ -130,6 +130,25 @@ const std::vector<Step> kSteps = {
         " person_id TEXT NOT NULL REFERENCES person (person_id) ON DELETE CASCADE, kind TEXT NOT NULL,"
         " file TEXT NOT NULL, station TEXT NOT NULL, made_utc TEXT NOT NULL)",
     },
+    {
+        // 5: what the stations of a school do now, and what is said between them. Volatile: one row a station, written over twice a
+        // second, in no backup and no export. Times: s since 1970 by the server's clock, as those of stations differ.
+        "CREATE TABLE station (station_id TEXT PRIMARY KEY, program_id TEXT NOT NULL, app_version TEXT NOT NULL,"
+        " seen_s DOUBLE PRECISION NOT NULL, state BIGINT NOT NULL, person_id TEXT NOT NULL, lesson_id TEXT NOT NULL,"
+        " lesson_title TEXT NOT NULL, mode TEXT NOT NULL, phase TEXT NOT NULL, cues TEXT NOT NULL, attempt_id TEXT NOT NULL,"
+        " step BIGINT NOT NULL, time_s DOUBLE PRECISION NOT NULL, score DOUBLE PRECISION, force_n DOUBLE PRECISION,"
+        " late BIGINT NOT NULL, dropped BIGINT NOT NULL, solver BIGINT NOT NULL, stopped BIGINT NOT NULL,"
+        " silent_devices BIGINT NOT NULL, is_recorded BIGINT NOT NULL)",
+
+        "CREATE TABLE station_picture (station_id TEXT PRIMARY KEY REFERENCES station (station_id) ON DELETE CASCADE,"
+        " taken_s DOUBLE PRECISION NOT NULL, png @BLOB@ NOT NULL)",
+
+        // kind: 0 words, 1 a lesson, 2 a picture is wanted; answer: "" while nobody has answered
+        "CREATE TABLE message (message_id TEXT PRIMARY KEY, to_station TEXT NOT NULL, from_station TEXT NOT NULL,"
+        " kind BIGINT NOT NULL, body TEXT NOT NULL, title TEXT NOT NULL, sent_s DOUBLE PRECISION NOT NULL,"
+        " shown_s DOUBLE PRECISION, answered_s DOUBLE PRECISION, answer TEXT NOT NULL)",
+        "CREATE INDEX message_by_station ON message (to_station)",
+    },
 };
 
 std::string in_dialect(std::string sql, bool postgres) {

@@ -5,6 +5,7 @@
 #include <QtCore/QMetaType>
 #include <QtCore/QVariant>
 #include <QtSql/QSqlDatabase>
+#include <QtSql/QSqlDriver>
 #include <QtSql/QSqlError>
 #include <QtSql/QSqlQuery>
 #include <QtSql/QSqlRecord>
@@ -138,6 +139,7 @@ struct Database::Connection {
   std::optional<Patience> patience;  // of a server
   std::map<std::string, QSqlQuery, std::less<>> prepared;
   QSqlQuery plain;
+  std::map<QString, std::function<void()>> listeners;  // by channel
   Trouble trouble = Trouble::kNone;
   std::string error;
 
@@ -313,6 +315,21 @@ void Database::rollback() {
   run("ROLLBACK");
   connection_->trouble = trouble;
   connection_->error = error;
+}
+
+bool Database::listen(const std::string& channel, std::function<void()> heard) {
+  Connection& c = *connection_;
+  QSqlDriver* driver = c.db.driver();
+  if (!c.postgres || !driver->hasFeature(QSqlDriver::EventNotifications)) return false;
+  if (c.listeners.empty())
+    QObject::connect(driver, &QSqlDriver::notification, driver, [&c](const QString& name) {
+      if (const auto found = c.listeners.find(name); found != c.listeners.end()) found->second();
+    });
+  const QString name = QString::fromStdString(channel);
+  const bool good = c.ask([&] { return driver->subscribeToNotification(name); });
+  if (!good) return c.failed(driver->lastError());
+  c.listeners[name] = std::move(heard);
+  return c.ok();
 }
 
 bool Database::on_postgres() const { return connection_->postgres; }

@@ -63,6 +63,10 @@ class Database {
   bool commit();
   void rollback();
 
+  /// Calls `heard` when anybody notifies the channel (NOTIFY), from the event loop of this thread, which must have one. It must not
+  /// close the connection. A server only.
+  bool listen(const std::string& channel, std::function<void()> heard);
+
   bool on_postgres() const;
   Trouble trouble() const;           // of the last call
   const std::string& error() const;  // the driver's words

@@ -16,7 +16,7 @@ namespace {
 
 // Stores of earlier versions: the exported attempts, and a store of version 3 with two attempts.
 TEST(SchoolUpgrade, StoresOfEveryEarlierVersionBecomeSchools) {
-  for (const char* name : {"v1.swage", "v2.swage", "v3.swage", "store_v3.db"}) {
+  for (const char* name : {"v1.swage", "v2.swage", "v3.swage", "v4.swage", "store_v3.db"}) {
     const Folder folder;
     const std::string path = folder / "a.db";
     std::filesystem::copy_file(std::string(SWAGE_SOURCE_DIR) + "/tests/attempts/" + name, path);
@@ -45,7 +45,7 @@ TEST(SchoolUpgrade, StoresOfEveryEarlierVersionBecomeSchools) {
     ASSERT_EQ(rows.size(), attempts) << name;
     EXPECT_EQ(rows[0].person_name, "Ada Meyer");
     EXPECT_EQ(rows[0].person_code, "Ada");
-    EXPECT_EQ(rows[0].lesson_digest, "") << "nobody kept one then";
+    EXPECT_EQ(rows[0].lesson_digest.empty(), name != std::string("v4.swage")) << name << ": kept since version 4";
     Recording recording;
     ASSERT_TRUE(read_recording(path, rows.back().id, recording, error)) << name << ": " << error;
     expect_exact(recording, 300);
@@ -72,6 +72,39 @@ TEST(SchoolUpgrade, AServersStoreToo) {
   EXPECT_TRUE(school->change_person(people[0])) << school->error();
   const std::string id = record_attempt(where, 10, 1, "Ada Meyer");
   EXPECT_EQ(Store::open(where, error)->attempts(people[0].id).size(), 1u) << error;
+}
+
+// A school of version 4, which had no stations: on either database its people stay and the tables of version 5 are there.
+TEST(SchoolUpgrade, ASchoolWithoutStationsGetsTheirTables) {
+  PostgresServer server;
+  const Folder folder;
+  std::vector<std::string> places = {folder / "a.db"};
+  if (server.running()) places.push_back(server.make_database("four"));
+  for (const std::string& where : places) {
+    std::string error;
+    const std::string id = make_id();
+    {
+      const auto db = Database::open(where, Access::kWrite, error);
+      ASSERT_TRUE(db && bring_up_to_date(*db, schema_steps().first(4), error)) << error;
+      ASSERT_TRUE(db->rows("SELECT 1 FROM station").empty() && db->trouble() != Trouble::kNone) << "not in version 4";
+      ASSERT_TRUE(db->run("INSERT INTO person (person_id, pseudonym, created_utc) VALUES (?, ?, ?)",
+                          {id, std::string("4F2AK"), utc_now()}) &&
+                  db->run("INSERT INTO roster VALUES (?, 'Ada Meyer', 'left', '', '', ?)", {id, utc_now()}));
+    }
+    const auto school = School::open(where, error);
+    ASSERT_TRUE(school) << error;
+    const std::vector<Person> people = school->people();
+    ASSERT_EQ(people.size(), 1u);
+    EXPECT_EQ(people[0].name, "Ada Meyer");
+    const auto db = Database::open(where, Access::kWrite, error);
+    EXPECT_EQ(schema_version(*db), 5);
+    for (const char* table : {"station", "station_picture", "message"}) {
+      EXPECT_TRUE(db->rows("SELECT * FROM " + std::string(table)).empty());
+      EXPECT_EQ(db->trouble(), Trouble::kNone) << table << ": " << db->error();
+    }
+    // and erasing, which empties them, works on both
+    EXPECT_TRUE(school->erase_person(id)) << school->error();
+  }
 }
 
 // Whatever people have edited is found again on the pages of a damaged store.
