@@ -318,7 +318,7 @@ std::string audit_markdown(const std::vector<AuditLesson>& lessons, const AuditR
            "change of a "
            "metric over what counts as equal: %.3g %% of it, at least 20 um, 0.02 rad, 0.02 N, 0.1 s, (20 "
            "um)^2, 2 mN s, "
-           "else 0.02; the score 5 points. ",
+           "else 0.02; score and points lost 5 points. ",
            lessons.empty() ? "" : lessons.front().device.c_str(), 100 * rule.tolerance)
     << "A level is enough when its verdict is that of the finest that could be played and no difference "
        "exceeds 1. Named is the simplest of those that are enough and cost the least, to 10 %. "

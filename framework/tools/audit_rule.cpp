@@ -24,9 +24,11 @@ double noticeable(const std::string& unit) {
   return 0.02;  // rad, N, shares and counts
 }
 
+// A metric of points lost is a part of the score, of 100, and is compared as that is.
 AuditDifference beside(const AuditRule& rule, const AuditMetric& a, const AuditMetric& b) {
   const double larger = std::max(std::abs(a.value), std::abs(b.value));
-  return {a.id, a.unit, a.value, b.value, std::max(noticeable(a.unit), rule.tolerance * larger)};
+  const double least = a.id.starts_with("points.") ? 100 * rule.tolerance : noticeable(a.unit);
+  return {a.id, a.unit, a.value, b.value, std::max(least, rule.tolerance * larger)};
 }
 
 const AuditMetric* find(const AuditRun& run, const std::string& id) {

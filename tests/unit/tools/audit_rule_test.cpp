@@ -85,6 +85,16 @@ TEST(AuditRule, WhatNobodyNoticesIsEqualWhateverItsShare) {
   EXPECT_FALSE(judged({coarse, fine}).level[0].enough);
 }
 
+// a tenth of a point of 100 made the needle of the insertion "not enough"
+TEST(AuditRule, PointsAreComparedAsTheScore) {
+  AuditRun coarse = run("rigid", 10, 0.6), fine = run("bending", 40, 0.6);
+  coarse.metric.push_back({"points.entry", "1", 0.6});
+  fine.metric.push_back({"points.entry", "1", 0.5});
+  EXPECT_TRUE(judged({coarse, fine}).level[0].enough);
+  coarse.metric.back().value = 6;
+  EXPECT_FALSE(judged({coarse, fine}).level[0].enough);
+}
+
 TEST(AuditRule, AnotherVerdictIsNeverEnough) {
   AuditRun failed = run("rigid", 10, 0.6);
   failed.outcome = "failed";
