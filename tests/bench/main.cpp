@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage-bench charts|stability|bar: what Swage reaches, what its peers reach in the same run, and where both break.
+// swage-bench charts|stability|bar|knots: what Swage reaches, what its peers reach in the same run, and where both break.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +9,7 @@
 
 #include "bar.hpp"
 #include "charts.hpp"
+#include "knots.hpp"
 #include "stability.hpp"
 #include "thesis_tables.hpp"
 #include "test_places.hpp"
@@ -170,10 +171,17 @@ int main(int argc, char** argv) {
   bar->add_flag("--quick", quick, "shorter holds, fewer passes");
   bar->add_flag("--json", as_json, "print JSON");
   bar->add_option("--only", only, "goals whose name begins so: " + goal_names());
+  KnotsWanted knots_wanted;
+  auto* knots = app.add_subcommand("knots", "pulls knots that are drawn tight: which hold, over friction and pretension; exits 1 when a pull is not to be trusted");
+  knots->add_option("--out", knots_wanted.out, "folder for table and charts; none are written without it");
+  knots->add_option("--only", knots_wanted.only, "knots whose name begins so: half, granny, square, surgeon");
+  knots->add_option("--load", knots_wanted.load, "N; more than 0.19 pulls to breaking")->capture_default_str();
+  knots->add_flag("--quick", knots_wanted.quick, "one pretension, three frictions");
   CLI11_PARSE(app, argc, argv);
   try {
     if (*charts) return run_charts(charts_out, quick, only);
     if (*stability) return run_stability(scenes, out, quick, only);
+    if (*knots) return run_knots(knots_wanted) > 0 ? 1 : 0;
     return run_bar(quick, as_json, only);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "swage-bench: %s\n", e.what());

@@ -13,10 +13,12 @@ namespace swage::dynamics {
 
 class RodBody final : public FlexibleBody {
  public:
-  /// The world has its chain, of even pieces, on a body of its own already.
+  /// The world has its chain on a body of its own already; as it starts it is not stretched.
   RodBody(scene::World& world, uint32_t object, uint32_t chain, const toolkit::RodSection& section, bool as_band)
       : world_(world), info_(world.chain[chain]), object_(object), as_band_(as_band), n_(static_cast<int>(info_.start.size())) {
-    rod_ = toolkit::Rod(section, std::vector<double>(static_cast<size_t>(n_ - 1), info_.s[1]));
+    std::vector<double> rest;
+    for (size_t i = 1; i < info_.s.size(); ++i) rest.push_back(info_.s[i] - info_.s[i - 1]);
+    rod_ = toolkit::Rod(section, rest);
     frames_.resize(toolkit::RodState::frames(n_));
     begun_.resize(toolkit::RodState::size(n_)), base_.resize(toolkit::RodState::size(n_));
     side_.resize(static_cast<size_t>(4 * n_));
@@ -26,11 +28,15 @@ class RodBody final : public FlexibleBody {
   toolkit::RodState state() { return {n_, world_.plugin_state.data() + info_.state, frames_.data()}; }
   /// A node stays.
   void hold(int node) { rod_.hold(node), held_node_.push_back(node); }
+  void let_go(int node) { rod_.hold(node, false), std::erase(held_node_, node); }
+  toolkit::Rod& rod() { return rod_; }
+  /// Drags on it; none by default.
+  toolkit::RodFluid fluid;
   /// Is as another of the same form is.
   void take(const RodBody& other) { frames_ = other.frames_, held_ = other.held_; }
   toolkit::RodLoad load() const {
     toolkit::RodLoad out;
-    out.h = world_.dt, out.gravity = toolkit::vec(world_.gravity);
+    out.h = world_.dt, out.gravity = toolkit::vec(world_.gravity), out.fluid = fluid;
     return out;
   }
 

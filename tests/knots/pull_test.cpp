@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What holds: knots in 10-0 nylon, drawn tight, let go by their tails and pulled apart by their legs (pull.hpp). The whole map is
+// `swage-bench knots`.
+#include "pull.hpp"
+
+#include <gtest/gtest.h>
+
+namespace swage::test {
+namespace {
+
+PullResult pulled(const Word& word, double friction) {
+  PullTest test;
+  test.word = word, test.friction = friction, test.pretension = 30e-3, test.load = 0.1;
+  const PullResult r = pull(test);
+  const int passages = r.tighten.passages + r.rest.passages + r.pull.passages;
+  EXPECT_EQ(passages, 0) << text(word) << ": what went through itself says nothing";
+  EXPECT_TRUE(r.same_word) << text(word) << " is read as " << text(r.word);
+  return r;
+}
+
+// friction 0.35, drawn tight with 30 mN, pulled with 0.1 N: two throws that differ in the sense of the second one only
+TEST(PullTest, ASquareKnotHoldsWhereAGrannySlips) {
+  const PullResult square = pulled({1, -1}, 0.35), granny = pulled({1, 1}, 0.35);
+  EXPECT_EQ(square.end, PullEnd::kHolds);
+  EXPECT_GE(square.most, 0.095) << "N";
+  for (const double slip : square.slip) EXPECT_LT(slip, 0.3e-3) << "m, of 1.7 mm";
+  EXPECT_EQ(granny.end, PullEnd::kSlips);
+  EXPECT_LT(granny.most, 0.06) << "N";
+}
+
+// it is friction that holds it: 0.2 is too little, 0.3 is enough
+TEST(PullTest, ASquareKnotSlipsWithLittleFriction) {
+  const PullResult square = pulled({1, -1}, 0.2);
+  EXPECT_EQ(square.end, PullEnd::kSlips);
+  EXPECT_LT(square.most, 0.01) << "N";
+}
+
+}  // namespace
+}  // namespace swage::test
