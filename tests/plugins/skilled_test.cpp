@@ -23,7 +23,7 @@ TEST(Plan, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
   EXPECT_EQ(message(R"({"act": "jump"})"),
             "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, await, back, bring, "
-            "close, drive, move, open, reach, show, wait, wind");
+            "close, draw, drive, move, open, reach, show, wait, wind");
   EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
   EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
             "plan.json #/acts/0/angle: \"3 mm\" is not an angle (rad, deg)");
