@@ -41,6 +41,7 @@ Launch read_command_line(const QStringList& arguments) {
       option("mode", QT_TRANSLATE_NOOP("command_line", "practice, test or demo."), "mode"),
       option("plugin-dir", QT_TRANSLATE_NOOP("command_line", "Folder to look for plugins in first; may be repeated."), "folder"),
       option("store", QT_TRANSLATE_NOOP("command_line", "Attempts database: a file, postgresql://user@host/database, or :none:."), "store"),
+      option("station", QT_TRANSLATE_NOOP("command_line", "What this station is called among those of the school; the machine's name unless given."), "name"),
       option("safe-mode", QT_TRANSLATE_NOOP("command_line", "Stock plugins only.")),
       option("seed",
              QT_TRANSLATE_NOOP("command_line", "Of every attempt, so that targets and tremor are the same again; otherwise each draws its own."),
@@ -50,7 +51,7 @@ Launch read_command_line(const QStringList& arguments) {
       option("cues", QT_TRANSLATE_NOOP("command_line", "thesis or safe: colours of the cues."), "cues"),
       option("view", QT_TRANSLATE_NOOP("command_line", "orbit, side, top or near."), "view"),
       option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right."), "layout"),
-      option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review or setup."), "page"),
+      option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review, setup or stations."), "page"),
       option("review", QT_TRANSLATE_NOOP("command_line", "Open a recorded attempt: its id, or latest."), "attempt"),
       option("size", QT_TRANSLATE_NOOP("command_line", "Size of the window, as in 1440x900."), "size"),
       option("screenshot", QT_TRANSLATE_NOOP("command_line", "Write a picture of the window (with --trainee: of the trainee's) and quit."),
@@ -83,6 +84,7 @@ Launch read_command_line(const QStringList& arguments) {
   // a picture can be taken again
   launch.draws_seed = !given("seed") && !given("screenshot");
   launch.start = given("start");
+  launch.station = text("station");
   launch.theme = text("theme");
   launch.language = text("language");
   launch.cues = text("cues");

@@ -16,6 +16,7 @@ struct Launch {
   bool start = false;
   bool draws_seed = true;      // a new one for every attempt; false: as given, or as the lesson says
   QString theme, cues, view;   // "" as remembered
+  QString station;             // name under which others see this one; "" for that of the machine
   QString language;            // "en", "de"; "" that of the system
   QString trainee;             // layout of the trainee's view, shown from the start; "" for none
   QString page;                // Page::id: "run", "people"...

@@ -13,6 +13,7 @@
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
+#include "record/address.hpp"
 #include "session/bounded_call.hpp"
 
 using namespace swage;
@@ -60,6 +61,8 @@ int run(int argc, char** argv) {
       return record::School::open(where, error);
     };
   }
+  if (record::is_postgres(launch.options.store_path))
+    doors.open_stations = [where = launch.options.store_path](std::string& error) { return record::Stations::open(where, error); };
   const session::Options& options = launch.options;
   doors.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
                                                       std::string& error) {

@@ -38,7 +38,8 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
       settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)),
       store_(std::move(doors.open_store)),
-      desk_(std::move(doors.open_school)) {
+      desk_(std::move(doors.open_school)),
+      stations_(new StationLink(this)) {
   setWindowTitle(tr("Swage"));
   lessons_.set_folders(launch.lesson_folders);
   auto* middle = new QWidget(this);
@@ -47,7 +48,9 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   column->setSpacing(0);
   pages_ = new Pages(middle);
   strip_ = new StatusStrip(middle);
+  messages_ = new MessageStrip(middle);
   column->addWidget(pages_, 1);
+  column->addWidget(messages_);
   column->addWidget(strip_);
   setCentralWidget(middle);
   add_pages(doors);
@@ -59,6 +62,7 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
           ? tr("Picture: %1").arg(run_->view()->gl().renderer.section(QLatin1Char('('), 0, 0).trimmed())
           : tr("▲ No OpenGL"));
   restore(launch);
+  start_stations(std::move(doors.open_stations), launch.station);
 }
 
 MainWindow::~MainWindow() = default;
@@ -95,6 +99,7 @@ void MainWindow::add_pages(Doors& doors) {
   setup_ = new SetupPage(pages_);
   pages_->add({QStringLiteral("setup"), tr("Setup"), tr("Does the equipment work?"), setup_, true,
                [this] { setup_->show_calibrations(stored_calibrations()); }});
+  add_stations();
 }
 
 void MainWindow::connect_pages() {

@@ -12,6 +12,7 @@
 #include "console/app/settings.hpp"
 #include "console/app/station.hpp"
 #include "console/app/trainee_window.hpp"
+#include "console/link/station_link.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/pages/courses_page.hpp"
 #include "console/pages/lessons_page.hpp"
@@ -19,6 +20,8 @@
 #include "console/pages/review_page.hpp"
 #include "console/pages/run_page.hpp"
 #include "console/pages/setup_page.hpp"
+#include "console/pages/stations_page.hpp"
+#include "console/widgets/message_strip.hpp"
 
 namespace swage::console {
 
@@ -34,6 +37,7 @@ struct Doors {
   FileReader read_file;
   SchoolOpener open_school = {};  // none: people and courses cannot be changed
   ExpertOpener open_expert = {};  // none: nobody guides
+  StationsOpener open_stations = {};  // none: there is only this station
 };
 
 class MainWindow : public QMainWindow {
@@ -48,6 +52,9 @@ class MainWindow : public QMainWindow {
   LessonsPage* lessons_page() { return lessons_page_; }
   CoursesPage* courses_page() { return courses_; }
   SchoolDesk* desk() { return &desk_; }
+  StationsPage* stations_page() { return stations_page_; }
+  StationLink* stations() { return stations_; }
+  MessageStrip* messages() { return messages_; }
   /// More sections can be added to it: equipment has its own.
   SetupPage* setup_page() { return setup_; }
   /// The trainee's window; nullptr while it is closed.
@@ -92,6 +99,12 @@ class MainWindow : public QMainWindow {
   std::optional<Placement> place_hand(const std::string& device);
   void connect_instrument();
   const SceneView* shown_view() const;
+  void add_stations();
+  void start_stations(StationsOpener opener, const QString& name);
+  record::StationNow station_now() const;
+  void show_messages();
+  void answer_message(const record::StationMessage& message, bool accepted);
+  void show_message_to_trainee();
 
   Settings settings_;
   QTimer frames_timer_;
@@ -105,6 +118,7 @@ class MainWindow : public QMainWindow {
   Station station_;
   StationDialog* station_dialog_ = nullptr;
   StatusStrip* strip_ = nullptr;
+  MessageStrip* messages_ = nullptr;
   Pages* pages_ = nullptr;
   RunPage* run_ = nullptr;
   LessonsPage* lessons_page_ = nullptr;
@@ -112,6 +126,9 @@ class MainWindow : public QMainWindow {
   PeoplePage* people_ = nullptr;
   ReviewPage* review_ = nullptr;
   SetupPage* setup_ = nullptr;
+  StationsPage* stations_page_ = nullptr;
+  StationLink* stations_;  // outlives the members, as pages are hidden after them
+  Reader reading_;         // of the attempt, for those who watch from another station
 };
 
 }  // namespace swage::console

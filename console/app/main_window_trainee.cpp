@@ -23,6 +23,7 @@ void MainWindow::show_trainee() {
     });
   }
   trainee_->show_as(trainee_look_);
+  show_message_to_trainee();
   if (trainee_settings_) trainee_settings_->set_open(true);
 }
 

@@ -48,6 +48,7 @@ bool RunControl::start(const session::Options& options) {
   source_.clear();
   Q_EMIT opened();
   if (!problems.empty()) Q_EMIT told(problems);
+  attempt_id_ = session_->result().attempt_id;
   session_->start();
   set_state(options.start_paused ? State::kPaused : State::kRunning);
   timer_.start();
@@ -111,6 +112,7 @@ void RunControl::finish() {
   if (session_->latest(*latest_)) source_.push(*latest_, wall_s());
   for (judge::Event event; session_->next_event(event);) Q_EMIT happened(event);
   result_ = session_->result();
+  attempt_id_ = result_.attempt_id;
   set_state(State::kFinished);
   Q_EMIT frame();
   Q_EMIT finished();

@@ -40,6 +40,8 @@ class RunControl : public QObject {
   const snapshot::Snapshot* shown();
   const snapshot::Snapshot* newest() const { return source_.newest(); }
   const session::Result& result() const { return result_; }
+  /// Of the attempt that runs or has ended; "" when nothing is kept.
+  const std::string& attempt_id() const { return attempt_id_; }
   const session::Options& options() const { return options_; }
   const SessionOpener& opener() const { return opener_; }
 
@@ -77,6 +79,7 @@ class RunControl : public QObject {
   session::Options options_;
   snapshot::SceneCard card_;
   session::Result result_;
+  std::string attempt_id_;
   SnapshotSource source_;
   std::unique_ptr<snapshot::Snapshot> latest_;
   QTimer timer_;

@@ -211,6 +211,98 @@
         <source>● %1: of %2 by %3, until %4, worst residual %5 µm</source>
         <translation>● %1: %2, von %3, bis %4, größte Abweichung %5 µm</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>▲ lost for %1</source>
+        <translation>▲ verloren seit %1</translation>
+    </message>
+    <message>
+        <source>● runs</source>
+        <translation>● läuft</translation>
+    </message>
+    <message>
+        <source>‖ paused</source>
+        <translation>‖ angehalten</translation>
+    </message>
+    <message>
+        <source>■ finished</source>
+        <translation>■ beendet</translation>
+    </message>
+    <message>
+        <source>– closed</source>
+        <translation>– geschlossen</translation>
+    </message>
+    <message>
+        <source>○ ready</source>
+        <translation>○ bereit</translation>
+    </message>
+    <message>
+        <source>parts stopped: %1</source>
+        <translation>Teile angehalten: %1</translation>
+    </message>
+    <message>
+        <source>devices silent: %1</source>
+        <translation>Geräte stumm: %1</translation>
+    </message>
+    <message>
+        <source>steps lost: %1</source>
+        <translation>Schritte verloren: %1</translation>
+    </message>
+    <message>
+        <source>steps late: %1</source>
+        <translation>Schritte zu spät: %1</translation>
+    </message>
+    <message>
+        <source>solver short: %1</source>
+        <translation>Löser ungenau: %1</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>● in order</source>
+        <translation>● in Ordnung</translation>
+    </message>
+    <message>
+        <source>lesson “%1”</source>
+        <translation>Lektion „%1“</translation>
+    </message>
+    <message>
+        <source>● on the screen</source>
+        <translation>● am Bildschirm</translation>
+    </message>
+    <message>
+        <source>○ sent</source>
+        <translation>○ gesendet</translation>
+    </message>
+    <message>
+        <source>✓ read</source>
+        <translation>✓ gelesen</translation>
+    </message>
+    <message>
+        <source>✓ taken</source>
+        <translation>✓ genommen</translation>
+    </message>
+    <message>
+        <source>– not now</source>
+        <translation>– nicht jetzt</translation>
+    </message>
+    <message>
+        <source>▲ that station does not have it</source>
+        <translation>▲ der Platz hat sie nicht</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>
@@ -330,10 +422,6 @@
         <translation>Die Ansicht des Trainees für zwei Augen zeigen: side, over, lines, checker, anaglyph, grey, least, one, left oder right.</translation>
     </message>
     <message>
-        <source>run, lessons, courses, people, review or setup.</source>
-        <translation>run, lessons, courses, people, review oder setup.</translation>
-    </message>
-    <message>
         <source>Open a recorded attempt: its id, or latest.</source>
         <translation>Einen aufgezeichneten Versuch öffnen: seine Kennung oder latest.</translation>
     </message>
@@ -348,6 +436,14 @@
     <message>
         <source>When: seconds into the attempt, or after the window is there.</source>
         <translation>Wann: Sekunden im Versuch, oder nachdem das Fenster da ist.</translation>
+    </message>
+    <message>
+        <source>What this station is called among those of the school; the machine&apos;s name unless given.</source>
+        <translation>Wie dieser Platz unter denen der Schule heißt; ohne Angabe wie der Rechner.</translation>
+    </message>
+    <message>
+        <source>run, lessons, courses, people, review, setup or stations.</source>
+        <translation>run, lessons, courses, people, review, setup oder stations.</translation>
     </message>
 </context>
 <context>
@@ -1859,8 +1955,55 @@
         <translation>Swage-Versuche (*.swage);;Alle Dateien (*)</translation>
     </message>
     <message>
+        <source>Stations</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Who does what at every station, now?</source>
+        <translation>Wer tut gerade was an welchem Platz?</translation>
+    </message>
+    <message>
+        <source>Message read, lesson taken</source>
+        <translation>Nachricht gelesen, Lektion genommen</translation>
+    </message>
+    <message>
+        <source>Lesson not now</source>
+        <translation>Lektion nicht jetzt</translation>
+    </message>
+    <message>
+        <source>%1   (F4: read)</source>
+        <translation>%1   (F4: gelesen)</translation>
+    </message>
+    <message>
         <source>Guide</source>
-        <translation>Führung</translation>
+        <translation type="unfinished">Führung</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::MessageStrip</name>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Gelesen</translation>
+    </message>
+    <message>
+        <source>next lesson: %1</source>
+        <translation>nächste Lektion: %1</translation>
+    </message>
+    <message>
+        <source>%1   (and %2 more)</source>
+        <translation>%1   (und %2 weitere)</translation>
+    </message>
+    <message>
+        <source>Take it after this attempt</source>
+        <translation>Nach diesem Versuch nehmen</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Nehmen</translation>
     </message>
 </context>
 <context>
@@ -3593,6 +3736,188 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source> It is that of %1, and not used for %2.</source>
         <translation> Es gilt für %1 und wird für %2 nicht benutzt.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StationsModel</name>
+    <message>
+        <source>%1 (here)</source>
+        <translation>%1 (hier)</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Wer</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Cues</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Technik</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::StationsPage</name>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>✓ Marked at %1 of the attempt at %2</source>
+        <translation>✓ Markiert bei %1 des Versuchs an %2</translation>
+    </message>
+    <message>
+        <source>Picture of now</source>
+        <translation>Bild von jetzt</translation>
+    </message>
+    <message>
+        <source>Picture of %1 s ago</source>
+        <translation>Bild von vor %1 s</translation>
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation>Plätze</translation>
+    </message>
+    <message>
+        <source>Enter: write to this station</source>
+        <translation>Eingabetaste: diesem Platz schreiben</translation>
+    </message>
+    <message>
+        <source>Said from here</source>
+        <translation>Von hier gesagt</translation>
+    </message>
+    <message>
+        <source>Messages and lessons that were sent from here, with their receipts</source>
+        <translation>Nachrichten und Lektionen, die von hier gesendet wurden, mit Quittungen</translation>
+    </message>
+    <message>
+        <source>Picture of the scene at this station</source>
+        <translation>Bild der Szene an diesem Platz</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>For a station that is gone; it comes back by itself when it is started again</source>
+        <translation>Für einen Platz, den es nicht mehr gibt; er kommt von selbst wieder, wenn er gestartet wird</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Words for this station</source>
+        <translation>Worte für diesen Platz</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Lesson for this station</source>
+        <translation>Lektion für diesen Platz</translation>
+    </message>
+    <message>
+        <source>Send lesson</source>
+        <translation>Lektion senden</translation>
+    </message>
+    <message>
+        <source>What is to be seen here</source>
+        <translation>Was hier zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>1 station</source>
+        <translation>1 Platz</translation>
+    </message>
+    <message>
+        <source>%1 stations</source>
+        <translation>%1 Plätze</translation>
+    </message>
+    <message>
+        <source>▲ What is shown is %1 s old. %2</source>
+        <translation>▲ Was zu sehen ist, ist %1 s alt. %2</translation>
+    </message>
+    <message>
+        <source>The attempts of this school are kept in a file, so there is only this station.
+
+To see all stations here, what each trainee does and how it goes, let every station use one PostgreSQL database (package postgresql of Debian). Start each with
+
+    swage-console --store postgresql://user@server/swage?sslmode=verify-full --station &quot;Table 1&quot;
+
+The users of that server decide who may see and say what, and sslmode encrypts it on its way. Nothing else listens on the network, and no lesson ever waits for it.</source>
+        <translation>Die Versuche dieser Schule liegen in einer Datei, daher gibt es nur diesen Platz.
+
+Damit hier alle Plätze zu sehen sind, was alle Lernenden tun und wie es geht, müssen alle Plätze eine PostgreSQL-Datenbank benutzen (Paket postgresql von Debian). Starten Sie jeden mit
+
+    swage-console --store postgresql://user@server/swage?sslmode=verify-full --station &quot;Tisch 1&quot;
+
+Die Benutzer dieses Servers entscheiden, wer was sehen und sagen darf, und sslmode verschlüsselt es unterwegs. Sonst lauscht nichts im Netz, und keine Lektion wartet je darauf.</translation>
+    </message>
+    <message>
+        <source>Asking the server …</source>
+        <translation>Der Server wird gefragt …</translation>
+    </message>
+    <message>
+        <source>▲ The stations cannot be seen. %1
+
+It is tried again every 2 s.</source>
+        <translation>▲ Die Plätze sind nicht zu sehen. %1
+
+Alle 2 s wird es wieder versucht.</translation>
+    </message>
+    <message>
+        <source>No station chosen</source>
+        <translation>Kein Platz gewählt</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>Noch kein Bild</translation>
+    </message>
+    <message>
+        <source>A picture is asked for …</source>
+        <translation>Ein Bild wird angefordert …</translation>
+    </message>
+    <message>
+        <source>Of the scene as it is seen there; taken once, when you ask (%1)</source>
+        <translation>Von der Szene, wie sie dort zu sehen ist; einmal aufgenommen, wenn Sie fragen (%1)</translation>
+    </message>
+    <message>
+        <source>Pins a note to the moment two seconds ago in the attempt that runs there; the trainee does not see it (%1)</source>
+        <translation>Heftet eine Notiz an den Augenblick vor zwei Sekunden im Versuch, der dort läuft; die Lernenden sehen sie nicht (%1)</translation>
     </message>
 </context>
 <context>

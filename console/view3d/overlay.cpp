@@ -180,6 +180,22 @@ void Overlay::caption(const QString& text) {
   pill(QPointF(area_.left() + 0.5 * w, area_.top()), text, p_.font());
 }
 
+void Overlay::message(const QString& text) {
+  constexpr double kEdge_px = 12, kInside_px = 8, kShare = 0.45, kRound_px = 8;
+  const QRectF most(area_.left() + kEdge_px + kInside_px, area_.top() + kEdge_px + kInside_px, kShare * area_.width(), 0.25 * area_.height());
+  const QRectF words = QFontMetricsF(p_.font()).boundingRect(most, Qt::AlignLeft | Qt::TextWordWrap, text).intersected(most);
+  const QRectF box = words.adjusted(-kInside_px, -kInside_px, kInside_px, kInside_px);
+  QColor back = ui_["card"];
+  back.setAlpha(225);
+  p_.setRenderHint(QPainter::Antialiasing);
+  p_.setPen(QPen(ui_["accent"], 2));
+  p_.setBrush(back);
+  p_.drawRoundedRect(box, kRound_px, kRound_px);
+  p_.setPen(ui_["text"]);
+  p_.drawText(words, Qt::AlignLeft | Qt::TextWordWrap, text);
+  keep_clear(box);
+}
+
 void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }
 
 }  // namespace swage::console

@@ -44,6 +44,8 @@ class Overlay {
   void caption(const QString& text);
   void banner(const QString& text);
   void hint(const QString& text);
+  /// What an instructor says: in the upper left corner, in as many lines as it takes, clear of what is worked on in the middle.
+  void message(const QString& text);
 
  private:
   QRectF room(const QPointF& centre, const QString& text, const QFont& font, double extra_left);

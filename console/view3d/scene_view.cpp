@@ -298,6 +298,12 @@ void SceneView::set_task(const QString& task) {
   if (stereo_) update();
 }
 
+void SceneView::set_message(const QString& words) {
+  if (words == message_) return;
+  message_ = words;
+  if (stereo_) update();
+}
+
 void SceneView::tick() {
   const qint64 now = clock_.nsecsElapsed();
   const double dt = std::min(0.1, static_cast<double>(now - last_tick_ns_) * 1e-9);

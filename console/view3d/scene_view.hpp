@@ -60,6 +60,9 @@ class SceneView : public QWidget {
   void set_texts(const QString& clock, const QString& banner);
   /// The task, for a trainee's view, which shows it over the lower edge beside clock and verdict.
   void set_task(const QString& task);
+  /// What an instructor says, for a trainee's view; "" for nothing.
+  void set_message(const QString& words);
+  const QString& message() const { return message_; }
   /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
   void set_control_hints(bool drag, bool close, bool drive);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
@@ -218,7 +221,7 @@ class SceneView : public QWidget {
   bool loupe_shown_ = true;
   double stress_ = 0;  // of first yield
   double hold_ = 0;
-  QString clock_text_, banner_, task_;
+  QString clock_text_, banner_, task_, message_;
   bool hint_drag_ = false, hint_close_ = false, hint_drive_ = false;
   bool turned_view_ = false;  // a drag turned the view while no attempt took it
   QImage image_;                    // of all panels

@@ -166,6 +166,7 @@ void SceneView::paint_panel(QPainter& painter, const Panel& panel, size_t index)
     if (!clock_text_.isEmpty()) overlay.clock(clock_text_);
     if (!banner_.isEmpty()) overlay.banner(banner_);
     if (!task_.isEmpty()) overlay.hint(task_);
+    if (!message_.isEmpty()) overlay.message(message_);
     if (station_mark_) paint_station_mark(painter, panel);
   }
   painter.restore();

@@ -14,6 +14,7 @@ struct Options {
   CourseOptions courses;
   AttemptWords words;
   SendOptions send;
+  StationsOptions stations;
 };
 
 // they live as long as the program: the command line fills them after this file has returned
@@ -156,6 +157,8 @@ void add_words(CLI::App& attempts, std::function<int()>& chosen) {
 void add_school_verbs(CLI::App& app, std::function<int()>& chosen) {
   add_people(app, chosen);
   add_courses(app, chosen);
+  verb(app.add_subcommand("stations", "What every station of the school does now; they need one PostgreSQL store"), options().stations,
+       list_stations, chosen);
   add_words(*app.get_subcommand("attempts"), chosen);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Verbs about people, courses and what is said about attempts: people, courses, and attempts void, name, note, export. [main]
+// Verbs about people, courses and what is said about attempts: people, courses, stations, and attempts void, name, note, export. [main]
 #pragma once
 
 #include <cstdint>
@@ -69,6 +69,13 @@ struct SendOptions {
 };
 /// Statements of all attempts of people that have not arrived yet, to a Learning Record Store.
 int send_attempts(const SendOptions&);
+
+struct StationsOptions {
+  std::string store;
+  bool json = false;
+};
+/// What every station of the school does now.
+int list_stations(const StationsOptions&);
 
 /// Every signal and every input of each step; a file `<file>.about.json` says whose numbers they are.
 bool write_trace(const std::string& file, const std::string& store, const std::string& attempt_id);

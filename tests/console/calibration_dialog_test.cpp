@@ -108,6 +108,28 @@ TEST_F(CalibrationTest, ThirteenPointsAndThreePosesAreFittedAndKept) {
   EXPECT_TRUE(child<QLabel>("setup_calibrations")->text().contains(QStringLiteral("expired on 2020-01-01")));
 }
 
+// U15: nothing is written before "Keep", wherever somebody closes the window; and what was kept before is as it was.
+TEST_F(CalibrationTest, ClosingItAtAnyStepWritesNothing) {
+  auto sensor = plug();
+  const auto until = [&](int points, int poses) {
+    SCOPED_TRACE(testing::Message() << points << " points, " << poses << " poses");
+    CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), QStringLiteral("Mei"));
+    dialog.set_seconds(0.05);
+    dialog.show();
+    connect_to(dialog);
+    ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+    for (int i = 0; i < points; ++i) measure(dialog, "calibration_measure", 0.5 * i);
+    const std::pair<const char*, double> steps[] = {{"calibration_open", 5}, {"calibration_closed", 3}, {"calibration_squeezed", 2}};
+    for (int i = 0; i < poses; ++i) measure(dialog, steps[i].first, steps[i].second);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.isVisible());
+  };
+  for (const auto& [points, poses] : {std::pair{0, 0}, {1, 0}, {12, 0}, {13, 0}, {13, 1}, {13, 2}, {13, 3}}) {
+    until(points, poses);
+    EXPECT_TRUE(sensor::calibration_files().empty()) << points << " points, " << poses << " poses";
+  }
+}
+
 TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
   CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("dark")), QStringLiteral("Mei"));
   dialog.set_seconds(0.1);

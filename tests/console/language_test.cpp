@@ -147,7 +147,7 @@ TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
     if (m.forms.size() == 1 && m.forms.first() != m.source) english.insert(m.source);
   open();
   int seen = 0;
-  for (const char* page : {"page_run", "page_lessons", "page_courses", "page_people", "page_review", "page_setup"}) {
+  for (const char* page : {"page_run", "page_lessons", "page_courses", "page_people", "page_review", "page_setup", "page_stations"}) {
     click(page);
     for (const QWidget* w : window->findChildren<QWidget*>()) {
       const QString words = words_of(w);

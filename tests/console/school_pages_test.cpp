@@ -74,6 +74,38 @@ TEST_F(SchoolPages, APastedListIsPreviewedAddedAndUndone) {
   EXPECT_EQ(people(), 2);
 }
 
+// U15: what was pasted, typed or chosen is gone with the dialog
+TEST_F(SchoolPages, ADialogThatIsLeftWritesNothing) {
+  open();
+  click("page_people");
+  in_dialog("roster_dialog", [](QDialog* d) {
+    d->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("Arun P., Spring, left\nBea L., Spring\n"));
+    QTest::keyClick(d, Qt::Key_Escape);
+  });
+  click("first_list");
+  in_dialog("person_dialog", [](QDialog* d) {
+    d->findChild<QLineEdit*>(QStringLiteral("person_name_edit"))->setText(QStringLiteral("Chen W."));
+    QTest::keyClick(d, Qt::Key_Escape);
+  });
+  click("first_person");
+  EXPECT_EQ(people(), 0);
+  EXPECT_FALSE(window->desk()->people_edits()->canUndo());
+  std::string error;
+  const auto school = record::School::open(school_file(), error);
+  EXPECT_TRUE(school->people().empty());
+  EXPECT_TRUE(school->groups().empty()) << "nor the group of those who were not added";
+  record::Person kept;
+  kept.name = "Dora M.";
+  ASSERT_TRUE(school->add_person(kept));
+  window->people_page()->refresh();
+  in_dialog("erase_dialog", [](QDialog* d) {
+    d->findChild<QLineEdit*>(QStringLiteral("erase_name"))->setText(QStringLiteral("Dora M."));
+    QTest::keyClick(d, Qt::Key_Escape);
+  });
+  click("erase_person");
+  EXPECT_EQ(people(), 1);
+}
+
 TEST_F(SchoolPages, APersonIsAddedChangedAndErasedByTypingTheName) {
   open();
   click("page_people");

@@ -86,11 +86,11 @@ class StationTest : public WindowTest {
       return std::make_unique<ArmReader>(open, options);
     };
   }
-  /// Leads the tip to the four marks; `wrong`: one of them to another place.
-  void lead(StationDialog& dialog, const Pose& X_SD, int wrong = -1) {
+  /// Leads the tip to the four marks, or to the first `count`; `wrong`: one of them to another place.
+  void lead(StationDialog& dialog, const Pose& X_SD, int wrong = -1, int count = 4) {
     const auto marks = console::station_marks(dialog.station().size);
     button(dialog, "station_begin")->click();
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < count; ++i) {
       const QPointF m = marks[static_cast<size_t>(i)];
       Vec3 p_S(1e-3 * m.x(), 1e-3 * m.y(), 0);
       if (i == wrong) p_S.x() += 0.02;
@@ -178,6 +178,41 @@ TEST_F(StationTest, FourMarksRegisterAnArmAndAWrongOneIsRefused) {
   EXPECT_TRUE(said(dialog, "station_registration").contains(QStringLiteral("not used for Another")));
   button(dialog, "station_forget")->click();
   EXPECT_FALSE(dialog.station().registered);
+}
+
+// U15: wherever somebody leaves, begins again or closes the window, what was registered before is as it was.
+TEST_F(StationTest, LeavingTheRegistrationAtAnyMarkChangesNothing) {
+  const Pose X_SD(Vec3(0.02, -0.15, 0.08), Quat(0.9, 0.3, -0.2, 0.1).normalized());
+  Station before;
+  before.registered = true;
+  before.device = QStringLiteral("arm");
+  before.date = QStringLiteral("2026-11-22");
+  before.arm.X_SD = {{0.1, -0.2, 0.3}, {0.5, 0.5, -0.5, 0.5}};
+  before.arm.worst = 1.25e-3;
+  for (int marks = 0; marks < 4; ++marks) {
+    SCOPED_TRACE(marks);
+    StationDialog dialog(before, true, reader(), nullptr);
+    dialog.set_device(QStringLiteral("arm"), QStringLiteral("An arm"));
+    measure(dialog);
+    dialog.show();
+    int changes = 0;
+    std::optional<QPointF> shown;
+    QObject::connect(&dialog, &StationDialog::changed, &dialog, [&] { ++changes; });
+    QObject::connect(&dialog, &StationDialog::mark, &dialog, [&](const std::optional<QPointF>& at) { shown = at; });
+    lead(dialog, X_SD, -1, marks);
+    EXPECT_TRUE(shown.has_value());
+    button(dialog, "station_begin")->click();  // "Begin again": back to the first
+    EXPECT_TRUE(said(dialog, "station_step").contains(QStringLiteral("Mark 1 of 4")));
+    lead(dialog, X_SD, -1, marks);
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.isVisible());
+    EXPECT_EQ(changes, 0);
+    EXPECT_FALSE(shown.has_value()) << "no mark stays on the screen";
+    EXPECT_TRUE(dialog.station().registered);
+    EXPECT_EQ(dialog.station().date, before.date);
+    EXPECT_EQ(dialog.station().arm.X_SD.p.y, before.arm.X_SD.p.y);
+    EXPECT_EQ(dialog.station().arm.worst, before.arm.worst);
+  }
 }
 
 // A lesson's instrument stands where the arm stands, while the trainee's view is in true place; and nowhere else.

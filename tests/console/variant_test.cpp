@@ -202,6 +202,15 @@ TEST_F(VariantDialogs, WriteNothingThatCannotBePractised) {
   EXPECT_FALSE(QFile::exists(dir.filePath("own")));
 }
 
+// U15
+TEST_F(VariantDialogs, WriteNothingWhenTheyAreLeft) {
+  child<QLineEdit>("variant_title")->setText("Thin wall");
+  set("live_tissue_thickness_0", 1.5);
+  QTest::keyClick(dialog.get(), Qt::Key_Escape);
+  EXPECT_EQ(dialog->result(), QDialog::Rejected);
+  EXPECT_FALSE(QFile::exists(dir.filePath("own")));
+}
+
 TEST_F(VariantDialogs, WantATitle) {
   child<QLineEdit>("variant_title")->clear();
   EXPECT_FALSE(child<QPushButton>("variant_save")->isEnabled());

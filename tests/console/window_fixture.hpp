@@ -38,6 +38,7 @@ class WindowTest : public testing::Test {
       doors.open_store = [this](std::string& error) { return record::Store::open(school_file(), error); };
       doors.open_school = [this](std::string& error) { return record::School::open(school_file(), error); };
     }
+    doors.open_stations = open_stations;
     doors.open_file = [](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
       if (file.find("damaged") != std::string::npos) error = file + " is damaged and cannot be read.";
       if (!error.empty()) return nullptr;
@@ -121,7 +122,8 @@ class WindowTest : public testing::Test {
 
   QTemporaryDir dir;
   FakeScript script;
-  std::string school_file() const { return dir.filePath("school.db").toStdString(); }
+  std::string school_place;  // of a server; "" for a file
+  std::string school_file() const { return school_place.empty() ? dir.filePath("school.db").toStdString() : school_place; }
 
   bool with_store = true;
   bool with_school = false;  // a real store, in which people and courses can be changed
@@ -130,6 +132,7 @@ class WindowTest : public testing::Test {
   std::string no_expert;  // non-empty: why there is none
   int experts = 0;        // that were asked for
   session::Options expert_options;
+  console::StationsOpener open_stations;  // none: this station alone
   bool first_start = false;  // no size is given or remembered
   int to_recover = 0;
   std::shared_ptr<FakeStore::Shared> shared = std::make_shared<FakeStore::Shared>();
