@@ -72,7 +72,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
   grid->setContentsMargins(16, 16, 16, 16);
   grid->setSpacing(12);
   grid->addWidget(make_table(tr("Lesson"),
-                             {{tr("F4"), tr("An expert's instruments as a guide")},
+                             {{tr("F3,  Shift+F3"), tr("What the instructor sent: read or taken, not now")},
+                              {tr("F4"), tr("An expert's instruments as a guide")},
                               {tr("F5"), tr("Start, again")},
                               {tr("F6"), tr("Pause, resume")},
                               {tr("F7"), tr("Bring the needle back")},

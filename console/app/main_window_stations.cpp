@@ -57,8 +57,8 @@ void MainWindow::add_stations() {
     connect(action, &QAction::triggered, messages_, call);
     addAction(action);
   };
-  add(tr("Message read, lesson taken"), Qt::Key_F4, &MessageStrip::accept);
-  add(tr("Lesson not now"), Qt::SHIFT | Qt::Key_F4, &MessageStrip::decline);
+  add(tr("Message read, lesson taken"), Qt::Key_F3, &MessageStrip::accept);
+  add(tr("Lesson not now"), Qt::SHIFT | Qt::Key_F3, &MessageStrip::decline);
 }
 
 void MainWindow::start_stations(StationsOpener opener, const QString& name) {
@@ -114,7 +114,7 @@ void MainWindow::answer_message(const record::StationMessage& message, bool acce
 void MainWindow::show_message_to_trainee() {
   if (!trainee_) return;
   const QString words = messages_->words();
-  trainee_->view()->set_message(words.isEmpty() ? words : tr("%1   (F4: read)").arg(words));
+  trainee_->view()->set_message(words.isEmpty() ? words : tr("%1   (F3: read)").arg(words));
 }
 
 }  // namespace swage::console

@@ -1674,6 +1674,14 @@
         <source>An expert&apos;s instruments as a guide</source>
         <translation>Instrumente eines Experten als Führung</translation>
     </message>
+    <message>
+        <source>F3,  Shift+F3</source>
+        <translation>F3,  Umschalt+F3</translation>
+    </message>
+    <message>
+        <source>What the instructor sent: read or taken, not now</source>
+        <translation>Was die Lehrkraft schickt: gelesen oder angenommen, jetzt nicht</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -1971,12 +1979,12 @@
         <translation>Lektion nicht jetzt</translation>
     </message>
     <message>
-        <source>%1   (F4: read)</source>
-        <translation>%1   (F4: gelesen)</translation>
+        <source>%1   (F3: read)</source>
+        <translation>%1   (F3: gelesen)</translation>
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished">Führung</translation>
+        <translation>Führung</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,7 @@ namespace swage::console {
 namespace {
 
 using Kind = record::StationMessage::Kind;
-constexpr char kAccept[] = "F4", kDecline[] = "Shift+F4";
+constexpr char kAccept[] = "F3", kDecline[] = "Shift+F3";
 
 }  // namespace
 

@@ -209,7 +209,7 @@ TEST_F(StationsWindow, AMessageCoversNoWorkAndIsAnsweredByAKey) {
   const QRect picture(page()->view()->mapTo(window.get(), QPoint()), page()->view()->size());
   const QRect words(strip->mapTo(window.get(), QPoint()), strip->size());
   EXPECT_FALSE(picture.intersects(words));
-  QTest::keyClick(window.get(), Qt::Key_F4);
+  QTest::keyClick(window.get(), Qt::Key_F3);
   EXPECT_FALSE(strip->isVisible());
   EXPECT_EQ(window->trainee()->view()->message(), "");
   EXPECT_TRUE(eventually([&] { return of_school([](FakeSchool& s) { return s.answers; }) == std::vector<std::string>{"m1 read"}; }));
@@ -230,12 +230,12 @@ TEST_F(StationsWindow, ALessonIsTakenBetweenAttempts) {
   ASSERT_TRUE(eventually([&] { return window->messages()->isVisible(); }));
   click("start");
   EXPECT_FALSE(child<QPushButton>("accept_message")->isEnabled());
-  QTest::keyClick(window.get(), Qt::Key_F4);
+  QTest::keyClick(window.get(), Qt::Key_F3);
   EXPECT_TRUE(window->messages()->isVisible()) << "an attempt runs";
   control()->stop();
   ASSERT_TRUE(child<QPushButton>("accept_message")->isEnabled());
   click("page_setup");
-  QTest::keyClick(window.get(), Qt::Key_F4);
+  QTest::keyClick(window.get(), Qt::Key_F3);
   EXPECT_EQ(page()->setup()->lesson(), wanted.path);
   EXPECT_TRUE(page()->isVisible());
   EXPECT_TRUE(eventually([&] { return of_school([](FakeSchool& s) { return s.answers.back(); }) == "m2 taken"; }));
@@ -300,7 +300,7 @@ TEST_F(StationsServer, AWindowIsSeenWrittenToAndPictured) {
   ASSERT_TRUE(eventually([&] { return window->messages()->isVisible(); }));
   std::vector<StationMessage> sent;
   EXPECT_TRUE(eventually([&] { return desk->sent(sent) && sent[0].shown && sent[0].answer.empty(); }));
-  QTest::keyClick(window.get(), Qt::Key_F4);
+  QTest::keyClick(window.get(), Qt::Key_F3);
   EXPECT_TRUE(eventually([&] { return desk->sent(sent) && sent[0].answer == "read"; }));
   StationMessage picture;
   picture.to = "Table 1";
