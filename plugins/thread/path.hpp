@@ -15,30 +15,31 @@ namespace swage::thread {
 
 using toolkit::Vec3;
 
-/// Reads points like "0 0 0, 1 0 2.5" in mm. Returns what is wrong, or "".
+/// Reads points and their unit, "0 0 0, 1 0 2.5 mm". Returns what is wrong, or "".
 inline std::string read_points(std::string_view text, std::vector<Vec3>& points) {
   constexpr double kMm = 1e-3, kMost = 1;  // m
   const auto skip = [&] {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   };
   points.clear();
-  for (skip(); !text.empty(); skip()) {
+  for (skip(); !text.empty() && text != "mm"; skip()) {
     if (!points.empty()) {
-      if (text.front() != ',') return "points have commas between them, numbers have spaces: \"0 0 0, 1 0 2.5\"";
+      if (text.front() != ',') return "points have commas between them, numbers have spaces: \"0 0 0, 1 0 2.5 mm\"";
       text.remove_prefix(1);
     }
     Vec3 p;
     for (int i = 0; i < 3; ++i) {
       skip();
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), p[i]);
-      if (error != std::errc()) return "a point is three numbers in mm: \"0 0 0, 1 0 2.5\"";
+      if (error != std::errc()) return "a point is three numbers: \"0 0 0, 1 0 2.5 mm\"";
       p[i] *= kMm;
       if (!(std::abs(p[i]) <= kMost)) return "a point lies within 1000 mm";
       text.remove_prefix(static_cast<size_t>(end - text.data()));
     }
     points.push_back(p);
   }
-  return points.size() < 2 ? "a path has at least two points: \"0 0 0, 1 0 2.5\"" : "";
+  if (points.size() < 2) return "a path has at least two points: \"0 0 0, 1 0 2.5 mm\"";
+  return text == "mm" ? "" : "a path ends with its unit: \"0 0 0, 1 0 2.5 mm\"";
 }
 
 /// n nodes along the points that `text` says, each exactly l [m] from the one before, so that nothing is stretched; beyond the last point

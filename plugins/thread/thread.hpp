@@ -65,8 +65,8 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
       real<&ThreadParams::coil_radius>("coil_radius", "Coil radius", "m", "mm", 0.2e-3, 50e-3,
                                        "Of the start shape coil."),
       text<&ThreadParams::path>("path", "Path",
-                                "Of the start shape path: points in mm from the first end on, \"0 0 0, 1 0 2, 5 0 2\"; beyond the last "
-                                "one the thread goes straight on."),
+                                "Of the start shape path: points from the first end on, with their unit: \"0 0 0, 1 0 2, 5 0 2 mm\"; beyond "
+                                "the last one the thread goes straight on."),
       choice<&ThreadParams::first>("first", "First end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::last>("last", "Last end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::around>("around", "Surroundings", kAround, "What drags on it and bears it up."),

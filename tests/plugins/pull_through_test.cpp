@@ -192,7 +192,7 @@ TEST(PullThrough, starts_in_the_tissue_where_the_thread_lies) {
   };
   const std::string through = R"("params": {"starts": "through"}})";
   ThreadScene s(R"({"name": "thread", "plugin": "swage.object.thread",
-                    "params": {"start": "path", "path": "-8 0 -0.5, 8 0 -0.5", "length": "16 mm", "segments": 40}})" +
+                    "params": {"start": "path", "path": "-8 0 -0.5, 8 0 -0.5 mm", "length": "16 mm", "segments": 40}})" +
                     edge("left", -1.2e-3, 0) + edge("right", 1.2e-3, M_PI),
                 R"({"plugin": "swage.coupling.pull_through", "between": ["thread", "left"], )" + through +
                     R"(, {"plugin": "swage.coupling.pull_through", "between": ["thread", "right"], )" + through);

@@ -303,7 +303,7 @@ TEST(Thread, StartsAlongAPath) {
   b.bench.set("start", 3.0);
   b.bench.set("length", 10e-3);
   b.bench.set("segments", 20.0);
-  b.bench.set_text("path", "0 0 1, 3 0 1, 3 2 1,3 2 3");
+  b.bench.set_text("path", "0 0 1, 3 0 1, 3 2 1,3 2 3 mm");
   b.start();
   EXPECT_NEAR((b.node(0) - Vec3(0, 0, 1e-3)).norm(), 0, 1e-6);
   EXPECT_NEAR((b.node(6) - Vec3(3e-3, 0, 1e-3)).norm(), 0, 1e-6);
@@ -314,15 +314,16 @@ TEST(Thread, StartsAlongAPath) {
 // round a corner an edge is the chord, as long as it is unloaded
 TEST(Thread, CutsTheCornersOfItsPath) {
   std::vector<Vec3> nodes;
-  ASSERT_EQ(nodes_along("0 0 0, 0.7 0 0, 0.7 5 0", 0.5e-3, 8, nodes), "");
+  ASSERT_EQ(nodes_along("0 0 0, 0.7 0 0, 0.7 5 0 mm", 0.5e-3, 8, nodes), "");
   for (size_t i = 0; i + 1 < nodes.size(); ++i) EXPECT_NEAR((nodes[i + 1] - nodes[i]).norm(), 0.5e-3, 1e-15) << i;
   EXPECT_NEAR(nodes[2].x(), 0.7e-3, 1e-15);
 }
 
 TEST(Thread, SaysWhatIsWrongWithAPath) {
   std::vector<Vec3> nodes;
-  for (const auto& [path, wrong] : {std::pair{"", "at least two points"}, {"0 0 0", "at least two points"}, {"0 0, 1 0 0", "three numbers"},
-                                    {"0 0 0 1 0 0", "commas"}, {"0 0 0, 1 0 nan", "within"}, {"0 0 0, 0 0 0", "differ"}})
+  for (const auto& [path, wrong] : {std::pair{"", "at least two points"}, {"0 0 0 mm", "at least two points"}, {"0 0, 1 0 0", "three numbers"},
+                                    {"0 0 0 1 0 0", "commas"}, {"0 0 0, 1 0 nan", "within"}, {"0 0 0, 0 0 0 mm", "differ"}, {"0 0 0, 1 0 0", "its unit"},
+                                    {"0 0 0, 1 0 0 cm", "commas"}})
     EXPECT_NE(nodes_along(path, 0.5e-3, 8, nodes).find(wrong), std::string::npos) << path << ": " << nodes_along(path, 0.5e-3, 8, nodes);
 }
 
