@@ -1680,7 +1680,7 @@
     </message>
     <message>
         <source>What the instructor sent: read or taken, not now</source>
-        <translation>Was die Lehrkraft schickt: gelesen oder angenommen, jetzt nicht</translation>
+        <translation>Was die Ausbilder schicken: gelesen oder angenommen, jetzt nicht</translation>
     </message>
 </context>
 <context>
