@@ -94,7 +94,7 @@ void draw(const std::string& out, const std::vector<Row>& rows, double pretensio
   char title[160];
   std::snprintf(title, sizeof title, "Knots in 10-0 nylon, drawn tight with %.0f mN, tails let go, pulled apart", 1e3 * pretension);
   chart.title = title;
-  chart.note = "elastic thread, tails of 1.1 mm; a line ends in a cross where the thread passed through itself or steps did not converge";
+  chart.note = "elastic thread, tails of 1.8 mm; a line ends in a cross where the thread passed through itself or steps did not converge";
   chart.x = {"friction of thread on thread", 0, 1, false, "", ""};
   chart.y = {"greatest tension of a leg, mN", 0.1, 200, true, "none", ""};
   chart.pass = 1e3 * rows.front().test.load;
