@@ -277,6 +277,8 @@ bool Database::connect(Access access, std::string& error) {
 bool Database::run(std::string_view sql, const Row& values) {
   QSqlQuery* query = connection_->execute(sql, values);
   if (query == nullptr) return false;
+  // to the end: behind rows that nobody read libpq keeps the server's notifications until the next call
+  while (query->next()) continue;
   query->finish();
   return true;
 }

@@ -281,7 +281,7 @@ TEST_F(StationsServer, NotificationsArriveInTheEventLoop) {
   StationMessage m;
   m.to = "Table 2";
   ASSERT_TRUE(desk->send(m));
-  EXPECT_TRUE(eventually([&] { return message == 1; }));
+  EXPECT_TRUE(eventually([&] { return message == 1; })) << message;
 }
 
 TEST_F(StationsServer, AWindowIsSeenWrittenToAndPictured) {
