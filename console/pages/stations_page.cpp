@@ -179,8 +179,13 @@ QWidget* StationsPage::make_empty() {
   empty_->setWordWrap(true);
   empty_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   empty_->setMaximumWidth(760);
+  // no alignment: it would be as high as its words are at another width
+  auto* middle = new QHBoxLayout;
+  middle->addStretch(1);
+  middle->addWidget(empty_, 8);
+  middle->addStretch(1);
   column->addStretch(2);
-  column->addWidget(empty_, 0, Qt::AlignHCenter);
+  column->addLayout(middle);
   column->addStretch(3);
   return box;
 }
