@@ -89,7 +89,8 @@ std::string guide_page(const std::string& kind) {
   std::vector<std::string> searched;
   std::string folder = data_folder("guide", searched);
   if (folder.empty()) folder = data_folder("framework/sdk/guide", searched);
-  const fs::path page = fs::path(folder) / ((kind == "hardware" ? "device" : kind) + "s.md");
+  const std::string name = kind == "flexible" ? kind : (kind == "hardware" ? "device" : kind) + "s";
+  const fs::path page = fs::path(folder) / (name + ".md");
   std::error_code ignored;
   return fs::exists(page, ignored) ? page.string() : "";
 }
