@@ -58,23 +58,34 @@ TEST_P(Loop, TwoHandsWindAndKeepItDrawn) {
   EXPECT_EQ(attempt.engine().quarantined(), 0u);
 }
 
-// expert > novice > clumsy whatever the seed
+// Expert > novice > clumsy whatever the seed; but a thread may still go through an instrument (thread.md, Limits), which ends an attempt
+// that nobody made a mistake in: one novice of three at most.
 TEST(LoopHands, ComeOutInThisOrderOverSeeds) {
-  for (uint64_t seed = 1; seed <= 2; ++seed) {
+  struct Played {
+    std::string outcome, reason;
+    double score = 0;
+  };
+  int ended_by_passage = 0;
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
     const auto with = [&](const char* hand) {
       LessonRun attempt = loop(1, hand, seed);
       EXPECT_EQ(attempt.problems(), "");
       attempt.run(60);
-      return std::pair(attempt.outcome(), attempt.verdict().score);
+      return Played{attempt.outcome(), attempt.reason(), attempt.verdict().score};
     };
-    const auto expert = with("expert"), novice = with("novice"), clumsy = with("clumsy");
-    EXPECT_EQ(expert.first, "passed") << seed;
-    EXPECT_EQ(novice.first, "passed") << seed;
-    EXPECT_NE(clumsy.first, "passed") << seed;
-    EXPECT_GT(expert.second, 95) << seed;
-    EXPECT_GT(expert.second, novice.second + 3) << seed;
-    EXPECT_GT(novice.second, clumsy.second + 3) << seed;
+    const Played expert = with("expert"), novice = with("novice"), clumsy = with("clumsy");
+    EXPECT_EQ(expert.outcome, "passed") << seed;
+    EXPECT_GT(expert.score, 95) << seed;
+    EXPECT_NE(clumsy.outcome, "passed") << seed;
+    if (novice.outcome != "passed") {
+      EXPECT_EQ(novice.reason, "failed.passage") << seed;
+      ++ended_by_passage;
+      continue;
+    }
+    EXPECT_GT(expert.score, novice.score + 3) << seed;
+    EXPECT_GT(novice.score, clumsy.score + 3) << seed;
   }
+  EXPECT_LE(ended_by_passage, 1);
 }
 
 /// The expert, who opens the forceps instead of keeping the thread drawn.
