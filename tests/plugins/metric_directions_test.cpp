@@ -17,6 +17,9 @@ namespace {
 
 class Directions : public testing::TestWithParam<const char*> {};
 
+// A hand that trembles is never idle, and a calm one waits where its plan says so: of scripted hands this metric tells the tremor.
+bool tells_skill(const std::string& metric) { return metric != "time.idle"; }
+
 LessonRun play(const std::string& hand, const std::string& seed) {
   LessonRun run(std::string(SWAGE_SOURCE_DIR "/lessons/series/") + Directions::GetParam() + ".json", hand, {"seed=" + seed});
   EXPECT_EQ(run.problems(), "");
@@ -36,7 +39,7 @@ TEST_P(Directions, TheExpertIsWorseInNoMetricThanTheWorstNovice) {
     const snapshot::CardMetric& m = card.metrics[i];
     EXPECT_FALSE(m.formula.empty()) << id;
     const double own = expert.metric(id);
-    if (!std::isfinite(own) || (m.better != SWAGE_BETTER_LOWER && m.better != SWAGE_BETTER_HIGHER)) continue;
+    if (!tells_skill(id) || !std::isfinite(own) || (m.better != SWAGE_BETTER_LOWER && m.better != SWAGE_BETTER_HIGHER)) continue;
     double least = INFINITY, most = -INFINITY;
     for (const LessonRun& n : novices) {
       const double value = n.metric(id);
@@ -46,8 +49,8 @@ TEST_P(Directions, TheExpertIsWorseInNoMetricThanTheWorstNovice) {
     }
     if (least > most) continue;  // no novice came so far
     ++compared;
-    // equal to a part in a thousand: what both do alike is not judged
-    const double tie = 1e-3 * std::max(std::abs(own), std::max(std::abs(least), std::abs(most)));
+    // equal to a part in a hundred: what both do alike, as the seconds of one plan, is not judged
+    const double tie = 1e-2 * std::max(std::abs(own), std::max(std::abs(least), std::abs(most)));
     if (m.better == SWAGE_BETTER_LOWER) {
       EXPECT_LE(own, most + tie) << id << ": expert " << own << ", novices to " << most;
     } else {
