@@ -79,7 +79,7 @@ QWidget* StationsPage::make_list() {
   columns->setHighlightSections(false);
   columns->setSectionResizeMode(QHeaderView::ResizeToContents);
   // what is longest gives way to the others
-  for (const int wide : {int(StationsModel::kLesson), int(StationsModel::kPhase), int(StationsModel::kCues)})
+  for (const int wide : {int(StationsModel::kLesson), int(StationsModel::kPhase), int(StationsModel::kCues), int(StationsModel::kHealth)})
     columns->setSectionResizeMode(wide, QHeaderView::Stretch);
   table_->setToolTip(tr("Enter: write to this station"));
   card.body->addWidget(table_, 1);
