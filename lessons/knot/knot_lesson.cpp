@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/declare.hpp"
+#include "common/rules.hpp"
 
 namespace swage::lesson_knot {
 
@@ -103,19 +104,12 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
 void KnotLesson::activate(double dt_s) {
   const P& p = params();
   Rules rules;
+  lessons::set_common_rules(p, is_practice(), rules);
   rules.asked = asked_;
   rules.most_gap = p.most_gap;
   rules.most_loop = p.most_loop;
   rules.tension = p.tension;
   rules.most_cut = p.most_cut;
-  rules.force_low = p.force.low;
-  rules.force_high = p.force.high;
-  rules.hold_time = p.hold_time;
-  rules.par_time = p.par_time;
-  rules.max_time = p.max_time;
-  rules.max_over_time = p.max_over_time;
-  rules.max_drops = p.max_drops;
-  rules.ends = !is_practice();
   judge_ = Judge(rules, dt_s);
 }
 
