@@ -97,7 +97,7 @@ class StationWorker : public QObject {
     QMetaObject::invokeMethod(this, call, Qt::QueuedConnection);
   }
 
-  // A connection that answers; the next try comes a while after one that failed.
+  // True with an open connection; after a failure the next try is kRetry_ms later.
   bool reach() {
     if (there_) return true;
     if (tried_.isValid() && tried_.elapsed() < kRetry_ms) return false;
@@ -266,7 +266,7 @@ void StationLink::forget(const QString& station) {
   ask([s = station.toStdString()](StationWorker& w) { w.forget(s); });
 }
 
-// it leaves the screen at once; the receipt follows when the server takes it
+// The message leaves the screen at once; its receipt is written when the server answers.
 void StationLink::answer(const std::string& message_id, const QString& answer) {
   std::erase_if(inbox_, [&](const record::StationMessage& m) { return m.id == message_id; });
   Q_EMIT inbox_changed();

@@ -52,7 +52,7 @@ void GhostPath::add(double time_s, uint32_t phase, std::span<const swage_pose> X
 
 double GhostPath::distance(size_t i, std::span<const swage_vec3> p_W) const { return mean_distance(frames_[i].p_W, p_W); }
 
-// Where the phase is a new one, anywhere in it; else within this stretch of it.
+// In a new phase all its frames are searched; in the same phase only those around the present one, until another phase begins.
 void GhostPace::look_for_progress(std::span<const swage_vec3> p_W, uint32_t phase) {
   const bool anywhere = !begun_ || !found_ || phase != phase_;
   phase_ = phase;

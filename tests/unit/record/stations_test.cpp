@@ -294,7 +294,7 @@ TEST_F(StationsTest, AFrozenServerIsGivenUp) {
   const int64_t start = base::wall_ns();
   EXPECT_FALSE(table->say(running("Guest")));
   EXPECT_TRUE(table->lost());
-  // 3 s are waited for an answer; twice that would be a second wait
+  // The store waits 3 s for an answer; 6 s or more would mean that it waited twice.
   EXPECT_LT(base::wall_ns() - start, 6 * kSecond_ns);
   server_.freeze(false);
 }
