@@ -98,6 +98,28 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
   if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
+/// How far a chain went along, or away from, what it is near to, beyond where contacts were looked for: in its radii, of the farthest
+/// place. A contact is a plane: some radii on, what lies there is not what was looked at.
+double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
+  double most = 0;
+  for (uint32_t i = 0; i < p_.n; ++i) {
+    const contact::Contact& c = contacts.contact[i];
+    const ContactWorkspace& k = p_.contact[i];
+    if (k.skipped || !(c.law.stiffness > 0)) continue;
+    Vec3 off = Vec3::Zero();
+    double radius = HUGE_VAL;
+    for (const Side* s : {&k.a, &k.b}) {
+      if (s->point == kNone || !p_.place.is_banded(s->block)) continue;
+      const Vec3 of_side = p_.place.prediction_error_at(*s, c.p_W);
+      off += s == &k.a ? of_side : Vec3(-of_side);
+      radius = std::min(radius, p_.place.radius(*s));
+    }
+    if (!(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
+    most = std::max(most, off.norm() / radius);
+  }
+  return most;
+}
+
 /// What this step fell short of.
 void ContactSolve::count(const contact::ContactSet& contacts, Stats& stats) noexcept {
   p_.health.dropped_contacts += contacts.dropped + (contacts.contact.size() - p_.n);

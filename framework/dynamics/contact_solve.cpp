@@ -77,6 +77,7 @@ void ContactSolve::finish(Motion& motion, contact::ContactSet& contacts, Stats& 
     clamp_velocity(contacts, island);
     ties_.linearise(island);
   }
+  stats.strayed = strayed(contacts);
   write_back(motion, contacts);
   count(contacts, stats);
 }

@@ -50,6 +50,7 @@ class ContactSolve {
   void write_contact(contact::Contact& c, const ContactWorkspace& k) noexcept;
   void mark_held(Motion& motion, const contact::ContactSet& contacts) noexcept;
   void hold(Motion& motion, const Side& side) const noexcept;
+  double strayed(const contact::ContactSet& contacts) const noexcept;
   void count(const contact::ContactSet& contacts, Stats& stats) noexcept;
 
   const Options options_;

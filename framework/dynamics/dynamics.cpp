@@ -89,6 +89,7 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::sp
   const bool ended = !(compliant && detector) ||
                      core_->rebound.fly(world, core_->motion, contacts, *detector, options.free_motion,
                                         kTouch * options.tolerance * world.length);
+  core_->stats.strayed = 0;
   if (contacts.contact.empty() && ties.empty()) {
     core_->motion.go_free(world);
   } else {
@@ -110,6 +111,7 @@ void Dynamics::finish(scene::World& world) noexcept {
   std::fill(world.particle_f_W.begin(), world.particle_f_W.end(), 0.0);
 }
 
+void Dynamics::take_back(const base::SolverHealth& before) noexcept { core_->stats.health = before; }
 void Dynamics::solve_sparse_beyond(uint32_t contacts) noexcept { core_->contact_solve.set_few(contacts); }
 const Stats& Dynamics::stats() const noexcept { return core_->stats; }
 std::span<const Waypoint> Dynamics::waypoints() const noexcept { return core_->rebound.waypoints(); }

@@ -55,6 +55,9 @@ class Dynamics {
   /// [rt] Writes World::hinge_torque and clears F_B_W and particle_f_W for the next step.
   void finish(scene::World& world) noexcept;
 
+  /// [rt] The last step is done again: what it fell short of does not count.
+  void take_back(const base::SolverHealth& before) noexcept;
+
   /// [main] Contacts of an island with threads from which on it is solved sparse, and not for its forces. For tests of the two.
   void solve_sparse_beyond(uint32_t contacts) noexcept;
 

@@ -55,6 +55,7 @@ struct Stats {
   uint64_t asked_again = 0;  // steps in which flexible bodies were asked about all their contacts after all
   uint64_t work = 0;         // multiply-adds of all steps, and of the step that took most
   uint64_t most_work = 0;
+  double strayed = 0;         // radii, of the last step: how far chains went beyond what their contacts say (contact_results.cpp)
   base::SolverHealth health;  // what it could not do
 };
 

@@ -249,6 +249,10 @@ Vec3 Placement::free_prediction_error_at(const Side& side, const Vec3& p_W) cons
   return flexible_.u_free(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
+double Placement::radius(const Side& side) const noexcept {
+  return scene::ChainView(*world_, world_->chain[side.chain]).radius(side.place.segment);
+}
+
 Vec3 Placement::rotation(const Side& side, bool& known) const noexcept {
   known = side.body != kNone && !is_flexible(side.block);
   return known ? trial_[side.body].a : Vec3::Zero();

@@ -111,6 +111,7 @@ swage_coupling_step& Couplings::begin(uint32_t coupling, std::span<swage_contact
   swage_coupling_step& s = step_[coupling];
   s.step = rig_.world.step;
   s.time_s = rig_.world.time();
+  s.dt_s = rig_.world.dt;
   s.contact = contacts.data();
   s.n_contact = static_cast<uint32_t>(contacts.size());
   return s;

@@ -3,6 +3,7 @@
 // What happened in a step, in order. Events of the host carry the index of the script like all others.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,6 +41,9 @@ class Events {
       ++lost_;
     }
   }
+  /// How many there are; and only so many stay, as the rest of the step is done again. [rt]
+  std::size_t count() const noexcept { return list_.size(); }
+  void keep_first(std::size_t count) noexcept { list_.resize(std::min(count, list_.size())); }
   void emit_host(judge::HostEvent event, double value) noexcept { emit(first_host_ + event, value); }
 
   /// The lesson looks now: what comes from here on it sees in the next step. [rt]

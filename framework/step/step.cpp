@@ -30,10 +30,11 @@ void Engine::step() noexcept {
   read();         // newest sample of each device
   command();      // resets, marks, live parameters
   follow();       // tools after their hands: limited in speed, swept
-  free_motion();  // forces of the objects, then as if nothing touched anything
-  detect();       // contacts, in a fixed order
-  couple();       // couplings turn contacts into laws and events
-  solve();        // contacts and motion, together and implicit
+  move();         // once; in parts where a chain would go too far at once:
+                  //   free_motion()  forces of the objects, then as if nothing touched anything
+                  //   detect()       contacts, in a fixed order
+                  //   couple()       couplings turn contacts into laws and events
+                  //   solve()        contacts and motion, together and implicit
   finish();       // derived quantities and signals
   observe();      // the lesson looks
   guard();        // who wrote nonsense stands still from here on
@@ -57,7 +58,8 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
       writes_(rig.world),
       objects_(rig, hands_, writes_),
       couplings_(rig, objects_, events_, writes_),
-      judging_(rig, objects_, events_, writes_) {
+      judging_(rig, objects_, events_, writes_),
+      chains_(rig.world, detector_) {
   detector_.reserve(contacts_);
   command_.reserve(kMaxCommands);
   instance_ = host::instances(rig);
@@ -68,6 +70,10 @@ Engine::Engine(host::Rig& rig, const Options& options, std::vector<DevicePort*> 
   dynamics_start_.resize(dynamics.size());
   scene::Writer start(dynamics_start_);
   dynamics_.save(start);
+  X_end_.reserve(rig.world.X_WB.size());
+  if (!rig.world.chain.empty()) begun_.resize(kDivisions);
+  for (Begun& begun : begun_)
+    begun.state.resize(scene::image_size(rig.world) + dynamics.size() + detector_.image_size());
   // the first reset comes before the loop and its watchdog: it is watched as the other calls on [main] are
   const bool watched = host::CallWatch::enter(host::last_call);
   reset();
@@ -148,7 +154,6 @@ void Engine::solve() noexcept {
   dynamics_.solve(rig_.world, contacts_, objects_.self(), couplings_.ties(), &detector_);
   dynamics_.finish(rig_.world);
   objects_.freeze();
-  tell_shortfall();
   done(Phase::kSolve);
 }
 
@@ -164,6 +169,7 @@ void Engine::tell_shortfall() noexcept {
 
 void Engine::finish() noexcept {
   writes_.take();
+  tell_shortfall();
   objects_.finish();
   couplings_.tied();
   couplings_.finish(contacts_);

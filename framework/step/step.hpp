@@ -15,6 +15,7 @@
 #include "host/rig.hpp"
 #include "scene/state_image.hpp"
 #include "snapshot/snapshot.hpp"
+#include "step/chain_watch.hpp"
 #include "step/command.hpp"
 #include "step/couplings.hpp"
 #include "step/device_port.hpp"
@@ -78,6 +79,8 @@ class Engine {
   uint32_t quarantined() const noexcept {
     return judging_.quarantined();
   }                                                            // not 0: the attempt does not count
+  /// Steps, and parts of them, that were taken back and done in parts (substeps.cpp).
+  uint64_t divided() const noexcept { return divided_; }
   bool hand_gone() const noexcept { return hands_.gone(); }    // a script has come to its end
   const double* phase_s() const noexcept { return phase_s_; }  // [kPhases] s, wall, smoothed
 
@@ -109,6 +112,19 @@ class Engine {
   void publish() noexcept;
   void done(Phase phase) noexcept;
 
+  // substeps.cpp
+  static constexpr std::size_t kDivisions = 3;
+  struct Begun {  // before free motion
+    std::vector<std::byte> state;
+    base::SolverHealth health;
+    std::size_t events = 0;
+  };
+  void move(double rest = 0, std::size_t level = 0) noexcept;
+  void begin(Begun& begun) noexcept;
+  void take_back(const Begun& begun) noexcept;
+  bool fell_short(const Begun& begun, std::size_t level) noexcept;
+  void follow_to(double rest) noexcept;
+
   void apply(const Command& command) noexcept;
   void live_parameter(const Command& command) noexcept;
   void forget_contacts(uint32_t object) noexcept;
@@ -129,11 +145,15 @@ class Engine {
   Objects objects_;
   Couplings couplings_;
   Judging judging_;
+  ChainWatch chains_;
 
   std::vector<Command> command_;
   std::vector<host::Instance*> instance_;  // in the order of evaluation
   std::vector<const swage_live*> live_;    // of each instance, or nullptr
   std::vector<std::byte> dynamics_start_;  // what it remembers before the first step
+  std::vector<Begun> begun_;               // per level of division; empty where no step is divided
+  std::vector<swage_pose> X_end_;          // at the end of the step, of bodies that follow
+  uint64_t divided_ = 0;                   // parts of steps that were divided, so far
   uint64_t hash_ = 0;
   uint64_t steps_short_ = 0;  // in which the solver fell short, so far
   uint64_t told_short_ = 0;   // not 0: the event of this attempt has been

@@ -59,7 +59,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"force.over_time", "1", "Share of the held time in which the jaws were above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     lessons::kPathOfBoth,
     {"hold.progress", "1", "Share of the hold that is done.", "unbroken hold / hold_time", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
-    {"thread.passages", "1", "How often the simulated thread went through itself or through the instrument, which no thread does.", "knot.passages + winding.passages", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
+    {"thread.passages", "1", "How often the simulated thread went through itself or through the instrument, which no thread does.", "thread.passed + winding.passages", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     lessons::points("points.undone", "Points lost for throws that came undone or were not those that are asked for.", "10 min(undone + wrong, 3)"),
     lessons::points("points.drops", "Points lost for a thread that got out of the jaws.", "15 drops"),
     lessons::points("points.tension", "Points lost for a stitch that was too tight.", "40 share of the held time above the tension"),

@@ -97,7 +97,7 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
   kind_ = signal(p.knot, "knot.kind");
   sliding_ = signal(p.knot, "knot.sliding");
   loop_ = signal(p.knot, "knot.loop");
-  through_itself_ = signal(p.knot, "knot.passages");
+  through_itself_ = signal(p.thread, "thread.passed");
   parted_ = signal(p.thread, "thread.parted");
 }
 

@@ -45,7 +45,7 @@ void LoopLesson::bind(const Scene& scene, Binder& binder) {
   whole_ = signal(p.winding, "winding.whole");
   behind_ = signal(p.winding, "winding.behind");
   through_ = signal(p.winding, "winding.passages");
-  through_itself_ = signal(p.knot, "knot.passages");
+  through_itself_ = signal(p.thread, "thread.passed");
   draw_ = signal(p.touch, "contact.force");
   tension_ = signal(p.thread, "thread.tension_first");
   parted_ = signal(p.thread, "thread.parted");

@@ -178,6 +178,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   std::vector<Point> point_;
   std::vector<char> pressed_;  // per edge
   std::vector<double> boxes_;  // room to look for passages
+  double advanced_at_ = -1;    // s
   bool linear_ = false;  // there is a linear step
 };
 

@@ -53,6 +53,9 @@ void Thread::write(const Step& step, const RodState& before, const RodState& now
 
 void Thread::advance(const Step& step) {
   RodState s = state(step);
+  // of a step that is divided, the part before has ended here
+  if (step.time() == advanced_at_) count_passages(step);
+  advanced_at_ = step.time();
   const bool goes_on = held(step) != 0;
   held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);

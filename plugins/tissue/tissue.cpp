@@ -112,7 +112,13 @@ MeshSpec Tissue::mesh_spec(const TissueParams& p) const {
           p.skin_young,       p.underside, p.cells, p.refinement};
 }
 
-void Tissue::activate(double dt_s) { creep_ = Creep(params_.relaxed, params_.relaxation_time, dt_s); }
+void Tissue::activate(double dt_s) { creep_in(dt_s); }
+
+void Tissue::creep_in(double dt) {
+  if (dt == creep_dt_) return;
+  creep_dt_ = dt;
+  creep_ = Creep(params_.relaxed, params_.relaxation_time, dt);
+}
 
 void Tissue::reset(const Step& step) {
   if (yields()) step.state<State>() = {};

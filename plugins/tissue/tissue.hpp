@@ -239,6 +239,7 @@ class Tissue final : public Object<TissueParams>,
   Mat3 own(const Vec3& foot_O) const;
   void add_edges(const Step& step, uint32_t n, size_t stride, double* v_free, double* W);
   uint32_t source_at(State& state, const std::array<double, kSources>& size, const Vec3& foot_O) const;
+  void creep_in(double dt);
   /// Of the wall; what was asked of it elsewhere is forgotten.
   const toolkit::Frame& frame(const Step& step);
 
@@ -247,6 +248,7 @@ class Tissue final : public Object<TissueParams>,
   Compliance compliance_;
   Mesh mesh_;
   Creep creep_;
+  double creep_dt_ = 0;  // s, of a step or a part of it
   Asked asked_;
   Body body_;
   Hinge mount_;

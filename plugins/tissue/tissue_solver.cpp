@@ -138,6 +138,7 @@ void Tissue::feel_mesh(const State& state, uint32_t n) {
 
 void Tissue::advance(const Step& step) {
   if (!yields()) return;
+  creep_in(step.dt());
   asked_.felt.fill(false);
   for (Source& s : step.state<State>().source)
     for (int i = 0; i < 3; ++i) {

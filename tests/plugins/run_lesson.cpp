@@ -60,6 +60,11 @@ void LessonRun::run(double max_s, double after_s) {
   }
 }
 
+bool LessonRun::save_and_restore() {
+  std::vector<std::byte> image(engine_->image_size());
+  return engine_->save(image) && engine_->restore(image);
+}
+
 void LessonRun::push(uint32_t body, const toolkit::Vec3& f_W, const toolkit::Vec3& t_W) {
   swage_wrench& F = rig_->world.F_B_W[body];
   F.f = toolkit::raw(toolkit::Vec3(toolkit::vec(F.f) + f_W));

@@ -38,6 +38,8 @@ class LessonRun {
   void run(double max_s, double after_s = 0.5);
   /// One step.
   void step();
+  /// The whole state as bytes, and back. False where either failed.
+  bool save_and_restore();
   /// What the person does with pointer and keys, read in the next step; deltas then start again at zero.
   swage_pointer& pointer() { return rig_->pointer; }
 

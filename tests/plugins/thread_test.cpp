@@ -308,7 +308,7 @@ TEST(Thread, StartsAlongAPath) {
   EXPECT_NEAR((b.node(0) - Vec3(0, 0, 1e-3)).norm(), 0, 1e-6);
   EXPECT_NEAR((b.node(6) - Vec3(3e-3, 0, 1e-3)).norm(), 0, 1e-6);
   EXPECT_NEAR((b.node(20) - Vec3(3e-3, 2e-3, 6e-3)).norm(), 0, 1e-6);
-  for (int i = 0; i < 20; ++i) EXPECT_NEAR((b.node(i + 1) - b.node(i)).norm(), 0.5e-3, 1e-8) << i;
+  for (uint32_t i = 0; i < 20; ++i) EXPECT_NEAR((b.node(i + 1) - b.node(i)).norm(), 0.5e-3, 1e-8) << i;
 }
 
 // round a corner an edge is the chord, as long as it is unloaded

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step/chain_watch.hpp"
+
+#include <algorithm>
+
+#include "scene/chain.hpp"
+
+namespace swage::step {
+
+using toolkit::Vec3;
+
+namespace {
+
+/// Radii that a chain overlaps what it has met unseen: deeper than what lies close by chance. Smaller: divided in vain. 2: has passed.
+constexpr double kDeep = 0.5;
+
+}  // namespace
+
+ChainWatch::ChainWatch(scene::World& world, contact::Detector& detector) : world_(world), detector_(detector) {
+  std::size_t n = 0;
+  for (const scene::ChainInfo& chain : world.chain) n += 3 * chain.start.size();
+  if (n == 0) return;
+  p_looked_.resize(n), v_.resize(n);
+  V_.reserve(world.V_WB.size());
+  detector_.reserve(on_the_way_);
+}
+
+void ChainWatch::keep() noexcept {
+  double* to = p_looked_.data();
+  for (const scene::ChainInfo& chain : world_.chain)
+    to = std::copy_n(world_.plugin_state.data() + chain.state, 3 * chain.start.size(), to);
+}
+
+bool ChainWatch::met_unseen(const contact::ContactSet& known) noexcept {
+  if (!went_far()) return false;
+  look_along_the_way();
+  return std::any_of(on_the_way_.contact.begin(), on_the_way_.contact.end(),
+                     [&](const contact::Contact& met) { return unseen(met, known); });
+}
+
+/// A vertex is farther than its radius from where contacts were looked for.
+bool ChainWatch::went_far() const noexcept {
+  const double* from = p_looked_.data();
+  for (const scene::ChainInfo& info : world_.chain) {
+    const scene::ChainView chain(world_, info);
+    const double far = chain.radius(0) * chain.radius(0);
+    for (std::size_t i = 0; i < info.start.size(); ++i, from += 3)
+      if ((chain.p(i) - Eigen::Map<const Vec3>(from)).squaredNorm() > far) return true;
+  }
+  return false;
+}
+
+/// The detector is shown chains that come from there, among bodies that stand, and then their own velocities are put back.
+void ChainWatch::look_along_the_way() noexcept {
+  V_ = world_.V_WB;
+  std::fill(world_.V_WB.begin(), world_.V_WB.end(), swage_twist{});
+  std::size_t at = 0;
+  for (const scene::ChainInfo& chain : world_.chain) {
+    const std::size_t n = 3 * chain.start.size();
+    double *p = world_.plugin_state.data() + chain.state, *v = p + n;
+    for (std::size_t i = 0; i < n; ++i, ++at) v_[at] = v[i], v[i] = (p[i] - p_looked_[at]) / world_.dt;
+  }
+  on_the_way_.contact.clear(), on_the_way_.candidate.clear(), on_the_way_.of_pair.clear();
+  detector_.detect(world_, on_the_way_);
+  const double* from = v_.data();
+  for (const scene::ChainInfo& chain : world_.chain) {
+    const std::size_t n = 3 * chain.start.size();
+    std::copy_n(from, n, world_.plugin_state.data() + chain.state + n);
+    from += n;
+  }
+  world_.V_WB = V_;
+}
+
+/// There is no contact with the same shape at that piece or the next. Bodies that move themselves, and what a coupling lets a chain
+/// through somewhere, are not asked: tissue with a thread in it.
+bool ChainWatch::unseen(const contact::Contact& met, const contact::ContactSet& known) const noexcept {
+  const bool a = met.place_a.segment != scene::kNone, b = met.place_b.segment != scene::kNone;
+  const auto itself = [&](uint32_t body, bool chain) { return !chain && world_.body[body].motion == SWAGE_MOTION_SELF; };
+  if ((!a && !b) || itself(met.body_a, a) || itself(met.body_b, b)) return false;
+  if (met.gap > -kDeep * world_.shape[a ? met.shape_a : met.shape_b].radius) return false;
+  const auto beside = [](uint32_t i, uint32_t j) { return i == j || i + 1 == j || i == j + 1; };
+  return std::none_of(known.contact.begin(), known.contact.end(), [&](const contact::Contact& c) {
+    if (c.pair == met.pair && !(c.law.stiffness > 0)) return true;
+    return c.shape_a == met.shape_a && c.shape_b == met.shape_b && (!a || beside(c.place_a.segment, met.place_a.segment)) &&
+           (!b || beside(c.place_b.segment, met.place_b.segment));
+  });
+}
+
+}  // namespace swage::step
