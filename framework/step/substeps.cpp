@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A step is done in parts where a chain goes too far in it. Contacts are looked for where a chain would go on to, and each is a plane
-// through the step. What is snatched away or springs back leaves that: it passes the edge of what it touched, or what was not near.
-// Such a step is taken back and done in four, each of them again in four where that is still too far. What springs moves as the square
-// of the time: 0.4 mm of a step are 0.1 um of a sixty-fourth.
+// A step is done in parts where a chain goes too far in it. Contacts are looked for where the chain would go on to, and each is a plane
+// for the whole step. A chain that is snatched or springs back leaves the plane, and passes the edge of what it touched, or what was not
+// near. Such a step is taken back and done in four parts, each of them again in four where that is still too far. A spring moves a mass
+// from rest as the square of the time: 0.4 mm of a step are 0.1 um of a sixty-fourth.
 #include "dynamics/rotation.hpp"
 #include "step/step.hpp"
 
