@@ -131,6 +131,7 @@ void Objects::begin() noexcept {
   scene::World& world = rig_.world;
   for (uint32_t i = 0; i < view_.size(); ++i) {
     view_[i] = scene::view(world, slices(rig_.objects[i]), hands_.input(i));
+    view_[i].time_s = static_cast<double>(world.step) * dt_;  // also in a part of a step
     gone_[i] = left_room(i) ? 1 : 0;
   }
   X_WB_before_ = world.X_WB;

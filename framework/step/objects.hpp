@@ -53,6 +53,7 @@ class Objects {
   void put_back_chains(const host::ObjectSlot& slot) noexcept;
 
   host::Rig& rig_;
+  const double dt_ = rig_.world.dt;  // s, of a whole step
   const Hands& hands_;
   WriteGuard& writes_;
   std::vector<swage_object_step> view_;

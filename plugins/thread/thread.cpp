@@ -128,7 +128,8 @@ void Thread::declare(ObjectBuilder& builder) {
   const std::vector<double> radius(at(params_.segments), 0.5 * suture_.diameter);
   builder.state(ChainState::doubles(vertices()));  // the first
   // tighter than a piece is long no chain of straight pieces bends
-  const double bend_radius = std::max(2 * suture_.diameter, rod_.rest_length(0));
+  // half a circle of it, within which the thread is not looked for, is two segments: of three that close a loop the outer ones meet
+  const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * rod_.rest_length(0));
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
   builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 4);
