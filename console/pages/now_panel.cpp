@@ -21,7 +21,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
   Card now = make_card(tr("Now"), this);
-  phase_ = make_muted(tr("Press START, then follow the marks in the picture."), now.frame);
+  phase_ = make_muted(QString(), now.frame);  // until there is a lesson
   now.body->addWidget(phase_);
   left_ = new QLabel(now.frame);
   left_->setObjectName(QStringLiteral("time_left"));

@@ -214,6 +214,8 @@ TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
 TEST_F(FirstSight, TheLegendHasRoomForTwelveCues) {
   open();
   console::CueLegend* legend = page()->legend();
+  // the page has given it the lesson's own, and gives it no others
+  ASSERT_TRUE(eventually([&] { return legend->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly).size() > 1; }));
   legend->set_meanings({"target.near", "insert.good", "insert.angle_off", "needle.stuck", "tissue.tear", "grip.too_hard", "target.done",
                         "suture.swage_held", "suture.tail_good", "target.point", "tail.point", "exit.point"});
   QList<QRect> rows;
