@@ -12,13 +12,11 @@
 #include <string>
 #include <thread>
 
+#include "devices/openhaptics/hd.hpp"
+
 namespace {
 
-struct Error {
-  unsigned code;
-  int internal;
-  unsigned handle;
-};
+using Error = swage::openhaptics::HdError;  // the caller's own type: it is called through a pointer
 
 constexpr unsigned kHandle = 7;
 
