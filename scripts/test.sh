@@ -21,7 +21,7 @@ echo "== tests: build/$preset"
 # threads of ours bring a stack for signals of their own
 export ASAN_OPTIONS=${ASAN_OPTIONS:-use_sigaltstack=0}
 # a crash of a plugin is for our own sentinel and for whoever waits for a child
-export TSAN_OPTIONS=${TSAN_OPTIONS:-handle_segv=0:handle_abort=0}
+export TSAN_OPTIONS=${TSAN_OPTIONS:-handle_segv=0:handle_abort=0:die_after_fork=0}
 export LSAN_OPTIONS=${LSAN_OPTIONS:-suppressions=$PWD/scripts/leaks_of_others.txt:print_suppressions=0}
 export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen} LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=1
 # timing-sensitive tests are few and serial; the rest shares the cores

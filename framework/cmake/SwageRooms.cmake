@@ -63,6 +63,9 @@ function(swage_test name)
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 900)
   endif()
+  if(SWAGE_SANITIZE) # up to ten times as slow
+    math(EXPR TEST_TIMEOUT "10 * ${TEST_TIMEOUT}")
+  endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
     ENVIRONMENT "${TEST_ENVIRONMENT}")
 endfunction()

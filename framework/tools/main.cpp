@@ -135,6 +135,9 @@ void add_validate(CLI::App& app, Arguments& a) {
   verb->add_option("--only", o.only, "One test by its name");
   verb->add_option("--seed", o.seed, "Of the random tests")->capture_default_str();
   verb->add_option("--with", o.with, "Lesson file: the plugins are tested in its scene")->check(CLI::ExistingFile);
+  verb->add_option("--limit", o.limit_s, "Seconds that one test may take, of processor time or of waiting: more for a plugin built with a sanitizer")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
   verb->add_flag("--in-process", o.in_process, "No child processes and no time limit: for a debugger");
   verb->add_flag("--json", o.json, "The result as JSON");
   plugin_dirs(verb, o.plugin_dirs);

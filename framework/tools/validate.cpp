@@ -83,6 +83,7 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
   options.strictness = o.strictness;
   options.only = o.only;
   options.seed = o.seed;
+  options.limit_s = o.limit_s;
   options.in_process = o.in_process;
   if (!o.json) std::printf("%s\n", path.c_str());
   Json list = Json::array();

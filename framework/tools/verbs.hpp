@@ -52,6 +52,7 @@ struct ValidateOptions {
   std::string only;
   uint32_t strictness = 5;
   uint64_t seed = 1;
+  double limit_s = 20;  // of processor time per test, or of waiting
   bool in_process = false, json = false;
 };
 int validate(const ValidateOptions&);

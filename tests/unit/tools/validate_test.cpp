@@ -69,6 +69,12 @@ TEST_F(Validate, SteppingTestsFindWhatTheyAskFor) {
   expect("crashes_in_step", "stepping", "signal 11");
 }
 
+TEST_F(Validate, ATestEndsAtTheLimitThatIsAskedFor) {
+  const Said said = swage({"validate", bad("hangs_in_step"), "--only", "stepping", "--limit", "0.5"});
+  EXPECT_EQ(said.code, 1) << said.out << said.err;
+  EXPECT_THAT(said.out, HasSubstr("It was not done within 0.5 s"));
+}
+
 // a solver that lies has finite numbers: nobody notices while it runs, so that it is asked
 TEST_F(Validate, SolversThatLieAreTold) {
   const auto validate = [&](const std::string& name, const std::string& test) {
