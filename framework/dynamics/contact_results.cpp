@@ -98,8 +98,8 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
   if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
-/// How far a chain went along, or away from, what it is near to, beyond where contacts were looked for: in its radii, of the farthest
-/// place. A contact is a plane: some radii on, what lies there is not what was looked at.
+/// How far a chain went along what it is near to, beyond where contacts were looked for: in its radii, of the farthest place. A contact is
+/// a plane: some radii on, what lies there is not what was looked at. What both did together does not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
   double most = 0;
   for (uint32_t i = 0; i < p_.n; ++i) {
@@ -109,13 +109,12 @@ double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept
     Vec3 off = Vec3::Zero();
     double radius = HUGE_VAL;
     for (const Side* s : {&k.a, &k.b}) {
-      if (s->point == kNone || !p_.place.is_banded(s->block)) continue;
-      const Vec3 of_side = p_.place.prediction_error_at(*s, c.p_W);
+      const Vec3 of_side = p_.place.off_prediction(*s, c.p_W);
       off += s == &k.a ? of_side : Vec3(-of_side);
-      radius = std::min(radius, p_.place.radius(*s));
+      if (s->point != kNone && p_.place.is_banded(s->block)) radius = std::min(radius, p_.place.radius(*s));
     }
-    if (!(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
-    most = std::max(most, off.norm() / radius);
+    if (radius == HUGE_VAL || !(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
+    most = std::max(most, (off - off.dot(c.n_W) * c.n_W).norm() / radius);
   }
   return most;
 }

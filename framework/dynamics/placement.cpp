@@ -249,6 +249,12 @@ Vec3 Placement::free_prediction_error_at(const Side& side, const Vec3& p_W) cons
   return flexible_.u_free(side.block - first_flexible_, side.point) - carried(side, p_W);
 }
 
+Vec3 Placement::off_prediction(const Side& side, const Vec3& p_W) const noexcept {
+  if (is_flexible(side.block)) return side.point != kNone ? prediction_error_at(side, p_W) : Vec3::Zero();
+  if (side.body == kNone || side.block == kNone) return Vec3::Zero();
+  return p_W - Frame(world_->X_WB[side.body]) * trial_[side.body].F.inverse_times(p_W);
+}
+
 double Placement::radius(const Side& side) const noexcept {
   return scene::ChainView(*world_, world_->chain[side.chain]).radius(side.place.segment);
 }

@@ -76,6 +76,8 @@ class Placement {
   Vec3 free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
   /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
+  /// How far a place of any side is from where contacts were looked for [m].
+  Vec3 off_prediction(const Side& side, const Vec3& p_W) const noexcept;
   /// m, of the chain there; 0 where it is cut.
   double radius(const Side& side) const noexcept;
   /// Unknowns that move a side: so many, from there on among those of its block.
