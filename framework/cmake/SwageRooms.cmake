@@ -28,7 +28,7 @@ endif()
 
 # ENVIRONMENT of tests in which something crashes on purpose: the crash is for those who wait for it, not for a sanitizer, and
 # threads of ours bring a stack for signals of their own
-set(SWAGE_CRASHES "ASAN_OPTIONS=use_sigaltstack=0:handle_segv=0:handle_abort=0" "TSAN_OPTIONS=handle_segv=0:handle_abort=0")
+set(SWAGE_CRASHES "ASAN_OPTIONS=use_sigaltstack=0:handle_segv=0:handle_abort=0" "TSAN_OPTIONS=handle_segv=0:handle_abort=0:die_after_fork=0")
 
 find_program(CCACHE ccache)
 if(CCACHE)
