@@ -98,8 +98,8 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
   if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
-/// How far a chain went along what it is near to, beyond where contacts were looked for: in its radii, of the farthest place. A contact is
-/// a plane: some radii on, what lies there is not what was looked at. What both did together does not count.
+/// How far a chain went along, or away from, what it is near to, beyond where contacts were looked for: in its radii, of the farthest
+/// place. A contact is a plane: some radii on, what lies there is not what was looked at. What both did together does not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
   double most = 0;
   for (uint32_t i = 0; i < p_.n; ++i) {
@@ -114,7 +114,7 @@ double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept
       if (s->point != kNone && p_.place.is_banded(s->block)) radius = std::min(radius, p_.place.radius(*s));
     }
     if (radius == HUGE_VAL || !(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
-    most = std::max(most, (off - off.dot(c.n_W) * c.n_W).norm() / radius);
+    most = std::max(most, off.norm() / radius);
   }
   return most;
 }
