@@ -101,19 +101,17 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
 /// How far a chain went along, or away from, what it is near to, beyond where contacts were looked for: in its radii, of the farthest
 /// place. A contact is a plane: some radii on, what lies there is not what was looked at. What both did together does not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
+  const auto chain = [&](const Side& s) { return s.point != kNone && p_.place.is_banded(s.block); };
   double most = 0;
   for (uint32_t i = 0; i < p_.n; ++i) {
     const contact::Contact& c = contacts.contact[i];
     const ContactWorkspace& k = p_.contact[i];
-    if (k.skipped || !(c.law.stiffness > 0)) continue;
-    Vec3 off = Vec3::Zero();
+    if (k.skipped || !(c.law.stiffness > 0) || (!chain(k.a) && !chain(k.b))) continue;
     double radius = HUGE_VAL;
-    for (const Side* s : {&k.a, &k.b}) {
-      const Vec3 of_side = p_.place.off_prediction(*s, c.p_W);
-      off += s == &k.a ? of_side : Vec3(-of_side);
-      if (s->point != kNone && p_.place.is_banded(s->block)) radius = std::min(radius, p_.place.radius(*s));
-    }
-    if (radius == HUGE_VAL || !(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
+    for (const Side* s : {&k.a, &k.b})
+      if (chain(*s)) radius = std::min(radius, p_.place.radius(*s));
+    if (!(radius > 0) || (!k.active && c.gap > 2 * radius)) continue;
+    const Vec3 off = p_.place.off_prediction(k.a, c.p_W) - p_.place.off_prediction(k.b, c.p_W);
     most = std::max(most, off.norm() / radius);
   }
   return most;

@@ -110,8 +110,8 @@ void Couplings::reset(uint32_t coupling) noexcept {
 swage_coupling_step& Couplings::begin(uint32_t coupling, std::span<swage_contact> contacts) noexcept {
   swage_coupling_step& s = step_[coupling];
   s.step = rig_.world.step;
-  s.time_s = static_cast<double>(rig_.world.step) * dt_;  // also in a part of a step
-  s.dt_s = rig_.world.dt;
+  s.time_s = s.a->time_s;
+  s.dt_s = s.a->dt_s;
   s.contact = contacts.data();
   s.n_contact = static_cast<uint32_t>(contacts.size());
   return s;

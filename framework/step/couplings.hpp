@@ -53,7 +53,6 @@ class Couplings {
   static void on_event(const swage_coupling_step* step, uint32_t event, double value);
 
   host::Rig& rig_;
-  const double dt_ = rig_.world.dt;  // s, of a whole step
   const Objects& objects_;
   Events& events_;
   WriteGuard& writes_;
