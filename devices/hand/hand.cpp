@@ -34,15 +34,7 @@ Quat read_orientation(const Reader& reader, const Json& key, const Quat& before,
     return toolkit::exp_rotation({0, 0, a.z()}) * toolkit::exp_rotation({0, a.y(), 0}) *
            toolkit::exp_rotation({a.x(), 0, 0});
   }
-  if (!key.contains("axis") || !key.contains("closing")) {
-    reader.fail(where, "\"axis\" and \"closing\" are given together");
-  }
-  try {
-    return orientation(reader.vec3(key["axis"], Measure::kNumber, where + "/axis"),
-                       reader.vec3(key["closing"], Measure::kNumber, where + "/closing"));
-  } catch (const std::invalid_argument& problem) {
-    reader.fail(where, problem.what());
-  }
+  return read_attitude(reader, key, where);
 }
 
 /// Turns the pose before about a line in the world.
@@ -132,6 +124,16 @@ Quat orientation(const Vec3& axis, const Vec3& closing) {
   R.col(2) = square.normalized();
   R.col(1) = R.col(2).cross(R.col(0));
   return Quat(R).normalized();
+}
+
+Quat read_attitude(const Reader& reader, const Json& value, const std::string& where) {
+  if (!value.contains("axis") || !value.contains("closing")) reader.fail(where, "\"axis\" and \"closing\" are given together");
+  try {
+    return orientation(reader.vec3(value["axis"], Measure::kNumber, where + "/axis"),
+                       reader.vec3(value["closing"], Measure::kNumber, where + "/closing"));
+  } catch (const std::invalid_argument& problem) {
+    reader.fail(where, problem.what());
+  }
 }
 
 Hand parse_hand(const std::string& text, const std::string& name) {

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "hand/reader.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::hand {
@@ -77,5 +78,7 @@ Hand parse_hand(const std::string& text, const std::string& name);
 /// Orientation whose x axis is `axis` and whose z axis is `closing` made square to it. Throws when they are
 /// parallel.
 Quat orientation(const Vec3& axis, const Vec3& closing);
+/// The same from "axis" and "closing" of an object, which are given together; else fails through the reader. [main]
+Quat read_attitude(const Reader& reader, const Json& value, const std::string& where);
 
 }  // namespace swage::hand

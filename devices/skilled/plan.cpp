@@ -30,7 +30,7 @@ const std::map<std::string, Form>& forms() {
       {"close", {Verb::kClose, {"force", "closure"}, {}}},
       {"open", {Verb::kOpen, {"closure"}, {"closure"}}},
       {"back", {Verb::kBack, {"by"}, {"by"}}},
-      {"move", {Verb::kMove, {"by", "at", "roll"}, {}}},
+      {"move", {Verb::kMove, {"by", "at", "roll", "axis", "closing"}, {}}},
       {"draw", {Verb::kDraw, {"by", "of", "signal", "less"}, {"by", "of", "signal", "less"}}},
       {"bring", {Verb::kBring, {"mark", "s"}, {"mark", "s"}}},
       {"aim",
@@ -38,7 +38,7 @@ const std::map<std::string, Form>& forms() {
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
-      {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
+      {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "roll", "follows", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
       {"again", {Verb::kAgain, {"from"}, {"from"}}},
   };
   return all;
@@ -108,18 +108,20 @@ void check_await(const Reader& reader, const Json& value, const std::string& whe
     reader.fail(where, R"(what is awaited is "of", "signal" and "more" or "less", or "mark", "s" and "near")");
 }
 
-// what it feels is said as a whole, or not at all
-void check_wind(const Reader& reader, const Json& value, const std::string& where) {
-  int given = 0;
-  for (const char* key : {"of", "signal", "more", "less", "by"}) given += value.contains(key);
-  if (given != 0 && given != 5)
-    reader.fail(where, R"(a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
-}
-
 bool flag(const Reader& reader, const Json& value, const char* key, const std::string& where) {
   if (!value.contains(key)) return false;
   if (!value[key].is_boolean()) reader.fail(where + "/" + key, "true or false is needed here");
   return value[key].get<bool>();
+}
+
+// what it feels is said as a whole, or not at all
+void read_wind(const Reader& reader, const Json& value, const std::string& where, Act& act) {
+  int given = 0;
+  for (const char* key : {"of", "signal", "more", "less", "by"}) given += value.contains(key);
+  if (given != 0 && given != 5)
+    reader.fail(where, R"(a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
+  act.rolls = flag(reader, value, "rolls", where);
+  act.follows = flag(reader, value, "follows", where);
 }
 
 // by a way, or to a place
@@ -127,6 +129,14 @@ void read_way(const Reader& reader, const Json& value, const std::string& where,
   act.to_place = value.contains("at");
   if (act.to_place == value.contains("by")) reader.fail(where, R"(give "by", a way, or "at", a place)");
   if (!act.to_place) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
+}
+
+// at the end of a move it is turned so, or as it was but for a roll
+void read_turn(const Reader& reader, const Json& value, const std::string& where, Act& act) {
+  act.turns_to = value.contains("axis") || value.contains("closing");
+  if (!act.turns_to) return;
+  if (value.contains("roll")) reader.fail(where, R"(give "roll", or "axis" and "closing")");
+  act.attitude = hand::read_attitude(reader, value, where);
 }
 
 // from a side, or as the jaws are turned already
@@ -151,8 +161,9 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   act.verb = found->second.verb;
   read_numbers(reader, value, where, act);
   if (act.verb == Verb::kAwait) check_await(reader, value, where);
-  if (act.verb == Verb::kWind) check_wind(reader, value, where), act.rolls = flag(reader, value, "rolls", where);
+  if (act.verb == Verb::kWind) read_wind(reader, value, where, act);
   if (act.verb == Verb::kMove || act.verb == Verb::kDraw) read_way(reader, value, where, act);
+  if (act.verb == Verb::kMove) read_turn(reader, value, where, act);
   if (act.verb == Verb::kReach) read_reach(reader, value, where, act);
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
@@ -193,16 +204,9 @@ Plan parse_plan(const std::string& text, const std::string& name) {
   Plan plan;
   plan.title = reader.text(file, "title");
   const Json& start = file["start"];
-  for (const char* key : {"p", "axis", "closing"})
-    if (!start.is_object() || !start.contains(key))
-      reader.fail("/start", "a start has p, axis, closing and closure");
+  if (!start.is_object() || !start.contains("p")) reader.fail("/start", "a start has p, axis, closing and closure");
   plan.start.p = reader.vec3(start["p"], Measure::kLength, "/start/p");
-  try {
-    plan.start.q = hand::orientation(reader.vec3(start["axis"], Measure::kNumber, "/start/axis"),
-                                     reader.vec3(start["closing"], Measure::kNumber, "/start/closing"));
-  } catch (const std::invalid_argument& problem) {
-    reader.fail("/start", problem.what());
-  }
+  plan.start.q = hand::read_attitude(reader, start, "/start");
   if (start.contains("closure"))
     plan.closure = reader.number(start["closure"], Measure::kNumber, "/start/closure");
   for (size_t i = 0; i < file["acts"].size(); ++i)

@@ -17,7 +17,8 @@
 //   close  force or closure, time: closes until the grip has the force; takes at least `time`
 //   open   closure, time
 //   back   by, time: straight back along the jaws
-//   move   by or at, roll, time: a way in the world, or to a place there; meanwhile it rolls about its own axis
+//   move   by or at, roll or axis and closing, time: a way in the world, or to a place there; meanwhile it rolls about its own axis,
+//          or turns until the jaws are as these say
 //   draw   by, of, signal, less, time: by that way at most, ever slower as the signal comes near to `less`, and back while it is above:
 //          a thread is drawn until it has that tension
 //   bring  mark, s, time: what is held at s to where the mark is
@@ -33,7 +34,9 @@
 //   wind   about, turns, along, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
 //          right-handed about the way from its hinge to its tips (negative: the other way), and by `along` on that way; meanwhile
 //          outwards by `by` in a second while the signal is below `more`, inwards while it is above `less`: a thread is kept drawn
-//          by what the hand feels of it. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper
+//          by what the hand feels of it. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
+//          with `roll` it keeps its direction, out of the way of the other thread, and rolls about its own axis between the fingers.
+//          With `follows` it goes where the gripper goes: a turn stays on tips that reach for a tail
 //   again  from: on with that act, counted from 0
 #pragma once
 
@@ -92,7 +95,10 @@ struct Act {
   std::string about;            // of wind: name of a gripper
   double turns = 0, along = 0;  // 1, m
   bool rolls = false;           // the tool turns along
+  bool follows = false;         // of wind: it goes along with the other gripper
   double roll = 0;              // rad, about its own axis
+  bool turns_to = false;        // a move, to `attitude`
+  toolkit::Quat attitude = toolkit::Quat::Identity();  // T in W
   std::string signal;           // id
   double more = -1e300, less = 1e300;  // of the signal, SI
   double near = 0;              // m

@@ -258,6 +258,7 @@ void Skilled::set_goal(const Act& act) {
       break;
     case Verb::kMove:
       goal_.p = act.to_place ? act.at : from_.p + act.way;
+      if (act.turns_to) goal_.q = act.attitude;
       if (act.roll != 0) goal_.q = (from_.q * toolkit::exp_rotation(act.roll * Vec3::UnitX())).normalized();
       break;
     case Verb::kDraw:

@@ -12,7 +12,9 @@ namespace swage::skilled {
 Pose Skilled::wound(const Act& act, double u) const {
   const Vec3 d = from_.p - about_W_, along = d.dot(about_axis_W_) * about_axis_W_, out = (d - along).normalized();
   const Quat q = toolkit::exp_rotation(u * act.turns * 2 * std::numbers::pi * about_axis_W_);
-  return {about_W_ + along + u * act.along * about_axis_W_ + radius_ * (q * out), act.rolls ? Quat((q * from_.q).normalized()) : from_.q};
+  const Quat own = toolkit::exp_rotation(u * act.roll * Vec3::UnitX());
+  const Vec3 gone = act.follows ? Vec3(seen_.tip_W - about_W_) : Vec3(Vec3::Zero());
+  return {about_W_ + gone + along + u * act.along * about_axis_W_ + radius_ * (q * out), ((act.rolls ? Quat(q * from_.q) : from_.q) * own).normalized()};
 }
 
 /// Draws the thread while it feels too little of it and gives way while it feels too much; never through the other gripper.

@@ -38,5 +38,44 @@ TEST_F(SkilledHand, KeepsWhatItWindsDrawn) {
   }
 }
 
+// the fingers roll the tool, whose shaft keeps its direction
+TEST_F(SkilledHand, RollsAboutItsOwnAxisWhileItWinds) {
+  stage::FakeGripper other;
+  other.state.tip_W = {8e-3, 0, 2e-3};
+  make(R"({"act": "wind", "about": "holder", "turns": 0.5, "roll": "-90 deg", "time": "1 s"})");
+  objects_[0].instance = &other.raw;
+  ASSERT_EQ(bind(), SWAGE_OK);
+  for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) step();
+  // it began with its axis along -z and closing along y
+  EXPECT_LT((X_WT_.q * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((X_WT_.q * Vec3::UnitZ() + Vec3::UnitX()).norm(), 1e-9);
+}
+
+// where the other one goes it goes, too, and nowhere without "follows"
+TEST_F(SkilledHand, FollowsTheOtherGripperWhileItWinds) {
+  for (const bool follows : {true, false}) {
+    stage::FakeGripper other;
+    other.state.tip_W = {8e-3, 0, 2e-3};
+    make(std::string(R"({"act": "wind", "about": "holder", "turns": 0, "follows": )") + (follows ? "true" : "false") + R"(, "time": "1 s"})");
+    objects_[0].instance = &other.raw;
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    step();
+    const Vec3 before = X_WT_.p;
+    other.state.tip_W = {9e-3, -1e-3, 2.5e-3};
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) step();
+    EXPECT_LT((X_WT_.p - before - (follows ? Vec3(1e-3, -1e-3, 0.5e-3) : Vec3(Vec3::Zero()))).norm(), 1e-9) << follows;
+  }
+}
+
+// to an attitude, on the shortest turn
+TEST_F(SkilledHand, TurnsWhileItMoves) {
+  make(R"({"act": "move", "by": ["1 mm", "0 mm", "0 mm"], "axis": [0, 0, -1], "closing": [0, 1, 0], "time": "1 s"})");
+  ASSERT_EQ(bind(), SWAGE_OK);
+  for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;) step();
+  EXPECT_LT((X_WT_.q * Vec3::UnitX() + Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((X_WT_.q * Vec3::UnitZ() - Vec3::UnitY()).norm(), 1e-9);
+}
+
 }  // namespace
 }  // namespace swage::skilled
