@@ -19,6 +19,7 @@ constexpr double kMissing = 0.25;
 
 void Winding::build(const WindingParams& params, CouplingBuilder& builder) {
   params_ = params;
+  last_ = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
   builder.state<WindingState>();
   turns_ = builder.signal("winding.turns", "1",
                           "Turns of the thread about the instrument, right-handed about the way from hinge to tips; half a turn at most "
@@ -41,13 +42,12 @@ void Winding::bind(const Peer& a, const Peer& b) {
 
 void Winding::reset(const CouplingStep& step) { step.state<WindingState>() = {}; }
 
-/// Places of the thread in the tool's frame.
-bool Winding::look(const CouplingStep& step) {
+/// Places of the thread in the frame of the jaws.
+bool Winding::look(const CouplingStep& step, const Jaws& jaws) {
   const auto law = thread_.law(step.b());
-  const auto jaws = tool_.describe(step.a());
-  if (!law || !jaws) return false;
+  if (!law) return false;
   length_ = law->length;
-  const Vec3 tip = vec(jaws->tip_W), x = vec(jaws->axis_W), z = vec(jaws->closing_W), y = z.cross(x);
+  const Vec3 tip(jaws.tip_W), x(jaws.axis_W), z(jaws.closing_W), y = z.cross(x);
   for (int i = 0; i < params_.places; ++i) {
     const auto place = thread_.place(step.b(), length_ * i / (params_.places - 1));
     if (!place) return false;
@@ -58,13 +58,41 @@ bool Winding::look(const CouplingStep& step) {
   return true;
 }
 
-/// Of what is counted: the tail beyond is what the jaws take between them, on their line.
-void Winding::find_passages(const CouplingStep& step, WindingState& state, int last) const {
-  for (int i = 0; i < last; ++i) {
-    const int gained =
-        toolkit::wound_through(place(state.p_T, i), place(state.p_T, i + 1), place(p_T_, i), place(p_T_, i + 1), params_.reach);
-    if (gained == 0) continue;
-    state.passages += std::abs(gained);
+/// Looks for passages since it was here last. A step may be done in parts: in each of them the jaws are where they will be at its end, and
+/// the thread is where the part before has left it.
+bool Winding::go_on(const CouplingStep& step, WindingState& state) {
+  const auto now = tool_.describe(step.a());
+  if (!now) return false;
+  const auto keep = [](const swage_vec3& v, double* out) { out[0] = v.x, out[1] = v.y, out[2] = v.z; };
+  Jaws jaws;
+  keep(now->tip_W, jaws.tip_W), keep(now->axis_W, jaws.axis_W), keep(now->closing_W, jaws.closing_W);
+  jaws.opening = now->opening;
+  if (state.known == 0) state.jaws = jaws;
+  if (!look(step, state.jaws)) return false;
+  if (state.known != 0) find_passages(step, state);
+  std::copy_n(p_T_, 3 * params_.places, state.p_T);
+  state.known = 1, state.opening = state.jaws.opening, state.jaws = jaws;
+  return true;
+}
+
+/// From the tool's frame to that of one jaw, whose middle is the x axis and whose tip is the origin; side 1: left, -1: right.
+Vec3 Winding::in_jaw(const Vec3& p_T, double opening, double side) const {
+  const double c = std::cos(0.5 * opening), s = side * std::sin(0.5 * opening);
+  const double x = p_T.x() + params_.hinge, z = p_T.z();  // from the hinge
+  return {c * x + s * z - params_.hinge / c, p_T.y(), c * z - s * x - side * params_.inside};
+}
+
+/// Of what is counted: the tail beyond is what the jaws take between them. A thread may lie between open jaws, but in neither of them.
+void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
+  for (int i = 0; i < last_; ++i) {
+    int most = 0;
+    for (const double side : {1.0, -1.0}) {
+      const auto then = [&](int k) { return in_jaw(place(state.p_T, k), state.opening, side); };
+      const auto now = [&](int k) { return in_jaw(place(p_T_, k), state.jaws.opening, side); };
+      most = std::max(most, std::abs(toolkit::wound_through(then(i), then(i + 1), now(i), now(i + 1), params_.reach)));
+    }
+    if (most == 0) continue;
+    state.passages += most;
     step.event(passage_, length_ * (i + 0.5) / (params_.places - 1));
   }
 }
@@ -80,15 +108,15 @@ void Winding::tell(const CouplingStep& step, WindingState& state, double turns) 
   state.whole = now;
 }
 
+void Winding::resolve(const CouplingStep& step) {
+  if (!go_on(step, step.state<WindingState>())) discard();
+}
+
 void Winding::finish(const CouplingStep& step) {
-  if (!look(step)) return discard();
   WindingState& state = step.state<WindingState>();
+  if (!go_on(step, state)) return discard();
   toolkit::Winding winding(params_.reach);
-  const int last = static_cast<int>(std::lround(params_.to * (params_.places - 1)));  // the tail beyond is not wound
-  for (int i = 0; i < last; ++i) winding.add(place(p_T_, i), place(p_T_, i + 1));
-  if (state.known != 0) find_passages(step, state, last);
-  std::copy_n(p_T_, 3 * params_.places, state.p_T);
-  state.known = 1;
+  for (int i = 0; i < last_; ++i) winding.add(place(p_T_, i), place(p_T_, i + 1));
   tell(step, state, winding.turns());
   step.signal(turns_, winding.turns());
   step.signal(whole_, state.whole);

@@ -16,13 +16,23 @@ struct WindingParams {
   int places = 101;
   double reach = 6e-3;  // m
   double to = 1;        // share of the thread
+  double hinge = 10e-3;     // m, from the tips
+  double inside = 0.15e-3;  // m, from a gripping face to the middle of its jaw
+};
+
+/// Where the jaws are.
+struct Jaws {
+  double tip_W[3] = {}, axis_W[3] = {1, 0, 0}, closing_W[3] = {0, 0, 1};  // m, unit, unit
+  double opening = 0;                                                     // rad
 };
 
 /// The private numbers.
 struct WindingState {
-  double known = 0;             // 1: p_T is that of the step before
+  double known = 0;             // 1: p_T is that of `jaws` where the thread was last
   double whole = 0;             // whole turns that are told, with their sign
   double passages = 0;
+  Jaws jaws;                     // where they will be at the end of the step, or of its part
+  double opening = 0;            // rad, of p_T
   double p_T[3 * kPlaces] = {};  // m, places in the tool's frame, the tips in its origin
 };
 
@@ -45,17 +55,23 @@ class Winding final : public Coupling<WindingParams> {
       real<&WindingParams::reach>("reach", "Reach", "m", "mm", 0.1e-3, 0.1, "Length of the instrument that counts, from its tips back."),
       real<&WindingParams::to>("to", "To", "1", "1", 0.05, 1,
                                "Share of the thread, from its first end, whose turns count: beyond is the tail behind the hand that holds it."),
+      real<&WindingParams::hinge>("hinge", "Hinge", "m", "mm", 0.1e-3, 0.1, "Distance from the tips back to the hinge of the jaws."),
+      real<&WindingParams::inside>("inside", "Inside", "m", "mm", 0, 5e-3,
+                                   "Distance from a gripping face to the middle of its jaw: half of its thickness. What meets that has gone through the jaw."),
   };
 
   void build(const WindingParams& params, CouplingBuilder& builder) override;
   void bind(const Peer& a, const Peer& b) override;
   void reset(const CouplingStep& step) override;
+  void resolve(const CouplingStep& step) override;
   void finish(const CouplingStep& step) override;
 
  private:
-  bool look(const CouplingStep& step);
+  bool look(const CouplingStep& step, const Jaws& jaws);
+  bool go_on(const CouplingStep& step, WindingState& state);
   toolkit::Vec3 place(const double* of, int i) const { return Eigen::Map<const toolkit::Vec3>(of + 3 * i); }
-  void find_passages(const CouplingStep& step, WindingState& state, int last) const;
+  toolkit::Vec3 in_jaw(const toolkit::Vec3& p_T, double opening, double side) const;
+  void find_passages(const CouplingStep& step, WindingState& state) const;
   void tell(const CouplingStep& step, WindingState& state, double turns) const;
 
   WindingParams params_;
@@ -65,6 +81,7 @@ class Winding final : public Coupling<WindingParams> {
   Event wound_, unwound_, passage_;
 
   // of the present step
+  int last_ = 0;       // place beyond which nothing is counted
   double length_ = 0;  // m
   double p_T_[3 * kPlaces];
 };

@@ -201,11 +201,11 @@ TEST(KnotGuard, SelfLinkingIsConstantButForPassages) {
 struct Wound : Laid {
   static constexpr char kJaws[] = R"({"name": "holder", "plugin": "swage.object.jaws", "follows": {"pose": "hand", "closure": "hand"}})";
   static constexpr char kWinding[] = R"({"plugin": "swage.coupling.contact", "between": ["holder", "thread"]}, {"plugin": "swage.coupling.winding", "between": ["holder", "thread"], "params": {"places": 49}})";
-  Wound() : Laid(24e-3, 48, "0.01 GPa", std::string(kKnot) + "," + kWinding, kJaws, "", hand()) {}
-  static std::string hand() {
+  explicit Wound(double closure = 0.7) : Laid(24e-3, 48, "0.01 GPa", std::string(kKnot) + "," + kWinding, kJaws, "", hand(closure)) {}
+  static std::string hand(double closure) {
     const std::string path = ::testing::TempDir() + "swage_winding_hand.json";
     std::ofstream(path) << R"({"format": "swage-hand/1", "title": "Rests", "keys": [
-        {"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0], "closing": [0, 0, 1], "closure": 0.7}]})";
+        {"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0], "closing": [0, 0, 1], "closure": )" << closure << "}]}";
     return R"({"name": "hand", "plugin": "swage.device.scripted", "params": {"file": ")" + path + R"("}})";
   }
   /// The thread comes from -y below, goes round so many times and leaves to +y.
@@ -260,6 +260,27 @@ TEST(WindingInScene, APassageThroughTheInstrumentIsToldOnce) {
   int told = 0;
   for (const judge::Event& e : s.engine->events()) told += s.rig->script.events[e.event].id == "winding.passage";
   EXPECT_EQ(told, 1);
+}
+
+// jaws open by 9 deg to either side are 1.25 mm from the middle 2 mm behind their tips: what goes from one side to the other between them
+// goes through no jaw, what leaves to above goes through the upper one
+TEST(WindingInScene, BetweenOpenJawsThereIsNoPassage) {
+  Wound s(0);
+  ASSERT_TRUE(s.engine);
+  const auto beside = [&](double z) { s.lay([&](int i) { return Vec3(-2e-3, 0.5e-3 * i - 12.1e-3, z); }); };
+  s.run(300);  // they open
+  beside(0.3e-3);
+  s.run(1);
+  const double before = s.signal("winding.passages");
+  beside(-0.3e-3);
+  s.run(1);
+  EXPECT_EQ(s.signal("winding.passages"), before);
+  beside(1e-3);
+  s.run(1);
+  EXPECT_EQ(s.signal("winding.passages"), before);
+  beside(2e-3);
+  s.run(1);
+  EXPECT_EQ(s.signal("winding.passages"), before + 1);
 }
 
 }  // namespace
