@@ -21,6 +21,7 @@ if(SWAGE_SANITIZE)
   # gcc tells the code by __SANITIZE_ADDRESS__, clang 14 does not
   add_compile_definitions(SWAGE_SANITIZED)
   if("thread" IN_LIST SWAGE_SANITIZE)
+    add_compile_definitions(SWAGE_SANITIZED_THREADS)
     # tests that count allocations bring an operator new, and so does clang's runtime: the first one holds
     add_link_options(-Wl,-z,muldefs)
   endif()

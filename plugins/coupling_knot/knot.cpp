@@ -73,6 +73,7 @@ void Knot::look(const CouplingStep& step) {
 
 void Knot::find_passages(const CouplingStep& step, KnotState& state) {
   const double* now = p_W_ + 3 * first_;
+  if (state.places == places_ && state.first == first_ && std::equal(now, now + 3 * places_, state.p_W)) return;
   if (state.places == places_ && state.first == first_) {
     const int n = finder_.find(state.p_W, now, places_, found_);
     state.passages += std::max(0, n);
@@ -144,6 +145,12 @@ void Knot::write(const CouplingStep& step, const KnotState& state) const {
   step.signal(loop_, state.told.throws > 0 ? state.loop : 0);
   step.signal(certain_, state.certain);
   step.signal(passages_, state.passages);
+}
+
+/// A step may be done in parts: the thread is where the part before has left it.
+void Knot::resolve(const CouplingStep& step) {
+  look(step);
+  if (places_ > 1) find_passages(step, step.state<KnotState>());
 }
 
 void Knot::finish(const CouplingStep& step) {

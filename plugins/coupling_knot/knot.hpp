@@ -68,6 +68,7 @@ class Knot final : public Coupling<KnotParams> {
   void build(const KnotParams& params, CouplingBuilder& builder) override;
   void bind(const Peer& a, const Peer& b) override;
   void reset(const CouplingStep& step) override;
+  void resolve(const CouplingStep& step) override;
   void finish(const CouplingStep& step) override;
 
  private:

@@ -89,6 +89,9 @@ TEST(Validate, CrashesAreResultsAndNameTheCall) {
 }
 
 TEST(Validate, HangsAreStoppedAndNamed) {
+#ifdef SWAGE_SANITIZED_THREADS
+  GTEST_SKIP() << "The sanitizer delivers a timer's signal late: who hangs is not named.";
+#endif
   ValidateOptions options;
   options.strictness = 10;
   options.only = "threads";
@@ -108,8 +111,10 @@ TEST(Validate, WhatCannotBeLoaded) {
   EXPECT_EQ(says(wrong, "state"), "skipped: The library cannot be loaded.");
   EXPECT_EQ(says("org.example.bad.crashes_on_load", "load"),
             "crashed: It crashed in load() of org.example.bad.crashes_on_load at step 0: signal 11 (Segmentation fault).");
+#ifndef SWAGE_SANITIZED_THREADS  // which delivers a timer's signal late
   EXPECT_EQ(says(results("../bundles_hanging/org.example.bad.hangs_on_load", 0.5), "load"),
             "crashed: It was not done within 0.5 s in load() of org.example.bad.hangs_on_load at step 0.");
+#endif
 #if defined(__x86_64__)
   EXPECT_THAT(says("org.example.bad.fast_math", "load"), HasSubstr("linked with -ffast-math?"));
 #endif
