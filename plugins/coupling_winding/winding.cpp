@@ -84,6 +84,7 @@ Vec3 Winding::in_jaw(const Vec3& p_T, double opening, double side) const {
 
 /// Of what is counted: the tail beyond is what the jaws take between them. A thread may lie between open jaws, but in neither of them.
 void Winding::find_passages(const CouplingStep& step, WindingState& state) const {
+  if (std::equal(p_T_, p_T_ + 3 * params_.places, state.p_T)) return;  // at the beginning of a step nothing has moved
   for (int i = 0; i < last_; ++i) {
     int most = 0;
     for (const double side : {1.0, -1.0}) {
