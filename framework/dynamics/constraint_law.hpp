@@ -25,6 +25,30 @@ inline Tangent constraint_tangent(const Constraint& c, const Displacement& u, co
   return tangent(c.surface, u, f, limit, friction == Friction::kCoulomb);
 }
 
+// --- piece by piece
+
+inline Pieces pieces(const Constraint& c, const Displacement& u) {
+  return c.tie ? Pieces{Piece::kOpen, tie_pieces(*c.tie, u)} : Pieces{piece(c.surface, u), {}};
+}
+inline Force force_on(const Constraint& c, const Displacement& u) {
+  return c.tie ? tie_force_on(c.on.tie, *c.tie, u) : force_on(c.on.contact, c.surface, u);
+}
+inline Tangent tangent_on(const Constraint& c, const Displacement& u) {
+  return c.tie ? tie_tangent_on(c.on.tie, *c.tie, u) : tangent_on(c.on.contact, c.surface, u);
+}
+/// Where u + t e leaves them, t, and the pieces from there on; infinite: nowhere.
+inline double kink(const Constraint& c, const Displacement& u, const Displacement& e, Pieces& next) {
+  next = c.on;
+  if (c.tie) {
+    const TieKink k = tie_kink(c.on.tie, *c.tie, u, e);
+    next.tie = k.next;
+    return k.t;
+  }
+  const Kink k = kink(c.on.contact, c.surface, u, e);
+  next.contact = k.next;
+  return k.t;
+}
+
 /// With the limit held [J].
 inline double constraint_energy(const Constraint& c, const Displacement& u, double limit) {
   return c.tie ? tie_energy(*c.tie, u) : tresca_energy(c.surface, u, limit);

@@ -100,6 +100,24 @@ inline Tangent tangent(const Surface& s, const Displacement& d, const Force& f, 
   return t;
 }
 
+/// A force of an earlier step or pass, in the axes of now. At its limit but for a thousandth, as the axes may have turned: it slipped.
+inline Force force_before(const Surface& s, double fn, double f1, double f2) {
+  return {fn, f1, f2, f1 * f1 + f2 * f2 >= 0.998 * s.mu * s.mu * fn * fn};
+}
+
+/// The law near the displacement that gave that force, on the piece that it was on: f(u) = f - D (u - u(f)).
+struct LinearLaw {
+  Force f;  // at u
+  Tangent D;
+};
+inline LinearLaw law_before(const Surface& s, const Force& f, const Displacement& u) {
+  const Displacement then{-f.fn / s.k, -f.f1 / s.kt, -f.f2 / s.kt};
+  const Tangent D = tangent(s, then, f, s.mu * f.fn, true);
+  const double g = u.g - then.g, s1 = u.s1 - then.s1, s2 = u.s2 - then.s2;
+  return {{f.fn - D.nn * g, f.f1 - D.n1 * g - D.t11 * s1 - D.t12 * s2, f.f2 - D.n2 * g - D.t12 * s1 - D.t22 * s2, f.slips},
+          D};
+}
+
 // --- Coulomb's law piece by piece: each piece continued beyond its own range, and where it ends
 
 enum class Piece : uint8_t { kOpen, kStick, kSlip };
@@ -139,6 +157,23 @@ struct Kink {
   Piece next = Piece::kOpen;
 };
 
+/// Where a t^2 + 2 b t + c passes 0, from below (`rising`) or from above; a little before 0 counts as there. Infinite: nowhere.
+inline double zero_of(bool rising, double a, double b, double c) {
+  const double square = b * b - a * c;
+  if (!(square > 0)) return HUGE_VAL;
+  const double root = rising ? std::sqrt(square) : -std::sqrt(square);
+  // the root with slope a t + b = root, without cancellation
+  const double t = b * root > 0 ? -c / (b + root) : (root - b) / a;
+  return t > -1e-12 ? std::fmax(0.0, t) : HUGE_VAL;
+}
+
+/// What slips along e turns back where it comes nearest to where its bristle hangs, if that is nearer by half than it is now. The
+/// cone there is a thousand times smaller than the way of a step: Newton's step would pass it, to and fro.
+inline double turns_back(const Displacement& d, const Displacement& e) {
+  const double se = d.s1 * e.s1 + d.s2 * e.s2, ee = e.s1 * e.s1 + e.s2 * e.s2, ss = d.s1 * d.s1 + d.s2 * d.s2;
+  return se < 0 && ss * ee - se * se < 0.25 * ss * ee ? -se / ee : HUGE_VAL;
+}
+
 inline Kink kink(Piece piece, const Surface& s, const Displacement& d, const Displacement& e) {
   Kink kink;
   if (piece == Piece::kOpen) {
@@ -153,12 +188,8 @@ inline Kink kink(Piece piece, const Surface& s, const Displacement& d, const Dis
   const double a = kt2 * (e.s1 * e.s1 + e.s2 * e.s2) - cone * e.g * e.g;
   const double b = kt2 * (d.s1 * e.s1 + d.s2 * e.s2) - cone * d.g * e.g;
   const double c = kt2 * (d.s1 * d.s1 + d.s2 * d.s2) - cone * d.g * d.g;
-  const double square = b * b - a * c;
-  if (!(square > 0)) return kink;
-  const double rising = piece == Piece::kStick ? 1 : -1, root = rising * std::sqrt(square);
-  // the root with slope a t + b = root, without cancellation
-  const double t = b * root > 0 ? -c / (b + root) : (root - b) / a;
-  if (t > -1e-12 && t < kink.t) kink = {std::fmax(0.0, t), rising > 0 ? Piece::kSlip : Piece::kStick};
+  const double t = zero_of(piece == Piece::kStick, a, b, c);
+  if (t < kink.t) kink = {t, piece == Piece::kStick ? Piece::kSlip : Piece::kStick};
   return kink;
 }
 

@@ -30,11 +30,17 @@ void ContactProblem::begin(scene::World& world, Motion& motion, const contact::C
     ContactWorkspace& k = contact[i];
     k.a = place.side(c.body_a, c.particle_a, c.shape_a, c.place_a);
     k.b = place.side(c.body_b, c.particle_b, c.shape_b, c.place_b);
-    k.active = overlaps(c);
+    k.active = takes_part(c, k);
     k.dropped = false;
     k.constraint = kNone;
     k.found = {c.gap, c.p_W, c.n_W};
   }
+}
+
+/// What overlaps; and what bore force on a chain: at the predicted poses it may be off only because nothing bears it there.
+bool ContactProblem::takes_part(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
+  if (overlaps(c)) return true;
+  return k.bore && c.law.stiffness > 0 && (place.is_banded(k.a.block) || place.is_banded(k.b.block));
 }
 
 /// The contact at the present poses: axes, law, gap and tangential displacement.
@@ -48,6 +54,7 @@ void ContactProblem::linearise(const contact::Contact& c, const ContactWorkspace
   to.relaxed_gap = relaxed_gap(T, h, c.gap - to.n.dot(u));
   const Vec3 s = carried_bristle(c, k) + u;
   to.at = {c.gap - to.relaxed_gap, to.t1.dot(s), to.t2.dot(s)};
+  to.before = force_before(to.surface, to.n.dot(c.f_a_W), to.t1.dot(c.f_a_W), to.t2.dot(c.f_a_W));
 }
 
 /// How far a side's material point is from where it was predicted to be, or from where its shape is [m].
@@ -66,6 +73,7 @@ void ContactProblem::linearise(const Tie& of, TieWorkspace& k, Constraint& to) n
   const Vec3 s = of.offset_W - along * of.axis_W + a - b;
   k.p_W = of.p_W + (place.moves(k.a.block) ? a - s : b);
   to.at = {along + to.n.dot(s), to.t1.dot(s), to.t2.dot(s)};
+  to.before = {to.n.dot(of.f_a_W), to.t1.dot(of.f_a_W), to.t2.dot(of.f_a_W)};
 }
 
 /// The bristle of the last step, turned as its surfaces turned since, in the tangent plane of now.

@@ -70,6 +70,8 @@ struct ContactProblem {
   void begin(scene::World& world, Motion& motion, const contact::ContactSet& contacts,
              std::span<FlexibleBody* const> self) noexcept;
 
+  /// Whether a contact is active from the start.
+  bool takes_part(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
   /// Gap, place and normal of a contact at the present poses.
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
   /// Axes, law, gap and tangential displacement of its constraint there.

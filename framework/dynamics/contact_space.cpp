@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "dynamics/dense.hpp"
 #include "dynamics/jacobian.hpp"
 
 namespace swage::dynamics {
@@ -22,16 +22,15 @@ Vec3 force(const Constraint& constraint) {
 
 }  // namespace
 
-ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32_t max_of_bands) {
+ContactSpace::ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32_t max_of_bands)
+    : system_(max_constraints, max_hinges) {
   const size_t n = size_t{3} * max_constraints + max_hinges;
-  W_.resize(n * n), M_.resize(n * n);
-  for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &s_, &right_, &line_}) v->resize(n);
+  W_.resize(n * n);
+  for (std::vector<double>* v : {&free_, &c_, &F_, &v_, &y_, &line_}) v->resize(n);
   Jt_.resize(size_t{2} * BandedBody::kOfPoint * max_constraints), Minv_Jt_.resize(size_t{12} * max_constraints);
   of_block_.resize(std::max(max_of_bands, 6u));
   arm_.reserve(size_t{2} * max_constraints);
-  factors_.resize(max_constraints + max_hinges);
   drive_.resize(max_hinges);
-  pivot_.resize(n);
   hinge_.reserve(max_hinges);
 }
 
@@ -126,18 +125,19 @@ ContactSpace::Kept ContactSpace::linearise(const double* z) noexcept {
 }
 
 /// D = S R' of a constraint: along the normal and what friction does with it, then across.
-void ContactSpace::split(const Constraint& constraint, Factors& f) noexcept {
+void ContactSpace::split(const Constraint& constraint, ContactSystem::Factors& f) noexcept {
   const Tangent& D = constraint.D;
   f.rank = 0;
-  f.symmetric = D.n1 == 0 && D.n2 == 0;
+  f.spring = D.n1 == 0 && D.n2 == 0 && D.t12 == 0 && D.t11 == D.t22;
   const auto add = [&f](const Vec3& R) { f.R[f.rank] = f.S[f.rank] = R, ++f.rank; };
   if (D.nn > 0) {
     const double root = std::sqrt(D.nn);
     add(root * constraint.n);
-    if (!f.symmetric) f.S[0] += (D.n1 * constraint.t1 + D.n2 * constraint.t2) / root;
+    if (D.n1 != 0 || D.n2 != 0) f.S[0] += (D.n1 * constraint.t1 + D.n2 * constraint.t2) / root;
   }
+  // not below zero by rounding either, where a contact that slips opens
+  if (!(std::max(D.t11, D.t22) > 0)) return;
   if (D.t12 == 0 && D.t11 == D.t22) {
-    if (!(D.t11 > 0)) return;
     const double root = std::sqrt(D.t11);
     add(root * constraint.t1);
     add(root * constraint.t2);
@@ -150,88 +150,36 @@ void ContactSpace::split(const Constraint& constraint, Factors& f) noexcept {
   }
 }
 
-/// Factors of I + R' W S.
+/// Islands without a thread have few directions, and next to none alike: where something slips there they are factored whole.
 bool ContactSpace::factor() noexcept {
-  rank_ = 0;
-  symmetric_ = true;
+  bool springs = true;
   for (size_t i = 0; i < n_constraints_; ++i) {
-    Factors& f = factors_[i];
-    split(island_->constraints[i], f);
-    f.first = rank_;
-    rank_ += f.rank;
-    symmetric_ = symmetric_ && f.symmetric;
+    split(island_->constraints[i], system_.of(i));
+    springs = springs && system_.of(i).spring;
   }
+  springs = springs || island_->banded;
+  for (size_t i = 0; i < n_constraints_; ++i) system_.of(i).spring = system_.of(i).spring && springs;
   for (size_t h = 0; h < hinge_.size(); ++h) {
-    Factors& f = factors_[n_constraints_ + h];
-    f.first = rank_;
+    ContactSystem::Factors& f = system_.of(n_constraints_ + h);
     f.rank = drive_[h] > 0 ? 1 : 0;
-    f.R[0].x() = std::sqrt(drive_[h]);
-    rank_ += f.rank;
+    f.spring = springs;
+    f.R[0] = f.S[0] = {std::sqrt(drive_[h]), 0, 0};
   }
-  for (size_t i = 0; i < n_constraints_ + hinge_.size(); ++i) fill(i);
-  work += 3 * rank_ * n_ + rank_ * rank_ * rank_ / (symmetric_ ? 6 : 3);
-  return symmetric_ ? ldl_factor(rank_, M_.data()) : lu_factor(rank_, M_.data(), pivot_.data());
-}
-
-/// Lines of the system that belong to a constraint or a drive; from the diagonal on where it is symmetric.
-void ContactSpace::fill(size_t constraint) noexcept {
-  const Factors& f = factors_[constraint];
-  const size_t from = symmetric_ ? place(constraint) : 0;
-  for (uint32_t a = 0; a < f.rank; ++a) {
-    const double* L = line(place(constraint)) + from;
-    const Eigen::Index length = index(n_ - from);
-    Line RW(line_.data() + from, length);
-    if (constraint < n_constraints_)
-      RW = f.R[a].x() * ConstLine(L, length) + f.R[a].y() * ConstLine(L + n_, length) +
-           f.R[a].z() * ConstLine(L + 2 * n_, length);
-    else
-      RW = f.R[a].x() * ConstLine(L, length);
-    double* M = M_.data() + (f.first + a) * rank_;
-    for (size_t j = symmetric_ ? constraint : 0; j < n_constraints_; ++j) {
-      const Factors& g = factors_[j];
-      const double* w = &line_[3 * j];
-      for (uint32_t b = 0; b < g.rank; ++b)
-        M[g.first + b] = w[0] * g.S[b].x() + w[1] * g.S[b].y() + w[2] * g.S[b].z();
-    }
-    for (size_t j = std::max(symmetric_ ? constraint : 0, n_constraints_); j < n_constraints_ + hinge_.size();
-         ++j)
-      if (factors_[j].rank > 0) M[factors_[j].first] = line_[place(j)] * factors_[j].R[0].x();
-    M[f.first + a] += 1;
-  }
+  return system_.factor();
 }
 
 /// v and y where the step ends.
 void ContactSpace::solve() noexcept {
-  work += 2 * n_ * n_ + rank_ * rank_;
   std::copy_n(free_.begin(), n_, v_.begin());
   apply_delassus(c_.data(), v_.data());
-  for (size_t i = 0; i < n_constraints_ + hinge_.size(); ++i) {
-    const Factors& f = factors_[i];
-    for (uint32_t a = 0; a < f.rank; ++a)
-      right_[f.first + a] = i < n_constraints_ ? f.R[a].dot(vec3(&v_[3 * i])) : f.R[a].x() * v_[place(i)];
-  }
-  if (symmetric_)
-    ldl_solve(rank_, M_.data(), right_.data(), s_.data());
-  else
-    lu_solve(rank_, M_.data(), pivot_.data(), right_.data(), s_.data());
   std::copy_n(c_.begin(), n_, y_.begin());
-  for (size_t i = 0; i < n_constraints_ + hinge_.size(); ++i) {
-    const Factors& f = factors_[i];
-    for (uint32_t a = 0; a < f.rank; ++a) {
-      const double s = s_[f.first + a];
-      if (i >= n_constraints_)
-        y_[place(i)] -= f.R[a].x() * s;
-      else
-        for (size_t k = 0; k < 3; ++k) y_[3 * i + k] -= f.S[a][index(k)] * s;
-    }
-  }
+  system_.solve(v_.data(), y_.data());
   std::copy_n(free_.begin(), n_, v_.begin());
   apply_delassus(y_.data(), v_.data());
+  work += 2 * n_ * n_ + std::exchange(system_.work, 0);
 }
 
-int ContactSpace::sign() const noexcept {
-  return symmetric_ ? 1 : determinant_sign(rank_, M_.data(), pivot_.data());
-}
+int ContactSpace::sign() const noexcept { return system_.sign(); }
 
 void ContactSpace::set_search_direction(const double* step) noexcept {
   for (size_t i = 0; i < n_constraints_; ++i) {

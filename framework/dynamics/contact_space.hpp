@@ -9,11 +9,10 @@
 // With f(v) ~ c - D v and D = S R', of as many columns as directions in which constraints push back (0 open, 1 without friction or
 // torn, 2 sliding, 3 sticking), Newton's step ends at
 //
-//     (I + R' W S) s = R' (v* + W c),    y = c - S s,    v = v* + W y
+//     (I + R' W S) s = R' (v* + W c),    y = c - S s,    v = v* + W y                     contact_system.hpp
 //
 // which is where H d = -F ends (multiply by J A^-1; det H = det A det(I + R' W S)). The merit F' A^-1 F is (y - f)' W (y - f). W
-// may be singular: y is unique where f gives way. Where nothing slips S = R and the system is symmetric, positive definite.
-// c = 0 but for what slides, so v hardly cancels.
+// may be singular: y is unique where f gives way. c = 0 but for what slides, so v hardly cancels.
 //
 // A point z is v, then y; only after a whole step from the start does v = v* + W y hold. [rt]; built on [main].
 #pragma once
@@ -21,6 +20,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dynamics/contact_system.hpp"
 #include "dynamics/island.hpp"
 #include "dynamics/space.hpp"
 
@@ -53,13 +53,6 @@ class ContactSpace final : public Space {
     uint32_t stride = 0;
     uint32_t first = 0;  // unknown of the block, of its first column
   };
-  /// D = S R' of a constraint, in W; of a drive the first number of R.
-  struct Factors {
-    size_t first = 0;  // line of the system
-    uint32_t rank = 0;
-    bool symmetric = true;
-    Vec3 R[3], S[3];
-  };
   /// What has not changed since the last direction.
   struct Kept {
     bool stiffness = true, forces = true;  // of the drives; c
@@ -80,24 +73,22 @@ class ContactSpace final : public Space {
   void go(uint32_t block, const double* z, double* d) noexcept;
 
   Kept linearise(const double* z) noexcept;
-  static void split(const Constraint& constraint, Factors& f) noexcept;
+  static void split(const Constraint& constraint, ContactSystem::Factors& f) noexcept;
   bool factor() noexcept;
-  void fill(size_t constraint) noexcept;
   void solve() noexcept;
 
   const Island* island_ = nullptr;
-  size_t n_constraints_ = 0, n_ = 0, rank_ = 0;  // n: numbers of y; rank: of the system
-  bool factored_ = false, symmetric_ = true, solved_ = false;
-  std::vector<double> W_, M_;
+  size_t n_constraints_ = 0, n_ = 0;  // n: numbers of y
+  bool factored_ = false, solved_ = false;
+  ContactSystem system_;
+  std::vector<double> W_;
   std::vector<double> free_;  // v*
   std::vector<double> c_, drive_, v_,
       y_;  // of the last direction, and where it leads; N m/rad, of the drives
-  std::vector<double> F_, s_, right_, line_;
+  std::vector<double> F_, line_;
   std::vector<double> of_block_;  // numbers of a block
   std::vector<Vec3> Jt_, Minv_Jt_;  // of the block at hand, per arm and unknown: columns of J' and A^-1 J'
   std::vector<JacobianBlock> arm_;
-  std::vector<Factors> factors_;
-  std::vector<uint32_t> pivot_;
   std::vector<const DofBlock*> hinge_;
 };
 

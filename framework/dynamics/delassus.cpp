@@ -38,6 +38,7 @@ size_t ContactSpace::begin(const Island& island) noexcept {
     else
       add_rigid(block, block.kind == DofBlock::Kind::kHinge ? hinge++ : 0);
   }
+  system_.begin(W_.data(), n_constraints_, hinge_.size());
   return 2 * n_;
 }
 

@@ -112,4 +112,31 @@ inline void ldl_solve(size_t n, const double* DLt, const double* b, double* x) n
   }
 }
 
+/// Factors a symmetric, positive definite A in place as U^T U, as ldl_factor does, and leaves U in its upper half.
+inline bool cholesky_factor(size_t n, double* A) noexcept {
+  if (!ldl_factor(n, A)) return false;
+  for (size_t k = 0; k < n; ++k) {
+    const auto rest = static_cast<Eigen::Index>(n - k);
+    Eigen::Map<Eigen::VectorXd>(A + k * n + k, rest) *= 1 / std::sqrt(A[k * n + k]);
+  }
+  return true;
+}
+
+/// x = U^-T x, U in the upper half.
+inline void solve_transposed(size_t n, const double* U, double* x) noexcept {
+  for (size_t k = 0; k < n; ++k) {
+    const double* line = U + k * n;
+    x[k] /= line[k];
+    const auto rest = static_cast<Eigen::Index>(n - k - 1);
+    Eigen::Map<Eigen::VectorXd>(x + k + 1, rest) -=
+        x[k] * Eigen::Map<const Eigen::VectorXd>(line + k + 1, rest);
+  }
+}
+
+/// x = U^-1 x, U in the upper half.
+inline void solve_upper(size_t n, const double* U, double* x) noexcept {
+  for (size_t k = n; k-- > 0;)
+    x[k] = (x[k] - dot(n - k - 1, U + k * n + k + 1, x + k + 1)) / U[k * n + k];
+}
+
 }  // namespace swage::dynamics

@@ -101,7 +101,7 @@ void FlexiblePoints::meet_surfaces(contact::ContactSet& contacts) noexcept {
           elsewhere || (s->point != kNone && p_.place.flexible().displaced(p_.place.block(s->block).index));
     if (!elsewhere) continue;
     contacts.contact[i].gap = k.found.gap + p_.off_shapes(contacts.contact[i], k);
-    k.active = overlaps(contacts.contact[i]);
+    k.active = p_.takes_part(contacts.contact[i], k);
   }
 }
 

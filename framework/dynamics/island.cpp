@@ -14,6 +14,7 @@ namespace {
 
 constexpr uint32_t kNewtonSteps = 8;  // of Coulomb's Newton before the convex path is taken
 constexpr uint32_t kHalvings = 3;     // of one of them
+constexpr uint32_t kBandedHalvings = 0;  // the same of threads: their path costs less than shorter steps
 constexpr uint32_t kTiedSteps = 20,
                    kTiedHalvings = 6;  // the same where ties hold: they do not turn F inside out
 constexpr double kDecrease = 1e-3;     // fraction of the predicted decrease that a step must bring
@@ -39,7 +40,7 @@ IslandSolver::IslandSolver(uint32_t max_unknowns, uint32_t max_constraints, uint
       d_(max_unknowns + size_t{BandedBody::kUnknowns} * bands.vertices) {
   if (bands.vertices > 0) sparse_space_ = std::make_unique<SparseSpace>(max_unknowns, bands);
   const size_t numbers = std::max<size_t>(d_.size(), 2 * (3 * size_t{max_constraints} + max_hinges));
-  for (std::vector<double>* z : {&z_, &trial_, &step_, &before_}) z->resize(numbers);
+  for (std::vector<double>* z : {&z_, &trial_, &step_, &before_, &first_}) z->resize(numbers);
 }
 
 IslandSolver::~IslandSolver() = default;
@@ -92,11 +93,47 @@ bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexc
 /// A whole step from the start, where points of the space are reached by that alone.
 bool IslandSolver::make_consistent(const Island& island, Friction friction) noexcept {
   if (consistent_) return true;
-  evaluate(island, z_.data(), friction);
-  if (!search_direction(island, friction)) return false;
+  const bool where_it_was = island.banded && friction == Friction::kCoulomb;
+  if (where_it_was && has_first_) {
+    std::copy_n(first_.begin(), point_size_, z_.begin());
+    return consistent_ = true;
+  }
+  if (where_it_was) {
+    if (!begin_where_it_was(island)) return false;
+  } else {
+    evaluate(island, z_.data(), friction);
+    if (!search_direction(island, friction)) return false;
+  }
   advance(1);
   z_.swap(trial_);
+  if (where_it_was) {
+    std::copy_n(z_.begin(), point_size_, first_.begin());
+    has_first_ = true;
+  }
   return consistent_ = true;
+}
+
+/// Newton step with every constraint on the pieces of the last step or pass. A thread that goes on as it went leaves or enters most of
+/// its contacts, which would begin on pieces that none of them is on; what bore nothing begins as the law has it there.
+bool IslandSolver::begin_where_it_was(const Island& island) noexcept {
+  space_->displace(z_.data());
+  for (Constraint& c : island.constraints) {
+    if (c.tie) {
+      c.on.tie = tie_pieces_before(*c.tie, c.before);
+      c.f = force_on(c, c.u), c.D = tangent_on(c, c.u);
+    } else if (c.before.fn > 0) {
+      const LinearLaw law = law_before(c.surface, c.before, c.u);
+      c.f = law.f, c.D = law.D;
+    } else {
+      c.f = constraint_force(c, c.u, Friction::kCoulomb, c.limit);
+      c.D = constraint_tangent(c, c.u, c.f, Friction::kCoulomb, c.limit);
+    }
+  }
+  space_->residual(z_.data());
+  law_ = false;
+  const bool there = space_->search_direction(z_.data(), false, step_.data());
+  newton_ += there;
+  return there;
 }
 
 void IslandSolver::advance(double fraction) noexcept {
@@ -126,8 +163,9 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
 /// what it cannot do in a few steps the convex path does better.
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
-  const bool tied = has_ties(island);
-  const uint32_t steps = tied ? kTiedSteps : kNewtonSteps, halvings = tied ? kTiedHalvings : kHalvings;
+  const bool tied = has_ties(island) && !island.banded;
+  const uint32_t steps = tied ? kTiedSteps : kNewtonSteps;
+  const uint32_t halvings = island.banded ? kBandedHalvings : tied ? kTiedHalvings : kHalvings;
   if (!make_consistent(island, Friction::kCoulomb)) return false;
   evaluate(island, z_.data(), Friction::kCoulomb);
   double now = -1;  // not known yet
@@ -226,7 +264,7 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
   size_ = island.size;
   point_size_ = space_->begin(island);
   newton_ = 0;
-  law_ = false;
+  law_ = has_first_ = false;
   start();
   Outcome outcome;
   if (limits == Limits::kHeld) {
@@ -244,9 +282,10 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
   return outcome;
 }
 
-/// Along the path, from here, then from where nothing slips: a contact that must slip then slips the right way. Where neither
+/// Along the path, from the start, then from where nothing slips: a contact that must slip then slips the right way. Where neither
 /// ends, or where it ends far away, with limits held. Far: friction that falls as a light body slides, because it slides out of
-/// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those.
+/// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those. A thread goes
+/// far: it runs through what holds it.
 void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept {
   const double tolerance = scales.converged;
   outcome.fell_back = true;
@@ -256,18 +295,18 @@ void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome
     hold_limits(island, tolerance, 1, outcome);
     return;
   }
-  const bool ties = has_ties(island);
+  // a needle in tissue: Newton's method from where nothing slips ends better than a path, whose end may be far from there
+  const bool tied = has_ties(island) && !island.banded;
   bool stood = false;
   start();
-  // the path knows the pieces of Coulomb's law only, not those of a tie
-  outcome.converged = !ties && follow_path(island, tolerance);
-  const bool far = outcome.converged && space_->moved(z_.data()) > scales.lost;
+  outcome.converged = !tied && follow_path(island, tolerance);
+  const bool far = outcome.converged && !island.banded && space_->moved(z_.data()) > scales.lost;
   if (!outcome.converged || far) {
     start();
     stick_all(island, tolerance);
     std::copy_n(z_.begin(), point_size_, before_.begin());
     stood = consistent_;
-    outcome.converged = !far && (ties ? newton(island, tolerance) : follow_path(island, tolerance));
+    outcome.converged = !far && (tied ? newton(island, tolerance) : follow_path(island, tolerance));
   }
   if (outcome.converged) {
     evaluate(island, z_.data(), Friction::kCoulomb);

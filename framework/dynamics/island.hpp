@@ -24,6 +24,12 @@
 
 namespace swage::dynamics {
 
+/// The pieces of its law that a constraint is on: of a contact, or of a tie.
+struct Pieces {
+  Piece contact = Piece::kOpen;
+  TiePieces tie;
+};
+
 /// One contact or tie in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
 struct Constraint {
   uint32_t contact = 0;         // in the contact set, or among the ties
@@ -36,6 +42,7 @@ struct Constraint {
   Vec3 n, t1, t2;          // axes in W
   Displacement at;         // at the linearisation; its gap counts from `yielded`
   double relaxed_gap = 0;  // m, gap at which retarded surfaces stop pushing
+  Force before;            // of the last step or pass, in the axes of now
   const double* J =
       nullptr;  // 3 x (size_a + size_b), constraint-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
@@ -43,7 +50,7 @@ struct Constraint {
   Displacement u;
   Force f;
   double limit = 0;  // N, of friction
-  Piece piece = Piece::kOpen;
+  Pieces on;
   Displacement along;      // along the Newton step
   Tangent D;               // in the last system
   Displacement last_step;  // from `at` to `u`, in the last pass
@@ -106,6 +113,7 @@ class IslandSolver {
   bool search_direction(const Island& island, Friction friction) noexcept;
   bool same_stiffness(const Island& island, Friction friction) noexcept;
   bool make_consistent(const Island& island, Friction friction) noexcept;
+  bool begin_where_it_was(const Island& island) noexcept;
   void advance(double fraction) noexcept;
   double negligible_merit(const Island& island, double tolerance) const noexcept;
   bool sticks(const Island& island) const noexcept;
@@ -118,8 +126,9 @@ class IslandSolver {
   bool follow_path(const Island& island, double tolerance) noexcept;
   void evaluate_pieces(const Island& island, const double* z) noexcept;
   bool search_direction_on_pieces(const Island& island) noexcept;
-  uint32_t first_kink(const Island& island, uint32_t passed, double& fraction, Piece& next) const noexcept;
+  uint32_t first_kink(const Island& island, uint32_t passed, bool turns, double& fraction, Pieces& next) const noexcept;
   bool whole_step(const Island& island, double far, double tolerance) noexcept;
+  bool on_their_pieces(const Island& island, double tolerance) noexcept;
   bool limits_hold(const Island& island) const noexcept;
   bool minimise(const Island& island, double tolerance) noexcept;
   double slope(const Island& island, double fraction) noexcept;
@@ -129,11 +138,13 @@ class IslandSolver {
   size_t size_ = 0, point_size_ = 0;  // of d, of a point
   uint32_t newton_ = 0;
   bool consistent_ = false;  // the point is one of the space's, not only the start
+  bool has_first_ = false;
   bool law_ = false;         // D of the constraints is the tangent of the law, not of one of its pieces
   std::unique_ptr<Space> displacement_space_, sparse_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;
   std::vector<double> before_;  // z_ of the last convex problem
+  std::vector<double> first_;   // z_ where begin_where_it_was() led
 };
 
 }  // namespace swage::dynamics

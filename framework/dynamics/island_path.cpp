@@ -4,10 +4,12 @@
 // direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact comes to the end of its piece the path bends into
 // the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can turn F inside out, so that the determinant of its
 // derivative changes sign there; the path then leads back up for a while, to where it changes again. Stepping over the bends, as a
-// line search does, jumps to and fro between the pieces instead.
+// line search does, jumps to and fro between the pieces instead. Where the path ends every constraint must be on the piece that it was
+// taken to be on, or it goes on from there.
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/constraint_law.hpp"
 #include "dynamics/island.hpp"
 #include "dynamics/space.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so 5 to 20
 constexpr uint32_t kBandedPathSteps = 150;  // the same of threads, which slide at all of their 10 to 100 contacts
+constexpr uint32_t kTurningSteps = 40;  // in which threads turn back. More: what sticks and slips in turns holds up the path
 constexpr uint32_t kHalvings = 6;    // of a step on one piece, where the direction of slip turns
 constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
 
@@ -24,15 +27,13 @@ constexpr double kPassed = 1e-9;     // of a step: a contact does not come back 
 /// Forces of the pieces and the residual at z.
 void IslandSolver::evaluate_pieces(const Island& island, const double* z) noexcept {
   space_->displace(z);
-  for (Constraint& constraint : island.constraints)
-    constraint.f = force_on(constraint.piece, constraint.surface, constraint.u);
+  for (Constraint& constraint : island.constraints) constraint.f = force_on(constraint, constraint.u);
   space_->residual(z);
 }
 
 /// The direction of the path: Newton's, and against it where F is inside out.
 bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
-  for (Constraint& constraint : island.constraints)
-    constraint.D = tangent_on(constraint.piece, constraint.surface, constraint.u);
+  for (Constraint& constraint : island.constraints) constraint.D = tangent_on(constraint, constraint.u);
   law_ = false;
   const bool there = space_->search_direction(z_.data(), false, step_.data());
   newton_ += there;
@@ -40,14 +41,20 @@ bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
 }
 
 /// The constraint that first comes to the end of its piece, before `fraction` of the step; `passed`: the constraint that just did.
-uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, double& fraction,
-                                  Piece& next) const noexcept {
+/// `turns`: what slips and turns back is taken to stick.
+uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool turns, double& fraction,
+                                  Pieces& next) const noexcept {
   uint32_t hit = UINT32_MAX;
   for (uint32_t i = 0; i < island.constraints.size(); ++i) {
     const Constraint& constraint = island.constraints[i];
-    const Kink k = kink(constraint.piece, constraint.surface, constraint.u, constraint.along);
-    if (!(k.t < fraction) || (i == passed && k.t < kPassed)) continue;
-    hit = i, fraction = k.t, next = k.next;
+    Pieces then;
+    double t = kink(constraint, constraint.u, constraint.along, then);
+    if (turns && !constraint.tie && constraint.on.contact == Piece::kSlip) {
+      const double back = turns_back(constraint.u, constraint.along);
+      if (back < t) t = back, then.contact = Piece::kStick;
+    }
+    if (!(t < fraction) || (i == passed && t < kPassed)) continue;
+    hit = i, fraction = t, next = then;
   }
   return hit;
 }
@@ -65,11 +72,24 @@ bool IslandSolver::whole_step(const Island& island, double far, double tolerance
   return fraction == 1;
 }
 
+/// Every constraint to the piece that it is on at z. True when it was, but for what the tolerance leaves: what just came to a kink and
+/// turned back there may have been left on the piece beyond.
+bool IslandSolver::on_their_pieces(const Island& island, double tolerance) noexcept {
+  bool were = true;
+  for (Constraint& c : island.constraints) {
+    double limit = 0;
+    const Force law = constraint_force(c, c.u, Friction::kCoulomb, limit), f = force_on(c, c.u);
+    const double off = std::abs(law.fn - f.fn) + std::abs(law.f1 - f.f1) + std::abs(law.f2 - f.f2);
+    were = were && off <= tolerance * (c.tie ? std::max(c.tie->k_along, c.tie->k_across) : c.surface.k);
+    c.on = pieces(c, c.u);
+  }
+  return were;
+}
+
 bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept {
   if (!make_consistent(island, Friction::kCoulomb)) return false;
   space_->displace(z_.data());
-  for (Constraint& constraint : island.constraints)
-    constraint.piece = piece(constraint.surface, constraint.u);
+  for (Constraint& constraint : island.constraints) constraint.on = pieces(constraint, constraint.u);
   evaluate_pieces(island, z_.data());
   uint32_t passed = UINT32_MAX;
   const uint32_t steps = island.banded ? kBandedPathSteps : kPathSteps;
@@ -82,18 +102,19 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
     if (!std::isfinite(far)) return false;
 
     double fraction = down ? 1 : HUGE_VAL;
-    Piece next = Piece::kOpen;
+    Pieces next;
     space_->set_search_direction(step_.data());
-    passed = first_kink(island, passed, fraction, next);
+    passed = first_kink(island, passed, down && island.banded && i < kTurningSteps, fraction, next);
     if (passed != UINT32_MAX) {
       advance(fraction);
       z_.swap(trial_);
-      island.constraints[passed].piece = next;
+      island.constraints[passed].on = next;
       evaluate_pieces(island, z_.data());
     } else if (!down) {
       return false;  // leads nowhere
     } else if (whole_step(island, far, tolerance) && far <= tolerance) {
-      return true;
+      if (on_their_pieces(island, tolerance)) return true;
+      evaluate_pieces(island, z_.data());
     }
   }
   return false;

@@ -9,7 +9,6 @@
 // Header-only, [rt].
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -40,30 +39,81 @@ struct Tie {
   Vec3 plastic_slip_W = Vec3::Zero();  // m, plastic part of the displacement
 };
 
-/// Force on a. In the axes of the tie, g is along and s1, s2 are across.
-inline Force tie_force(const TieLaw& law, const Displacement& d) {
-  Force f;
-  f.fn = std::clamp(-law.k_along * d.g, -law.forward_limit, law.backward_limit);
-  f.f1 = -law.k_across * d.s1, f.f2 = -law.k_across * d.s2;
-  const double across = std::sqrt(f.f1 * f.f1 + f.f2 * f.f2);
-  f.slips = across > law.strength;
-  if (f.slips) f.f1 *= law.strength / across, f.f2 *= law.strength / across;
+// Piece by piece, as contact_law.hpp has it: along the axis and across it each sticks or slips by itself
+
+struct TiePieces {
+  Piece along = Piece::kStick, across = Piece::kStick;
+};
+
+inline TiePieces tie_pieces(const TieLaw& law, const Displacement& d) {
+  const double along = -law.k_along * d.g;
+  return {along >= -law.forward_limit && along <= law.backward_limit ? Piece::kStick : Piece::kSlip,
+          law.k_across * std::sqrt(d.s1 * d.s1 + d.s2 * d.s2) <= law.strength ? Piece::kStick : Piece::kSlip};
+}
+
+/// Force on a, on given pieces, continued beyond their own range. In the axes of the tie, g is along and s1, s2 are across.
+inline Force tie_force_on(const TiePieces& on, const TieLaw& law, const Displacement& d) {
+  Force f{-law.k_along * d.g, -law.k_across * d.s1, -law.k_across * d.s2, on.across == Piece::kSlip};
+  if (on.along == Piece::kSlip) f.fn = d.g > 0 ? -law.forward_limit : law.backward_limit;
+  if (!f.slips) return f;
+  const double across = std::sqrt(f.f1 * f.f1 + f.f2 * f.f2), back = across > 0 ? law.strength / across : 0.0;
+  f.f1 *= back, f.f2 *= back;
   return f;
 }
 
-/// -d force / d displacement: symmetric, positive semi-definite.
-inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
+inline Tangent tie_tangent_on(const TiePieces& on, const TieLaw& law, const Displacement& d) {
   Tangent t;
-  const double along = -law.k_along * d.g;
-  if (along >= -law.forward_limit && along <= law.backward_limit) t.nn = law.k_along;
-  const double length = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2);
-  if (law.k_across * length <= law.strength) {
+  if (on.along == Piece::kStick) t.nn = law.k_along;
+  if (on.across == Piece::kStick) {
     t.t11 = t.t22 = law.k_across;
     return t;
   }
+  const double length = std::sqrt(d.s1 * d.s1 + d.s2 * d.s2);
+  if (!(length > 0)) return t;
   const double e1 = d.s1 / length, e2 = d.s2 / length, k = law.strength / length;
   t.t11 = k * e2 * e2, t.t12 = -k * e1 * e2, t.t22 = k * e1 * e1;
   return t;
+}
+
+/// Force on a.
+inline Force tie_force(const TieLaw& law, const Displacement& d) { return tie_force_on(tie_pieces(law, d), law, d); }
+
+/// -d force / d displacement: symmetric, positive semi-definite.
+inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
+  return tie_tangent_on(tie_pieces(law, d), law, d);
+}
+
+/// The pieces that a force of an earlier pass was on, in the axes of now.
+inline TiePieces tie_pieces_before(const TieLaw& law, const Force& f) {
+  constexpr double kNearly = 0.999;  // the axes may have turned by a thousandth
+  const bool slips = f.fn <= -kNearly * law.forward_limit || f.fn >= kNearly * law.backward_limit;
+  return {slips ? Piece::kSlip : Piece::kStick,
+          std::sqrt(f.f1 * f.f1 + f.f2 * f.f2) >= kNearly * law.strength ? Piece::kSlip : Piece::kStick};
+}
+
+/// The first t > 0 at which d + t e leaves one of the pieces, and the pieces from there on.
+struct TieKink {
+  double t = HUGE_VAL;
+  TiePieces next;
+};
+
+inline TieKink tie_kink(const TiePieces& on, const TieLaw& law, const Displacement& d, const Displacement& e) {
+  TieKink kink{HUGE_VAL, on};
+  const bool sticks = on.along == Piece::kStick;
+  // the end of the bristle to which it goes, or, slipping, the one to which it comes back
+  const double end = sticks == (e.g > 0) ? law.forward_limit : -law.backward_limit;
+  if ((sticks ? e.g != 0 : d.g * e.g < 0) && law.k_along > 0 && std::isfinite(end)) {
+    kink.t = std::fmax(0.0, (end / law.k_along - d.g) / e.g);
+    kink.next.along = sticks ? Piece::kSlip : Piece::kStick;
+  }
+  if (!(law.k_across > 0) || !std::isfinite(law.strength)) return kink;
+  const double limit = law.strength / law.k_across;
+  const double t = zero_of(on.across == Piece::kStick, e.s1 * e.s1 + e.s2 * e.s2, d.s1 * e.s1 + d.s2 * e.s2,
+                           d.s1 * d.s1 + d.s2 * d.s2 - limit * limit);
+  if (!(t < kink.t)) return kink;
+  kink = {t, on};
+  kink.next.across = on.across == Piece::kStick ? Piece::kSlip : Piece::kStick;
+  return kink;
 }
 
 /// The plastic part of the displacement: slip along, yielding across [m].

@@ -77,6 +77,32 @@ TEST(ContactLaw, KinksAreWhereThePieceEnds) {
   EXPECT_GT(seen[2][0], 100);
 }
 
+// the linear law about a force goes through it, and is the law nearby on the piece that it was on
+TEST(ContactLaw, AForceOfBeforeTellsThePieceAndTheLawNearIt) {
+  for (const Displacement& u : {Displacement{-1e-6, 0.1e-6, 0.2e-6}, Displacement{-1e-6, 2e-6, -1e-6}}) {
+    const Force whole = coulomb(kSteel, u), then = force_before(kSteel, whole.fn, whole.f1, whole.f2);
+    EXPECT_EQ(then.slips, whole.slips);
+    // where its bristle hangs: nearer, if it slipped
+    const Displacement kept{u.g, -then.f1 / kSteel.kt, -then.f2 / kSteel.kt};
+    const LinearLaw there = law_before(kSteel, then, kept);
+    EXPECT_NEAR(there.f.fn, then.fn, 1e-12);
+    EXPECT_NEAR(there.f.f1, then.f1, 1e-12);
+    const Displacement near{kept.g * 1.001, kept.s1 * 1.003, kept.s2 * 1.002};
+    const Force f = law_before(kSteel, then, near).f, law = force_on(then.slips ? Piece::kSlip : Piece::kStick, kSteel, near);
+    EXPECT_NEAR(f.fn, law.fn, 1e-5 * whole.fn);
+    EXPECT_NEAR(f.f1, law.f1, 1e-5 * whole.fn);
+    EXPECT_NEAR(f.f2, law.f2, 1e-5 * whole.fn);
+  }
+  EXPECT_FALSE(force_before(kSteel, 1, 0.99 * kSteel.mu, 0).slips);
+}
+
+// nearest to the bristle's end on the way, and only where that is nearer by half
+TEST(ContactLaw, WhatTurnsBackDoesSoNearestToItsBristle) {
+  EXPECT_DOUBLE_EQ(turns_back({-1e-6, 2e-6, 0}, {0, -4e-6, 0.1e-6}), 8 / 16.01);
+  EXPECT_EQ(turns_back({-1e-6, 2e-6, 0}, {0, 4e-6, 0}), HUGE_VAL) << "goes on";
+  EXPECT_EQ(turns_back({-1e-6, 2e-6, 0}, {0, -1e-6, 4e-6}), HUGE_VAL) << "passes at a distance";
+}
+
 // a mass that lands with T = 2 sqrt(m / k) or more leaves with less than a fiftieth; with e = 1 nothing is taken
 TEST(ContactLaw, WhatDoesNotReboundComesBackLate) {
   const double k = 1e6, h = 1e-5;

@@ -57,9 +57,25 @@ TEST(Dense, SolvesSymmetricPositiveDefiniteSystemsFromTheirUpperHalf) {
   }
   double indefinite[4] = {1, 2, 2, 1};
   EXPECT_FALSE(ldl_factor(2, indefinite));
+  double as_roots[4] = {1, 2, 2, 1};
+  EXPECT_FALSE(cholesky_factor(2, as_roots));
   double poisoned[4] = {1, NAN, NAN, 1};
   EXPECT_FALSE(ldl_factor(2, poisoned));
   EXPECT_TRUE(ldl_factor(0, nullptr));
+}
+
+TEST(Dense, SolvesByHalves) {
+  base::Xoshiro256 rng(4);
+  for (const int n : {1, 2, 7, 40}) {
+    const RowMajor J = random_matrix(rng, n, n), b = random_matrix(rng, n, 1);
+    const RowMajor A = RowMajor::Identity(n, n) + J * J.transpose();
+    RowMajor upper = A.triangularView<Eigen::Upper>(), x = b;
+    ASSERT_TRUE(cholesky_factor(static_cast<size_t>(n), upper.data()));
+    solve_transposed(static_cast<size_t>(n), upper.data(), x.data());
+    EXPECT_NEAR(x.squaredNorm(), (b.transpose() * A.inverse() * b)(0), 1e-10 * b.squaredNorm()) << n;
+    solve_upper(static_cast<size_t>(n), upper.data(), x.data());
+    EXPECT_LT((A * x - b).norm(), 1e-10) << n;
+  }
 }
 
 TEST(Dense, KnowsTheSignOfTheDeterminant) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -31,6 +32,47 @@ TEST(TieLaw, SlidesAtItsLimitsAndRemembersTheRest) {
   EXPECT_NEAR(slid.g, 3e-6, 1e-18);
   EXPECT_NEAR(slid.s1, 0.6 * 30e-6, 1e-18);  // of 50 um the spring keeps 20
   EXPECT_NEAR(slid.s2, 0.8 * 30e-6, 1e-18);
+}
+
+// on its own range each piece is the law; a hair before a kink the old pieces hold, a hair behind it the new ones
+TEST(TieLaw, PiecesAreTheLawAndEndAtTheirKinks) {
+  const TieLaw law{100, 1000, 2e-3, 5e-3, 1e-3};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> along(-10e-6, 10e-6), across(-40e-6, 40e-6);
+  int kinks[2] = {};
+  for (int i = 0; i < 3000; ++i) {
+    const Displacement u{along(random), across(random), across(random)}, e{along(random), across(random), across(random)};
+    const TiePieces on = tie_pieces(law, u);
+    const Force f = tie_force(law, u);
+    const double spring = law.k_across * std::hypot(u.s1, u.s2), share = std::min(1.0, law.strength / spring);
+    ASSERT_NEAR(f.fn, std::clamp(-law.k_along * u.g, -law.forward_limit, law.backward_limit), 1e-15);
+    ASSERT_NEAR(f.f1, -share * law.k_across * u.s1, 1e-15);
+    ASSERT_NEAR(f.f2, -share * law.k_across * u.s2, 1e-15);
+    const auto at = [&](double t) {
+      return tie_pieces(law, {u.g + t * e.g, u.s1 + t * e.s1, u.s2 + t * e.s2});
+    };
+    const TieKink k = tie_kink(on, law, u, e);
+    const auto same = [](const TiePieces& a, const TiePieces& b) { return a.along == b.along && a.across == b.across; };
+    ASSERT_TRUE(same(at(0.999999 * std::min(k.t, 1e3)), on)) << i;
+    if (!std::isfinite(k.t)) continue;
+    ASSERT_TRUE(same(at(1.000001 * k.t), k.next)) << i;
+    ++kinks[k.next.along != on.along];
+  }
+  EXPECT_GT(kinks[0], 500);
+  EXPECT_GT(kinks[1], 500);
+}
+
+TEST(TieLaw, ThePiecesOfAForceAreThoseThatItWasOn) {
+  const TieLaw law{100, 1000, 2e-3, 5e-3, 1e-3};
+  for (const Displacement& u : {Displacement{3e-6, 0, 0}, Displacement{8e-6, 3e-6, 0}, Displacement{-8e-6, 30e-6, 40e-6}}) {
+    const TiePieces on = tie_pieces(law, u), then = tie_pieces_before(law, tie_force(law, u));
+    EXPECT_EQ(on.along, then.along);
+    EXPECT_EQ(on.across, then.across);
+  }
+  // without limits nothing slips
+  const TieLaw firm{100, 1000};
+  EXPECT_EQ(tie_pieces_before(firm, {1e9, 1e9, 0}).along, Piece::kStick);
+  EXPECT_EQ(tie_kink({}, firm, {0, 0, 0}, {1, 1, 1}).t, HUGE_VAL);
 }
 
 /// A body in a world; ties are laid before each step by the test, which plays the coupling.
