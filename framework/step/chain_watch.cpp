@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/chain.hpp"
+#include "toolkit/rod_passage.hpp"
 
 namespace swage::step {
 
@@ -17,16 +18,21 @@ constexpr double kDeep = 0.5;
 }  // namespace
 
 ChainWatch::ChainWatch(scene::World& world, contact::Detector& detector) : world_(world), detector_(detector) {
-  std::size_t n = 0;
-  for (const scene::ChainInfo& chain : world.chain) n += 3 * chain.start.size();
+  std::size_t n = 0, most = 0;
+  for (const scene::ChainInfo& chain : world.chain) n += 3 * chain.start.size(), most = std::max(most, chain.start.size());
   if (n == 0) return;
-  p_looked_.resize(n), v_.resize(n);
+  for (std::vector<double>* p : {&p_begun_, &p_looked_, &v_}) p->resize(n);
+  boxes_.resize(toolkit::room_for_passages(static_cast<int>(most)));
+  alone_.assign(world.chain.size(), 1);
+  for (const scene::Shape& shape : world.shape)
+    for (const contact::Pair& pair : detector.pairs())
+      if (shape.chain != scene::kNone && pair.object_a == shape.object && pair.object_b == shape.object) alone_[shape.chain] = 0;
   V_.reserve(world.V_WB.size());
   detector_.reserve(on_the_way_);
 }
 
-void ChainWatch::keep() noexcept {
-  double* to = p_looked_.data();
+void ChainWatch::copy_to(std::vector<double>& p) const noexcept {
+  double* to = p.data();
   for (const scene::ChainInfo& chain : world_.chain)
     to = std::copy_n(world_.plugin_state.data() + chain.state, 3 * chain.start.size(), to);
 }
@@ -36,6 +42,21 @@ bool ChainWatch::met_unseen(const contact::ContactSet& known) noexcept {
   look_along_the_way();
   return std::any_of(on_the_way_.contact.begin(), on_the_way_.contact.end(),
                      [&](const contact::Contact& met) { return unseen(met, known); });
+}
+
+bool ChainWatch::passed_itself() noexcept {
+  const double* from = p_begun_.data();
+  for (std::size_t c = 0; c < world_.chain.size(); ++c) {
+    const scene::ChainInfo& info = world_.chain[c];
+    const scene::ChainView chain(world_, info);
+    const int n = static_cast<int>(info.start.size());
+    const double* to = world_.plugin_state.data() + info.state;
+    const auto there = [&](int j) { return chain.radius(static_cast<std::size_t>(j)) > 0; };
+    if (alone_[c] == 0 && toolkit::may_have_passed(n, from, to, chain.radius(0)) && toolkit::passages(n, from, to, there, boxes_) > 0)
+      return true;
+    from += 3 * info.start.size();
+  }
+  return false;
 }
 
 /// A vertex is farther than its radius from where contacts were looked for.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What chains meet between where contacts were looked for and where the solve has put them. What was not near then has no contact, and a
-// thin thread that is snatched comes out on its far side.
+// thin thread that is snatched comes out on its far side. Of a chain with itself the whole step is looked at, each vertex going straight:
+// in a loop of few pieces these turn so far that a contact found along the way no longer tells on which side they ended.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -17,19 +18,26 @@ class ChainWatch {
  public:
   ChainWatch(scene::World& world, contact::Detector& detector);
 
-  /// After detect: where the vertices are.
-  void keep() noexcept;
+  /// Before free motion, and after detect: where the vertices are.
+  void begin() noexcept { copy_to(p_begun_); }
+  void keep() noexcept { copy_to(p_looked_); }
   /// After the solve: whether a chain is deep in what `known` does not name.
   bool met_unseen(const contact::ContactSet& known) noexcept;
+  /// After the solve: whether a chain has passed through itself since begin().
+  bool passed_itself() noexcept;
 
  private:
+  void copy_to(std::vector<double>& p) const noexcept;
   bool went_far() const noexcept;
   void look_along_the_way() noexcept;
   bool unseen(const contact::Contact& met, const contact::ContactSet& known) const noexcept;
 
   scene::World& world_;
   contact::Detector& detector_;
-  std::vector<double> p_looked_;     // m, vertices of all chains where contacts were looked for
+  std::vector<double> p_begun_;      // m, vertices of all chains at the beginning of the step
+  std::vector<double> p_looked_;     // m, the same where contacts were looked for
+  std::vector<double> boxes_;        // room of toolkit::passages
+  std::vector<uint8_t> alone_;       // chains that no contact joins with themselves: they may pass
   std::vector<double> v_;            // m/s, their velocities, while the detector is shown others
   std::vector<swage_twist> V_;       // of the bodies, the same
   contact::ContactSet on_the_way_;

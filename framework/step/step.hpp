@@ -113,7 +113,7 @@ class Engine {
   void done(Phase phase) noexcept;
 
   // substeps.cpp
-  static constexpr std::size_t kDivisions = 3;
+  static constexpr std::size_t kDivisions = 6;
   struct Begun {  // before free motion
     std::vector<std::byte> state;
     base::SolverHealth health;

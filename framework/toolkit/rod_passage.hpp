@@ -95,4 +95,16 @@ int passages(int n, const double* x0, const double* x1, const There& there, std:
   return count;
 }
 
+/// Whether some node comes farther than a quarter of the radius, seen by who goes with the chain: less passes through nothing, and looking
+/// for passages costs 20 us of 200 pieces.
+inline bool may_have_passed(int n, const double* x0, const double* x1, double radius) {
+  constexpr double kFar = 0.25;
+  const auto gone = [=](int i) { return Vec3(x1[3 * i] - x0[3 * i], x1[3 * i + 1] - x0[3 * i + 1], x1[3 * i + 2] - x0[3 * i + 2]); };
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i < n; ++i) mean += gone(i) / n;
+  double most = 0;
+  for (int i = 0; i < n; ++i) most = std::max(most, (gone(i) - mean).squaredNorm());
+  return most >= kFar * radius * kFar * radius;
+}
+
 }  // namespace swage::toolkit

@@ -182,16 +182,9 @@ void Thread::finish(const Step& step) {
   step.signal(passed_, passed(step));
 }
 
-/// Only what comes farther in the step than this share of its radius, seen by who goes with the thread, is looked at: 20 us of 200 segments.
 void Thread::count_passages(const Step& step) {
-  constexpr double kFar = 0.25;
   const RodState s = state(step), begun(nodes(), begun_.data());
-  Vec3 mean = Vec3::Zero();
-  for (int i = 0; i < nodes(); ++i) mean += (s.node(i) - begun.node(i)) / nodes();
-  double most = 0;
-  for (int i = 0; i < nodes(); ++i) most = std::max(most, (s.node(i) - begun.node(i) - mean).squaredNorm());
-  const double far = kFar * rod_.section().radius;
-  if (most < far * far) return;
+  if (!toolkit::may_have_passed(nodes(), begun.x, s.x, rod_.section().radius)) return;
   const ChainState chain = step.chain(0, vertices());
   passed(step) += toolkit::passages(nodes(), begun.x, s.x, [&](int j) { return chain.radius[at(j)] > 0; }, boxes_);
 }
