@@ -16,12 +16,15 @@ class Histogram {
     const uint64_t value = ns < 0 ? 0 : static_cast<uint64_t>(ns);
     ++count_[bin(value)];
     ++total_;
+    sum_ += static_cast<double>(value);
     if (value > max_) max_ = value;
   }
   void clear() noexcept { *this = Histogram(); }
 
   uint64_t total() const noexcept { return total_; }
   uint64_t max() const noexcept { return max_; }
+  /// 0 of nothing.
+  double mean() const noexcept { return total_ > 0 ? sum_ / static_cast<double>(total_) : 0; }
 
   /// Smallest upper edge of a bin such that a share of at least q of all values lies below it; never above
   /// the maximum.
@@ -62,6 +65,7 @@ class Histogram {
 
   std::array<uint64_t, kBins> count_{};
   uint64_t total_ = 0, max_ = 0;
+  double sum_ = 0;
 };
 
 }  // namespace swage::base

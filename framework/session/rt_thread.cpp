@@ -80,8 +80,9 @@ void LoopStats::fill(snapshot::LoopHealth& health) const {
   health.dropped = dropped;
   health.worst_wake_s = 1e-9 * static_cast<double>(wake.max());
   health.worst_step_s = 1e-9 * static_cast<double>(wall.max());
-  health.mean_step_cpu_s = 1e-9 * static_cast<double>(cpu_smooth_ns);
+  health.mean_step_cpu_s = 1e-9 * cpu.mean();
   health.p99_step_cpu_s = 1e-9 * static_cast<double>(cpu.quantile(0.99));
+  health.p999_step_cpu_s = 1e-9 * static_cast<double>(cpu.quantile(0.999));
 }
 
 RtThread::RtThread(Lateness lateness, double period_s, Work work)
@@ -114,7 +115,6 @@ bool RtThread::one(const Tick& tick, int64_t deadline) {
   const int64_t cpu = base::cpu_ns() - cpu0, wall1 = base::wall_ns();
   stats_.cpu.add(cpu);
   stats_.wall.add(wall1 - wall0);
-  stats_.cpu_smooth_ns += (cpu - stats_.cpu_smooth_ns) / 1024;
   if (wall1 > deadline + period_) {
     ++stats_.overrun;
     stats_.own_overrun += cpu > period_;

@@ -38,7 +38,6 @@ RtGrant make_punctual();
 struct LoopStats {
   base::Histogram wake, wall, cpu;  // ns: lateness of waking, length of a tick, its processor time
   uint64_t late = 0, overrun = 0, own_overrun = 0, dropped = 0;
-  int64_t cpu_smooth_ns = 0;  // over about a second
   void fill(snapshot::LoopHealth& health) const;
 };
 

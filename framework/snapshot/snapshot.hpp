@@ -38,8 +38,7 @@ struct LoopHealth {
   uint64_t dropped = 0;                        // deadlines that passed without a step
   uint64_t lost_records = 0, lost_events = 0;  // a ring was full
   double worst_wake_s = 0, worst_step_s = 0;   // wall
-  double mean_step_cpu_s = 0;                  // over the last second
-  double p99_step_cpu_s = 0;                   // since the start
+  double mean_step_cpu_s = 0, p99_step_cpu_s = 0, p999_step_cpu_s = 0;  // of all, 99 and 99.9 % of them below that
   double phase_s[kPhases] = {};                // wall, smoothed, in the order of step::Phase
   uint32_t realtime = 0;                       // 1: SCHED_FIFO and locked memory
   uint32_t quarantined = 0;                    // number of instances

@@ -133,8 +133,9 @@ void drive(session::Session& session) {
 
 std::string loop_text(const snapshot::LoopHealth& h, bool fast) {
   std::string text =
-      format("%llu steps, mean %.3f ms of processor time, worst %.3f ms",
-             static_cast<unsigned long long>(h.executed), 1e3 * h.mean_step_cpu_s, 1e3 * h.worst_step_s);
+      format("%llu steps, mean %.3f ms of processor time, 99 %% within %.2f ms, 99.9 %% within %.2f ms, worst %.2f ms",
+             static_cast<unsigned long long>(h.executed), 1e3 * h.mean_step_cpu_s, 1e3 * h.p99_step_cpu_s,
+             1e3 * h.p999_step_cpu_s, 1e3 * h.worst_step_s);
   if (!fast)
     text += format("; %llu late, %llu overrun, %llu dropped, %s", static_cast<unsigned long long>(h.late),
                    static_cast<unsigned long long>(h.overrun), static_cast<unsigned long long>(h.dropped),
@@ -197,6 +198,8 @@ Json loop_json(const snapshot::LoopHealth& h) {
           {"worst_wake_s", number(h.worst_wake_s)},
           {"worst_step_s", number(h.worst_step_s)},
           {"mean_step_cpu_s", number(h.mean_step_cpu_s)},
+          {"p99_step_cpu_s", number(h.p99_step_cpu_s)},
+          {"p999_step_cpu_s", number(h.p999_step_cpu_s)},
           {"realtime", h.realtime != 0},
           {"quarantined", h.quarantined},
           {"solver", solver_json(h.solver)}};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "base/rng.hpp"
@@ -40,6 +41,8 @@ TEST(Histogram, QuantilesAreWithinOneBin) {
   }
   EXPECT_EQ(h.max(), static_cast<uint64_t>(values.back()));
   EXPECT_EQ(h.quantile(1.0), h.max());
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  EXPECT_NEAR(h.mean(), sum / static_cast<double>(values.size()), 1e-9 * sum);
 }
 
 TEST(Histogram, TakesExtremes) {
@@ -52,6 +55,7 @@ TEST(Histogram, TakesExtremes) {
   h.clear();
   EXPECT_EQ(h.total(), 0u);
   EXPECT_EQ(h.quantile(0.99), 0u);
+  EXPECT_EQ(h.mean(), 0);
 }
 
 }  // namespace
