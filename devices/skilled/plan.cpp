@@ -39,7 +39,7 @@ const std::map<std::string, Form>& forms() {
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
       {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "roll", "follows", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
-      {"again", {Verb::kAgain, {"from"}, {"from"}}},
+      {"again", {Verb::kAgain, {"from", "of", "signal", "more", "less"}, {"from"}}},
   };
   return all;
 }
@@ -124,6 +124,13 @@ void read_wind(const Reader& reader, const Json& value, const std::string& where
   act.follows = flag(reader, value, "follows", where);
 }
 
+// always, or for as long as a signal says so
+void check_again(const Reader& reader, const Json& value, const std::string& where) {
+  const bool asks = value.contains("of") && value.contains("signal") && (value.contains("more") || value.contains("less"));
+  const bool any = value.contains("of") || value.contains("signal") || value.contains("more") || value.contains("less");
+  if (any && !asks) reader.fail(where, R"(it goes on there while "of", "signal" and "more" or "less" say so together)");
+}
+
 // by a way, or to a place
 void read_way(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.to_place = value.contains("at");
@@ -161,6 +168,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   act.verb = found->second.verb;
   read_numbers(reader, value, where, act);
   if (act.verb == Verb::kAwait) check_await(reader, value, where);
+  if (act.verb == Verb::kAgain) check_again(reader, value, where);
   if (act.verb == Verb::kWind) read_wind(reader, value, where, act);
   if (act.verb == Verb::kMove || act.verb == Verb::kDraw) read_way(reader, value, where, act);
   if (act.verb == Verb::kMove) read_turn(reader, value, where, act);

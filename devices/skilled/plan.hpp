@@ -37,7 +37,8 @@
 //          by what the hand feels of it. With `rolls` the tool turns along, so that the thread leaves the jaws towards the gripper;
 //          with `roll` it keeps its direction, out of the way of the other thread, and rolls about its own axis between the fingers.
 //          With `follows` it goes where the gripper goes: a turn stays on tips that reach for a tail
-//   again  from: on with that act, counted from 0
+//   again  from: on with that act, counted from 0; with of, signal, more, less, time: looks for so long, then on with that act if the
+//          signal is within these, else with the next: a turn that slipped off is wound anew
 #pragma once
 
 #include <string>
@@ -103,6 +104,9 @@ struct Act {
   double more = -1e300, less = 1e300;  // of the signal, SI
   double near = 0;              // m
   size_t from_act = 0;
+
+  /// An `again` that asks nothing.
+  bool is_loop() const { return verb == Verb::kAgain && signal.empty(); }
 };
 
 struct Plan {

@@ -353,8 +353,8 @@ void Skilled::exchange(const swage_command& command, swage_sample& sample) {
     // closing to a force ends with the force, or with closed jaws
     const bool closing = act.verb == Verb::kClose && act.force > 0 && seen_.force < act.force && closure_ < 1;
     if (share >= 1 && !closing) {
-      ++act_;
-      if (act_ < plan_.acts.size() && plan_.acts[act_].verb == Verb::kAgain) act_ = plan_.acts[act_].from_act;
+      act_ = act.verb == Verb::kAgain && has_come(act) ? act.from_act : act_ + 1;
+      if (act_ < plan_.acts.size() && plan_.acts[act_].is_loop()) act_ = plan_.acts[act_].from_act;
       begin_act(t);
     }
   }

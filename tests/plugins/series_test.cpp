@@ -22,6 +22,7 @@ const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 const std::string kSolids = kSeries + "010_practice_solids.json";
 const std::string kBasic = kSeries + "020_grasp_basic.json";
 const std::string kCarry = kSeries + "040_grasp_advanced_2.json";
+#ifndef SWAGE_SANITIZED
 const char* const kLessons[] = {
     "010_practice_solids", "020_grasp_basic", "030_grasp_advanced_1_quarter",
     "031_grasp_advanced_1_three_eighths", "032_grasp_advanced_1_half", "040_grasp_advanced_2",
@@ -29,6 +30,12 @@ const char* const kLessons[] = {
     "050_suture_grasp", "051_suture_carry", "055_ring_on_hoop", "110_insertion", "113_insertion_left_half",
     "115_stitch", "116_insertion_hanging", "117_needle_with_thread", "118_stitch_and_pull_through", "130_loop",
     "131_half_knot"};
+#else
+// A lesson of each plugin: under a sanitizer a step takes thirty times as long, the whole list three hours.
+const char* const kLessons[] = {"010_practice_solids", "020_grasp_basic", "040_grasp_advanced_2",
+                                "045_pass_the_needle", "051_suture_carry", "055_ring_on_hoop",
+                                "110_insertion",       "115_stitch",       "130_loop"};
+#endif
 
 LessonRun run(const std::string& lesson, const std::string& hand, double max_s = 60) {
   LessonRun attempt(lesson, hand);
@@ -70,6 +77,8 @@ TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
   EXPECT_GT(expert.verdict().score, 95);
   EXPECT_GT(expert.verdict().score, novice.verdict().score + 3);
   EXPECT_GT(novice.verdict().score, clumsy.verdict().score + 3);
+  const bool thread = std::string(GetParam()) >= "117";
+  EXPECT_EQ(thread ? base::text(expert.engine().stats().health) : std::string(), "");
   EXPECT_EQ(expert.engine().quarantined() + novice.engine().quarantined() + clumsy.engine().quarantined(),
             0u);
 }

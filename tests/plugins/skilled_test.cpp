@@ -42,6 +42,11 @@ TEST(Plan, SaysWhatIsWrongAndWhere) {
     EXPECT_NE(message(wrong).find(R"(what is awaited is "of", "signal" and "more" or "less", or "mark")"), std::string::npos);
   EXPECT_EQ(message(R"({"act": "wind", "about": "holder", "turns": 1, "signal": "contact.force"})"),
             R"(plan.json #/acts/0: a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
+  for (const char* wrong : {R"({"act": "wait"}, {"act": "again", "from": 0, "of": "g", "signal": "x"})",
+                            R"({"act": "wait"}, {"act": "again", "from": 0, "less": 1})"})
+    EXPECT_EQ(message(wrong), R"(plan.json #/acts/1: it goes on there while "of", "signal" and "more" or "less" say so together)");
+  EXPECT_EQ(message(R"({"act": "move", "by": ["1 mm", 0, 0], "axis": [1, 0, 0], "closing": [0, 1, 0], "roll": "90 deg"})"),
+            R"(plan.json #/acts/0: give "roll", or "axis" and "closing")");
   EXPECT_THROW(parse_plan("[]", "x"), std::runtime_error);
   EXPECT_THROW(load_plan("/no/such/plan.json"), std::runtime_error);
 }

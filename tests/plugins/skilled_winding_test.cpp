@@ -68,6 +68,20 @@ TEST_F(SkilledHand, FollowsTheOtherGripperWhileItWinds) {
   }
 }
 
+// what a look at a signal finds undone is done once more: 1 mm each time, until it has come
+TEST_F(SkilledHand, DoesAgainWhatASignalSaysIsUndone) {
+  for (const int times : {1, 3}) {
+    make(R"({"act": "move", "by": ["1 mm", "0 mm", "0 mm"], "time": "0.1 s"},
+            {"act": "again", "from": 0, "of": "grasp", "signal": "grasp.force", "less": 0.5, "time": "0.02 s"},
+            {"act": "move", "by": ["0 mm", "2 mm", "0 mm"], "time": "0.1 s"})");
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    for (sample_.valid = 0; (sample_.valid & SWAGE_VALID_DONE) == 0 && n_ < 5000;)
+      force_ = X_WT_.p.x() > 8e-3 + (times - 0.5) * 1e-3 ? 1 : 0, step();
+    EXPECT_LT((X_WT_.p - Vec3(8e-3 + times * 1e-3, 2e-3, 5e-3)).norm(), 1e-9) << times;
+  }
+}
+
 // to an attitude, on the shortest turn
 TEST_F(SkilledHand, TurnsWhileItMoves) {
   make(R"({"act": "move", "by": ["1 mm", "0 mm", "0 mm"], "axis": [0, 0, -1], "closing": [0, 1, 0], "time": "1 s"})");
