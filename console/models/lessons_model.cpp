@@ -18,7 +18,7 @@ namespace swage::console {
 
 LessonEntry read_lesson(const QString& path) {
   LessonEntry entry;
-  entry.path = QFileInfo(path).absoluteFilePath();
+  entry.path = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
   entry.title = QFileInfo(path).completeBaseName();
   assembly::LessonText lesson;
   base::Problems problems;
@@ -85,6 +85,11 @@ void LessonsModel::set_folders(const QStringList& folders) {
 int LessonsModel::add_file(const QString& path) {
   const LessonEntry entry = read_lesson(path);
   if (const int row = row_of(entry.path); row >= 0) return row;
+  if (const int row = entry.id.isEmpty() ? -1 : row_of(entry.id); row >= 0) {
+    entries_[row] = entry;
+    Q_EMIT dataChanged(index(row), index(row));
+    return row;
+  }
   beginInsertRows({}, 0, 0);
   entries_.prepend(entry);
   endInsertRows();

@@ -31,7 +31,7 @@ class LessonsModel : public QAbstractListModel {
 
   using QAbstractListModel::QAbstractListModel;
   void set_folders(const QStringList& folders);
-  /// Adds one file in front unless it is already there. Returns its row.
+  /// Adds one file in front unless it is already there; in place of another with its id. Returns its row.
   int add_file(const QString& path);
   /// Reads a file again that has changed.
   void read_again(int row);

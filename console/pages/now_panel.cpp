@@ -33,7 +33,6 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   now.body->addWidget(criteria_);
   hidden_ = make_muted(tr("A test: readings are hidden until it is over. The instructor's window (F10) shows them."),
                        now.frame);
-  hidden_->hide();
   now.body->addWidget(hidden_);
   readings_ = make_readings(now.frame);
   now.body->addWidget(readings_);
@@ -41,6 +40,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   lower_ = make_lower();
   column->addWidget(lower_, 1);
   column->addStretch(0);
+  show_parts();
 }
 
 QWidget* NowPanel::make_readings(QWidget* parent) {
@@ -136,16 +136,23 @@ QString list_of(const QString& heading, const QStringList& lines) {
 }  // namespace
 
 void NowPanel::set_running(bool running) {
-  criteria_->setVisible(!running && !criteria_->text().isEmpty());
-  left_->setVisible(running);
-  readings_->setVisible(!readings_hidden_ && (running || criteria_->text().isEmpty()));
+  running_ = running;
+  show_parts();
 }
 
 void NowPanel::set_readings_hidden(bool hidden) {
   readings_hidden_ = hidden;
-  hidden_->setVisible(hidden);
-  readings_->setVisible(!hidden);
-  lower_->setVisible(!hidden);
+  show_parts();
+}
+
+/// Before the attempt what is asked, in it the readings; without a lesson neither.
+void NowPanel::show_parts() {
+  const bool asks = !criteria_->text().isEmpty();
+  criteria_->setVisible(!running_ && asks);
+  left_->setVisible(running_);
+  hidden_->setVisible(readings_hidden_);
+  readings_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));
+  lower_->setVisible(has_scene_ && !readings_hidden_);
 }
 
 // In a test the limit ends the attempt; in practice it is told.
@@ -180,6 +187,8 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   force_plot_->setVisible(reader.has_force() || !reader.has_tilt());
   tilt_plot_->setVisible(reader.has_tilt() || !reader.has_force());
   show_reading({}, 0);
+  has_scene_ = true;
+  show_parts();
 }
 
 void NowPanel::Fact::set_visible(bool shown) const {

@@ -36,6 +36,7 @@ class NowPanel : public QWidget {
   QWidget* make_lower();
   QWidget* make_readings(QWidget* parent);
   void show_time(double time_s);
+  void show_parts();
   CueTheme cues_;
   struct Fact {
     QLabel *name, *value;
@@ -46,7 +47,7 @@ class NowPanel : public QWidget {
   QLabel *phase_, *criteria_, *left_, *hidden_;
   QWidget *readings_, *lower_;
   Criteria asked_;
-  bool readings_hidden_ = false;
+  bool has_scene_ = false, running_ = false, readings_hidden_ = false;
   QLabel* force_name_;
   ForceMeter* meter_;
   void show_fact(const Fact& fact, std::optional<bool> is, QChar filled, const QString& yes,

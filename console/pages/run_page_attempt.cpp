@@ -150,6 +150,7 @@ QList<CueLegend*> RunPage::legends() const {
 
 void RunPage::show_card(const snapshot::SceneCard& card) {
   title_->setText(QString::fromStdString(card.title));
+  fold_view_bar();
   reader_ = Reader(card);
   const std::string lesson = setup_->lesson().toStdString();
   const std::optional<ForceBand> band = force_band(lesson, catalogue_);

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QResizeEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "console/pages/run_page.hpp"
@@ -68,13 +69,13 @@ void RunPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
 }
 
-// Where the buttons over the picture do not fit beside each other, one button has them as a menu.
+// Where the buttons over the picture do not fit beside each other and the title, one button has them as a menu.
 void RunPage::fold_view_bar() {
-  int wanted = 0;
+  constexpr int kLongestTitle_px = 330, kSound_px = 140;
+  int wanted = std::min(title_->sizeHint().width(), kLongestTitle_px) + kSound_px;
   for (const QPushButton* b : folding_) wanted += b->sizeHint().width() + 6;
-  constexpr int kTitle_px = 100, kSound_px = 140;
   const int sides = setup_->maximumWidth() + right_box_->maximumWidth();
-  const bool fold = width() - sides < wanted + kTitle_px + kSound_px;
+  const bool fold = width() - sides < wanted;
   for (QPushButton* b : folding_) b->setVisible(!fold);
   view_menu_->setVisible(fold);
 }

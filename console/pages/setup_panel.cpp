@@ -74,7 +74,8 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
                     "starting the program: swage-console lesson.json"),
                  card.frame);
   card.body->addWidget(lessons_, 1);
-  card.body->addWidget(no_lessons_);
+  no_lessons_->setAlignment(Qt::AlignTop);
+  card.body->addWidget(no_lessons_, 1);
   variant_ =
       make_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
   variant_->setToolTip(

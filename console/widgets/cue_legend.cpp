@@ -15,7 +15,7 @@ constexpr int kSign_px = 18, kRow_px = 26;
 constexpr int kMostTall = 4;  // rows that have two lines; more are one line each, cut short where that is too long
 constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
-constexpr double kSmall = 0.82;  // of the usual size: words that take two lines
+constexpr double kSmall = 0.82;  // of the usual size: all words, where those of one row do not fit its line
 
 }  // namespace
 
@@ -23,8 +23,8 @@ constexpr double kSmall = 0.82;  // of the usual size: words that take two lines
 class CueLegend::Row : public QWidget {
  public:
   /// `wide`: some sign of this legend has two parts, and all words stand behind that. `low`: one line and no more.
-  Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, QWidget* parent)
-      : QWidget(parent), style_(style), ui_(ui), wide_(wide), low_(low) {
+  Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, CueLegend* legend)
+      : QWidget(legend), legend_(legend), style_(style), ui_(ui), wide_(wide), low_(low) {
     setFixedHeight(low ? kLow_px : kRow_px);
     setMinimumWidth(120);
     QStringList tip = {style.text};
@@ -37,6 +37,12 @@ class CueLegend::Row : public QWidget {
     active_ = on;
     setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
     update();
+  }
+  /// Whether the words are longer than their line, at the usual size and bold, as they are when the cue is on.
+  bool is_too_long() const {
+    QFont bold = font();
+    bold.setBold(true);
+    return QFontMetricsF(bold).horizontalAdvance(style_.text) > room().width();
   }
 
  protected:
@@ -52,21 +58,22 @@ class CueLegend::Row : public QWidget {
     paint_cue_shape(p, {5, 0.5 * (height() - sign)}, sign, style_);
     QFont text = font();
     text.setBold(active_);
+    if (legend_->has_long_words()) text.setPointSizeF(text.pointSizeF() * kSmall);
     p.setFont(text);
     p.setPen(ui_["text"]);
-    const double left = 5 + (wide_ ? 2 : 1) * kSign_px + 6;
-    const QRectF room(left, 0, width() - left - 2, height());
-    if (QFontMetricsF(text).horizontalAdvance(style_.text) > room.width()) {
-      text.setPointSizeF(text.pointSizeF() * kSmall);
-      p.setFont(text);
-    }
     if (low_)
-      p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, QFontMetricsF(text).elidedText(style_.text, Qt::ElideRight, room.width()));
+      p.drawText(room(), Qt::AlignLeft | Qt::AlignVCenter,
+                 QFontMetricsF(text).elidedText(style_.text, Qt::ElideRight, room().width()));
     else
-      p.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
+      p.drawText(room(), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
   }
 
  private:
+  QRectF room() const {
+    const double left = 5 + (wide_ ? 2 : 1) * kSign_px + 6;
+    return {left, 0, width() - left - 2, double(height())};
+  }
+  const CueLegend* legend_;
   CueStyle style_;
   UiTheme ui_;
   bool wide_, low_, active_ = false;
@@ -99,7 +106,8 @@ void CueLegend::set_themes(const UiTheme& ui, const CueTheme& cues) {
 }
 
 void CueLegend::set_meanings(const QStringList& meanings) {
-  if (meanings == meanings_) return;
+  if (has_lesson_ && meanings == meanings_) return;
+  has_lesson_ = true;
   meanings_ = meanings;
   fill();
 }
@@ -115,10 +123,14 @@ void CueLegend::fill() {
     grid_->addWidget(row, i % std::max(lines, 1), i / std::max(lines, 1));
     rows_ += row;
   }
-  empty_->setVisible(meanings_.isEmpty());
+  empty_->setVisible(has_lesson_ && meanings_.isEmpty());
   const QStringList now = active_;
   active_.clear();
   set_active(now);
+}
+
+bool CueLegend::has_long_words() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const Row* row) { return row->is_too_long(); });
 }
 
 void CueLegend::set_active(const QStringList& meanings) {

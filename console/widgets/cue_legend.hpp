@@ -20,6 +20,8 @@ class CueLegend : public QFrame {
   void set_active(const QStringList& meanings);
   /// Whether the picture shows the cues; if not, a line says that only this strip does.
   void set_in_picture(bool shown);
+  /// Whether the words of some row do not fit one line: then all are written smaller, so that they have one size.
+  bool has_long_words() const;
 
   const QStringList& meanings() const { return meanings_; }
   const QStringList& active() const { return active_; }
@@ -30,6 +32,7 @@ class CueLegend : public QFrame {
   CueTheme cues_;
   UiTheme ui_;
   QStringList meanings_, active_;
+  bool has_lesson_ = false;  // without one nothing is said of its cues
   QVector<Row*> rows_;
   QLabel *heading_, *empty_;
   QGridLayout* grid_;

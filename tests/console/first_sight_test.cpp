@@ -232,5 +232,48 @@ TEST_F(FirstSight, TheLegendHasRoomForTwelveCues) {
   }
 }
 
+// Readings and plots are of a lesson: without one there is nothing to read.
+TEST(Now, ShowsNoReadingsWithoutALesson) {
+  console::NowPanel now;
+  now.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
+  const auto* plots = now.findChild<QPushButton*>("lower_0");
+  EXPECT_FALSE(now.meter()->isVisibleTo(&now));
+  EXPECT_FALSE(plots->isVisibleTo(&now));
+  now.set_scene(console::Reader(snapshot::SceneCard{}), {0.3, 0.7}, "Grasp it.", {});
+  EXPECT_TRUE(plots->isVisibleTo(&now));
+  now.set_readings_hidden(true);
+  EXPECT_FALSE(plots->isVisibleTo(&now)) << "a test";
+}
+
+// Words of one legend have one size: smaller where one of them does not fit its line, and then all.
+TEST(Legend, WritesAllItsWordsSmallerWhereOneIsTooLong) {
+  console::CueLegend legend;
+  legend.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
+  legend.set_meanings({"grasp.good", "grasp.too_tight"});
+  const auto long_words_at = [&legend](int width) {
+    legend.resize(width, 140);
+    legend.show();
+    return legend.has_long_words();
+  };
+  EXPECT_TRUE(long_words_at(260));
+  EXPECT_FALSE(long_words_at(1200));
+}
+
+// Nothing is said of the cues of a lesson that is not there: of one without cues it is.
+TEST(Legend, SpeaksOfNoCuesOnlyOfALesson) {
+  console::CueLegend legend;
+  legend.set_themes(console::UiTheme::stock("light"), console::CueTheme::stock("safe"));
+  const auto says_none = [&] {
+    for (const QLabel* label : legend.findChildren<QLabel*>())
+      if (!label->isHidden() && label->text().contains("no cues")) return true;
+    return false;
+  };
+  EXPECT_FALSE(says_none());
+  legend.set_meanings({});
+  EXPECT_TRUE(says_none());
+  legend.set_meanings({"grasp.good"});
+  EXPECT_FALSE(says_none());
+}
+
 }  // namespace
 }  // namespace swage::test

@@ -3,6 +3,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QFile>
+#include <QFileInfo>
 #include <QSortFilterProxyModel>
 #include <QTemporaryDir>
 #include <cmath>
@@ -71,6 +72,13 @@ TEST(Lessons, AreReadInOrderAndFaultyFilesSaySo) {
   EXPECT_EQ(model.at(0).title, "Mine");
   EXPECT_EQ(model.row_of("b"), 2);
   EXPECT_EQ(model.row_of("nobody"), -1);
+
+  // named by another way to it, or a copy with the same id: listed once, the file that was named
+  EXPECT_EQ(model.add_file(dir.filePath("../" + QFileInfo(dir.path()).fileName() + "/020_b.json")), 2);
+  write(other.filePath("copy.json"), R"({"id": "b", "title": "Second, changed"})");
+  EXPECT_EQ(model.add_file(other.filePath("copy.json")), 2);
+  EXPECT_EQ(model.rowCount(), 4);
+  EXPECT_EQ(model.at(2).title, "Second, changed");
 }
 
 TEST(Lessons, ThatAreBasedOnAnotherHaveItsHandsAndTheirOwnTitle) {
