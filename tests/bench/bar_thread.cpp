@@ -44,7 +44,7 @@ struct Steps {
   bool held = false;  // to the end
 };
 Steps held_steps(double speed) {
-  HeldThread s(false, speed);
+  HeldThread s(Held::kJaws, speed);
   for (int i = 0; i < 300; ++i) s.step();
   std::vector<double> ns;
   for (int i = 0; i < kSteps; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A thread of 100 nodes, 10-0 nylon, in the host's own step: held between two round jaws, or lying flat on a plate.
+// A thread of 100 nodes, 10-0 nylon, in the host's own step: held between two flat jaws, or lying flat on a plate.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,8 @@
 namespace swage::bench {
 
 inline constexpr double kPiece = 0.3e-3, kWire = 11e-6;  // m
+inline constexpr double kPressed = 1e-7;                 // m, each jaw into the thread: some 10 mN
+inline const toolkit::Vec3 kJaw(0.25e-3, 0.5e-3, 0.2e-3);  // m, half of a jaw along the thread, across it and away from it
 
 inline toolkit::RodSection nylon() { return toolkit::RodSection::round(2 * kWire, 2.5e9, 0.39, 1140); }
 
@@ -25,10 +27,12 @@ inline scene::World with_thread(uint32_t nodes) {
   return w;
 }
 
-/// Between two balls of 0.5 mm, which stand or go across the thread.
+/// On a plate, or between two flat jaws, which stand or go across the thread; at a vertex in its middle. Not between two balls of radius R:
+/// there a rod tilts by itself and gets loose, as the overlap at each of them falls by R angle^2 / 2 and free ends resist by inertia only.
+enum class Held { kLying, kJaws };
 struct HeldThread {
-  HeldThread(bool lying, double speed, uint32_t nodes = 100)
-      : world(make(lying, nodes)), lies(lying), v(0, speed, 0), rod(world, 0, 0, nylon(), true) {
+  HeldThread(Held how, double speed, uint32_t nodes = 100)
+      : world(make(how, nodes)), lies(how == Held::kLying), v(0, speed, 0), rod(world, 0, 0, nylon(), true) {
     contact::Law law{0.2, 1e5, 0};
     detector = std::make_unique<contact::Detector>(world, std::vector<contact::Pair>{{0, 1, law}}, options());
     solve = std::make_unique<dynamics::Dynamics>(world, dynamics::Options());
@@ -39,27 +43,27 @@ struct HeldThread {
     o.capacity = 512;
     return o;
   }
-  static scene::World make(bool lying, uint32_t nodes) {
+  static scene::World make(Held how, uint32_t nodes) {
     scene::World w = with_thread(nodes);
-    if (lying) {
-      const uint32_t plate = dynamics::add_body(w, SWAGE_MOTION_FIXED, 1, {0.5 * kPiece * (nodes - 1), 0, -1e-3 - kWire});
-      scene::Shape shape = dynamics::shape_on(plate, 1, SWAGE_SHAPE_CONVEX, 1e-3);
-      std::vector<toolkit::Vec3> corner;
-      for (int i = 0; i < 8; ++i) corner.emplace_back((i & 1) ? 40e-3 : -40e-3, (i & 2) ? 40e-3 : -40e-3, (i & 4) ? 1e-3 : -1e-3);
-      const uint32_t start[7] = {0, 4, 8, 12, 16, 20, 24};
-      const uint32_t face[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-      w.convex.emplace_back();
-      toolkit::build_convex(corner, start, face, w.convex.back());
-      shape.convex = 0;
-      w.shape.push_back(shape);
-    } else {
-      for (const double side : {1.0, -1.0}) {
-        const uint32_t jaw = dynamics::add_body(w, SWAGE_MOTION_FOLLOWS, 1, {0.5 * kPiece * nodes, 0, side * (0.5e-3 + kWire - 1e-7)});
-        w.shape.push_back(dynamics::shape_on(jaw, 1, SWAGE_SHAPE_SPHERE, 0.5e-3));
-      }
-    }
+    const double middle = 0.5 * kPiece * nodes;
+    if (how == Held::kLying) add_box(w, SWAGE_MOTION_FIXED, {middle, 0, -1e-3 - kWire}, {40e-3, 40e-3, 1e-3});
+    for (const double side : {1.0, -1.0})
+      if (how == Held::kJaws) add_box(w, SWAGE_MOTION_FOLLOWS, {middle, 0, side * (kJaw.z() + kWire - kPressed)}, kJaw);
     scene::reset(w);
     return w;
+  }
+  static void add_box(scene::World& w, uint32_t motion, const toolkit::Vec3& p, const toolkit::Vec3& half) {
+    const uint32_t body = dynamics::add_body(w, motion, 1, p);
+    scene::Shape shape = dynamics::shape_on(body, 1, SWAGE_SHAPE_CONVEX, half.z());
+    std::vector<toolkit::Vec3> corner;
+    for (int i = 0; i < 8; ++i)
+      corner.emplace_back((i & 1) ? half.x() : -half.x(), (i & 2) ? half.y() : -half.y(), (i & 4) ? half.z() : -half.z());
+    const uint32_t start[7] = {0, 4, 8, 12, 16, 20, 24};
+    const uint32_t face[24] = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
+    shape.convex = static_cast<uint32_t>(w.convex.size());
+    w.convex.emplace_back();
+    toolkit::build_convex(corner, start, face, w.convex.back());
+    w.shape.push_back(shape);
   }
   void step() {
     for (uint32_t jaw = 1; !lies && jaw < 3; ++jaw) {

@@ -77,8 +77,8 @@ void direction(benchmark::State& state) {
   }
 }
 
-void steps(benchmark::State& state, bool lying, double speed) {
-  bench::HeldThread s(lying, speed, static_cast<uint32_t>(state.range(0)) + 1);
+void steps(benchmark::State& state, bench::Held how, double speed) {
+  bench::HeldThread s(how, speed, static_cast<uint32_t>(state.range(0)) + 1);
   for (int i = 0; i < 300; ++i) s.step();
   for (auto _ : state) s.step();
   const Stats& stats = s.solve->stats();
@@ -109,8 +109,8 @@ void ode_grasp_step(benchmark::State& state) {
 
 BENCHMARK(ode_grasp_step)->Unit(benchmark::kMicrosecond);
 BENCHMARK(direction)->ArgNames({"contacts", "slide"})->Args({20, 0})->Args({60, 0})->Args({60, 1})->Args({100, 0})->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, held_still, false, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, held_moved, false, 3e-3)->ArgName("segments")->Arg(99)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(steps, lying, true, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_still, bench::Held::kJaws, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, held_moved, bench::Held::kJaws, 3e-3)->ArgName("segments")->Arg(99)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(steps, lying, bench::Held::kLying, 0.0)->ArgName("segments")->Arg(60)->Arg(80)->Arg(99)->Arg(140)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
