@@ -21,8 +21,8 @@ namespace {
 constexpr int kReaderPriority = 60;
 // s without a new sample after which a device counts as silent; normal gaps are one to ten milliseconds
 constexpr double kSilence = 0.1;
-// s without a valid sample that the step sees after a pause. Above 0.1 it meets the hand again as after a clutch (step/hands.cpp);
-// longer is felt
+// simulated s without a valid sample that the step sees of a hand that was away for kSilence by the clock. Above 0.1 it meets the hand
+// again as after a clutch (step/hands.cpp); longer is felt
 constexpr double kRest = 0.11;
 // what a hand is lost without, once it has given it
 constexpr uint32_t kWhole = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE;
@@ -154,16 +154,19 @@ void IoPort::read(uint64_t, double time_s, swage_sample& sample) noexcept {
   if (given_.latest(given) == 0) return;
   sample = given.sample;
   // what is old is not valid any more: the step holds, and so does a replay, which sees the same samples
-  if (seconds(base::wall_ns() - given.wall_ns) > kSilence || resting(time_s)) sample.valid = 0;
+  const int64_t now = base::wall_ns();
+  if (seconds(now - given.wall_ns) > kSilence || resting(given, now, time_s)) sample.valid = 0;
 }
 
-// A hand goes on moving while the scene is paused, for another hand that was lost or for its person. Afterwards it is met again where
-// its tool stands: without that the tool would leap after it.
-bool IoPort::resting(double time_s) noexcept {
-  const uint32_t now = armed();
-  if (now != armed_seen_ && armed_seen_ != 0) rest_until_ = time_s + kRest;
-  armed_seen_ = now;
-  return time_s < rest_until_;
+// A hand moves by the clock. The scene's time stands while it is paused, and lags where steps are lost: a hand that the scene did not
+// hear meanwhile is met again where its tool stands, as it would leap otherwise.
+bool IoPort::resting(const Given& given, int64_t now, double time_s) noexcept {
+  const bool whole = (given.sample.valid & given.known) == given.known;
+  if (whole && heard_ns_ != 0 && seconds(now - heard_ns_) >= kSilence) rest_until_ = heard_s_ + kRest;
+  if (whole) heard_ns_ = now;
+  if (time_s < rest_until_) return true;
+  if (whole) heard_s_ = time_s;
+  return false;
 }
 
 double IoPort::lost_s() const noexcept {

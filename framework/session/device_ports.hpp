@@ -42,7 +42,6 @@ class Port : public step::DevicePort {
     return force;
   }
   void follow_orders() noexcept;  // takes arm and disarm over; on the thread that uses the guard
-  uint32_t armed() const noexcept { return arm_.load(std::memory_order_relaxed); }  // how often it was armed
 
   host::DeviceSlot& slot_;
   ForceGuard guard_;
@@ -79,15 +78,16 @@ class IoPort final : public Port {
     int64_t whole_ns = 0; // when one last came that was whole
     uint64_t known = 0;   // SWAGE_VALID_POSE, _CLOSURE that it has ever given
   };
-  bool resting(double time_s) noexcept;
+  bool resting(const Given& given, int64_t now, double time_s) noexcept;
   void run();
   swage_command command(const Given& last, double dt, int64_t now) noexcept;
 
   const std::atomic<bool>* stalled_;
   const double period_;     // s
   int64_t started_ns_ = 0;  // before the thread
-  uint32_t armed_seen_ = 0;  // of the step's thread
-  double rest_until_ = 0;    // s, simulated; of the step's thread
+  // when the step last heard it whole, by the clock and in s simulated; until when it rests. Of the step's thread
+  int64_t heard_ns_ = 0;
+  double heard_s_ = 0, rest_until_ = 0;
   base::SnapshotRing<Wanted> wanted_;
   base::SnapshotRing<Given> given_;
   std::atomic<bool> stop_{false};

@@ -95,15 +95,52 @@ TEST(LostHand, AHandThatMovedWhileTheSceneWasPausedIsMetWhereItsToolStands) {
   };
   const double scale = 1 / s.rig.devices[0].motion_scale, start = after(200);
   loop.pause(true);
-  base::sleep_until_ns(base::wall_ns() + 50'000'000);
+  base::sleep_until_ns(base::wall_ns() + 75'000'000);
   place = 5e-3;
-  base::sleep_until_ns(base::wall_ns() + 50'000'000);
+  base::sleep_until_ns(base::wall_ns() + 75'000'000);
   loop.pause(false);
   EXPECT_NEAR(after(300), start, 1e-9) << "the tool does not leap after its hand";
   place = 6e-3;
   EXPECT_NEAR(after(300), start + 1e-3 * scale, 1e-9) << "and follows it from there";
   loop.stop();
   thread->join();
+  port.stop();
+}
+
+// A scene that loses steps sees less of a silence than there was: here 10 ms of 150.
+TEST(LostHand, AHandThatWasSilentForLongerThanTheSceneSawIsMetAnew) {
+  step::FakeScene s;
+  std::atomic<bool> silent{false};
+  s.device_.device.flags = 0;
+  s.device_.device.rate_hz = 1000;
+  s.device_.exchange = [&](const swage_command*, swage_sample* out) {
+    if (silent) return swage_result{SWAGE_OK};
+    ++out->sequence;
+    out->pose.q = {1, 0, 0, 0};
+    out->valid = SWAGE_VALID_POSE;
+    return swage_result{SWAGE_OK};
+  };
+  IoPort port(s.rig.devices[0], nullptr);
+  port.start();
+  const auto wait = [] { base::sleep_until_ns(base::wall_ns() + 1'000'000); };
+  double time_s = 0;
+  swage_sample sample{};
+  while (sample.valid == 0) wait(), port.read(0, time_s, sample);
+  silent = true;
+  while (!port.stale()) wait();
+  base::sleep_until_ns(base::wall_ns() + 50'000'000);
+  time_s += 10e-3;
+  port.read(10, time_s, sample);
+  EXPECT_EQ(sample.valid, 0u) << "silent";
+  silent = false;
+  while (port.stale()) wait();
+  for (; time_s < 0.1; time_s += 1e-3) {
+    port.read(0, time_s, sample);
+    ASSERT_EQ(sample.valid, 0u) << time_s << " s: back, and not yet lost for as long as the step asks for";
+  }
+  // a test that is held up for 0.1 s between two reads begins the rest anew, at the same place
+  for (time_s = 0.12; sample.valid == 0 && time_s < 0.2; time_s += 1e-3) port.read(0, time_s, sample);
+  EXPECT_EQ(sample.valid, static_cast<uint32_t>(SWAGE_VALID_POSE)) << "heard again";
   port.stop();
 }
 
