@@ -21,7 +21,8 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(10);
   Card now = make_card(tr("Now"), this);
-  phase_ = make_muted(QString(), now.frame);  // until there is a lesson
+  card_ = now.frame;
+  phase_ = make_muted(QString(), now.frame);
   now.body->addWidget(phase_);
   left_ = new QLabel(now.frame);
   left_->setObjectName(QStringLiteral("time_left"));
@@ -148,6 +149,7 @@ void NowPanel::set_readings_hidden(bool hidden) {
 /// Before the attempt what is asked, in it the readings; without a lesson neither.
 void NowPanel::show_parts() {
   const bool asks = !criteria_->text().isEmpty();
+  card_->setVisible(has_scene_);
   criteria_->setVisible(!running_ && asks);
   left_->setVisible(running_);
   hidden_->setVisible(readings_hidden_);

@@ -45,7 +45,7 @@ class NowPanel : public QWidget {
   };
   Fact spot_, tips_, tilt_, hold_;
   QLabel *phase_, *criteria_, *left_, *hidden_;
-  QWidget *readings_, *lower_;
+  QWidget *card_, *readings_, *lower_;
   Criteria asked_;
   bool has_scene_ = false, running_ = false, readings_hidden_ = false;
   QLabel* force_name_;

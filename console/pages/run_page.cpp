@@ -183,7 +183,7 @@ void RunPage::update_state() {
     rate_clock_.start();
     rate_steps_ = control_->newest() ? control_->newest()->step : 0;
   }
-  if (!running) strip_->set_idle(tr("○ Ready"));
+  if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));
   if (!running) end_guide();
   update_cues();
   update_frame();

@@ -168,6 +168,8 @@ void SetupPanel::set_people(const QStringList& names, const QString& current) {
   Q_EMIT person_chosen();
 }
 
+bool SetupPanel::has_lessons() const { return lessons_->model()->rowCount() > 0; }
+
 QString SetupPanel::lesson() const { return lessons_->currentIndex().data(LessonsModel::kPath).toString(); }
 
 void SetupPanel::select_lesson(int row) {

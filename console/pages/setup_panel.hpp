@@ -23,6 +23,7 @@ class SetupPanel : public QWidget {
 
   QString person() const;  // "Guest" when nobody is named
   void set_people(const QStringList& names, const QString& current);
+  bool has_lessons() const;
   QString lesson() const;  // path, "" when there is none
   void select_lesson(int row);
   QString mode() const;  // "practice", "test", "demo"

@@ -3058,6 +3058,10 @@ Bea L., Frühjahr, links</translation>
         <translation>○ Bereit</translation>
     </message>
     <message>
+        <source>○ No lessons</source>
+        <translation>○ Keine Lektionen</translation>
+    </message>
+    <message>
         <source>Paused</source>
         <translation>Angehalten</translation>
     </message>

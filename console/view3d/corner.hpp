@@ -5,6 +5,7 @@
 
 #include <QPointF>
 #include <QRectF>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace swage::console {
 
 /// The index of the corner in which an inset covers least. `must` are places that it may cover only if there is no corner without
 /// one (the tips, what they go for), `rather` are those that it had better leave free (whatever else can be taken). The present
-/// corner `now` stays unless another covers less, so that an inset does not jump.
+/// corner `now` stays until it covers one of `must`, so that an inset does not jump while somebody aims; -1: there is none yet.
 inline int least_covered(const std::array<QRectF, 3>& corners, int now, const std::vector<QPointF>& must,
                          const std::vector<QPointF>& rather) {
   const auto covered = [&](int corner) {
@@ -21,7 +22,11 @@ inline int least_covered(const std::array<QRectF, 3>& corners, int now, const st
     for (const QPointF& p : rather) some += corners[static_cast<std::size_t>(corner)].contains(p);
     return most * (rather.size() + 1) + some;
   };
-  int best = now;
+  const auto covers_must = [&](int corner) {
+    return std::any_of(must.begin(), must.end(), [&](const QPointF& p) { return corners[static_cast<std::size_t>(corner)].contains(p); });
+  };
+  if (now >= 0 && !covers_must(now)) return now;
+  int best = std::max(now, 0);
   for (int corner = 0; corner < 3; ++corner)
     if (covered(corner) < covered(best)) best = corner;
   return best;

@@ -112,7 +112,7 @@ void SceneView::choose_corner(const QVector3D& tips, const QVector3D& aim) {
     corners[static_cast<size_t>(i)] = corner_at(i, kSecondShape).adjusted(-kClear_px, -kClear_px, kClear_px, kClear_px);
   std::vector<QPointF> rather;
   for (const Spot& s : parts_.aim) rather.push_back(eye.project(place_of(s), size()));
-  const int best = least_covered(corners, corner_, {eye.project(tips, size()), eye.project(aim, size())}, rather);
+  const int best = least_covered(corners, second_.empty() ? -1 : corner_, {eye.project(tips, size()), eye.project(aim, size())}, rather);
   if (best == corner_) return;
   corner_ = best;
   touch();

@@ -18,7 +18,9 @@ TEST(Corner, LeavesWhatTheTipsGoFor) {
   EXPECT_EQ(least_covered(kCorners, 0, {kSecond, kFirst}, {}), 2);
 }
 
-TEST(Corner, LeavesWhateverElseCanBeTaken) { EXPECT_EQ(least_covered(kCorners, 0, {}, {kFirst}), 1); }
+TEST(Corner, BeginsWhereItCoversNothingThatCanBeTaken) { EXPECT_EQ(least_covered(kCorners, -1, {}, {kFirst}), 1); }
+
+TEST(Corner, DoesNotJumpWhileTheTipsAreClearOfIt) { EXPECT_EQ(least_covered(kCorners, 0, {kNowhere}, {kFirst, kFirst}), 0); }
 
 TEST(Corner, CoversOtherThingsRatherThanTheTips) {
   EXPECT_EQ(least_covered(kCorners, 0, {kFirst}, {kSecond, kSecond, kThird}), 2);

@@ -239,6 +239,7 @@ TEST(Now, ShowsNoReadingsWithoutALesson) {
   const auto* plots = now.findChild<QPushButton*>("lower_0");
   EXPECT_FALSE(now.meter()->isVisibleTo(&now));
   EXPECT_FALSE(plots->isVisibleTo(&now));
+  for (const QFrame* part : now.findChildren<QFrame*>()) EXPECT_FALSE(part->property("card").toBool() && part->isVisibleTo(&now)) << "an empty card";
   now.set_scene(console::Reader(snapshot::SceneCard{}), {0.3, 0.7}, "Grasp it.", {});
   EXPECT_TRUE(plots->isVisibleTo(&now));
   now.set_readings_hidden(true);

@@ -31,8 +31,10 @@ class LeapWatch {
   explicit LeapWatch(double top = 0) : top_(top) {}
   void look(const session::Session& session, const snapshot::Snapshot& now) {
     const double dt = now.time_s - last_->time_s;
+    // a scene that lost steps follows a hand that moved meanwhile
+    if (now.health.dropped != last_->health.dropped) behind_until_ = now.time_s + kBehind;
     // after a step that came late the scene catches up, and then its time goes faster than the hand's
-    if (seen_ && dt > 0 && now.health.late == last_->health.late) {
+    if (seen_ && dt > 0 && now.health.late == last_->health.late && now.time_s > behind_until_) {
       const double way = (toolkit::vec(now.X_WB[0].p) - toolkit::vec(last_->X_WB[0].p)).norm();
       speed_ = std::max(speed_, way / std::max(dt, 5e-3));
       leap_ = std::max(leap_, way - 2 * top_ * dt);
@@ -49,7 +51,9 @@ class LeapWatch {
 
  private:
   std::unique_ptr<snapshot::Snapshot> last_ = std::make_unique<snapshot::Snapshot>();
+  static constexpr double kBehind = 0.1;  // s, as long as a hand may be silent and is caught up with (step/hands.cpp)
   bool seen_ = false;
+  double behind_until_ = 0;
   double top_, speed_ = 0, force_ = 0, leap_ = 0;
 };
 

@@ -137,8 +137,13 @@ void PostgresServer::freeze(bool on) {
 }
 
 void PostgresServer::crash() {
-  kill(pid_, SIGQUIT);
+  const std::vector<pid_t> workers = children_of(pid_);
+  kill(pid_, SIGKILL);
+  for (const pid_t worker : workers) kill(worker, SIGKILL);
   waitpid(pid_, nullptr, 0);
+  // none may be left at the shared memory when it starts again
+  for (const pid_t worker : workers)
+    for (int i = 0; i < 5000 && kill(worker, 0) == 0; ++i) base::sleep_until_ns(base::wall_ns() + 1'000'000);
   pid_ = -1;
 }
 

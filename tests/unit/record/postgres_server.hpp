@@ -25,8 +25,9 @@ class PostgresServer {
   std::string address(const std::string& database, const std::string& password = "") const;
   /// Stops every process of the server as if its machine had frozen, or lets them go on.
   void freeze(bool on);
-  /// Ends it at once, and starts it again.
+  /// kill -9 of every process of it.
   void crash();
+  /// Starts it again. False: it does not answer.
   bool start();
   std::string folder() const { return folder_; }
 
