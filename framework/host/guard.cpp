@@ -127,7 +127,7 @@ Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept {
   const int64_t own = watch.cpu_ns + watch.waited_ns;
   const bool guilty = own > watch.budget_ns;
   if (guilty) watch.excess_ns += own - std::max(own_before, watch.budget_ns);
-  if (guilty && own_before <= watch.budget_ns) {
+  if (guilty && (watch.late[0] & 1) == 0) {
     watch.late[0] |= 1;
     watch.late_steps.fetch_add(1, std::memory_order_relaxed);
   } else if (!guilty && !over_before) {

@@ -92,6 +92,9 @@ struct Watch {
   std::atomic<uint64_t> late_steps{0};
   std::atomic<uint64_t> preempted{0};  // over its budget by the wall clock, innocent by the processor clock
   std::atomic<int64_t> worst_wall_ns{0};
+
+  /// The same step goes on, and what was spent on it so far is not the instance's: it has the whole budget again.
+  void renew() noexcept { wall_ns = cpu_ns = waited_ns = 0; }
 };
 
 class Instance {

@@ -41,4 +41,9 @@ void set_budgets(Rig& rig, double seconds) {
     slot.instance->watch.may_wait = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) == 0;
 }
 
+void renew_budgets(Rig& rig) noexcept {
+  for (ObjectSlot& slot : rig.objects) slot.instance->watch.renew();
+  for (CouplingSlot& slot : rig.couplings) slot.instance->watch.renew();
+}
+
 }  // namespace swage::host

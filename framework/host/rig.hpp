@@ -123,4 +123,7 @@ bool activate(Rig& rig, base::Problems& problems);
 /// runs that must not depend on the clock. Normal: 200e-6 s of a 1 ms step. [main]
 void set_budgets(Rig& rig, double seconds);
 
+/// The host does a step again in smaller parts: objects and couplings have the budget of a step for each of them. [rt]
+void renew_budgets(Rig& rig) noexcept;
+
 }  // namespace swage::host

@@ -48,10 +48,12 @@ void Engine::move(double rest, std::size_t level) noexcept {
   for (int left = kParts - 1; left >= 0; --left) {
     const double then = rest + left * world.dt;
     follow_to(then);
+    host::renew_budgets(rig_);
     objects_.begin();
     move(then, level + 1);
   }
   world.dt = h;
+  host::renew_budgets(rig_);
   objects_.begin();
 }
 

@@ -145,6 +145,20 @@ TEST(Guard, TimeIsCountedPerStepOverAllCalls) {
   EXPECT_EQ(i.quarantined, 0u);
 }
 
+TEST(Guard, EachPartOfADividedStepHasTheBudgetOfAStep) {
+  Instance good, late;
+  for (Instance* i : {&good, &late}) i->watch.budget_ns = 200'000;
+  for (uint64_t step = 1; step <= 30; ++step)
+    for (int part = 0; part < 4; ++part) {
+      for (Instance* i : {&good, &late}) i->watch.renew();
+      guarded(good, Call::kForces, step, [] { work_ns(100'000); });
+      guarded(late, Call::kForces, step, [] { work_ns(300'000); });
+    }
+  EXPECT_EQ(good.watch.late_steps, 0u);
+  EXPECT_EQ(late.misdeed, Misdeed::kLate);
+  EXPECT_EQ(late.watch.late_steps, 20u) << "a step counts once, however many of its parts are over the line";
+}
+
 TEST(Guard, WhoeverIsHeldUpByTheMachineIsInnocent) {
   // this thread has a processor only when a busy one on the same processor leaves it some
   std::atomic<bool> over{false};

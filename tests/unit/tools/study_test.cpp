@@ -137,7 +137,7 @@ TEST_F(Study, GoesOnAfterAKillWhereItWas) {
     Running run({"study", file, "--out", path("killed")}, folder());
     const int last = before + 1 + static_cast<int>(random() % 5);
     while (run.alive() && lines() < last) usleep(2000);
-    usleep(random() % 20'000);
+    usleep(static_cast<useconds_t>(random() % 20'000));
     if (!run.alive()) break;
     run.signal(SIGKILL);
     while (run.alive()) usleep(2000);
