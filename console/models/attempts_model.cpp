@@ -172,7 +172,7 @@ void fit_series(MetricSeries& series) {
   const bool level = curve.low >= *least - span && curve.high <= *most + span;
   series.fit = QObject::tr("Learning curve: %1 at the first attempt, %2 at the latest").arg(text(curve.at(1)), text(curve.at(n)));
   if (!level) {
-    series.fit += QObject::tr("; the level that is being reached is not bounded by these attempts yet.");
+    series.fit += QObject::tr("; a plateau cannot be estimated from these attempts yet.");
     return;
   }
   series.fit += QObject::tr(", towards %1 (95 %: %2 to %3).").arg(text(curve.a), text(curve.low), text(curve.high));

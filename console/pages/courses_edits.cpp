@@ -19,7 +19,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 enum LimitColumn { kMetric, kLeast, kMost, kGate, kSource };
 
 QString shown(double value, const QString& unit) {
-  return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', 6) : QString();
+  return std::isfinite(value) ? QLocale().toString(value * display_factor(unit), 'g', 4) : QString();
+}
+
+// "Time" alone would be taken for seconds
+QString limit_title(const QString& id) {
+  return id.startsWith(QLatin1String("points.")) ? CoursesPage::tr("Points lost: %1").arg(metric_title(id)) : metric_title(id);
 }
 
 }  // namespace
@@ -132,7 +137,7 @@ void CoursesPage::show_limits() {
     const judge::Limit& l = s->limits[static_cast<size_t>(i)];
     const QString id = QString::fromStdString(l.metric), unit = metric_unit(id, QString::fromStdString(l.unit));
     const QString suffix = display_unit(unit);
-    const QString cells[] = {suffix.isEmpty() ? metric_title(id) : tr("%1, %2").arg(metric_title(id), suffix), shown(l.least, unit),
+    const QString cells[] = {suffix.isEmpty() ? limit_title(id) : tr("%1, %2").arg(limit_title(id), suffix), shown(l.least, unit),
                              shown(l.most, unit), QString(), QString::fromStdString(l.source)};
     for (int c = 0; c < limits_->columnCount(); ++c) {
       auto* item = new QTableWidgetItem(cells[c]);
@@ -146,7 +151,7 @@ void CoursesPage::show_limits() {
   metric_->clear();
   for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id))) {
     const auto same = [&](const judge::Limit& l) { return l.metric == m.id.toStdString(); };
-    if (std::none_of(s->limits.begin(), s->limits.end(), same)) metric_->addItem(metric_title(m.id), m.id);
+    if (std::none_of(s->limits.begin(), s->limits.end(), same)) metric_->addItem(limit_title(m.id), m.id);
   }
   together_->setText(s->limits.empty() ? tr("No limits: the lesson's own verdict is all that is asked.")
                                        : together_words(s->limits, experts()));

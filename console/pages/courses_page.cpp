@@ -134,6 +134,7 @@ QWidget* CoursesPage::make_steps() {
 QWidget* CoursesPage::make_step() {
   step_stack_ = new QStackedWidget(this);
   QScrollArea* scroll = make_scroll(step_stack_);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // a screen of 960 px
   auto* box = new QWidget(scroll);
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
@@ -218,7 +219,9 @@ QWidget* CoursesPage::make_rule() {
   rule_says_->setWordWrap(true);
   says->addWidget(rule_says_);
   says->addSpacing(6);
-  says->addWidget(make_heading(tr("What this rule does in 30 attempts"), card.frame));
+  QLabel* does = make_heading(tr("What this rule does in 30 attempts"), card.frame);
+  does->setWordWrap(true);
+  says->addWidget(does);
   odds_ = new QLabel(card.frame);
   odds_->setObjectName(QStringLiteral("rule_odds"));
   odds_->setWordWrap(true);

@@ -43,13 +43,6 @@ std::string lesson_text(const QString& path) {
   return ok && !base::failed(problems) ? out.text : std::string();
 }
 
-QString list_of(const QString& heading, const QStringList& lines) {
-  if (lines.isEmpty()) return {};
-  QString out = QStringLiteral("<p><b>%1</b></p><ul style='margin-top:2px'>").arg(heading.toHtmlEscaped());
-  for (const QString& line : lines) out += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
-  return out + QStringLiteral("</ul>");
-}
-
 }  // namespace
 
 LessonsPage::LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget* parent)
@@ -228,8 +221,8 @@ void LessonsPage::show_lesson() {
   }
   const Criteria asked = criteria_(lesson());
   test_->setEnabled(!asked.show);
-  asked_->setText(list_of(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
-                  list_of(tr("Limits"), asked.limits) + list_of(tr("Points"), asked.points));
+  asked_->setText(list_text(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
+                  list_text(tr("Limits"), asked.limits) + list_text(tr("Points"), asked.points));
 }
 
 }  // namespace swage::console

@@ -125,17 +125,6 @@ void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {
   tilt_plot_->set_theme(ui, "plot_2");
 }
 
-namespace {
-
-QString list_of(const QString& heading, const QStringList& lines) {
-  if (lines.isEmpty()) return {};
-  QString out = QStringLiteral("<p style=\"margin:6px 0 2px 0\"><b>%1</b></p><ul style=\"margin:0 0 0 12px; -qt-list-indent:0\">").arg(heading.toHtmlEscaped());
-  for (const QString& line : lines) out += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
-  return out + QStringLiteral("</ul>");
-}
-
-}  // namespace
-
 void NowPanel::set_running(bool running) {
   running_ = running;
   show_parts();
@@ -167,8 +156,8 @@ void NowPanel::show_time(double time_s) {
 
 void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria) {
   asked_ = criteria;
-  criteria_->setText(list_of(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
-                     list_of(tr("Limits in a test"), criteria.limits) + list_of(tr("Points"), criteria.points));
+  criteria_->setText(list_text(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
+                     list_text(tr("Limits in a test"), criteria.limits) + list_text(tr("Points"), criteria.points));
   force_name_->setVisible(reader.has_force());
   meter_->setVisible(reader.has_force());
   phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);

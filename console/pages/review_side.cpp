@@ -63,8 +63,11 @@ QWidget* ReviewPage::make_side() {
   tabs->setObjectName(QStringLiteral("review_tabs"));
   tabs->setAccessibleName(tr("Metrics, events, traces"));
   tabs->setDocumentMode(true);
+  // on a small screen words get shorter; no tab hides behind an arrow
+  tabs->setUsesScrollButtons(false);
+  tabs->setElideMode(Qt::ElideRight);
   metrics_ =
-      make_table({tr("Metric"), tr("Value"), tr("Direction")}, 0, "review_metrics", tr("Metrics"), tabs);
+      make_table({tr("Metric"), tr("Value"), tr("Better")}, 0, "review_metrics", tr("Metrics"), tabs);
   moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
                         tr("What happened"), tabs);
   traces_ = new QListWidget(tabs);
@@ -73,7 +76,8 @@ QWidget* ReviewPage::make_side() {
   worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
   worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
   tabs->addTab(metrics_, tr("&Metrics"));
-  tabs->addTab(worst_, tr("&Worst moments"));
+  tabs->addTab(worst_, tr("&Worst"));
+  tabs->setTabToolTip(1, tr("Worst moments"));
   tabs->addTab(moments_, tr("&Events"));
   tabs->addTab(traces_, tr("&Traces"));
   track_ = new TrackPlot(tabs);
@@ -100,7 +104,10 @@ void ReviewPage::fill_side() {
     metrics_->setItem(i, 0, item(m.name, m.doc));
     metrics_->setItem(i, 1, item(m.value, m.doc));
     metrics_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    metrics_->setItem(i, 2, item(better_words(m.better), m.doc));
+    // the arrow alone: words would leave the names no room on a small screen
+    metrics_->setItem(i, 2, item(better_words(m.better).left(1), better_words(m.better, false)));
+    metrics_->item(i, 2)->setTextAlignment(Qt::AlignHCenter | Qt::AlignVCenter);
+    metrics_->item(i, 2)->setData(Qt::AccessibleTextRole, better_words(m.better, false));
   }
   moments_->setRowCount(0);
   for (const Moment& m : review_.moments) {

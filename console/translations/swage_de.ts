@@ -64,8 +64,8 @@
         <translation>Lernkurve: %1 beim ersten Versuch, %2 beim letzten</translation>
     </message>
     <message>
-        <source>; the level that is being reached is not bounded by these attempts yet.</source>
-        <translation>; wohin sie führt, begrenzen diese Versuche noch nicht.</translation>
+        <source>; a plateau cannot be estimated from these attempts yet.</source>
+        <translation>; ein Plateau lässt sich aus diesen Versuchen noch nicht schätzen.</translation>
     </message>
     <message>
         <source>, towards %1 (95 %: %2 to %3).</source>
@@ -923,6 +923,10 @@
 </context>
 <context>
     <name>swage::console::CoursesPage</name>
+    <message>
+        <source>Points lost: %1</source>
+        <translation>Verlorene Punkte: %1</translation>
+    </message>
     <message>
         <source>No course yet. A course is a row of lessons with a rule that says when each is passed.</source>
         <translation>Noch kein Kurs. Ein Kurs ist eine Folge von Lektionen mit einer Regel, wann jede bestanden ist.</translation>
@@ -2856,8 +2860,8 @@
         <translation>Wert</translation>
     </message>
     <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
+        <source>Better</source>
+        <translation>Besser</translation>
     </message>
     <message>
         <source>Metrics</source>
@@ -2892,8 +2896,8 @@
         <translation>&amp;Kennzahlen</translation>
     </message>
     <message>
-        <source>&amp;Worst moments</source>
-        <translation>Schlechte &amp;Momente</translation>
+        <source>&amp;Worst</source>
+        <translation>Sch&amp;lechteste</translation>
     </message>
     <message>
         <source>&amp;Events</source>

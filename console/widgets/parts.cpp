@@ -20,6 +20,13 @@ QLabel* make_muted(const QString& text, QWidget* parent) {
   return label;
 }
 
+QString list_text(const QString& heading, const QStringList& lines) {
+  if (lines.isEmpty()) return {};
+  QString out = QStringLiteral("<p style=\"margin:6px 0 2px 0\"><b>%1</b></p><ul style=\"margin:0 0 0 12px; -qt-list-indent:0\">").arg(heading.toHtmlEscaped());
+  for (const QString& line : lines) out += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
+  return out + QStringLiteral("</ul>");
+}
+
 Card make_card(const QString& heading, QWidget* parent) {
   auto* frame = new QFrame(parent);
   frame->setProperty("card", true);

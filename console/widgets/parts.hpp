@@ -23,6 +23,8 @@ struct Card {
 Card make_card(const QString& heading, QWidget* parent);
 QLabel* make_heading(const QString& text, QWidget* parent);
 QLabel* make_muted(const QString& text, QWidget* parent);
+/// Rich text: a heading and a list below it; "" without lines.
+QString list_text(const QString& heading, const QStringList& lines);
 /// A key as people call it in their language: "Ctrl+N", "Strg+N".
 QString key_text(const QString& shortcut);
 /// A button that tells its shortcut, also to screen readers.

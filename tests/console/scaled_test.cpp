@@ -9,9 +9,11 @@
 #include <QScrollArea>
 #include <QSet>
 #include <QStyle>
+#include <QTableWidget>
 
 #include "console/app/language.hpp"
 #include "console/widgets/parts.hpp"
+#include "record/school.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -130,6 +132,38 @@ TEST_P(Scaled, TabComesToEveryControl) {
   }
 }
 
+// A course with its rule and limits, beside two lists, where there is least room.
+class SmallScreen : public Scaled {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(console::use_language(QString::fromLatin1(GetParam())));
+    with_school = true;
+    std::string error;
+    const auto school = record::School::open(school_file(), error);
+    ASSERT_TRUE(school) << error;
+    record::Course course;
+    course.title = "Spring";
+    record::CourseStep& step = course.steps.emplace_back();
+    step.lesson_id = step.title = "org.example.a";
+    step.limits.push_back({.metric = "points.time", .unit = "1", .most = 0.91171, .source = "staff"});
+    ASSERT_TRUE(school->save_course(course));
+    launch.size = {1280, 800};
+    open();
+  }
+};
+
+TEST_P(SmallScreen, ACourseFitsIt) {
+  window->show_page(QStringLiteral("courses"));
+  const auto* table = child<QTableWidget>("limits");
+  ASSERT_TRUE(eventually([&] { return table->isVisible() && table->rowCount() == 1; }));
+  EXPECT_TRUE(table->item(0, 0)->text().startsWith(QLatin1String(GetParam()) == QLatin1String("de") ? "Verlorene Punkte: " : "Points lost: "));
+  for (const QWidget* part : {static_cast<const QWidget*>(table), static_cast<const QWidget*>(child<QLabel>("rule_says")),
+                              static_cast<const QWidget*>(child<QPushButton>("suggest_limits"))})
+    EXPECT_LT(part->mapTo(window.get(), QPoint(part->width(), 0)).x(), window->width()) << name_of(part);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, SmallScreen, testing::Values("en", "de"),
+                         [](const auto& one) { return std::string(one.param); });
 INSTANTIATE_TEST_SUITE_P(Languages, Scaled, testing::Values("en", "de"),
                          [](const auto& one) { return std::string(one.param); });
 
