@@ -51,8 +51,13 @@ void prepare_graphics() {
   QSurfaceFormat::setDefaultFormat(format);
 }
 
-void prepare_application() {
+void name_application() {
   QCoreApplication::setApplicationName(QStringLiteral("swage-console"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(SWAGE_VERSION));
+}
+
+void prepare_application() {
+  name_application();
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
 }
 

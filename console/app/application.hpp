@@ -10,6 +10,8 @@ void expect_display();
 void display_is_there();
 /// Before QApplication: which renderer and surface format Qt3D uses.
 void prepare_graphics();
+/// After QCoreApplication: name and version, which --version and reports tell.
+void name_application();
 /// After QApplication: name, style, font.
 void prepare_application();
 

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   signal(SIGXFSZ, SIG_IGN);
   if (console::asks_for_text(argc, argv)) {
     QCoreApplication text_only(argc, argv);
+    console::name_application();
     choose_language();
     console::read_command_line(QCoreApplication::arguments());
     return 0;

@@ -47,6 +47,7 @@ void add_moments(Sheet& sheet, const AttemptReport& r) {
 void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
   Timeline timeline;
   timeline.set_theme(theme);
+  timeline.hide_cursor();
   timeline.set_review(&r.review, &r.recording);
   QVector<int> shown;
   for (int i = 0; i < r.review.traces.size() && shown.size() < kTraces; ++i)

@@ -2897,7 +2897,7 @@
     </message>
     <message>
         <source>&amp;Worst</source>
-        <translation>Sch&amp;lechteste</translation>
+        <translation>&amp;Fehler</translation>
     </message>
     <message>
         <source>&amp;Events</source>

@@ -359,13 +359,13 @@ void Timeline::paintEvent(QPaintEvent*) {
     p.drawText(QRectF(a.left() + 2, a.top() - kGap_px, a.width(), kGap_px), Qt::AlignLeft | Qt::AlignVCenter,
                name);
     p.drawText(QRectF(a.left(), a.top() - kGap_px, a.width() - 2, kGap_px), Qt::AlignRight | Qt::AlignVCenter,
-               std::isfinite(now) ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
+               std::isfinite(now) && has_cursor_ ? QStringLiteral("%1 %2").arg(QLocale().toString(now, 'g', 3), t.unit)
                                   : QString());
   }
   paint_moments(p);
   paint_other_moments(p);
   p.setPen(QPen(theme_["text"], 1.5));
-  p.drawLine(QPointF(x_of(cursor_s_), 16), QPointF(x_of(cursor_s_), area().bottom()));
+  if (has_cursor_) p.drawLine(QPointF(x_of(cursor_s_), 16), QPointF(x_of(cursor_s_), area().bottom()));
   if (hasFocus()) {
     p.setPen(QPen(theme_["accent"], 1.5));
     p.setBrush(Qt::NoBrush);

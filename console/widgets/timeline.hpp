@@ -31,6 +31,8 @@ class Timeline : public QWidget {
   void set_technical(bool shown);
   void set_cursor(double time_s);  // moves the line, tells nobody
   double cursor() const { return cursor_s_; }
+  /// On paper nothing moves: neither the line nor values at it are drawn.
+  void hide_cursor() { has_cursor_ = false; }
   /// What is played again and again, s; an empty span: nothing.
   void set_loop(double from_s, double to_s);
   double x_of(double time_s) const;  // pixels
@@ -81,6 +83,7 @@ class Timeline : public QWidget {
   mutable std::vector<Drawn> drawn_;  // while only the cursor moves nothing is read again
   QVector<int> shown_;
   UiTheme theme_;
+  bool has_cursor_ = true;
   double cursor_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
   bool technical_ = false;
 };
