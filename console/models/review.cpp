@@ -61,6 +61,7 @@ void add_moments(const record::Recording& r, const std::vector<record::EventRow>
     m.time_s = e.time_s;
     m.by_person = e.owner == "note";
     if (!m.by_person) m.id = qt(e.id);
+    m.by_lesson = e.owner == "lesson";
     m.technical = e.owner == "gap" || (e.owner == judge::kHostOwner && e.id == "host.gap");
     m.what = m.by_person ? (e.id.empty() ? QObject::tr("Mark") : qt(e.id)) : human_id(qt(e.id));
     if (e.owner == "gap") m.what = QObject::tr("Not recorded");

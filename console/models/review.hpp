@@ -29,6 +29,7 @@ struct Moment {
   QString what, means;
   bool by_person = false, technical = false;
   QString id = {};  // of the event; "" for what a person said
+  bool by_lesson = false;
 };
 
 struct MetricLine {

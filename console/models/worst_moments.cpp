@@ -21,12 +21,14 @@ QStringList parts(const std::string& id) {
   return QString::fromStdString(id).split(kBreak, Qt::SkipEmptyParts);
 }
 
-// The ABI says of no event whether it is good or bad; its name does.
-bool is_mishap(const QString& id) {
+// The ABI says of no event whether it is good or bad; its name does. What a coupling touches is what it is for: only a lesson can mean
+// something that should not be touched.
+bool is_mishap(const Moment& m) {
   static const QRegularExpression kWords(
-      QStringLiteral("(^|[._])(failed|dropped|broke|lost|deflected|refused|touched|torn|slipped|missed|reset|quarantined|force_stopped|"
+      QStringLiteral("(^|[._])(failed|dropped|broke|lost|deflected|refused|torn|slipped|missed|reset|quarantined|force_stopped|"
                      "pulled_off|off_angle|too_hard)($|[._])"));
-  return kWords.match(id).hasMatch();
+  static const QRegularExpression kTouched(QStringLiteral("(^|[._])touched($|[._])"));
+  return kWords.match(m.id).hasMatch() || (m.by_lesson && kTouched.match(m.id).hasMatch());
 }
 
 struct Peak {
@@ -68,7 +70,7 @@ void add_mishaps(const Review& review, QVector<WorstMoment>& out) {
   bool told = false;
   for (const Moment& m : review.moments) {
     const bool ended = failed && m.id == reason;
-    if (m.by_person || m.technical || !(ended || is_mishap(m.id))) continue;
+    if (m.by_person || m.technical || !(ended || is_mishap(m))) continue;
     told |= ended;
     out += {m.time_s, ended ? QObject::tr("%1: this ended the attempt").arg(m.what) : m.what, m.means,
             ended ? kEndedIt : kOverLimit};

@@ -69,6 +69,15 @@ TEST(WorstMoments, WhatEndedTheAttemptComesFirstThenMishapsThenPeaks) {
   EXPECT_EQ(p.worst().size(), 2);
 }
 
+TEST(WorstMoments, JawsThatTouchWhatTheyTakeAreNone) {
+  Peaked p;
+  p.attempt.metrics.clear();
+  p.events = {{600, 0.6, "grasp", "grasp.touched", 0.1}};
+  EXPECT_TRUE(p.worst().isEmpty());
+  p.events.push_back({700, 0.7, "lesson", "ring.touched", 0.1});
+  EXPECT_EQ(p.worst().size(), 1);
+}
+
 TEST(WorstMoments, AreAFewEvenWhereMuchWentWrong) {
   Peaked p;
   for (int i = 0; i < 40; ++i) p.events.push_back({static_cast<uint64_t>(i), 0.01 * i, "lesson", "needle.dropped", 0});
