@@ -50,7 +50,7 @@ class Kills : public testing::Test {
     if (console_ > 0) kill_console(SIGKILL);
   }
 
-  /// A recorded hand plays 020, over and over: the attempt does not end before it is killed.
+  /// A recorded hand plays 020; the novice takes longer than any test waits before it kills.
   void start_console(const std::string& store) {
     console_ = fork();
     if (console_ != 0) return;

@@ -15,18 +15,23 @@
 namespace swage::session {
 namespace {
 
-TEST(LostHand, TheLessonWaitsAndGoesOn) {
-  step::FakeScene s;
-  std::atomic<bool> silent{false};
+// The scene's device has a thread of its own at 1 kHz and gives a pose, unless it is silent.
+void speak_unless(const std::atomic<bool>& silent, step::FakeScene& s) {
   s.device_.device.flags = 0;
   s.device_.device.rate_hz = 1000;
-  s.device_.exchange = [&](const swage_command*, swage_sample* out) {
+  s.device_.exchange = [&silent](const swage_command*, swage_sample* out) {
     if (silent) return swage_result{SWAGE_OK};
     ++out->sequence;
     out->pose.q = {1, 0, 0, 0};
     out->valid = SWAGE_VALID_POSE;
     return swage_result{SWAGE_OK};
   };
+}
+
+TEST(LostHand, TheLessonWaitsAndGoesOn) {
+  step::FakeScene s;
+  std::atomic<bool> silent{false};
+  speak_unless(silent, s);
   IoPort port(s.rig.devices[0], nullptr);
   step::Engine engine(s.rig, step::Options(), {&port});
   Loop loop(s.rig, engine, {&port}, nullptr, {});
@@ -111,15 +116,7 @@ TEST(LostHand, AHandThatMovedWhileTheSceneWasPausedIsMetWhereItsToolStands) {
 TEST(LostHand, AHandThatWasSilentForLongerThanTheSceneSawIsMetAnew) {
   step::FakeScene s;
   std::atomic<bool> silent{false};
-  s.device_.device.flags = 0;
-  s.device_.device.rate_hz = 1000;
-  s.device_.exchange = [&](const swage_command*, swage_sample* out) {
-    if (silent) return swage_result{SWAGE_OK};
-    ++out->sequence;
-    out->pose.q = {1, 0, 0, 0};
-    out->valid = SWAGE_VALID_POSE;
-    return swage_result{SWAGE_OK};
-  };
+  speak_unless(silent, s);
   IoPort port(s.rig.devices[0], nullptr);
   port.start();
   const auto wait = [] { base::sleep_until_ns(base::wall_ns() + 1'000'000); };
