@@ -41,7 +41,7 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->descriptor_text = file_.text;
   rig_->descriptor_path = file_.path;
 
-  rig_->eyes = overrides_.eyes;
+  rig_->attempt.eyes = overrides_.eyes;
   resolve_mode();
   add_objects();
   add_couplings();
@@ -85,9 +85,9 @@ void Assembler::settle_mode() {
     return slot.device != nullptr && (slot.device->flags & SWAGE_DEVICE_SCRIPTED) != 0;
   });
   if (scripted && !rig_->devices.empty() && mode != "demo") mode = kHandMode;
-  rig_->attempt = mode == "practice" ? SWAGE_ATTEMPT_PRACTICE
-                  : mode == "demo"   ? SWAGE_ATTEMPT_DEMO
-                                     : SWAGE_ATTEMPT_TEST;
+  rig_->attempt.mode = mode == "practice" ? SWAGE_ATTEMPT_PRACTICE
+                       : mode == "demo"   ? SWAGE_ATTEMPT_DEMO
+                                          : SWAGE_ATTEMPT_TEST;
 }
 
 void Assembler::error(const std::string& pointer, const std::string& message) {

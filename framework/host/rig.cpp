@@ -3,7 +3,7 @@
 
 namespace swage::host {
 
-Rig::Rig() : shared{&world, &seen, &attempt, &eyes} { pointer.camera = seen.camera = {1, 0, 0, 0}; }
+Rig::Rig() : shared{&world, &attempt} {}
 
 Rig::~Rig() {
   // the reverse of the order of creation; the lesson may look at objects until it is gone

@@ -101,10 +101,7 @@ struct Rig {
   std::vector<GivenFile> files;  // that the lesson names, each once
 
   double max_time_s = 0;    // simulated; 0: until the lesson finishes
-  swage_pointer pointer{};  // what the person does, in the picture as it is shown
-  swage_pointer seen{};  // what swage.host.pointer/1 reads: the same, or its mirror image; the step writes it
-  int32_t attempt = SWAGE_ATTEMPT_TEST;
-  int32_t eyes = 0;  // SWAGE_EYES_* as the attempt began
+  Attempt attempt;
   Shared shared;         // of the instances' services; points into this rig
 
   Rig();

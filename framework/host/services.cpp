@@ -94,13 +94,11 @@ const void* Services::get_extension(const swage_host*, const char* id) {
 }
 
 int32_t Services::attempt_mode(const swage_host* host) {
-  const int32_t* mode = of(host).shared_.attempt;
-  return mode != nullptr ? *mode : SWAGE_ATTEMPT_TEST;
+  return of(host).attempt().mode;
 }
 
 int32_t Services::display_eyes(const swage_host* host) {
-  const int32_t* eyes = of(host).shared_.eyes;
-  return eyes != nullptr ? *eyes : SWAGE_EYES_NONE;
+  return of(host).attempt().eyes;
 }
 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {
@@ -144,9 +142,12 @@ void Services::read_capacities(const swage_host* host, swage_capacities* out) {
 }
 
 const swage_pointer* Services::read_pointer(const swage_host* host) {
-  static constexpr swage_pointer still{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
-  const Services& self = of(host);
-  return self.shared_.pointer != nullptr ? self.shared_.pointer : &still;
+  return &of(host).attempt().pointer;
+}
+
+const Attempt& Services::attempt() const noexcept {
+  static constexpr Attempt nobodys;
+  return shared_.attempt != nullptr ? *shared_.attempt : nobodys;
 }
 
 }  // namespace swage::host

@@ -6,6 +6,7 @@
 
 #include <swage/abi/builder.h>
 #include <swage/abi/device.h>
+#include <swage/abi/display.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/plugin.h>
 
@@ -66,12 +67,17 @@ class FaultRing {
   uint64_t taken_ = 0;
 };
 
+/// What every instance may ask of the attempt that it serves.
+struct Attempt {
+  int32_t mode = SWAGE_ATTEMPT_TEST;
+  int32_t eyes = SWAGE_EYES_NONE;                         // as the attempt began
+  swage_pointer pointer{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of this step; in a mirrored lesson of the other hand
+};
+
 /// What the services of all instances of a rig share; owned by the rig.
 struct Shared {
-  scene::World* world = nullptr;           // random streams live in its saved state
-  const swage_pointer* pointer = nullptr;  // this step's pointer and keyboard
-  const int32_t* attempt = nullptr;        // SWAGE_ATTEMPT_*; nullptr: a test
-  const int32_t* eyes = nullptr;           // SWAGE_EYES_*; nullptr: nobody looks
+  scene::World* world = nullptr;     // random streams live in its saved state
+  const Attempt* attempt = nullptr;  // nullptr: a test at which nobody looks
 };
 
 class Services {
@@ -103,6 +109,8 @@ class Services {
 
   swage_host host_{};
   std::string name_;
+  const Attempt& attempt() const noexcept;
+
   Shared shared_;
   uint32_t random_index_;
   uint64_t own_random_;

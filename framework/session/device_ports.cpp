@@ -47,13 +47,6 @@ ForceRequest request(const step::ToolForce& force, double age) {
   return out;
 }
 
-swage_command quiet(double time_s) {
-  swage_command out{};
-  out.time_s = time_s;
-  out.anchor.q.w = 1;
-  return out;
-}
-
 }  // namespace
 
 ForceLimits Port::limits(const host::DeviceSlot& slot) {
@@ -115,7 +108,7 @@ void IoPort::run() {
     // the last exchange takes the force away
     const bool leaving = stop_.load(std::memory_order_relaxed);
     const int64_t now = base::wall_ns();
-    const swage_command out = leaving ? quiet(0) : command(given, seconds(now - last), now);
+    const swage_command out = leaving ? step::no_force(0) : command(given, seconds(now - last), now);
     last = now;
     swage_sample sample = given.sample;
     const bool good = host::guarded(instance, host::Call::kExchange, n,
@@ -138,7 +131,7 @@ swage_command IoPort::command(const Given& last, double dt, int64_t now) noexcep
   // no force before the device has spoken and the scene has answered
   Wanted wanted;
   const bool ready = last.wall_ns != 0 && wanted_.latest(wanted) != 0;
-  if (!(slot_.device->flags & SWAGE_DEVICE_FORCE) || !ready) return quiet(seconds(now));
+  if (!(slot_.device->flags & SWAGE_DEVICE_FORCE) || !ready) return step::no_force(seconds(now));
   follow_orders();
   double age = seconds(now - wanted.wall_ns);
   if (stalled_ && stalled_->load(std::memory_order_relaxed)) age = std::max(age, 2 * guard_.limits().stale);
@@ -193,18 +186,14 @@ StepPort::StepPort(host::DeviceSlot& slot, double dt, bool forces)
     : Port(slot, limits(slot)), dt_(dt), forces_(forces && (slot.device->flags & SWAGE_DEVICE_FORCE)) {}
 
 void StepPort::read(uint64_t step, double time_s, swage_sample& sample) noexcept {
-  swage_command command = quiet(time_s);
+  swage_command command = step::no_force(time_s);
   if (forces_) {
     follow_orders();
     command = guard_.tick(request(wanted_, 0), motion(sample, 0), dt_, time_s);
     command.time_s = time_s;
   }
   given_ = command.force;
-  host::Instance& instance = *slot_.instance;
-  const swage_sample last = sample;
-  const bool good = host::guarded(instance, host::Call::kExchange, step,
-                                  [&] { return slot_.device->exchange(instance.raw, &command, &sample); });
-  if (!good) sample = last;
+  step::exchange(slot_, step, command, sample);
 }
 
 }  // namespace swage::session

@@ -143,7 +143,7 @@ void Loop::take_command(const step::Command& command) noexcept {
 // Movements add up, everything else is as it was last. What was pressed is down for a step at least: letting it go waits for the
 // next one, or a short stroke of a key would never be seen.
 void Loop::take_pointer() noexcept {
-  swage_pointer& now = rig_.pointer;
+  swage_pointer& now = pointer_;
   now.dx = now.dy = now.wheel = 0;
   const swage_pointer before = now;
   swage_pointer p = waiting_pointer_;
@@ -153,13 +153,14 @@ void Loop::take_pointer() noexcept {
     if (short_key || short_button) {
       waiting_pointer_ = p;
       pointer_waits_ = true;
-      return;
+      break;
     }
     p.dx += now.dx;
     p.dy += now.dy;
     p.wheel += now.wheel;
     now = p;
   }
+  engine_.point(now);
 }
 
 // a cue that has come on is felt with the forces of the next step

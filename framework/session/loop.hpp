@@ -85,6 +85,7 @@ class Loop {
 
   base::SpscRing<step::Command> command_in_;
   base::SpscRing<swage_pointer> pointer_in_;
+  swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};  // of this step
   swage_pointer waiting_pointer_{};  // taken from there, and not yet due
   bool pointer_waits_ = false;
   base::SpscRing<judge::Event> event_out_;

@@ -12,15 +12,19 @@ void show(host::DeviceSlot& slot, uint64_t step, const swage_sight& sight) noexc
                 [&] { return slot.sight->look(instance.raw, &sight); });
 }
 
-void LockstepPort::read(uint64_t step, double time_s, swage_sample& sample) noexcept {
-  swage_command command{};
-  command.time_s = time_s;
-  command.anchor.q.w = 1;
-  host::Instance& instance = *slot_.instance;
+swage_command no_force(double time_s) noexcept {
+  swage_command out{};
+  out.time_s = time_s;
+  out.anchor.q.w = 1;
+  return out;
+}
+
+void exchange(host::DeviceSlot& slot, uint64_t step, const swage_command& command, swage_sample& sample) noexcept {
+  host::Instance& instance = *slot.instance;
   const swage_sample last = sample;
-  const bool given = host::guarded(instance, host::Call::kExchange, step,
-                                   [&] { return slot_.device->exchange(instance.raw, &command, &sample); });
-  if (!given) sample = last;
+  const bool good = host::guarded(instance, host::Call::kExchange, step,
+                                  [&] { return slot.device->exchange(instance.raw, &command, &sample); });
+  if (!good) sample = last;
 }
 
 }  // namespace swage::step

@@ -37,12 +37,20 @@ class DevicePort {
 /// Lets a device see, if it can. [rt]
 void show(host::DeviceSlot& slot, uint64_t step, const swage_sight& sight) noexcept;
 
+/// A command without force for the time of a step, s simulated. [rt]
+swage_command no_force(double time_s) noexcept;
+
+/// Asks a LOCKSTEP device in the step. `sample` stays as it was where the device fails, which the guard counts against it. [rt]
+void exchange(host::DeviceSlot& slot, uint64_t step, const swage_command& command, swage_sample& sample) noexcept;
+
 /// A LOCKSTEP device without forces: asked in the step, so that a run is bit-reproducible.
 class LockstepPort final : public DevicePort {
  public:
   explicit LockstepPort(host::DeviceSlot& slot) : slot_(slot) {}
   void look(uint64_t step, const swage_sight& sight) noexcept override { show(slot_, step, sight); }
-  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
+  void read(uint64_t step, double time_s, swage_sample& sample) noexcept override {
+    exchange(slot_, step, no_force(time_s), sample);
+  }
   void send(const ToolForce&) noexcept override {}
 
  private:

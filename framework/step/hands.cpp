@@ -156,9 +156,12 @@ void Hands::look(const swage_sight& sight, WriteGuard& writes) noexcept {
   }
 }
 
+void Hands::point(const swage_pointer& pointer) noexcept {
+  rig_.attempt.pointer = rig_.mirror ? other_hand(pointer) : pointer;
+}
+
 void Hands::read(WriteGuard& writes) noexcept {
   scene::World& world = rig_.world;
-  rig_.seen = rig_.mirror ? other_hand(rig_.pointer) : rig_.pointer;
   for (uint32_t i = 0; i < sample_.size(); ++i) {
     if (!usable(i)) continue;
     const swage_sample last = sample_[i];

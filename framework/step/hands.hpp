@@ -24,6 +24,8 @@ class Hands {
   Hands(host::Rig& rig, std::vector<DevicePort*> ports);
 
   void reset() noexcept;                                    // [rt]
+  /// What devices read of the person's pointer and keys from now on, given in the picture as it is shown. [rt]
+  void point(const swage_pointer& pointer) noexcept;
   bool see() const noexcept;                                // a device sees the scene
   /// Shows it to those, and holds them to looking: `writes` has just been taken. [rt]
   void look(const swage_sight& sight, WriteGuard& writes) noexcept;

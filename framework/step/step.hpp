@@ -66,6 +66,9 @@ class Engine {
   /// For the next step; false when too many wait. [rt]
   bool push(const Command& command) noexcept;
 
+  /// What the person does with pointer and keys in the next step, in the picture as it is shown. [rt]
+  void point(const swage_pointer& pointer) noexcept { hands_.point(pointer); }
+
   // --- what the last step gave, valid until the next [rt]
   uint64_t hash() const noexcept { return hash_; }
   std::span<const judge::Event> events() const noexcept { return events_.list(); }

@@ -7,10 +7,10 @@
 
 #include "bar.hpp"
 #include "contact/detector.hpp"
-#include "contact/thesis.hpp"
 #include "scene/kinematics.hpp"
 #include "solids.hpp"
 #include "swage_world.hpp"
+#include "thesis_contact.hpp"
 #include "thesis_tables.hpp"
 #include "trajectory.hpp"
 

@@ -42,11 +42,11 @@ void LessonRun::begin(const assembly::LessonFile& file, const assembly::Override
     if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
       problems_ += "a device did not open\n";
   }
-  rig_->pointer.camera = {1, 0, 0, 0};
   engine_ = std::make_unique<step::Engine>(*rig_, step::Options{});
 }
 
 void LessonRun::step() {
+  engine_->point(pointer_);
   engine_->step();
   pointer().dx = pointer().dy = pointer().wheel = 0;
   for (const judge::Event& event : engine_->events()) happened_[rig_->script.events[event.event].id] += 1;

@@ -41,7 +41,7 @@ class LessonRun {
   /// The whole state as bytes, and back. False where either failed.
   bool save_and_restore();
   /// What the person does with pointer and keys, read in the next step; deltas then start again at zero.
-  swage_pointer& pointer() { return rig_->pointer; }
+  swage_pointer& pointer() { return pointer_; }
 
   const judge::Verdict& verdict() const { return engine_->verdict(); }
   std::string outcome() const { return judge::text(verdict().outcome); }
@@ -66,6 +66,7 @@ class LessonRun {
   std::unique_ptr<host::Rig> rig_;
   std::unique_ptr<step::Engine> engine_;
   std::map<std::string, int> happened_;
+  swage_pointer pointer_{0, 0, 0, 0, 0, 0, {1, 0, 0, 0}};
 };
 
 }  // namespace swage::stage

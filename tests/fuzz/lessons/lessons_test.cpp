@@ -57,7 +57,6 @@ const fuzz::Mutants& mutants() {
 std::string step_it(host::Rig& rig) {
   for (const host::DeviceSlot& slot : rig.devices)
     if (slot.device->open != nullptr) slot.device->open(slot.instance->raw);
-  rig.pointer.camera = {1, 0, 0, 0};
   step::Engine engine(rig, step::Options{});
   for (int i = 0; i < kSteps && engine.quarantined() == 0; ++i) engine.step();
   for (const swage_pose& X_WB : engine.world().X_WB)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Thesis 4.2.1 to 4.2.10, formula by formula, each against something that shares no code with it.
-#include "contact/thesis.hpp"
+#include "thesis_contact.hpp"
 
 #include <gtest/gtest.h>
 

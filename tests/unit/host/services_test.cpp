@@ -18,7 +18,7 @@ swage_str str(const char* text) { return {text, std::strlen(text)}; }
 TEST(Services, RandomNumbersBelongToTheSavedState) {
   swage::scene::World world;
   world.random = {0, 0};
-  const Shared shared{&world, nullptr};
+  const Shared shared{&world};
   Services needle("needle", shared, 0, 7), jaws("jaws", shared, 1, 7);
   const ScopedRole rt(SWAGE_THREAD_RT);
   const uint64_t saved = world.random[0];
@@ -65,9 +65,9 @@ TEST(Services, RolesBelongToThreads) {
 }
 
 TEST(Services, ThePointerIsOfferedAndNothingElse) {
-  swage_pointer pointer{};
-  pointer.dx = 0.25;
-  Services with("hand", {nullptr, &pointer}, swage::scene::kNone, 0),
+  Attempt attempt;
+  attempt.pointer.dx = 0.25;
+  Services with("hand", {nullptr, &attempt}, swage::scene::kNone, 0),
       without("hand", {}, swage::scene::kNone, 0);
   const auto* table =
       static_cast<const swage_host_pointer*>(with.abi()->get_extension(with.abi(), SWAGE_HOST_POINTER));
@@ -79,8 +79,9 @@ TEST(Services, ThePointerIsOfferedAndNothingElse) {
 }
 
 TEST(Services, HowManyEyesSeeTheSceneIsSaid) {
-  const int32_t eyes = SWAGE_EYES_STEREO;
-  Services with("lesson", {nullptr, nullptr, nullptr, &eyes}, swage::scene::kNone, 0),
+  Attempt attempt;
+  attempt.eyes = SWAGE_EYES_STEREO;
+  Services with("lesson", {nullptr, &attempt}, swage::scene::kNone, 0),
       without("lesson", {}, swage::scene::kNone, 0);
   EXPECT_EQ(swage::eyes(*with.abi()), SWAGE_EYES_STEREO);
   EXPECT_EQ(swage::eyes(*without.abi()), SWAGE_EYES_NONE);

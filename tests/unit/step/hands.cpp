@@ -128,15 +128,18 @@ TEST(Hands, AMirroredHandDoesTheMirrorImage) {
 TEST(Hands, AMirroredPointerIsTheOtherHands) {
   FakeScene s;
   s.rig.mirror = true;
-  s.rig.pointer.dx = 0.1;
-  s.rig.pointer.dy = 0.2;
-  s.rig.pointer.keys = uint64_t{1} << 0 | uint64_t{1} << 22 | uint64_t{1} << 37;  // A, W, right
-  s.rig.pointer.camera = toolkit::raw(toolkit::exp_rotation({0.4, 0.3, 0.2}));
+  swage_pointer pointer{};
+  pointer.dx = 0.1;
+  pointer.dy = 0.2;
+  pointer.keys = uint64_t{1} << 0 | uint64_t{1} << 22 | uint64_t{1} << 37;  // A, W, right
+  pointer.camera = toolkit::raw(toolkit::exp_rotation({0.4, 0.3, 0.2}));
+  s.engine().point(pointer);
   s.run(2);  // twice: the picture is not turned again
-  EXPECT_EQ(s.rig.seen.dx, -0.1);
-  EXPECT_EQ(s.rig.seen.dy, 0.2);
-  EXPECT_EQ(s.rig.seen.keys, uint64_t{1} << 3 | uint64_t{1} << 22 | uint64_t{1} << 36);
-  const Quat c = toolkit::quat(s.rig.pointer.camera), m = toolkit::quat(s.rig.seen.camera);
+  const swage_pointer& read = s.rig.attempt.pointer;
+  EXPECT_EQ(read.dx, -0.1);
+  EXPECT_EQ(read.dy, 0.2);
+  EXPECT_EQ(read.keys, uint64_t{1} << 3 | uint64_t{1} << 22 | uint64_t{1} << 36);
+  const Quat c = toolkit::quat(pointer.camera), m = toolkit::quat(read.camera);
   const auto reflected = [](const Vec3& v) { return Vec3(-v.x(), v.y(), v.z()); };
   EXPECT_LT((m * Vec3::UnitX() + reflected(c * Vec3::UnitX())).norm(), 1e-12);
   EXPECT_LT((m * Vec3::UnitY() - reflected(c * Vec3::UnitY())).norm(), 1e-12);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Collision detection of the thesis, sections 4.2.1 to 4.2.8, equation by equation. The level `thesis` and table 6-1
-// are built on it; where the printed text takes a shortcut, the comment says which and what is done here.
+// Collision detection of the thesis, sections 4.2.1 to 4.2.8, equation by equation. Table 6-1
+// is measured with it; where the printed text takes a shortcut, the comment says which and what is done here.
 //
 // Units: m. Frames: one for all arguments. Threads: any; nothing allocates or throws.
 #pragma once
