@@ -34,6 +34,7 @@ std::unique_ptr<Rig> Assembler::run() {
   rig_->world.dt = 1 / file_.rate_hz;
   rig_->world.length = file_.scene_length;
   rig_->world.gravity = file_.gravity;
+  rig_->world.environment = file_.environment;
   rig_->seed = file_.seed;
   rig_->mirror = file_.mirror;
   rig_->card.tips_only = file_.tips_only;

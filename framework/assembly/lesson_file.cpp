@@ -10,6 +10,7 @@
 #include "assembly/reader.hpp"
 #include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
+#include "host/environment.hpp"
 #include "host/nearest.hpp"
 #include "host/version.hpp"
 
@@ -39,6 +40,7 @@ class LessonParser {
     out_.rate_hz = top.quantity("rate_hz", "Hz", 1000, 200, 10000);
     out_.scene_length = top.quantity("scene_length", "m", 1e-3, 1e-6, 10);
     out_.gravity = top.vector("gravity", "m/s2", {0, 0, -9.80665});
+    if (const Json* environment = top.find("environment")) read_environment(*environment, top.at("environment"));
     out_.max_time_s = top.quantity("max_time", "s", 0, 0, 86400);
     out_.mirror = top.flag("mirror", false);
     out_.tips_only = top.flag("tips_only", false);
@@ -65,6 +67,20 @@ class LessonParser {
     teller_.error(top.at("format"),
                   say::kOtherFormat(format, kFormat));
     return false;
+  }
+
+  /// A medium, and quantities that differ from its own.
+  void read_environment(const Json& json, const std::string& pointer) {
+    ObjectReader reader(json, pointer, "the environment of a lesson", teller_);
+    if (reader.need("medium") == nullptr) return;
+    const std::string word = reader.choice("medium", host::kMedia);
+    const auto found = std::find(std::begin(host::kMedia), std::end(host::kMedia), word);
+    out_.environment = host::medium(static_cast<uint32_t>(SWAGE_MEDIUM_DRY + (found - std::begin(host::kMedia))));
+    out_.environment.grounded = json.is_object() && json.contains("earthed_plane") ? 1 : 0;
+    for (const host::EnvironmentKey& k : host::kEnvironmentKeys)
+      out_.environment.*k.member = reader.quantity(k.key, k.unit, out_.environment.*k.member, k.min, k.max);
+    if (out_.environment.charge != 0 && word != host::kMedia[0]) teller_.error(reader.at("charge"), say::kNoCharge(word));
+    reader.finish();
   }
 
   void read_modes(ObjectReader& top) {
@@ -175,7 +191,7 @@ class LessonParser {
   }
 
   void check_names() {
-    std::set<std::string> names{"lesson", "swage"};
+    std::set<std::string> names{"lesson", "swage", "environment"};
     std::vector<std::string> devices, objects;
     const auto take = [&](const std::string& name, const std::string& pointer,
                           std::vector<std::string>* list) {

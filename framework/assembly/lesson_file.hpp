@@ -4,7 +4,7 @@
 // [main].
 #pragma once
 
-#include <swage/abi/base.h>
+#include <swage/environment.hpp>
 
 #include <cstdint>
 #include <span>
@@ -69,6 +69,7 @@ struct LessonFile {
   double rate_hz = 1000;
   double scene_length = 1e-3;  // m
   swage_vec3 gravity{0, 0, -9.80665};
+  swage_environment environment = kStillAir;
   double max_time_s = 0;          // simulated; 0: no limit
   bool tips_only = false;         // of instruments only the tips are drawn
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)

@@ -27,7 +27,8 @@ constexpr std::size_t kMostBases = 8;  // more is a tangle that nobody follows
 // What a lesson that is based on another says for itself; all else it has from there.
 constexpr const char* kOwn[] = {"format",  "based_on", "set",  "id",           "title",
                                 "summary", "goal",     "seed", "rate_hz",      "gravity",
-                                "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only"};
+                                "mirror",  "mode",     "cues", "scene_length", "max_time", "tips_only",
+                                "environment"};
 
 // where a parser stopped, as line and column
 std::pair<uint32_t, uint32_t> place(const std::string& text, std::size_t byte) {

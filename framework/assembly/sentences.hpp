@@ -52,6 +52,7 @@ inline constexpr auto kUnits = " ({})"_sentence;  // that a quantity may have
 inline constexpr auto kOutOfRange = "{} is out of range; \"{}\" goes from {} to {}."_sentence;
 inline constexpr auto kNoWhole = "\"{}\" is a whole number from 0, not {}."_sentence;
 inline constexpr auto kNoVector = "\"{}\" is a list of 3 numbers, not {}."_sentence;
+inline constexpr auto kNoCharge = "In \"{}\" surroundings a thread keeps no charge: leave \"charge\" out, or set \"medium\" to \"dry\"."_sentence;
 inline constexpr auto kTooLargeNumber = "{} is too large."_sentence;
 inline constexpr auto kTwoRotations = "A pose has \"q\" or \"rpy\", not both."_sentence;
 inline constexpr auto kNoQuaternion = "\"q\" is a unit quaternion [w, x, y, z], not {}."_sentence;

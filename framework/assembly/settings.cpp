@@ -89,6 +89,15 @@ bool find_and_put(Json& file, const std::string& name, Entry& entry, std::vector
   return false;
 }
 
+/// Its keys stand in it themselves: it is no plugin with parameters. A lesson without one gets one, which then needs a medium.
+bool set_environment(Json& file, const std::string& key, const Json& value, std::vector<std::string>& pointers) {
+  Json& environment = file["environment"];
+  if (!environment.is_object()) environment = Json::object();
+  environment[key] = value;
+  pointers = {"/environment/" + pointer_step(key)};
+  return true;
+}
+
 }  // namespace
 
 std::string last_word(const std::string& plugin_id) { return plugin_id.substr(plugin_id.rfind('.') + 1); }
@@ -129,6 +138,7 @@ bool set_in(Json& file, const Setting& setting, const std::string& place, base::
   }
   std::vector<std::string> names;
   const std::string instance = setting.what.substr(0, dot);
+  if (instance == "environment") return set_environment(file, setting.what.substr(dot + 1), value, pointers);
   Entry entry{setting.what.substr(dot + 1), value};
   const bool found = find_and_put(file, instance, entry, names);
   pointers = std::move(entry.pointers);

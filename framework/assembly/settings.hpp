@@ -11,7 +11,7 @@
 
 namespace swage::assembly {
 
-/// One value. `what`: "needle.arc" (instance and parameter), "lesson.drive" (of the lesson), or a key of the file itself such
+/// One value. `what`: "needle.arc" (instance and parameter), "lesson.drive" (of the lesson), "environment.charge", or a key of the file itself such
 /// as "seed", "mirror" or "title". `value`: JSON; text that is no JSON counts as a string.
 struct Setting {
   std::string what, value;

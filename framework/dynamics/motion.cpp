@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "dynamics/damping.hpp"
 #include "dynamics/rotation.hpp"
 #include "scene/kinematics.hpp"
 
@@ -48,8 +49,12 @@ Motion::Motion(const scene::World& world) {
 }
 
 void Motion::predict(scene::World& world, FreeMotion method) noexcept {
-  for (uint32_t i = 0; i < world.body.size(); ++i)
-    if (world.body[i].motion == SWAGE_MOTION_DYNAMIC) predict_body(world, i, method);
+  const bool damped = world.environment.linear_damping > 0 || world.environment.angular_damping > 0;
+  for (uint32_t i = 0; i < world.body.size(); ++i) {
+    if (world.body[i].motion != SWAGE_MOTION_DYNAMIC) continue;
+    if (damped) damp(world, i, held_body[i] != 0);
+    predict_body(world, i, method);
+  }
   for (uint32_t i = 0; i < world.hinge.size(); ++i) predict_hinge(world, i);
   for (uint32_t i = 0; i < world.particle_mass.size(); ++i) predict_particle(world, i);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host/environment.hpp"
 #include "host/units.hpp"
 
 namespace swage::host {
@@ -162,6 +163,12 @@ Json device_schema(const std::vector<PluginInfo>& plugins, const Json& name) {
                     {"name"});
 }
 
+Json environment_schema() {
+  Json keys = {{"medium", {{"enum", std::vector<std::string>(std::begin(kMedia), std::end(kMedia))}}}};
+  for (const EnvironmentKey& k : kEnvironmentKeys) keys[k.key] = quantity_schema(k.unit, k.min, k.max);
+  return closed(keys, {"medium"});
+}
+
 }  // namespace
 
 std::string params_schema(const PluginInfo& plugin) {
@@ -190,6 +197,7 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"rate_hz", quantity_schema("Hz", 200, 10000)},
                    {"scene_length", quantity_schema("m", 1e-6, 10)},
                    {"gravity", three("m/s2")},
+                   {"environment", environment_schema()},
                    {"max_time", quantity_schema("s", 0, 86400)},
                    {"mirror", {{"type", "boolean"}}},
                    {"tips_only", {{"type", "boolean"}}},

@@ -83,6 +83,7 @@ const void* Services::get_extension(const swage_host*, const char* id) {
   static constexpr swage_host_pointer pointer{read_pointer};
   static constexpr swage_host_attempt attempt{attempt_mode};
   static constexpr swage_host_display display{display_eyes};
+  static constexpr swage_host_environment environment{read_environment};
   if (id == nullptr) return nullptr;
   static constexpr swage_host_capacities capacities{reserve_points, read_capacities};
   if (std::strcmp(id, SWAGE_HOST_HEIGHT_FIELD) == 0) return &height_field_table();
@@ -90,6 +91,7 @@ const void* Services::get_extension(const swage_host*, const char* id) {
   if (std::strcmp(id, SWAGE_HOST_DISPLAY) == 0) return &display;
   if (std::strcmp(id, SWAGE_HOST_CAPACITIES) == 0) return &capacities;
   if (std::strcmp(id, SWAGE_HOST_CHAIN) == 0) return &chain_table();
+  if (std::strcmp(id, SWAGE_HOST_ENVIRONMENT) == 0) return &environment;
   return std::strcmp(id, SWAGE_HOST_POINTER) == 0 ? &pointer : nullptr;
 }
 
@@ -99,6 +101,15 @@ int32_t Services::attempt_mode(const swage_host* host) {
 
 int32_t Services::display_eyes(const swage_host* host) {
   return of(host).attempt().eyes;
+}
+
+void Services::read_environment(const swage_host* host, swage_environment* out) {
+  if (out == nullptr) return;
+  const Services& self = of(host);
+  const swage_environment all = self.shared_.world != nullptr ? self.shared_.world->environment : kStillAir;
+  const uint32_t size = std::min<uint32_t>(out->struct_size, sizeof all);
+  std::memcpy(out, &all, size);
+  out->struct_size = size;
 }
 
 void Services::report(const swage_host* host, int32_t severity, swage_str where, swage_str message) {

@@ -7,6 +7,7 @@
 #include <swage/abi/builder.h>
 #include <swage/abi/device.h>
 #include <swage/abi/display.h>
+#include <swage/abi/environment.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/plugin.h>
 
@@ -106,6 +107,7 @@ class Services {
   static const swage_pointer* read_pointer(const swage_host*);
   static int32_t attempt_mode(const swage_host*);
   static int32_t display_eyes(const swage_host*);
+  static void read_environment(const swage_host*, swage_environment* out);
 
   swage_host host_{};
   std::string name_;

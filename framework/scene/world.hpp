@@ -8,6 +8,7 @@
 #pragma once
 
 #include <swage/abi/object.h>
+#include <swage/environment.hpp>
 
 #include <cstdint>
 #include <string>
@@ -101,6 +102,7 @@ struct World {
   std::vector<double> particle_radius;  // m
   std::vector<uint32_t> particle_object;
   swage_vec3 gravity{0, 0, -9.80665};  // m/s2
+  swage_environment environment = kStillAir;
   double length = 1e-3;                // m, characteristic length: every tolerance is relative to it
   double dt = 1e-3;                    // s
   Capacities capacity;                 // of a step

@@ -8,6 +8,7 @@
 #include <swage/abi/cut.h>
 #include <swage/abi/device.h>
 #include <swage/abi/display.h>
+#include <swage/abi/environment.h>
 #include <swage/abi/lesson.h>
 #include <swage/abi/lesson_card.h>
 #include <swage/abi/object.h>

@@ -3,6 +3,7 @@
 // The host, the builder and the instance behind the benches of <swage/testbed.hpp>.
 #pragma once
 
+#include <swage/environment.hpp>
 #include <swage/plugin.hpp>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct Host {
   uint64_t random = 1;
   std::vector<std::string> reports;  // "who: what"
   std::vector<Fault> faults;
+  swage_environment environment = kStillAir;  // that an instance reads
 
   Host() {
     raw = {sizeof(swage_host),
@@ -184,6 +186,9 @@ inline const void* host_table(const char* id) {
   if (std::string_view(id) == SWAGE_HOST_CAPACITIES) return &capacities;
   static constexpr swage_host_chain chain{Declared::add_chain};
   if (std::string_view(id) == SWAGE_HOST_CHAIN) return &chain;
+  static constexpr swage_host_environment environment{
+      [](const swage_host* host, swage_environment* out) { *out = Host::of(host).environment; }};
+  if (std::string_view(id) == SWAGE_HOST_ENVIRONMENT) return &environment;
   return std::string_view(id) == SWAGE_HOST_HEIGHT_FIELD ? &height_field : nullptr;
 }
 
