@@ -91,7 +91,8 @@ struct RodLoad {
   Vec3 gravity = Vec3::Zero();     // m/s2
   std::span<const double> force;   // [3 n] N on the nodes
   std::span<const double> torque;  // [n - 1] N m on the edges about themselves
-  RodFluid fluid;                  // drags and bears up
+  std::span<const double> spring;  // [6 n] N/m, xx yx zx yy zy zz, hold nodes to where they begin the step
+  RodFluid fluid;                  // drags, bears up and is carried along
   bool second_order = false;
 };
 
@@ -205,6 +206,7 @@ class Rod {
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
   void begin_linear(const RodState& s);
   void add_drag(const RodState& s, const RodLoad& load);
+  void add_springs(const RodLoad& load);
   void system(const RodState& s, const RodLoad& load, bool hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
   bool factor(const RodState& s, const RodLoad& load);
@@ -227,7 +229,7 @@ class Rod {
 
   // of the present step
   Matrix A_;
-  std::vector<double> x0_, hat_, drag_, gradient_, change_, turned_, stored_, trial_;
+  std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
   bool slow_ = false;
   double g_ = 0;     // s, of the backward Euler step that it is
   double m_hh_ = 0;  // 1/s2, 1 / g^2

@@ -12,6 +12,7 @@ namespace swage::toolkit {
 struct RodFluid {
   double density = 0;    // kg/m3; water 998, air 1.2
   double viscosity = 0;  // Pa s; water 1.0e-3, air 1.8e-5; 0: no fluid
+  double carried = 0;    // kg/m3, of the fluid that goes along across the axis: its density; 0: none does
 };
 
 /// Drag of a cylinder across its axis, per length and speed [N s/m2]. Lamb 1911 up to Re = 0.7, where it meets White's fit of

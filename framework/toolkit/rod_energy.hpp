@@ -24,7 +24,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   turn_held_.assign(at(edges()), 0);
   cut_.assign(at(edges()), 0);
   A_ = Matrix(unknowns());
-  x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_));
+  x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_)), pushed_.resize(3 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
   stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
 }

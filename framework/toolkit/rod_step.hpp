@@ -45,21 +45,37 @@ inline void Rod::begin_linear(const RodState& s) {
   std::fill(turned_.begin(), turned_.end(), 0.0);
 }
 
-/// Half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz.
+/// Half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz. The fluid that a moving cylinder carries along is
+/// what it displaces, for motion across its axis (Lamb 1932, art. 68): that mass is in the same matrix, and its momentum in pushed_.
 [[gnu::flatten]] inline void Rod::add_drag(const RodState& s, const RodLoad& load) {
   std::fill(drag_.begin(), drag_.end(), 0.0);
+  std::fill(pushed_.begin(), pushed_.end(), 0.0);
+  add_springs(load);
   if (!(load.fluid.viscosity > 0) || load.h == 0) return;
+  const double carried = load.fluid.carried * std::numbers::pi * section_.radius * section_.radius;  // kg/m
   for (int j = 0; j < edges(); ++j) {
     const Vec3 t = edge(s, j).t;
     for (const int i : {j, j + 1}) {
+      const double inertia = 0.5 * rest_[at(j)] * carried * m_hh_;
+      if (inertia > 0) {
+        const Vec3 goes = Eigen::Map<const Vec3>(hat_.data() + 3 * i) - Eigen::Map<const Vec3>(x0_.data() + 3 * i);
+        Eigen::Map<Vec3>(pushed_.data() + 3 * i) += inertia * (goes - goes.dot(t) * t);
+      }
       const Vec3 v = s.velocity(i);
       const double c =
           0.5 * rest_[at(j)] * rod_drag(load.fluid, 2 * section_.radius, (v - v.dot(t) * t).norm());
       double* D = drag_.data() + 6 * i;
       for (int col = 0, k = 0; col < 3; ++col)
-        for (int r = col; r < 3; ++r, ++k) D[k] += c / g_ * ((r == col ? 1 : 0) - 0.5 * t[r] * t[col]);
+        for (int r = col; r < 3; ++r, ++k) {
+          D[k] += c / g_ * ((r == col ? 1 : 0) - 0.5 * t[r] * t[col]);
+          if (inertia > 0) D[k] += inertia * ((r == col ? 1 : 0) - t[r] * t[col]);
+        }
     }
   }
+}
+
+inline void Rod::add_springs(const RodLoad& load) {
+  for (size_t k = 0; load.h > 0 && k < load.spring.size(); ++k) drag_[k] += load.spring[k];
 }
 
 /// Gradient of the step's potential and, when asked for, its Hessian.
@@ -77,6 +93,7 @@ inline void Rod::begin_linear(const RodState& s) {
       double F = w * (s.x[k] - hat_[at(k)]) - borne * m * load.gravity[r];
       for (int c = 0; c < 3; ++c) F += DD[r][c] * (s.x[3 * i + c] - x0_[at(3 * i + c)]);
       if (!load.force.empty()) F -= load.force[at(k)];
+      F -= pushed_[at(k)];
       gradient_[at(4 * i + r)] += F;
       if (!hessian) continue;
       A_.at(4 * i + r, 4 * i + r) += w;
@@ -167,6 +184,7 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
       d[r] = s.x[k] - x0_[at(k)];
       sum += mass_[at(i)] * (0.5 * m_hh_ * away * away - borne * load.gravity[r] * d[r]);
       if (!load.force.empty()) sum -= load.force[at(k)] * d[r];
+      sum -= pushed_[at(k)] * d[r];
     }
     sum += 0.5 * (D[0] * d[0] * d[0] + D[3] * d[1] * d[1] + D[5] * d[2] * d[2]) + D[1] * d[0] * d[1] +
            D[2] * d[0] * d[2] + D[4] * d[1] * d[2];

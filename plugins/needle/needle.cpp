@@ -73,11 +73,13 @@ bool Needle::read_form(const NeedleParams& p, ObjectBuilder& builder) {
 
 void Needle::build(const NeedleParams& params, ObjectBuilder& builder) {
   bending_ = {};
+  environment_ = environment(host());
   if (!read_form(params, builder)) return;
 
   // B: centre of mass, x away from the circle's centre, z normal to its plane. O: the same axes, in the
   // middle of the wire. A wire that is thicker towards one end has its principal axes turned a little
   const ArcMass m = mass_of(form_);
+  mass_ = m.mass, inertia_ = m.principal_inertia();
   turn_B_ = toolkit::exp_rotation({0, 0, -m.principal()});
   centre_B_ = turn_B_ * Vec3(-m.centre, -m.along, 0);
   const toolkit::Pose X_OB(Vec3(m.centre - arc_.radius, m.along, 0), turn_B_.conjugate());

@@ -4,6 +4,7 @@
 // needle.md.
 #pragma once
 
+#include <swage/environment.hpp>
 #include <swage/object.hpp>
 
 #include "bending.hpp"
@@ -115,6 +116,7 @@ class Needle final : public Object<NeedleParams>,
 
   void build(const NeedleParams& params, ObjectBuilder& builder) override;
   void reset(const Step& step) override;
+  void forces(const Step& step) override;
   void advance(const Step& step) override;
   void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                   double* W) override;
@@ -152,6 +154,9 @@ class Needle final : public Object<NeedleParams>,
   bool bends() const { return bending_.pieces() > 0; }
 
   Form form_;
+  double mass_ = 0;                  // kg
+  Vec3 inertia_ = Vec3::Zero();      // kg m2, about the centre of mass, in B
+  swage_environment environment_{};  // of the lesson
   Arc arc_;
   Vec3 centre_B_ = Vec3::Zero();                      // of the circle, m
   toolkit::Quat turn_B_ = toolkit::Quat::Identity();  // of the circle frame

@@ -104,6 +104,10 @@ void SolidObject::build(const SolidParams& params, ObjectBuilder& builder) {
   if (builder.failed()) return;
 
   body_ = add_body(params, builder);
+  fixed_ = params.fixed;
+  environment_ = environment(host());
+  mass_ = fixed_ ? swage_mass{} : mass_of(params);
+  density_ = params.density, thickness_ = params.form == Form::kRing ? params.wire_diameter : params.diameter;
   const double r = 0.5 * params.diameter;
   extent_ = params.diameter;
   switch (params.form) {

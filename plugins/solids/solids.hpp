@@ -3,6 +3,7 @@
 // swage.object.solids: plain bodies to practise on and to rest things on. Sizes and frames: solids.md.
 #pragma once
 
+#include <swage/environment.hpp>
 #include <swage/object.hpp>
 
 #include <string>
@@ -64,6 +65,7 @@ class SolidObject final : public Object<SolidParams>, public Solid, public Grasp
   };
 
   void build(const SolidParams& params, ObjectBuilder& builder) override;
+  void forces(const Step& step) override;
   void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) override;
 
  private:
@@ -75,6 +77,11 @@ class SolidObject final : public Object<SolidParams>, public Solid, public Grasp
   double extent_ = 0;  // m, told to graspers as the length
   double ring_ = 0;    // m, radius of a ring's centre line; 0: it is none
   std::vector<Piece> wire_;
+  // of a free one in a fluid
+  bool fixed_ = true;
+  double density_ = 0, thickness_ = 0;  // kg/m3; m, of the ball, the cylinder or the ring's wire
+  swage_mass mass_{};
+  swage_environment environment_{};
   Body body_;
 };
 

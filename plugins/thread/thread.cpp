@@ -18,6 +18,11 @@ using toolkit::RodState;
 using toolkit::vec;
 using toolkit::Vec3;
 
+namespace {
+// How much finer the level `reference` is, and its most pieces: those that have room for their contacts.
+constexpr int kFiner = 4, kFinest = 200;
+}  // namespace
+
 /// Nodes of the start shape in O, an edge apart. The coil rises by two diameters a turn, so that it does not touch itself.
 bool Thread::lay_start(const ThreadParams& p, ObjectBuilder& builder) {
   const double l = p.length / p.segments;
@@ -99,18 +104,21 @@ bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
 
 void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   params_ = params;
-  if (!take_suture(params, builder)) return;
-  const std::vector<double> rest(at(params.segments), params.length / params.segments);
-  rod_ = toolkit::Rod(
-      toolkit::RodSection::round(suture_.diameter, suture_.young, suture_.poisson, suture_.density), rest,
-      suture_.memory);
+  if (params.level == Level::kReference) params_.segments = std::min(kFiner * params.segments, kFinest);
+  set_up_surroundings();
+  if (!take_suture(params_, builder)) return;
+  const std::vector<double> rest(at(params_.segments), params_.length / params_.segments);
+  toolkit::RodSection section = toolkit::RodSection::round(suture_.diameter, suture_.young, suture_.poisson, suture_.density);
+  const bool rod = params.level == Level::kRod || params.level == Level::kReference;
+  if (!rod) section.bending = section.twisting = 0;
+  rod_ = toolkit::Rod(section, rest, rod ? suture_.memory : 0);
   if (params.first == End::kFixed) rod_.hold(0);
-  if (params.last == End::kFixed) rod_.hold(params.segments);
-  if (!lay_start(params, builder)) return;
+  if (params.last == End::kFixed) rod_.hold(params_.segments);
+  if (!lay_start(params_, builder)) return;
   declare(builder);
   begun_.resize(RodState::size(nodes())), base_.resize(RodState::size(nodes()));
-  sides_.resize(at(kSides * rod_.unknowns()));
-  pressed_.resize(at(params.segments));
+  sides_.resize(at(kSides * rod_.unknowns())), drag_.resize(at(nodes()));
+  pressed_.resize(at(params_.segments));
   boxes_.resize(toolkit::room_for_passages(nodes()));
 }
 

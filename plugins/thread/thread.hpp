@@ -5,6 +5,7 @@
 
 #include <swage/band.hpp>
 #include <swage/cut.hpp>
+#include <swage/environment.hpp>
 #include <swage/strand.hpp>
 #include <swage/units.hpp>
 
@@ -12,24 +13,27 @@
 #include <utility>
 #include <vector>
 
+#include "masses.hpp"
 #include "suture.hpp"
 #include "toolkit/rod.hpp"
 
 namespace swage::thread {
 
+enum class Level : int { kThesis, kCatenary, kRod, kReference };
 enum class Start : int { kStraight, kHanging, kCoil, kPath };
 enum class End : int { kFree, kFixed };
-enum class Around : int { kAir, kWater };
+enum class Around : int { kLesson, kAir, kWater };
 
 struct ThreadParams {
   std::string suture;
+  Level level = Level::kRod;
   Start start = Start::kStraight;
   double length = 20e-3;  // m
   int segments = 32;
   double coil_radius = 3e-3;  // m
   std::string path;
   End first = End::kFree, last = End::kFree;
-  Around around = Around::kAir;
+  Around around = Around::kLesson;
   // of the material; 0, of the memory below 0: as the suture says
   double diameter = 0;   // m
   double young = 0;      // Pa
@@ -51,13 +55,17 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
+  static constexpr const char* kLevels[] = {"thesis", "catenary", "rod", "reference", nullptr};
   static constexpr const char* kStarts[] = {"straight", "hanging", "coil", "path", nullptr};
   static constexpr const char* kEnds[] = {"free", "fixed", nullptr};
-  static constexpr const char* kAround[] = {"air", "water", nullptr};
+  static constexpr const char* kAround[] = {"lesson", "air", "water", nullptr};
   static constexpr std::array fields = {
       file<&ThreadParams::suture>("suture", "Suture",
                                   "Suture of the library: \"nylon_10_0.json\" and others that come with the plugin, or a "
                                   "file of your own. Without one: 10-0 nylon that has lain straight."),
+      choice<&ThreadParams::level>("level", "Level", kLevels,
+                                   "Point masses and springs, moved explicitly and not in real time; a chain that stretches and does not "
+                                   "bend; a rod that bends and twists; the same, four times as fine and not in real time."),
       choice<&ThreadParams::start>("start", "Start shape", kStarts,
                                    "Straight along x, hanging along -z, or a coil about z, from the origin; or along a path."),
       real<&ThreadParams::length>("length", "Length", "m", "mm", 1e-3, 0.3, "Unloaded."),
@@ -69,7 +77,8 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                 "the last one the thread goes straight on."),
       choice<&ThreadParams::first>("first", "First end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::last>("last", "Last end", kEnds, "Fixed: place and direction are kept."),
-      choice<&ThreadParams::around>("around", "Surroundings", kAround, "What drags on it and bears it up."),
+      choice<&ThreadParams::around>("around", "Surroundings", kAround,
+                                      "What drags on it and bears it up: the environment of the lesson, or air or water whatever that is."),
       real<&ThreadParams::diameter>("diameter", "Diameter", "m", "um", 0, 1e-3,
                                     "10-0: 20 to 29 um. 0: as the suture says.")
           .group("Material"),
@@ -97,6 +106,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   static constexpr std::array traits{SWAGE_TRAIT_STRAND, SWAGE_TRAIT_CUTTABLE};
 
   void build(const ThreadParams& params, ObjectBuilder& builder) override;
+  void activate(double dt_s) override;
   void reset(const Step& step) override;
   void finish(const Step& step) override;
   void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) override;
@@ -141,6 +151,17 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   double& held(const Step& step) const { return step.state()[step.state().size() - 3]; }
   double* grip(const Step& step) const { return &step.state()[step.state().size() - 2]; }
 
+  // level thesis (thread_masses.cpp)
+  bool masses() const { return params_.level == Level::kThesis; }
+  Springs springs() const;
+  double mass(int i) const;  // kg
+  bool stays(int i) const;
+  void advance_masses(const Step& step, const toolkit::RodState& begun, toolkit::RodState& s);
+  void answer_masses(const Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
+                     double* v_free, double* W);
+  void linearise_masses(const Step& step, double* columns) const;
+  void go_masses(const Step& step, const double* change, toolkit::RodState& s);
+
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
   bool lay_start(const ThreadParams& params, ObjectBuilder& builder);
@@ -152,6 +173,11 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   int edge_at(const Step& step, double s) const;
   void tell(const Step& step, int edge, double share, swage_strand_place& out) const;
   toolkit::RodLoad load(const Step& step) const;
+  toolkit::RodFluid fluid() const;
+  void set_up_surroundings();
+  bool charged() const { return environment_.charge != 0; }
+  void push_edge(int edge, const toolkit::Vec3& f, double stiff, const toolkit::Vec3& n);
+  void feel_charge(const Step& step);
   void take_parted(const Step& step);
   void part(const Step& step) const;
   void count_passages(const Step& step);
@@ -172,9 +198,13 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   Body body_;
   Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_;
 
+  swage_environment environment_{};  // of the lesson
+
   // of the present step
+  std::vector<double> charge_force_, charge_spring_;  // N, 3 a node; N/m, 6 a node; empty where it has no charge
   std::vector<double> begun_, base_;  // states: at its start, and about which it is linear
   std::vector<double> sides_;         // kSides right-hand sides
+  std::vector<double> drag_;   // N s/m, a node
   std::vector<Point> point_;
   std::vector<char> pressed_;  // per edge
   std::vector<double> boxes_;  // room to look for passages

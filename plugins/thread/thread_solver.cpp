@@ -28,15 +28,6 @@ constexpr double kMostStrain = 1e-3;
 constexpr double kSettled = 1e-9;
 }  // namespace
 
-toolkit::RodLoad Thread::load(const Step& step) const {
-  toolkit::RodLoad out;
-  out.h = step.dt();
-  out.gravity = vec(step.gravity());
-  out.fluid =
-      params_.around == Around::kWater ? toolkit::RodFluid{998, 1.0e-3} : toolkit::RodFluid{1.2, 1.8e-5};
-  return out;
-}
-
 /// The rod has no memory of its own: what has parted, a piece of the chain without thickness, is the host's to keep and take back.
 void Thread::take_parted(const Step& step) {
   const ChainState chain = step.chain(0, vertices());
@@ -61,8 +52,11 @@ void Thread::advance(const Step& step) {
   take_parted(step);
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   begun.copy(s);
+  feel_charge(step);
   const toolkit::RodLoad load = this->load(step);
-  if (goes_on) {
+  if (masses()) {
+    advance_masses(step, begun, s);
+  } else if (goes_on) {
     rod_.prepare(begun, load);
     rod_.go_on(s, load, kMostStrain);
     rod_.finish(s, load);
@@ -101,6 +95,7 @@ void Thread::push(const Point& p, const Vec3& f, double* unknowns, int line) con
 
 void Thread::compliance(const Step& step, std::span<const swage_contact_point> points,
                         std::span<const swage_chain_place> place, double* v_free, double* W) {
+  if (masses()) return answer_masses(step, points, place, v_free, W);
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
   const double h = step.dt();
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
@@ -144,18 +139,25 @@ void Thread::yield(const Step& step, std::span<const swage_contact_point> points
   RodState s = state(step);
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
-  if (!linear_ || n == 0) return;
+  if ((!linear_ && !masses()) || n == 0) return;
   std::fill_n(sides_.begin(), rod_.unknowns(), 0.0);
   for (int i = 0; i < n; ++i)
     push(point(points[at(i)], place[at(i)]), Vec3(impulse[3 * i], impulse[3 * i + 1], impulse[3 * i + 2]) / step.dt(),
          sides_.data(), 1);
   press(step, place.first(at(n)), impulse);
-  rod_.respond(base, load(step), sides_.data(), s);
+  if (masses()) {
+    for (int k = 0; k < rod_.unknowns(); ++k)
+      sides_[at(k)] *= k % 4 == 3 || stays(k / 4) ? 0.0 : step.dt() * step.dt() / mass(k / 4);
+    go_masses(step, sides_.data(), s);
+  } else {
+    rod_.respond(base, load(step), sides_.data(), s);
+  }
   part(step);
   write(step, begun, s);
 }
 
 void Thread::linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) {
+  if (masses()) return linearise_masses(step, stiffness);
   const RodState base(nodes(), base_.data());
   rod_.linearise(base, load(step), static_cast<int>(stiffer), stiffness, gradient);
 }
@@ -165,7 +167,7 @@ void Thread::displace(const Step& step, const double* change, std::span<const sw
   RodState s = state(step);
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
   press(step, place, impulse);
-  rod_.go(base, change, s);
+  masses() ? go_masses(step, change, s) : rod_.go(base, change, s);
   part(step);
   write(step, begun, s);
 }
