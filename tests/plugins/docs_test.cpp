@@ -28,6 +28,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.coupling.winding", "plugins/coupling_winding/coupling_winding.md"},
     {"swage.coupling.pull_through", "plugins/coupling_pull_through/coupling_pull_through.md"},
     {"swage.coupling.cut", "plugins/coupling_cut/coupling_cut.md"},
+    {"swage.coupling.meniscus", "plugins/coupling_meniscus/coupling_meniscus.md"},
     {"swage.device.scripted", "devices/scripted/scripted.md"},
     {"swage.device.skilled", "devices/skilled/skilled.md"},
     {"swage.device.replay", "devices/replay/replay.md"},

@@ -22,17 +22,18 @@ struct ThreadScene {
   std::unique_ptr<step::Engine> engine;
 
   /// The first chain is the thread.
-  ThreadScene(const std::string& objects, const std::string& couplings, const std::string& devices = "") {
+  /// `top`: keys of the lesson file itself, each with a comma behind it.
+  ThreadScene(const std::string& objects, const std::string& couplings, const std::string& devices = "", const std::string& top = "") {
     const std::string scene = R"("devices": [)" + devices + R"(], "objects": [)" + objects + R"(], "couplings": [)" +
                               couplings + R"(], "lesson": {"plugin": "swage.lesson.look", "params": {"duration": "1000 s"}}})";
     std::string used;
     for (const char* id : {"swage.object.thread", "swage.object.solids", "swage.object.jaws", "swage.object.needle", "swage.object.tissue", "swage.coupling.pull_through",
-                           "swage.coupling.contact", "swage.coupling.grasp", "swage.coupling.swage", "swage.coupling.knot", "swage.coupling.winding", "swage.coupling.cut", "test.coupling.leash",
+                           "swage.coupling.contact", "swage.coupling.grasp", "swage.coupling.swage", "swage.coupling.knot", "swage.coupling.winding", "swage.coupling.cut", "swage.coupling.meniscus", "test.coupling.leash",
                            "swage.device.scripted", "swage.lesson.look"})
       if (scene.find(std::string("\"") + id + "\"") != std::string::npos)
         used += (used.empty() ? "\"" : ", \"") + std::string(id) + R"(": "^1")";
     const std::string text =
-        R"({"format": "swage-lesson/1", "id": "test.thread", "title": "T", "scene_length": "1 mm", "requires": {)" + used +
+        R"({"format": "swage-lesson/1", "id": "test.thread", "title": "T", "scene_length": "1 mm", )" + top + R"("requires": {)" + used +
         "}, " + scene;
     base::Problems problems;
     assembly::LessonFile file;
