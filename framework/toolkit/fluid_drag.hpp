@@ -47,6 +47,8 @@ class FluidDrag {
     const Vec3 v = V_.v + V_.w.cross(r), across = v - v.dot(t) * t;
     const double c = length * rod_drag(fluid_, diameter, across.norm());
     add(r, Mat3(c * (Mat3::Identity() - 0.5 * t * t.transpose())));
+    // a cylinder that spins about itself: 4 pi mu r^2 per length (Lamb 1932, art. 333)
+    D_.bottomRightCorner<3, 3>() += std::numbers::pi * fluid_.viscosity * diameter * diameter * length * t * t.transpose();
   }
   /// A sphere about the centre of mass, which the fluid also keeps from spinning: pi mu d^3.
   void add_sphere(double diameter) {

@@ -110,6 +110,7 @@ TEST(FluidDrag, a_rod_across_along_and_about_its_middle) {
   const double c = rod_drag(kWater, d, 0);
   EXPECT_NEAR(of({{0, 1, 0}, {}})[1], -c * L, 1e-9 * c * L);
   EXPECT_NEAR(of({{1, 0, 0}, {}})[0], -0.5 * c * L, 1e-9 * c * L);
+  EXPECT_NEAR(of({{}, {1, 0, 0}})[3], -4 * kPi * 1.0e-3 * 0.25 * d * d * L, 1e-20);
   EXPECT_NEAR(of({{}, {0, 0, 1}})[5], -c * L * L * L / 12, 1e-3 * c * L * L * L / 12);
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 #include "plugins/coupling_meniscus/bridge.hpp"
@@ -44,53 +43,6 @@ TEST(Meniscus, work_of_a_bridge) {
 
 std::string moist(const char* film, const char* rest = "") {
   return std::string(R"("environment": {"medium": "moist", "film": ")") + film + R"("}, )" + rest;
-}
-
-/// A thread of 20 mm along x on a plate that ends at x = 14 mm, taken at 17 mm and lifted by 2 mm within 4 s.
-ThreadScene lifted(const std::string& top, const std::string& tag) {
-  const std::string hand = ::testing::TempDir() + "meniscus_hand_" + tag + ".json";
-  std::ofstream(hand) << R"({"format": "swage-hand/1", "title": "Lifts", "keys": [
-      {"t": "0 s", "p": ["17 mm", "-1 mm", "0.011 mm"], "axis": [0, 1, 0], "closing": [0, 0, 1], "closure": 0.4},
-      {"t": "0.5 s", "closure": 0.4}, {"t": "0.8 s", "closure": 0.62}, {"t": "1 s"}, {"t": "5 s", "p": ["17 mm", "-1 mm", "2.011 mm"]}]})";
-  return ThreadScene(
-      R"({"name": "thread", "plugin": "swage.object.thread", "pose": {"p": [0, 0, "0.011 mm"]}, "params": {"length": "20 mm", "segments": 100}},
-         {"name": "plate", "plugin": "swage.object.solids", "pose": {"p": [0, 0, "-1 mm"]},
-          "params": {"form": "box", "fixed": true, "size": ["28 mm", "10 mm", "2 mm"]}},
-         {"name": "holder", "plugin": "swage.object.jaws", "follows": {"pose": "hand", "closure": "hand"},
-          "pose": {"p": ["17 mm", "-1 mm", "0.011 mm"], "rpy": [0, 0, "90 deg"]}})",
-      R"({"name": "lies", "plugin": "swage.coupling.contact", "between": ["thread", "plate"], "params": {"friction": 0.2, "stiffness": "1e4 N/m"}},
-         {"name": "grip", "plugin": "swage.coupling.contact", "between": ["holder", "thread"], "params": {"friction": 0.2, "stiffness": "1e5 N/m"}},
-         {"plugin": "swage.coupling.grasp", "between": ["holder", "thread"]},
-         {"name": "film", "plugin": "swage.coupling.meniscus", "between": ["thread", "plate"], "params": {"spacing": "0.2 mm", "most": 40}})",
-      R"({"name": "hand", "plugin": "swage.device.scripted", "params": {"file": ")" + hand + R"("}})", top);
-}
-
-// where a thread is peeled off B k^2 / 2 = w (the energy that bending takes in is what adhesion gives up): radius sqrt(B / 2w) = 1.70 mm;
-// a dry one is bent by its weight alone
-TEST(Meniscus, a_thread_is_peeled_off_with_the_curvature_of_its_adhesion) {
-  const double expected = std::sqrt(kBending / (2 * work_of_adhesion(kRadius, kGamma, 0)));
-  for (const bool wet : {true, false}) {
-    ThreadScene s = lifted(wet ? moist("40 um") : "", wet ? "wet" : "dry");
-    ASSERT_TRUE(s.engine);
-    s.run(3000);
-    double sum = 0, begun = s.signal("meniscus.wet"), force = 0;
-    for (int i = 0; i < 2000; ++i) {
-      s.run(1);
-      sum += 1 / s.signal("thread.bend_radius") / 2000;
-      force = std::max(force, s.signal("meniscus.force"));
-    }
-    EXPECT_EQ(s.troubles(), "");
-    if (wet) {
-      EXPECT_NEAR(1 / sum, expected, 0.1 * expected);
-      EXPECT_GT(begun, 5e-3);
-      EXPECT_LT(s.signal("meniscus.wet"), begun - 0.2e-3) << "it comes off";
-      EXPECT_EQ(s.signal("meniscus.left_out") > 0, s.signal("meniscus.wet") > 8e-3);
-    } else {
-      EXPECT_GT(1 / sum, 2 * expected);
-      EXPECT_EQ(begun, 0);
-      EXPECT_EQ(force, 0);
-    }
-  }
 }
 
 /// A thread of 10 mm on a wet plate that turns over: it hangs from the film, against 100 times its weight.
