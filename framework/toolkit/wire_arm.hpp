@@ -157,8 +157,8 @@ class WireArm {
     const auto off = [&](double k) { return cell_[i].moment(k) - moment; };
     double reach = 1, low = curvature_[i] - reach, high = curvature_[i] + reach;  // 1/m
     double at_low = off(low), at_high = off(high);
-    for (; at_low > 0; at_low = off(low)) low -= (reach *= 2);
-    for (; at_high < 0; at_high = off(high)) high += (reach *= 2);
+    for (; at_low > 0 && reach < kFar; at_low = off(low)) low -= (reach *= 2);
+    for (; at_high < 0 && reach < kFar; at_high = off(high)) high += (reach *= 2);
     int side = 0;
     for (int k = 0; k < 100 && high - low > kNear * (1 + std::abs(low)); ++k) {
       const double middle = (low * at_high - high * at_low) / (at_high - at_low), at = off(middle);
@@ -177,6 +177,7 @@ class WireArm {
     return 0.5 * (low + high);
   }
   static constexpr double kNear = 1e-9;  // of a curvature, or of a moment
+  static constexpr double kFar = 1e9;    // 1/m; a folded joint bears no more than it does, however far it is asked to bend
 
   std::vector<Section> cell_;
   std::vector<double> curvature_;

@@ -133,6 +133,7 @@ class Bending {
   void write(const Step& step, int base) const;
   void write_piece(const Step& step, int i, const Vec3& w_W) const;
   void load_joints();
+  double load_share(const JointMemory* memory) const;
   int along(const double* impulse, double h, std::span<Force> force);
   Force force_at(const Touch& t, const Vec3& f_W) const;
   double peak(const double* impulse, double h);

@@ -66,7 +66,7 @@ void Bending::give(const JointMemory* memory, double h) {
   Reach& base = reach_[at(base_)];
   base = {};
   base.turn = inverse_;
-  const double per_h = 1 / h;
+  const double per_h = 1 / h, share = load_share(memory);
   const auto over = [&](int j, int from, int to) {
     const Frame& X_WJ = joint_[at(j)];
     const Vec3 x = X_WJ.p - whole_.centre;
@@ -79,12 +79,21 @@ void Bending::give(const JointMemory* memory, double h) {
     r.turn = before.turn + S;
     r.arm = before.arm + arm;
     r.shift = before.shift + turn_of(arm, x);
-    const Vec3 w = (to > from ? per_h : -per_h) * (RF * (load_[at(j)] - BentWire::moment(memory[j])));
+    const Vec3 w = (to > from ? per_h : -per_h) * share * (RF * (load_[at(j)] - BentWire::moment(memory[j])));
     r.w = before.w + w;
     r.v = before.v - w.cross(x);
   };
   for (int j = base_; j < high_; ++j) over(j, j, j + 1);
   for (int j = base_ - 1; j >= low_; --j) over(j, j + 1, j);
+}
+
+/// Of the turns to which wrenches alone would bring the joints, the share that they get in a step.
+double Bending::load_share(const JointMemory* memory) const {
+  if (n_load_ == 0) return 1;
+  double asked = 0;
+  for (int j = low_; j < high_; ++j)
+    asked += (F_[at(j)] * (load_[at(j)] - BentWire::moment(memory[j]))).norm();
+  return BentWire::share(asked);
 }
 
 /// Moments that the wrenches on the pieces put on the joints between them and the one that carries.
@@ -259,13 +268,19 @@ void Bending::yield(const Step& step, std::span<const swage_contact_point>, cons
   if (touched) peak_ = peak(impulse, h);
 
   // the shape: joints that no contact reaches bear nothing
+  std::array<Vec3, kMax> by;
+  double asked = 0;
   for (int j = 0; j < n_ - 1; ++j) {
     const bool reached = low_ <= j && j < high_;
+    by[at(j)].setZero();
     if (m[at(j)].isZero(0) && BentWire::moment(memory[j]).isZero(0)) continue;
-    const Vec3 by = reached ? wire_.answer(j, m[at(j)], F_[at(j)], flows_[at(j)], memory[j])
-                            : wire_.answer(j, m[at(j)], wire_.elastic(j), true, memory[j]);
-    wire_.bend(j, by, memory[j]);
+    by[at(j)] = reached ? wire_.answer(j, m[at(j)], F_[at(j)], flows_[at(j)], memory[j])
+                        : wire_.answer(j, m[at(j)], wire_.elastic(j), true, memory[j]);
+    asked += by[at(j)].norm();
   }
+  const double share = BentWire::share(asked);
+  for (int j = 0; j < n_ - 1; ++j)
+    if (!by[at(j)].isZero(0)) wire_.bend(j, share * by[at(j)], memory[j]);
   follow_joints(memory);
 
   // the whole: its centre and the piece that carries go as a rigid body
