@@ -63,7 +63,7 @@ TEST(Reference, KeepsWhatTheClosedFormKeeps) {
   EXPECT_NEAR(section.moment(curvature - section.moment(curvature) / EI), 0, 1e-4 * M_y);
 }
 
-// the joint of the loop against strips, to and fro: bent back it follows the curve doubled, whose 0.75 % of 2 x 1.69 are 2.5 % of
+// the joint of the loop against strips, to and fro: bent back it follows the curve doubled, whose 0.35 % of 2 x 1.69 are 1.2 % of
 // first yield; the strips are good to 0.2 %
 TEST(Joint, FollowsTheStripsToAndFro) {
   const WireMaterial m;
@@ -92,7 +92,7 @@ struct Bound {
 //     less of the peak at the clamp
 //   springback: M_p L / 2 EI for a straight cantilever, while the arm is bent by a right angle and its moment falls by a sine
 //   squeeze: by statics, at the contact; half a jaw is one piece here. The reference as with yield
-//   ductility: the law 0.75 %, the count without hardening
+//   ductility: the law 0.35 %, the count without hardening
 constexpr Bound kBounds[] = {{0.01, 0.004}, {0.09, 0.05}, {0.25, 0.25},
                              {0.35, 0.35},  {0.01, 0.04}, {0.05, 0.03}};
 
