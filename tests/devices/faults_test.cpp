@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Every driver in a whole lesson in real time, its plug pulled and put back at a hundred random moments: no crash, no leap of the tool
-// or of a force, and the attempt is kept. The mouse has no plug of its own: the window system says when it moves. The game
-// pad's is pulled in jaw_and_pad_test.cpp.
+// or of a force, and the attempt is kept. The mouse has no plug of its own: the window system says when it moves. (The game
+// pad's is also pulled in the middle of a grasp, in jaw_and_pad_test.cpp.)
 #include <random>
 
 #include "puppets.hpp"
@@ -26,8 +26,13 @@ class Plug : public LiveLesson, public testing::WithParamInterface<const char*> 
     if (kind == "jaw_sensor") puppet_ = std::make_unique<JawPuppet>(folder_);
     if (kind == "spacemouse") puppet_ = std::make_unique<CapPuppet>(folder_);
     if (kind == "openhaptics") puppet_ = std::make_unique<ArmPuppet>();
+    if (kind == "inverse3") puppet_ = std::make_unique<InversePuppet>();
+#ifdef SWAGE_FAKE_XR
+    if (kind == "openxr") puppet_ = std::make_unique<ControllerPuppet>();
+#endif
     if (kind == "tablet") puppet_ = std::make_unique<PenPuppet>(folder_);
     if (kind == "tablet") options_.plugin_dirs.insert(options_.plugin_dirs.begin(), SWAGE_BINARY_DIR "/tests/fake_pen");
+    ASSERT_NE(puppet_, nullptr) << "it was built without the package libopenxr-dev";
     write_lesson(puppet_->devices(), "hand", puppet_->closure());
   }
   /// The person moves, and the tool is watched.
@@ -82,7 +87,7 @@ TEST_P(Plug, AHundredPulledPlugsLeaveNoLeapAndTheAttemptIsKept) {
   puppet_->check();
 }
 
-INSTANTIATE_TEST_SUITE_P(Devices, Plug, testing::Values("jaw_sensor", "spacemouse", "openhaptics", "tablet"),
+INSTANTIATE_TEST_SUITE_P(Devices, Plug, testing::Values("gamepad", "jaw_sensor", "spacemouse", "openhaptics", "tablet", "inverse3", "openxr"),
                          [](const auto& one) { return std::string(one.param); });
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "fake_inverse.hpp"
 #include "fake_spnav.hpp"
 #include "live_lesson.hpp"
 #include "sensor_thread.hpp"
@@ -145,6 +146,78 @@ class ArmPuppet final : public Puppet {
   }
   static constexpr const char* kLibrary = SWAGE_BINARY_DIR "/tests/fake_hd/libHD.so";
 };
+
+/// An Inverse3: now its service ends, now the arm alone is away. It is where it is, also while it is away.
+class InversePuppet final : public Puppet {
+ public:
+  Json devices() override {
+    Json out = placed({{"plugin", "swage.device.inverse3"}, {"params", {{"port", service_.port()}}}}, {"6 mm", "0 mm", "6 mm"}, {"90 deg", "0 deg", "0 deg"}, 4);
+    out["force_scale"] = 10;
+    return Json::array({out});
+  }
+  double top_speed() const override { return kToAndFro * kBeat; }
+  void move(double t, double) override {
+    service_.x = 4 * kToAndFro * swing(t);
+    service_.buttons = swing(t) > 0 ? 1 : 2;
+  }
+  void plug() override {
+    if (!service_.running()) service_.start();
+    service_.arm = true;
+  }
+  void unplug() override {
+    if (++pulled_ % 3 == 0)
+      service_.stop();
+    else
+      service_.arm = false;
+  }
+  void check() override {
+    EXPECT_EQ(service_.wrong(), "");
+    EXPECT_LE(service_.most, 3 + 1e-9) << "N";
+    EXPECT_LE(service_.jump, 300 * 0.1 + 1e-9) << "N between two messages: 300 N/s, after an answer that was waited for 0.1 s";
+  }
+
+ private:
+  FakeInverse service_;
+  int pulled_ = 0;
+};
+
+#ifdef SWAGE_FAKE_XR
+/// A VR controller: now it is out of sight, now its runtime ends. It is where it is, also while it is away.
+class ControllerPuppet final : public Puppet {
+ public:
+  ControllerPuppet() {
+    setenv("XR_RUNTIME_JSON", SWAGE_BINARY_DIR "/tests/fake_xr/runtime.json", 1);
+    fake<void>("fake_reset");
+  }
+  Json devices() override {
+    return Json::array({placed({{"plugin", "swage.device.openxr"}}, {"6 mm", "0 mm", "6 mm"}, {"90 deg", "0 deg", "0 deg"}, 4)});
+  }
+  double top_speed() const override { return kToAndFro * kBeat; }
+  void move(double t, double) override {
+    fake<void>("fake_place", 1, 4 * kToAndFro * swing(t), 0.0, 0.0);
+    fake<void>("fake_squeeze", 1, 0.5 + 0.5 * swing(t), 0u);
+  }
+  void plug() override {
+    fake<void>("fake_plug", 1);
+    fake<void>("fake_flags", 1, 15u);
+  }
+  void unplug() override {
+    if (++pulled_ % 10 == 0)
+      fake<void>("fake_plug", 0);
+    else
+      fake<void>("fake_flags", 1, 0u);
+  }
+  void check() override { EXPECT_STREQ(fake<const char*>("fake_wrong"), ""); }
+
+ private:
+  template <class R, class... A>
+  static R fake(const char* name, A... arguments) {
+    static void* const library = dlopen(SWAGE_BINARY_DIR "/tests/fake_xr/fake_xr.so", RTLD_NOW | RTLD_LOCAL);
+    return reinterpret_cast<R (*)(A...)>(dlsym(library, name))(arguments...);
+  }
+  int pulled_ = 0;
+};
+#endif
 
 /// A pen that hovers to and fro: it is where it is, also while its tablet is away.
 class PenPuppet final : public Puppet {

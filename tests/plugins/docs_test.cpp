@@ -35,6 +35,8 @@ const std::map<std::string, std::string> kPages = {
     {"swage.device.mouse", "devices/mouse/mouse.md"},
     {"swage.device.gamepad", "devices/gamepad/gamepad.md"},
     {"swage.device.openhaptics", "devices/openhaptics/openhaptics.md"},
+    {"swage.device.inverse3", "devices/inverse3/inverse3.md"},
+    {"swage.device.openxr", "devices/openxr/openxr.md"},
     {"swage.device.spacemouse", "devices/spacemouse/spacemouse.md"},
     {"swage.device.tablet", "devices/tablet/tablet.md"},
     {"swage.device.jaw_sensor", "devices/jaw_sensor/jaw_sensor.md"},

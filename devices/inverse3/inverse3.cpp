@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "inverse3.hpp"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "hand/hand.hpp"
+
+namespace swage::inverse3 {
+namespace {
+
+constexpr double kPatience = 3;   // s for the service to answer at the start
+constexpr double kRetry = 0.5;    // s between two tries to reach it again
+constexpr double kUnanswered = 0.1;  // s after which a message without an answer is sent anew; normal are 0.1 to 1 ms
+
+double now_s() {
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void nap() {
+  const timespec pause{0, 1'000'000};
+  nanosleep(&pause, nullptr);
+}
+
+// The stylus G points along its y; the instrument T points along its x, and its closing direction z is to the left of the stylus.
+const Quat& grip_to_tool() {
+  static const Quat q = [] {
+    toolkit::Mat3 R;
+    R.col(0) = Vec3::UnitY();
+    R.col(1) = -Vec3::UnitZ();
+    R.col(2) = -Vec3::UnitX();
+    return Quat(R);
+  }();
+  return q;
+}
+
+}  // namespace
+
+void Inverse3::build(const P& params, DeviceBuilder& builder) {
+  try {
+    fixed_ = hand::orientation(toolkit::vec(params.axis), toolkit::vec(params.closing));
+  } catch (const std::invalid_argument& problem) {
+    builder.error("closing", problem.what());
+  }
+}
+
+// until the service has shown an arm; "" or why not
+std::string Inverse3::reach() {
+  const std::string where = params().host + ":" + std::to_string(params().port);
+  std::string others, text;
+  bool told = false;
+  if (const std::string why = socket_.open(params().host, params().port, "/"); !why.empty()) return why;
+  for (const double until = now_s() + kPatience; now_s() < until; nap()) {
+    if (socket_.progress() == WebSocket::State::kClosed)
+      return "The Inverse Service does not answer at " + where + ": " + socket_.trouble() +
+             " Install and start it (from docs.haply.co; sudo systemctl enable --now haply-inverse-service).";
+    while (socket_.receive(text)) {
+      const Message m = read_message(text, params().arm, params().grip);
+      told |= m.readable;
+      others = m.others;
+      hear(text, now_s());
+    }
+    if (fresh_) return "";
+    if (told) answer({}, now_s());
+  }
+  if (!told) return where + " says nothing that is of the Inverse Service. Is its port right?";
+  if (!others.empty()) return "There is no arm \"" + params().arm + "\". There is: " + others + ".";
+  return "The Inverse Service knows no arm. Switch the Inverse3 on, plug it in, and calibrate it as its maker says.";
+}
+
+void Inverse3::open() {
+  arm_ = params().arm;
+  grip_known_ = grip_there_ = fresh_ = asked_ = false;
+  now_ = {};
+  closure_ = 0;
+  last_s_ = tried_s_ = now_s();
+  if (const std::string why = reach(); !why.empty()) {
+    socket_.close();
+    return refuse(why);
+  }
+  char battery[32] = "";
+  if (grip_known_ && grip_.battery) std::snprintf(battery, sizeof battery, ", battery %.0f %%", 1e2 * *grip_.battery);
+  note("Inverse3 " + arm_ + (now_.handedness.empty() ? "" : " (" + now_.handedness + "-handed)") +
+       (grip_known_ ? std::string(", with a VerseGrip") + battery : ", without a VerseGrip: the instrument does not turn"));
+}
+
+// The last word is no force, and it is heard before the connection ends: what is unread on either side would be lost with it.
+void Inverse3::close() {
+  std::string text;
+  const auto wait = [&] {
+    for (const double until = now_s() + kUnanswered; asked_ && now_s() < until; nap()) {
+      if (socket_.progress() == WebSocket::State::kClosed) return;
+      while (socket_.receive(text)) asked_ = false;
+    }
+    asked_ = false;
+  };
+  wait();
+  answer({}, now_s());
+  wait();
+  socket_.close();
+}
+
+void Inverse3::hear(const std::string& text, double now) {
+  const Message m = read_message(text, arm_, params().grip);
+  asked_ = false;
+  if (!m.arm) return;
+  if (arm_.empty()) arm_ = m.arm->id;
+  const std::string hand = now_.handedness;
+  newer_ |= m.arm->newer;
+  now_ = *m.arm;
+  if (now_.handedness.empty()) now_.handedness = hand;
+  grip_there_ = m.grip.has_value();
+  if (m.grip) grip_ = *m.grip;
+  grip_known_ |= grip_there_;
+  heard_s_ = now;
+  fresh_ = true;
+}
+
+Vec3 Inverse3::limited(const Vec3& force) const {
+  if (!force.allFinite()) return Vec3::Zero();
+  const double size = force.norm(), most = params().max_force;
+  return size > most ? Vec3(force * (most / size)) : force;
+}
+
+// One message is out at a time: the service answers each with one, and more would queue behind a slow one.
+void Inverse3::answer(const swage_command& command, double now) {
+  if (asked_ && now - asked_s_ < kUnanswered) return;
+  const bool obeyed = now < command.deadline_s;
+  const Vec3 force = obeyed ? limited(toolkit::vec(command.force)) : Vec3(Vec3::Zero());
+  if (!socket_.send(arm_.empty() ? asking_message() : force_message(arm_, newer_, force))) return;
+  asked_ = true;
+  asked_s_ = now;
+}
+
+void Inverse3::exchange(const swage_command& command, swage_sample& sample) {
+  const double now = now_s(), dt = std::clamp(now - last_s_, 0.0, 0.05);
+  last_s_ = now;
+  if (socket_.state() == WebSocket::State::kClosed) {
+    if (now - tried_s_ < kRetry) return;
+    tried_s_ = now;
+    asked_ = false;
+    if (!socket_.open(params().host, params().port, "/").empty()) return;
+  }
+  socket_.progress();
+  std::string text;
+  while (socket_.receive(text)) hear(text, now);
+  answer(command, now);
+  if (!fresh_) return;
+  fresh_ = false;
+  sample.sequence += 1;
+  sample.time_s = heard_s_;
+  sample.pose = Pose(now_.p_D, grip_known_ ? (grip_.q_DG * grip_to_tool()).normalized() : fixed_).abi();
+  sample.twist = {toolkit::raw(now_.v_D), {}};
+  // a stylus that fell silent has no orientation any more
+  sample.valid = grip_there_ || !grip_known_ ? SWAGE_VALID_POSE | SWAGE_VALID_TWIST : 0u;
+  if (!grip_there_) return;
+  sample.buttons = grip_.buttons;
+  sample.valid |= SWAGE_VALID_BUTTONS;
+  if (!params().jaws) return;
+  closure_ = std::clamp(closure_ + dt / params().close_time * (((grip_.buttons & 1) != 0 ? 1.0 : 0.0) - ((grip_.buttons & 2) != 0 ? 1.0 : 0.0)), 0.0, 1.0);
+  sample.closure = closure_;
+  sample.valid |= SWAGE_VALID_CLOSURE;
+}
+
+}  // namespace swage::inverse3
+
+SWAGE_EXPORT(swage::inverse3::Inverse3)
