@@ -83,7 +83,7 @@ void bind(Json& devices, Json& objects, const Binding& binding, const host::Cata
   const Json own = devices[0];
   const std::string name = own.value("name", std::string("hand"));
   Json hand = {{"name", name}, {"plugin", binding.pose}};
-  for (const char* key : {"pose", "motion_scale", "force_scale", "filters", "reaction"})
+  for (const char* key : {"pose", "motion_scale", "force_scale", "filters", "reaction", "coupling"})
     if (const Json* value = member(own, key)) hand[key] = *value;
   if (binding.clutch >= 0) hand["filters"]["clutch"] = Json::array({binding.clutch});
   if (has_param(catalogue.find(binding.pose), "start")) {

@@ -117,6 +117,7 @@ void Assembler::place_hand(const LessonDevice& use, host::DeviceSlot& slot) {
   slot.force_scale = force ? use.force_scale : 0;
   slot.filters = world ? host::HandFilters{} : use.filters;
   slot.reaction = use.reaction;
+  slot.coupling = force ? use.coupling : host::HandCoupling{};
   slot.X_WD0 = world ? swage_pose{{0, 0, 0}, {1, 0, 0, 0}} : use.X_WD0;
 }
 

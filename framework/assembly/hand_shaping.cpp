@@ -71,4 +71,12 @@ void read_reaction(const Json& json, const std::string& pointer, const Teller& t
   reader.finish();
 }
 
+// The force guard bounds both once more (session/force_guard.hpp).
+void read_hand_coupling(const Json& json, const std::string& pointer, const Teller& teller, host::HandCoupling& out) {
+  ObjectReader reader(json, pointer, "\"coupling\"", teller);
+  out.stiffness = reader.quantity("stiffness", "N/m", 0, 0, 1000);
+  out.damping = reader.quantity("damping", "N*s/m", 0, 0, 5);
+  reader.finish();
+}
+
 }  // namespace swage::assembly

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// "filters" and "reaction" of a device in a lesson file. [main]
+// "filters", "reaction" and "coupling" of a device in a lesson file. [main]
 #pragma once
 
 #include "assembly/lesson_file.hpp"
@@ -11,5 +11,6 @@ namespace swage::assembly {
 
 void read_filters(const Json& json, const std::string& pointer, const Teller& teller, LessonDevice& device);
 void read_reaction(const Json& json, const std::string& pointer, const Teller& teller, host::Reaction& out);
+void read_hand_coupling(const Json& json, const std::string& pointer, const Teller& teller, host::HandCoupling& out);
 
 }  // namespace swage::assembly

@@ -136,6 +136,7 @@ class LessonParser {
     device.X_WD0 = reader.pose("pose");
     if (const Json* filters = reader.find("filters")) read_filters(*filters, reader.at("filters"), teller_, device);
     if (const Json* reaction = reader.find("reaction")) read_reaction(*reaction, reader.at("reaction"), teller_, device.reaction);
+    if (const Json* coupling = reader.find("coupling")) read_hand_coupling(*coupling, reader.at("coupling"), teller_, device.coupling);
     reader.each("or", kMostChoices, [&](const Json& j, const std::string& p) {
       ObjectReader alternative(j, p, "an alternative of a device", teller_);
       DeviceChoice choice;

@@ -39,6 +39,7 @@ struct LessonDevice {
   host::HandFilters filters;
   std::string clutch_of;  // name of the device whose buttons are the clutch, "" for its own
   host::Reaction reaction;
+  host::HandCoupling coupling;
 };
 
 struct LessonObject : PluginUse {

@@ -38,4 +38,11 @@ struct Reaction {
   std::vector<Point> table;  // at least two, both columns rising from 0
 };
 
+/// Spring and damper at the hand, between it and its tool: what is felt of a tool that does not follow, as a fixed solid stops it. Zero:
+/// nothing. Normal 200 N/m and 1 N s/m; stiffer than twice the damping of arm and hand over the period of the loop, the wall rings.
+struct HandCoupling {
+  double stiffness = 0;  // N/m
+  double damping = 0;    // N s/m
+};
+
 }  // namespace swage::host

@@ -66,6 +66,7 @@ struct DeviceSlot {
   swage_pose X_WD0{};                         // device frame in the world; identity for SWAGE_DEVICE_WORLD
   HandFilters filters;                        // nothing for SWAGE_DEVICE_WORLD
   Reaction reaction;                          // how the scene's force grows into the hand's
+  HandCoupling coupling;                      // nothing for a device that takes no forces
   std::string choice, params;  // "as" name and parameters that the lesson gave it, for the record
 };
 

@@ -43,6 +43,8 @@ ForceRequest request(const step::ToolForce& force, double age) {
   out.force = force.force;
   out.anchor = force.anchor;
   out.anchor_twist = force.anchor_twist;
+  out.stiffness = force.stiffness;
+  out.damping = force.damping;
   out.age = age;
   return out;
 }

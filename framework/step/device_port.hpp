@@ -19,8 +19,9 @@ struct ToolForce {
   double time_s = 0;    // simulated
   swage_vec3 force{};   // N at the hand: contact forces times the force scale
   swage_vec3 torque{};  // N m, about the tool's origin
-  swage_pose anchor{};  // where the tool is: behind the hand while its speed is limited
+  swage_pose anchor{};  // where the hand would be if it were where its tool is: behind it while a fixed solid or its speed holds the tool
   swage_twist anchor_twist{};
+  double stiffness = 0, damping = 0;  // N/m, N s/m, between anchor and hand
 };
 
 class DevicePort {

@@ -346,6 +346,7 @@ Hands::Felt Hands::felt(uint32_t device, const contact::ContactSet& contacts) co
     if (world.body[b].motion != SWAGE_MOTION_FOLLOWS || !led(b)) continue;
     out.X_WT = Pose(world.X_WB[b]) * Pose(X_OB_[b]).inverse();
     out.V_WT = world.V_WB[b];
+    if (seen_[device]) out.behind_W = out.X_WT.p - toolkit::vec(X_WD_[device].p);
     break;
   }
   for (const contact::Contact& c : contacts.contact) {
@@ -361,6 +362,7 @@ Hands::Felt Hands::mirrored(const Felt& tool) noexcept {
   Felt out;
   out.X_WT = Pose(toolkit::mirrored(tool.X_WT.abi()));
   out.V_WT = {toolkit::mirrored(tool.V_WT.v), toolkit::mirrored_axial(tool.V_WT.w)};
+  out.behind_W = vec(toolkit::mirrored(raw(tool.behind_W)));
   out.f_W = vec(toolkit::mirrored(raw(tool.f_W)));
   out.t_W = vec(toolkit::mirrored_axial(raw(tool.t_W)));
   return out;
@@ -372,7 +374,6 @@ ToolForce Hands::to_hand(uint32_t device, const Felt& tool) const noexcept {
   const bool in_world = (slot.device->flags & SWAGE_DEVICE_WORLD) != 0;
   const Felt felt = rig_.mirror && !in_world ? mirrored(tool) : tool;
   const Quat q_D0W = in_world ? Quat::Identity() : toolkit::quat(slot.X_WD0.q).conjugate();
-  const Vec3 origin = in_world ? Vec3(Vec3::Zero()) : toolkit::vec(slot.X_WD0.p);
   const double s = in_world ? 1 : slot.motion_scale;
   const double f = felt.f_W.norm();
   const double k = slot.force_scale * (f > 0 ? felt_force(slot.reaction, f) / f : 1);
@@ -381,10 +382,13 @@ ToolForce Hands::to_hand(uint32_t device, const Felt& tool) const noexcept {
   out.time_s = rig_.world.time();
   out.force = toolkit::raw(Vec3(q_D0W * (k * felt.f_W)));
   out.torque = toolkit::raw(Vec3(q_D0W * (k * s * felt.t_W)));
-  out.anchor = {toolkit::raw(Vec3(q_D0W * (s * (felt.X_WT.p - origin)))),
+  // from where the device is: a clutch, filters and a hand that was met anew lie between it and the scene
+  out.anchor = {toolkit::raw(Vec3(toolkit::vec(sample_[device].pose.p) + q_D0W * (s * felt.behind_W))),
                 toolkit::raw(Quat(q_D0W * felt.X_WT.q))};
   out.anchor_twist = {toolkit::raw(Vec3(q_D0W * (s * toolkit::vec(felt.V_WT.v)))),
                       toolkit::raw(Vec3(q_D0W * toolkit::vec(felt.V_WT.w)))};
+  out.stiffness = slot.coupling.stiffness;
+  out.damping = slot.coupling.damping;
   return out;
 }
 

@@ -63,6 +63,7 @@ class Hands {
   void lead(uint32_t object) noexcept;
   struct Felt {
     toolkit::Pose X_WT;  // the tool
+    toolkit::Vec3 behind_W = toolkit::Vec3::Zero();  // m, from the hand to the tool
     swage_twist V_WT{};
     toolkit::Vec3 f_W = toolkit::Vec3::Zero(), t_W = toolkit::Vec3::Zero();  // N, N m about the tool's origin
   };

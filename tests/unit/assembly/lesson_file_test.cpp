@@ -68,6 +68,10 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
     return r.said.empty() ? std::string() : r.said.front();
   };
   EXPECT_EQ(said(R"("filters": {"low_pass": "10 Hz"}, "reaction": {"law": "quadratic", "from": "0.2 N"})"), "");
+  EXPECT_EQ(said(R"("coupling": {"stiffness": "200 N/m", "damping": "1 N*s/m"})"), "");
+  EXPECT_THAT(said(R"("coupling": {"stiffness": "2000 N/m"})"), HasSubstr("stiffness"));
+  EXPECT_THAT(said(R"("coupling": {"stiffness": "2 mm"})"), HasSubstr("stiffness"));
+  EXPECT_THAT(said(R"("coupling": {"spring": 3})"), HasSubstr("spring"));
   EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr(say::kNoClutch(32)));
   EXPECT_THAT(said(R"("filters": {"clutch_of": "hand"})"), HasSubstr(say::kNoButtons()));
   EXPECT_THAT(said(R"("filters": {"clutch": [1], "clutch_of": "foot"})"), HasSubstr("The lesson has no device \"foot\"."));

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <vector>
+
 #include "fake_scene.hpp"
 #include "toolkit/convex.hpp"
 
@@ -56,6 +60,77 @@ TEST(ToolProxy, AToolStopsAtAFixedSolidWhileItsHandRunsAhead) {
   // the twist is the proxy's, not the hand's
   EXPECT_NEAR(s.rig.world.V_WB[0].v.z, 0, 1e-5);
 }
+
+// What an arm is given to feel of the plate: the anchor is where the device would be if the hand were where its tool is, whatever lies
+// between them. Device +y is world +z, ten times as large.
+class Anchor final : public DevicePort {
+ public:
+  void read(uint64_t, double, swage_sample& sample) noexcept override {
+    sample.pose = {toolkit::raw(p_D), {1, 0, 0, 0}};
+    sample.valid = valid;
+    sample.buttons = buttons;
+  }
+  void send(const ToolForce& f) noexcept override { last = f; }
+  Vec3 p_D = Vec3(3e-3, 0, 0);
+  uint32_t valid = SWAGE_VALID_POSE | SWAGE_VALID_BUTTONS, buttons = 0;
+  ToolForce last;
+};
+
+class FeltPlate : public ::testing::TestWithParam<bool> {
+ protected:
+  FeltPlate() {
+    const double h = std::sqrt(0.5);
+    s.device_.device.flags = SWAGE_DEVICE_FORCE;
+    host::DeviceSlot& slot = s.rig.devices[0];
+    slot.motion_scale = 10;
+    slot.coupling = {200, 1};
+    slot.X_WD0 = {{0, 0, 1e-3}, {h, h, 0, 0}};
+    slot.filters.clutch = 1;
+    s.rig.mirror = GetParam();
+    engine = std::make_unique<Engine>(s.rig, Options{}, std::vector<DevicePort*>{&port});
+  }
+  void step(int n) {
+    for (int i = 0; i < n; ++i) engine->step();
+  }
+  Plate s;
+  Anchor port;
+  std::unique_ptr<Engine> engine;
+};
+
+TEST_P(FeltPlate, TheAnchorStaysBehindAHandThatPressesAndNowhereElse) {
+  step(200);
+  EXPECT_NEAR(port.last.anchor.p.y, 0, 1e-12) << "the tool is where the hand is";
+  EXPECT_NEAR(port.last.anchor.p.x, 3e-3, 1e-12);
+  port.p_D = {3e-3, -20e-3, 0};
+  step(200);
+  // the hand is at z = -1 mm, its tool at 0.5 mm: 15 mm at the device
+  EXPECT_NEAR(s.tool().p.z, kRadius, 2e-9);
+  EXPECT_NEAR(port.last.anchor.p.y, -5e-3, 2e-8);
+  EXPECT_NEAR(port.last.anchor.p.x, 3e-3, 1e-12);
+  EXPECT_NEAR(port.last.anchor.p.z, 0, 1e-12);
+  EXPECT_EQ(port.last.stiffness, 200);
+  EXPECT_EQ(port.last.damping, 1);
+  port.p_D = {3e-3, -2e-3, 0};
+  step(200);
+  EXPECT_NEAR(port.last.anchor.p.y, -2e-3, 1e-12);
+}
+
+TEST_P(FeltPlate, AClutchPullsNobodyBack) {
+  step(200);
+  port.buttons = 1;
+  port.p_D = {3e-3, 40e-3, 0};
+  step(200);
+  EXPECT_NEAR(port.last.anchor.p.y, 40e-3, 1e-12) << "the hand goes back while its tool stays";
+  port.buttons = 0;
+  step(200);
+  EXPECT_NEAR(port.last.anchor.p.y, 40e-3, 1e-12);
+  port.p_D.y() -= 10e-3;
+  step(200);
+  EXPECT_NEAR(s.tool().p.z, kRadius, 2e-9) << "1 mm down in the scene, of which the plate takes a half";
+  EXPECT_NEAR(port.last.anchor.p.y, 35e-3, 2e-8) << "5 mm to press against";
+}
+
+INSTANTIATE_TEST_SUITE_P(Hands, FeltPlate, ::testing::Bool(), [](const auto& one) { return one.param ? "left" : "right"; });
 
 TEST(ToolProxy, ItSlidesAlongTheSurfaceAndComesOffWithoutSticking) {
   Plate s;
