@@ -105,10 +105,12 @@ void JawSensor::calibrate() {
     return use(use_this);
   }
   if (const std::string trouble = sensor::calibration_trouble(use_this, serial_, sensor::today()); !trouble.empty()) warn(trouble);
-  char said[256];
-  std::snprintf(said, sizeof said, "Sensor %s: calibrated on %s by %s, residuals up to %.0f um; poses of %s; %s.",
+  char said[512];
+  std::snprintf(said, sizeof said, "Sensor %s: calibrated on %s by %s, residuals up to %.0f um; poses of %s; %s%s.%s",
                 use_this.serial.c_str(), use_this.date.c_str(), use_this.by.c_str(), 1e6 * use_this.displacement.worst,
-                use_this.poses_date.c_str(), use_this.force.empty() ? "no table of forces" : "force by travel");
+                use_this.poses_date.c_str(), use_this.force.empty() ? "no table of forces" : "force by travel",
+                use_this.tip.empty() ? "" : ", force at the tips by that at the handle",
+                use_this.poses_date == sensor::today() ? "" : " The poses change with the hand and its warmth; measure them in each session: swage calibrate poses.");
   note(said);
   in_use_ = sensor::calibration_text(use_this);
   use(use_this);
@@ -117,6 +119,7 @@ void JawSensor::calibrate() {
 void JawSensor::use(const Calibration& calibration) {
   displacement_ = calibration.displacement;
   force_known_ = params().force == Force::kTravel && !calibration.force.empty();
+  tip_known_ = !calibration.tip.empty();
   handle_.set(calibration, params().meets, {params().held, params().held_at});
 }
 
@@ -176,7 +179,8 @@ void JawSensor::exchange(const swage_command&, swage_sample& sample) {
   sample.valid |= SWAGE_VALID_CLOSURE;
   const bool gauge = params().force == Force::kGauge && gauge_;
   if (!gauge && !force_known_) return;
-  sample.grip_force = gauge ? force_ : grip.force;
+  const double handle = gauge ? force_ : grip.force;
+  sample.grip_force = tip_known_ ? handle_.tip(handle) / params().handle_ratio : handle;
   sample.valid |= SWAGE_VALID_GRIP;
 }
 

@@ -25,6 +25,7 @@ struct JawSensorParams {
   std::array<double, 3> volts = {2, -1, -2};  // V: open, just closed, squeezed
   double meets = 0.6;
   double held = 0.1e-3, held_at = 9e-3;  // m
+  double handle_ratio = 0.2;             // N at the tips per N at the handle
   double smoothing = 5.3e-3;             // s: 30 Hz
   std::string poll, end = "\\r";
   sensor::ForeignTable::Format format = sensor::ForeignTable::kText;
@@ -69,6 +70,8 @@ class JawSensor final : public CalibratedDevice<JawSensorParams> {
       real<&P::held>("held", "Held width", "m", "mm", 0, 10e-3,
                      "Width of what is held: the jaws touch it earlier than they would meet."),
       real<&P::held_at>("held_at", "Held at", "m", "mm", 1e-3, 0.1, "From the pivot to where it is held."),
+      real<&P::handle_ratio>("handle_ratio", "Tip force per handle force", "1", "1", 0.001, 10,
+                             "Of the needleholder in the scene; a calibrated force at the tips is told as what makes it there."),
       real<&P::smoothing>("smoothing", "Smoothing", "s", "ms", 0, 0.1, "Time constant of the low pass; 5.3 ms is 30 Hz."),
       text<&P::poll>("poll", "Poll", "Bytes that ask a foreign reader for a message, \\r and \\x1b as in C; empty: it speaks unasked.")
           .group("Foreign reader"),
@@ -103,7 +106,7 @@ class JawSensor final : public CalibratedDevice<JawSensorParams> {
   std::string in_use_;  // JSON of it, "" while volts are taken as they are
   sensor::Displacement displacement_;
   sensor::Handle handle_;
-  bool given_ = false, force_known_ = false;
+  bool given_ = false, force_known_ = false, tip_known_ = false;
   std::string serial_;  // with which the lesson began
   uint32_t connection_ = 0;
   bool warned_ = false, filled_ = false, measured_ = false, gauge_ = false;

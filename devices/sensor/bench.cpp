@@ -93,23 +93,75 @@ std::string Draft::begin_from(const std::string& path) {
   return wrong;
 }
 
+bool Draft::any_length() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.volts.has_value(); });
+}
+
+std::optional<double> Draft::closed_length() const {
+  if (pose_volts[1]) return in_use().length(*pose_volts[1]);
+  // a new fit gives other lengths to the same pose
+  if (stored_ && stored_->poses.known() && !any_length()) return stored_->poses.closed;
+  return std::nullopt;
+}
+
+std::string Draft::forces(Calibration& out) const {
+  std::vector<MonotoneCurve::Point> handle, tip;
+  const std::optional<double> closed = closed_length();
+  for (const ForceRow& row : force_rows) {
+    if (!row.handle_N || !row.volts) continue;
+    if (!closed) return "Measure the pose \"just closed\" first: the travel of a force begins there.";
+    handle.push_back({std::abs(*closed - in_use().length(*row.volts)), *row.handle_N});
+  }
+  if (handle.empty()) return "";
+  if (std::string wrong = check_table_size(handle.size()); !wrong.empty()) return wrong;
+  std::sort(handle.begin(), handle.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  MonotoneCurve force;
+  if (std::string wrong = force.set(handle); !wrong.empty()) return wrong;
+  for (const ForceRow& row : force_rows)
+    if (row.handle_N && row.volts && row.tip_N) tip.push_back({*row.handle_N - force.value(0), *row.tip_N});
+  MonotoneCurve tips;
+  if (!tip.empty()) {
+    if (std::string wrong = check_table_size(tip.size()); !wrong.empty()) return wrong;
+    if (std::string wrong = set_tip(tip, tips); !wrong.empty()) return wrong;
+  }
+  out.force = force;
+  out.tip = tips;
+  out.check = {};  // of the tables before
+  return "";
+}
+
+std::optional<TipCheck> Draft::tip_check(double volts, const std::string& today) const {
+  Calibration c = stored_.value_or(Calibration{});
+  const std::optional<double> closed = closed_length();
+  if (!closed || !forces(c).empty() || c.tip.empty()) return std::nullopt;
+  const double travel = std::abs(*closed - in_use().length(volts));
+  return TipCheck{kCheckForce, c.tip.value(c.force.value(travel) - c.force.value(0)), today};
+}
+
 std::string Draft::finish(const std::string& today, Calibration& out) const {
   if (by.empty()) return "Say who calibrates.";
-  if (!fit_.valid()) return "There is no fit yet.";
+  if (!in_use().valid()) return "There is no fit yet.";
   Calibration c = stored_.value_or(Calibration{});
   c.serial = serial;
   if (!name.empty()) c.name = name;
   c.by = by;
-  c.date = today;
-  c.expires = days_after(today, valid_days);
-  c.displacement = fit_;
-  c.poses = {};  // in lengths of the fit before
+  const Poses before = c.poses;
+  if (fit_.valid()) {
+    c.date = today;
+    c.expires = days_after(today, valid_days);
+    c.displacement = fit_;
+    c.poses = {};  // in lengths of the fit before
+  }
   if (pose_volts[0] && pose_volts[1] && pose_volts[2]) {
-    c.poses = {fit_.length(*pose_volts[0]), fit_.length(*pose_volts[1]), fit_.length(*pose_volts[2])};
-    if (std::string wrong = check_poses(c.poses, {}); !wrong.empty()) return wrong;
+    const Displacement& d = in_use();
+    c.poses = {d.length(*pose_volts[0]), d.length(*pose_volts[1]), d.length(*pose_volts[2])};
+    if (std::string wrong = check_poses(c.poses, fit_.valid() ? Poses{} : before); !wrong.empty()) return wrong;
     if (std::string wrong = check_geometry(c.geometry, c.poses); !wrong.empty()) return wrong;
     c.poses_date = today;
   }
+  if (std::string wrong = forces(c); !wrong.empty()) return wrong;
+  if (check_volts)
+    if (const std::optional<TipCheck> check = tip_check(*check_volts, today)) c.check = *check;
   out = c;
   return "";
 }

@@ -60,16 +60,31 @@ class Draft {
   std::string serial, name, by;
   int valid_days = 365;
   std::array<std::optional<double>, 3> pose_volts;  // open, just closed, squeezed
+  /// One force of the handle, typed, with the volts at which it was; and, where a gauge was between the tips, the force there.
+  struct ForceRow {
+    std::optional<double> handle_N, tip_N, volts;
+  };
+  static constexpr std::size_t kForceRows = 11;
+  std::array<ForceRow, kForceRows> force_rows;
+  std::optional<double> check_volts;  // at kCheckForce at the tips
 
   /// The fit of what is measured so far; "" or why there is none. The rows of `fit().points` are in the order of their length.
   std::string refit();
   const Displacement& fit() const { return fit_; }
+  /// The fit, or the stored one while no length has been measured: poses and forces of a session need no bench.
+  const Displacement& in_use() const { return fit_.valid() || !stored_ || any_length() ? fit_ : stored_->displacement; }
+  /// Tables of forces from the rows, over the travel from just closed; "" or why there are none.
+  std::string forces(Calibration& out) const;
+  /// N at the tips that the calibration makes of these volts, and the sentence of check_tip; nothing without a table of forces.
+  std::optional<TipCheck> tip_check(double volts, const std::string& today) const;
   /// What is stored of this sensor is where a new one begins: geometry and table of forces stay, and poses tell another handle apart.
   std::string begin_from(const std::string& path);
   /// Everything that is known now, as it would be kept; "" or why it cannot be.
   std::string finish(const std::string& today, Calibration& out) const;
 
  private:
+  bool any_length() const;
+  std::optional<double> closed_length() const;  // m, of the sensor where the jaws just meet
   std::vector<Row> rows_;
   Displacement fit_;
   std::optional<Calibration> stored_;

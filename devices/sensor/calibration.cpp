@@ -167,11 +167,36 @@ std::string check_geometry(const Geometry& g, const Poses& p) {
   return p.open < p.closed ? "With this geometry the sensor is longest when the handle is open; here it is shortest." : "";
 }
 
+std::string check_table_size(std::size_t points) {
+  return points >= 5 && points <= 11 ? "" : "A table of forces has 5 to 11 points; there are " + std::to_string(points) + ".";
+}
+
+std::string set_tip(std::vector<MonotoneCurve::Point> points, MonotoneCurve& out) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  if (!points.empty() && points.front().x < 0) return "A force at the handle below what closes it presses nothing; leave that point out.";
+  if (points.empty() || points.front().x > 0) points.insert(points.begin(), {0, 0});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    char text[128];
+    std::snprintf(text, sizeof text, "The force at the tips goes up with that at the handle; at %.3g N it does not.", points[i].x);
+    if (points[i].x <= points[i - 1].x || points[i].y < points[i - 1].y) return text;
+  }
+  return out.set(std::move(points));
+}
+
+std::string check_tip(const TipCheck& c) {
+  if (std::abs(c.measured - c.wanted) <= kCheckShare * c.wanted) return "";
+  char text[192];
+  std::snprintf(text, sizeof text, "%.2f N at the tips are measured as %.2f N, %.0f %% off; allowed are %.0f %%. Measure the forces anew.", c.wanted,
+                c.measured, 1e2 * std::abs(c.measured / c.wanted - 1), 1e2 * kCheckShare);
+  return text;
+}
+
 std::string calibration_trouble(const Calibration& c, const std::string& serial, const std::string& today) {
   if (!c.serial.empty() && !serial.empty() && c.serial != serial)
     return "The calibration is that of the sensor " + c.serial + ", and this one is " + serial + ".";
   if (!c.expires.empty() && today > c.expires)
     return "The calibration of " + c.date + " expired on " + c.expires + ". Make a new one: swage calibrate displacement.";
+  if (c.check.known()) return check_tip(c.check);
   return "";
 }
 
@@ -189,6 +214,7 @@ void Handle::set(const Calibration& c, double meets, const Held& held) {
   poses_ = c.poses;
   geometry_ = c.geometry;
   force_ = c.force;
+  tip_ = c.tip;
   meets_ = meets;
   open_angle_ = angle(poses_.open);
   contact_ = poses_.closed;
@@ -205,6 +231,7 @@ Handle::Grip Handle::at(double length) const {
   out.closure = std::clamp(share >= 0 ? meets_ * (1 - share) : meets_ + (1 - meets_) * squeeze, 0.0, 1.0);
   const double travel = (contact_ - length) * (poses_.open > poses_.closed ? 1 : -1);
   if (!force_.empty() && travel > 0) out.force = std::max(0.0, force_.value(travel) - force_.value(0));
+  out.tip = tip(out.force);
   return out;
 }
 

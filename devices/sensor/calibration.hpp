@@ -76,16 +76,35 @@ std::string check_poses(const Poses& poses, const Poses& stored);
 /// "" or why this cannot be the needleholder.
 std::string check_geometry(const Geometry& geometry, const Poses& poses);
 
+/// What the tips were made to press on a gauge with a real needle between them, and what the calibration made of it.
+struct TipCheck {
+  double wanted = 0, measured = 0;  // N at the tips
+  std::string date;
+  bool known() const { return wanted > 0; }
+};
+inline constexpr double kCheckForce = 0.6;  // N, of a good grasp (thesis 3.3): where the calibration has to hold
+inline constexpr double kCheckShare = 0.1;  // of it that the calibration may be off; a scale and a hand are good for 0.03
+/// "" or by how much it is off, as a sentence.
+std::string check_tip(const TipCheck& check);
+
 /// All that is known of one sensor in one needleholder.
 struct Calibration {
   std::string serial, name;       // of the sensor
   std::string date, by, expires;  // 2026-11-22
   Displacement displacement;
   MonotoneCurve force;  // N at the handle over m of travel after the jaws have met
+  MonotoneCurve tip;    // N at the tips over N at the handle beyond what closes it
+  TipCheck check;
   Geometry geometry;
   Poses poses;
   std::string poses_date;
 };
+
+/// A table of forces as people measure it: 5 to 11 points. "" or what is wrong, as a sentence.
+std::string check_table_size(std::size_t points);
+/// The curve of the tips from points (N at the handle beyond what closes it, N at the tips) in any order; nothing presses before the
+/// jaws meet, so (0, 0) is one of them. "" or what is wrong.
+std::string set_tip(std::vector<MonotoneCurve::Point> points, MonotoneCurve& out);
 
 /// "" or a sentence: too old, or for another sensor. Dates as 2026-11-22.
 std::string calibration_trouble(const Calibration& calibration, const std::string& serial, const std::string& today);
@@ -100,17 +119,20 @@ class Handle {
   struct Grip {
     double closure = 0;  // 0 open .. `meets` just closed .. 1 squeezed
     double force = 0;    // N at the handle, beyond what closes it; 0 until the jaws touch what is held
+    double tip = 0;      // N at the tips; 0 without a table of them
   };
   /// `meets`: closure at which empty jaws of the scene meet.
   void set(const Calibration& calibration, double meets, const Held& held);
   Grip at(double length_m) const;
+  /// N at the tips for N at the handle beyond what closes it; 0 without a table.
+  double tip(double handle_N) const { return tip_.empty() ? 0 : tip_.value(handle_N); }
   double contact() const { return contact_; }  // m, length at which the jaws touch what is held
 
  private:
   double angle(double length_m) const;  // rad between the handles, 0 when the jaws meet; lengths where there is no geometry
   Poses poses_;
   Geometry geometry_;
-  MonotoneCurve force_;
+  MonotoneCurve force_, tip_;
   double meets_ = 0.6, contact_ = 0, open_angle_ = 1;
 };
 

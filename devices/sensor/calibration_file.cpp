@@ -81,7 +81,7 @@ void read_displacement(const Json& in, Displacement& out) {
 
 void read(const Json& in, Calibration& out) {
   static const std::vector<std::string> kKeys = {"format", "serial",       "name",  "date",     "by",
-                                                 "expires", "displacement", "force", "geometry", "poses"};
+                                                 "expires", "displacement", "force", "tip", "check", "geometry", "poses"};
   if (!in.is_object() || text(in, "format") != kFormat) throw Wrong{std::string("format is \"") + kFormat + "\""};
   for (const auto& [key, value] : in.items())
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) throw Wrong{key + " is not known"};
@@ -90,11 +90,14 @@ void read(const Json& in, Calibration& out) {
   for (const std::string* date : {&out.date, &out.expires})
     if (!date->empty() && days_after(*date, 0) != *date) throw Wrong{"\"" + *date + "\" is no date; one is 2026-11-22"};
   read_displacement(in, out.displacement);
-  if (in.contains("force")) {
+  for (const auto& [key, curve] : {std::pair{"force", &out.force}, {"tip", &out.tip}}) {
+    if (!in.contains(key)) continue;
     std::vector<MonotoneCurve::Point> points;
-    rows(in["force"], "force", 2, [&](const Json& r) { points.push_back({r[0].get<double>(), r[1].get<double>()}); });
-    if (std::string wrong = out.force.set(points); !wrong.empty()) throw Wrong{"force: " + wrong};
+    rows(in[key], key, 2, [&, p = &points](const Json& r) { p->push_back({r[0].get<double>(), r[1].get<double>()}); });
+    if (std::string wrong = curve->set(points); !wrong.empty()) throw Wrong{std::string(key) + ": " + wrong};
   }
+  if (const Json* c = part(in, "check", {"wanted", "measured", "date"}))
+    out.check = {number(*c, "check/", "wanted"), number(*c, "check/", "measured"), text(*c, "date")};
   if (const Json* g = part(in, "geometry", {"a", "b", "gap"}))
     out.geometry = {number(*g, "geometry/", "a"), number(*g, "geometry/", "b"), number(*g, "geometry/", "gap")};
   if (const Json* p = part(in, "poses", {"open", "closed", "squeezed", "date"})) {
@@ -112,6 +115,8 @@ Json written(const Calibration& c) {
   for (const BenchPoint& p : d.points)
     out["displacement"]["points"].push_back(Json::array({p.volts, p.length_m, p.residual_m, p.used}));
   for (const auto& p : c.force.points()) out["force"].push_back(Json::array({p.x, p.y}));
+  for (const auto& p : c.tip.points()) out["tip"].push_back(Json::array({p.x, p.y}));
+  if (c.check.known()) out["check"] = {{"wanted", c.check.wanted}, {"measured", c.check.measured}, {"date", c.check.date}};
   if (c.geometry.known()) out["geometry"] = {{"a", c.geometry.a}, {"b", c.geometry.b}, {"gap", c.geometry.gap}};
   if (c.poses.known())
     out["poses"] = {{"open", c.poses.open}, {"closed", c.poses.closed}, {"squeezed", c.poses.squeezed}, {"date", c.poses_date}};
@@ -182,6 +187,12 @@ std::string today() {
   char text[16];
   std::strftime(text, sizeof text, "%Y-%m-%d", &parts);
   return text;
+}
+
+int days_between(const std::string& from, const std::string& to) {
+  std::tm a{}, b{};
+  if (strptime(from.c_str(), "%Y-%m-%d", &a) == nullptr || strptime(to.c_str(), "%Y-%m-%d", &b) == nullptr) return 0;
+  return static_cast<int>((timegm(&b) - timegm(&a)) / 86400);
 }
 
 std::string days_after(const std::string& date, int days) {

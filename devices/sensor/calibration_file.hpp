@@ -28,5 +28,7 @@ std::string save_calibration(const std::string& path, const Calibration& calibra
 std::string today();
 /// A date `days` after another. "" for no date.
 std::string days_after(const std::string& date, int days);
+/// Whole days from one date to a later one; 0 where one of them is none.
+int days_between(const std::string& from, const std::string& to);
 
 }  // namespace swage::sensor

@@ -70,21 +70,38 @@ int needs_who(const CalibrateOptions& o) {
   return o.by.empty() ? problem("Say who calibrates, with --by.") : kPassed;
 }
 
-// rows "mm, V" or "mm, N" from a person: the one is typed, the other measured
-std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, bool force, const Calibration& known,
-                         std::vector<std::vector<double>>& rows) {
-  std::printf(force ? "Close the jaws until they just meet and press Enter; that is travel 0. Then squeeze, type the force at the handle "
-                      "in N for each point, and an empty line at the end.\n"
-                    : "Draw the sensor to a length, type it in mm, 13 points over 6 mm; an empty line at the end.\n");
+// what a table is of, and what a person is asked for it
+enum class Of { kLength, kHandle, kTip };
+constexpr const char* kIntroduction[] = {
+    "Draw the sensor to a length, type it in mm, 13 points over 6 mm; an empty line at the end.\n",
+    "Close the jaws until they just meet and press Enter; that is travel 0. Then squeeze, type the force at the handle in N for each point, "
+    "and an empty line at the end.\n",
+    "Close the tips until they just touch the gauge and press Enter. Then squeeze, type the force that the gauge shows in N for each point, "
+    "and an empty line at the end.\n"};
+constexpr const char* kQuestion[] = {"length in mm:", "force in N:", "force at the tips in N:"};
+
+// length of the sensor where the jaws touch, m; "" or why not
+std::string contact_by_hand(const CalibrateOptions& o, Bench& bench, const Calibration& known, const char* question, double& contact) {
+  std::string nothing;
+  double volts = 0;
+  if (!ask(question, nothing)) return "Nobody answers.";
+  if (std::string why = bench.mean(o.seconds, volts); !why.empty()) return why;
+  contact = known.displacement.length(volts);
+  return "";
+}
+
+// N at the handle beyond what closes it; the sensor may be mounted either way
+double handle_force(const Calibration& known, double contact, double volts) {
+  return known.force.value(std::abs(contact - known.displacement.length(volts))) - known.force.value(0);
+}
+
+// rows "mm, V", "mm, N" or "N, N" from a person: the one is typed, the other measured
+std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, Of of, const Calibration& known, std::vector<std::vector<double>>& rows) {
+  std::printf("%s", kIntroduction[static_cast<int>(of)]);
   double contact = 0;
-  if (force) {
-    std::string nothing;
-    double volts = 0;
-    if (!ask("just closed", nothing)) return "Nobody answers.";
-    if (std::string why = bench.mean(o.seconds, volts); !why.empty()) return why;
-    contact = known.displacement.length(volts);
-  }
-  for (std::string text; ask(force ? "force in N:" : "length in mm:", text) && !text.empty();) {
+  if (of != Of::kLength)
+    if (std::string why = contact_by_hand(o, bench, known, "just closed", contact); !why.empty()) return why;
+  for (std::string text; ask(kQuestion[static_cast<int>(of)], text) && !text.empty();) {
     std::vector<double> typed;
     double volts = 0;
     if (!read_numbers(text, typed) || typed.size() != 1) {
@@ -96,14 +113,22 @@ std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, bool force, co
       continue;
     }
     const double mm = 1e3 * std::abs(contact - known.displacement.length(volts));  // whichever way it is mounted
-    rows.push_back(force ? std::vector<double>{mm, typed[0]} : std::vector<double>{typed[0], volts});
-    std::printf(force ? "  %.3f mm\n" : "  %.4f V\n", force ? mm : volts);
+    const double handle = of == Of::kTip ? handle_force(known, contact, volts) : 0;
+    rows.push_back(of == Of::kLength ? std::vector<double>{typed[0], volts} : std::vector<double>{of == Of::kTip ? handle : mm, typed[0]});
+    std::printf(of == Of::kLength ? "  %.4f V\n" : of == Of::kTip ? "  %.3f N at the handle\n" : "  %.3f mm\n",
+                of == Of::kLength ? volts : of == Of::kTip ? handle : mm);
   }
   return "";
 }
 
+// what has to be calibrated before, "" when it is
+std::string lacks(Of of, const Calibration& c) {
+  if (of != Of::kLength && !c.displacement.valid()) return "Its volts have no meaning yet. First: swage calibrate displacement.";
+  return of == Of::kTip && c.force.empty() ? "Its travel has no force yet. First: swage calibrate force." : "";
+}
+
 // where the numbers come from: a table, or a person with the sensor
-std::string collect(const CalibrateOptions& o, bool force, Calibration& c, std::string& path, std::vector<std::vector<double>>& rows) {
+std::string collect(const CalibrateOptions& o, Of of, Calibration& c, std::string& path, std::vector<std::vector<double>>& rows) {
   if (!o.table.empty()) {
     if (std::string wrong = read_number_table(o.table, 2, rows); !wrong.empty()) return wrong;
     if (o.serial.empty()) return "Say whose table this is: the sensor's serial number with --serial.";
@@ -113,8 +138,20 @@ std::string collect(const CalibrateOptions& o, bool force, Calibration& c, std::
   if (std::string why = bench.open(o); !why.empty()) return why;
   if (std::string why = begin(o, o.serial.empty() ? bench.serial() : o.serial, o.name.empty() ? bench.name() : o.name, c, path); !why.empty())
     return why;
-  if (force && !c.displacement.valid()) return "Its volts have no meaning yet. First: swage calibrate displacement.";
-  return rows_by_hand(o, bench, force, c, rows);
+  if (std::string missing = lacks(of, c); !missing.empty()) return missing;
+  return rows_by_hand(o, bench, of, c, rows);
+}
+
+int not_kept(const std::string& wrong) {
+  problem(wrong + " Nothing is kept.");
+  return kNotPassed;
+}
+
+// a curve in eleven rows; `scale`: of x, for the unit that is shown
+void print_curve(const sensor::MonotoneCurve& curve, double scale, const char* unit) {
+  std::printf("%12s %10s\n", unit, "N");
+  const double last = curve.points().back().x;
+  for (int i = 0; i <= 10; ++i) std::printf("%12.3f %10.3f\n", 0.1 * i * scale * last, curve.value(0.1 * i * last));
 }
 
 void print_points(const Calibration& c) {
@@ -132,15 +169,14 @@ int calibrate_displacement(const CalibrateOptions& o) {
   Calibration c;
   std::string path;
   std::vector<std::vector<double>> rows;
-  if (const std::string wrong = collect(o, false, c, path, rows); !wrong.empty()) return problem(wrong);
+  if (const std::string wrong = collect(o, Of::kLength, c, path, rows); !wrong.empty()) return problem(wrong);
   std::vector<sensor::BenchPoint> points;
   for (const auto& row : rows) points.push_back({row[1], 1e-3 * row[0]});
   sensor::FitLimits limits;
   limits.nominal = 1e-3 * o.nominal_mm_per_v;
   sensor::Displacement fit;
   if (const std::string wrong = sensor::fit_displacement(points, limits, fit); !wrong.empty()) {
-    problem(wrong + " Nothing is kept.");
-    return kNotPassed;
+    return not_kept(wrong);
   }
   c.displacement = fit;
   c.by = o.by;
@@ -156,17 +192,55 @@ int calibrate_force(const CalibrateOptions& o) {
   Calibration c;
   std::string path;
   std::vector<std::vector<double>> rows;
-  if (const std::string wrong = collect(o, true, c, path, rows); !wrong.empty()) return problem(wrong);
-  if (!c.displacement.valid()) return problem("Its volts have no meaning yet. First: swage calibrate displacement.");
+  if (std::string wrong = collect(o, Of::kHandle, c, path, rows); !wrong.empty() || !(wrong = lacks(Of::kHandle, c)).empty()) return problem(wrong);
   std::vector<sensor::MonotoneCurve::Point> points;
   for (const auto& row : rows) points.push_back({1e-3 * row[0], row[1]});
-  if (const std::string wrong = c.force.set(points); !wrong.empty()) {
-    problem(wrong + " Nothing is kept.");
-    return kNotPassed;
-  }
-  std::printf("%10s %10s\n", "mm", "N");
-  for (double mm = 0; mm <= 1e3 * points.back().x + 1e-9; mm += 100 * points.back().x) std::printf("%10.3f %10.3f\n", mm, c.force.value(1e-3 * mm));
+  std::string wrong = sensor::check_table_size(points.size());
+  if (wrong.empty()) wrong = c.force.set(points);
+  if (!wrong.empty()) return not_kept(wrong);
+  c.tip = {}, c.check = {};  // in forces of the table before
+  print_curve(c.force, 1e3, "mm");
   return keep(path, c);
+}
+
+int calibrate_tip(const CalibrateOptions& o) {
+  if (needs_who(o) != kPassed) return kProblem;
+  Calibration c;
+  std::string path;
+  std::vector<std::vector<double>> rows;
+  if (std::string wrong = collect(o, Of::kTip, c, path, rows); !wrong.empty() || !(wrong = lacks(Of::kTip, c)).empty()) return problem(wrong);
+  std::vector<sensor::MonotoneCurve::Point> points;
+  for (const auto& row : rows) points.push_back({row[0], row[1]});
+  std::string wrong = sensor::check_table_size(points.size());
+  if (wrong.empty()) wrong = sensor::set_tip(points, c.tip);
+  if (!wrong.empty()) return not_kept(wrong);
+  c.check = {};
+  print_curve(c.tip, 1, "N, handle");
+  return keep(path, c);
+}
+
+int calibrate_check(const CalibrateOptions& o) {
+  Bench bench;
+  Calibration c;
+  std::string path;
+  if (const std::string why = bench.open(o); !why.empty()) return problem(why);
+  if (const std::string why = begin(o, bench.serial(), "", c, path); !why.empty()) return problem(why);
+  if (const std::string missing = lacks(Of::kTip, c); !missing.empty()) return problem(missing);
+  double contact = 0, volts = 0;
+  if (std::string why = contact_by_hand(o, bench, c, "Close the jaws until they just touch the needle and press Enter (touching).", contact); !why.empty())
+    return problem(why + " Nothing is kept.");
+  std::string nothing;
+  if (!ask(format("Squeeze until the gauge shows %.2f N at the tips, hold, and press Enter.", o.tip_N), nothing))
+    return problem("Nobody answers; nothing is kept.");
+  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + " Nothing is kept.");
+  const double handle = handle_force(c, contact, volts);
+  c.check = {o.tip_N, c.tip.empty() ? o.ratio * handle : c.tip.value(handle), sensor::today()};
+  std::printf("%.3f N at the tips by the calibration, %.3f N by the gauge\n", c.check.measured, c.check.wanted);
+  // one that is off is kept as well: who uses it is told
+  const std::string wrong = sensor::check_tip(c.check);
+  if (!wrong.empty()) problem(wrong);
+  const int kept = keep(path, c);
+  return kept == kPassed && !wrong.empty() ? kNotPassed : kept;
 }
 
 int calibrate_poses(const CalibrateOptions& o) {
@@ -192,8 +266,7 @@ int calibrate_poses(const CalibrateOptions& o) {
   std::string wrong = sensor::check_poses(c.poses, o.force_anyway ? sensor::Poses{} : before);
   if (wrong.empty()) wrong = sensor::check_geometry(c.geometry, c.poses);
   if (!wrong.empty()) {
-    problem(wrong + " Nothing is kept.");
-    return kNotPassed;
+    return not_kept(wrong);
   }
   c.poses_date = sensor::today();
   return keep(path, c);
@@ -212,12 +285,16 @@ int calibrate_show(const CalibrateOptions& o) {
     if (!o.serial.empty() && c.serial != o.serial) continue;
     const std::string trouble = sensor::calibration_trouble(c, "", sensor::today());
     list.push_back({{"serial", c.serial}, {"name", c.name}, {"date", c.date}, {"by", c.by}, {"expires", c.expires},
-                    {"worst", number(c.displacement.worst)}, {"force_points", c.force.points().size()},
+                    {"worst", number(c.displacement.worst)}, {"force_points", c.force.points().size()}, {"tip_points", c.tip.points().size()},
+                    {"check_date", c.check.date}, {"check_share", number(c.check.known() ? c.check.measured / c.check.wanted - 1 : 0)},
                     {"poses_date", c.poses_date}, {"trouble", trouble}, {"file", path}});
     if (o.json) continue;
-    std::printf("%s (%s): %s by %s, until %s; worst residual %.1f um; %zu points of force; poses %s\n", printable(c.serial).c_str(),
+    std::printf("%s (%s): %s by %s, until %s; worst residual %.1f um; %zu points of force, %zu at the tips; %s; poses %s\n", printable(c.serial).c_str(),
                 printable(c.name).c_str(), c.date.c_str(), printable(c.by).c_str(), c.expires.c_str(), 1e6 * c.displacement.worst,
-                c.force.points().size(), c.poses.known() ? ("of " + c.poses_date).c_str() : "missing: swage calibrate poses");
+                c.force.points().size(), c.tip.points().size(),
+                c.check.known() ? format("%.2f N checked on %s: %+.0f %%", c.check.wanted, c.check.date.c_str(), 1e2 * (c.check.measured / c.check.wanted - 1)).c_str()
+                                : "not checked on a gauge",
+                c.poses.known() ? ("of " + c.poses_date).c_str() : "missing: swage calibrate poses");
     if (!trouble.empty()) std::printf("  %s\n", printable(trouble).c_str());
   }
   if (o.json) print(list);

@@ -268,8 +268,9 @@ void add_calibrate(CLI::App& app, Arguments& a) {
   displacement->add_option("--nominal", o.nominal_mm_per_v, "mm/V of the data sheet; 0: not known")->capture_default_str();
   displacement->add_option("--valid-days", o.valid_days, "After which it expires")->check(CLI::Range(1, 3650))->capture_default_str();
   CLI::App* force = verb->add_subcommand("force", "Travel to force at the handle: 5 to 11 points, once");
-  for (CLI::App* sub : {displacement, force}) {
-    sub->add_option("--table", o.table, "Rows \"mm, V\" or \"mm, N\" of a bench, instead of a sensor");
+  CLI::App* tip = verb->add_subcommand("tip", "Force at the handle to force at the tips: 5 to 11 points, once");
+  for (CLI::App* sub : {displacement, force, tip}) {
+    sub->add_option("--table", o.table, "Rows \"mm, V\", \"mm, N\" or \"N, N\" of a bench, instead of a sensor");
     sub->add_option("--by", o.by, "Who calibrates");
     sub->add_option("--name", o.name, "Of the sensor");
     sensor(sub);
@@ -280,10 +281,16 @@ void add_calibrate(CLI::App& app, Arguments& a) {
   poses->add_option("--gap", o.gap_mm, "mm between the swivels when the jaws just meet");
   poses->add_flag("--another-needleholder", o.force_anyway, "The ways may differ from those of before");
   sensor(poses);
+  CLI::App* check = verb->add_subcommand("check", "A force at the tips, on a gauge with a real needle");
+  check->add_option("--tip-force", o.tip_N, "N that the gauge shows")->check(CLI::Range(0.05, 10.0))->capture_default_str();
+  check->add_option("--ratio", o.ratio, "N at the tips per N at the handle, where no table tells it")->check(CLI::Range(0.001, 10.0))->capture_default_str();
+  sensor(check);
   CLI::App* show = verb->add_subcommand("show", "What is stored");
   show->add_flag("--json", o.json, "As JSON");
   common(displacement, calibrate_displacement);
   common(force, calibrate_force);
+  common(tip, calibrate_tip);
+  common(check, calibrate_check);
   common(poses, calibrate_poses);
   common(show, calibrate_show);
 }

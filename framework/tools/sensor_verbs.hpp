@@ -26,12 +26,17 @@ struct CalibrateOptions {
   int valid_days = 365;
   double a_mm = 0, b_mm = 0, gap_mm = 0;  // geometry of the handle
   double seconds = 0.5;                   // for which one value is averaged
+  double tip_N = 0.6, ratio = 0.2;        // of a check: force at the tips, and per force at the handle where no table tells it
   bool force_anyway = false, json = false;
 };
 /// Volts to length: from a table "mm, V", or point by point with the sensor.
 int calibrate_displacement(const CalibrateOptions&);
 /// Travel to force: a table "mm, N", or point by point with the sensor.
 int calibrate_force(const CalibrateOptions&);
+/// Force at the handle to force at the tips: a table "N, N", or point by point with sensor and gauge.
+int calibrate_tip(const CalibrateOptions&);
+/// One force at the tips, on a gauge with a real needle, against the calibration.
+int calibrate_check(const CalibrateOptions&);
 /// Open, just closed, squeezed: with the sensor.
 int calibrate_poses(const CalibrateOptions&);
 /// What is stored.

@@ -64,7 +64,18 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   EXPECT_THAT(said(), HasSubstr("1.00000 mm/V, 3.0000 mm at 0 V"));
 
   points = {{-1, ""}, {-1, "0.2"}, {-1.5, "1"}, {-2, "4"}, {-2.5, "10"}, {0, ""}};
+  EXPECT_EQ(answer("calibrate force --by Ada" + port, points), 1) << "four points are too few";
+  points = {{-1, ""}, {-1, "0.2"}, {-1.5, "1"}, {-2, "4"}, {-2.25, "6.5"}, {-2.5, "10"}, {0, ""}};
   ASSERT_EQ(answer("calibrate force --by Ada" + port, points), 0) << said();
+  // 0.8, 3.8, 6.3, 9.8 N of the handle beyond what closes it, and nothing where the tips touch
+  points = {{-1, ""}, {-1, "0"}, {-1.5, "0.15"}, {-2, "0.75"}, {-2.25, "1.25"}, {-2.5, "1.95"}, {0, ""}};
+  ASSERT_EQ(answer("calibrate tip --by Ada" + port, points), 0) << said();
+  EXPECT_EQ(answer("calibrate check --tip-force 0.75" + port, {{-1, ""}, {-2, ""}}), 0) << said();
+  EXPECT_THAT(said(), HasSubstr("0.750 N at the tips by the calibration, 0.750 N by the gauge"));
+  EXPECT_EQ(answer("calibrate check" + port, {{-1, ""}, {-2, ""}}), 1);
+  EXPECT_THAT(said(), HasSubstr("0.60 N at the tips are measured as 0.75 N, 25 % off"));
+  EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("0.60 N checked on " + sensor::today() + ": +25 %"));
+  ASSERT_EQ(answer("calibrate check --tip-force 0.75" + port, {{-1, ""}, {-2, ""}}), 0) << said();
   ASSERT_EQ(answer("calibrate poses --a 40 --b 40 --gap 10" + port, {{2, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
 
   sensor::Calibration c;
@@ -73,6 +84,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   EXPECT_EQ(c.date, sensor::today());
   EXPECT_EQ(c.expires, sensor::days_after(sensor::today(), 365));
   EXPECT_NEAR(c.force.value(0.5e-3), 1, 1e-6);
+  EXPECT_NEAR(c.tip.value(3.8), 0.75, 1e-6);
   EXPECT_NEAR(c.poses.open, 5e-3, 1e-6);
   EXPECT_NEAR(c.poses.squeezed, 0.5e-3, 1e-6);
   const nlohmann::json list = swage({"calibrate", "show", "--json"}).json();
@@ -101,6 +113,7 @@ TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
   write("words.csv", "mm,V\n0,0\n1,one\n");
   fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, "line 3: a row has 2 numbers");
   write("f.csv", "0 0.2\n1 4\n2 3\n");
+  fails({"calibrate", "tip", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
   fails({"calibrate", "force", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
   fails({"calibrate", "poses", "--port", path("nothing")}, 2, "is not there");
   EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("No calibration is kept"));
@@ -126,10 +139,12 @@ TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {
 
 TEST_F(Calibrate, TheDoctorNamesEveryDriverWithItsRemedy) {
   const nlohmann::json list = swage({"doctor", "--json"}).json();
-  for (const char* id : {"gamepad", "jaw_sensor", "openhaptics", "spacemouse", "tablet"}) {
+  std::vector<std::string> kinds = {"gamepad", "inverse3", "jaw_sensor", "openhaptics", "spacemouse", "tablet"};
+  if (access(SWAGE_BINARY_DIR "/plugins/swage.device.openxr", F_OK) == 0) kinds.push_back("openxr");  // where its headers are
+  for (const std::string& id : kinds) {
     bool found = false;
     for (const auto& f : list) {
-      if (f["name"] != std::string("device swage.device.") + id) continue;
+      if (f["name"] != "device swage.device." + id) continue;
       found = true;
       EXPECT_TRUE((f["state"] == "good") == (f["remedy"] == "")) << f;
     }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "sensor/bench.hpp"
 #include "sensor/calibration.hpp"
 #include "sensor/calibration_file.hpp"
 #include "temp_folder.hpp"
@@ -207,6 +208,88 @@ TEST(HandleModel, ClosureGoesFromOpenOverMeetingToSqueezed) {
   }
 }
 
+// the tips of a holder whose joint takes a part of the force: 5 mN lost, then a fifth of the handle's that grows to a quarter
+double tips(double handle_N) { return std::max(0.0, 0.2 * handle_N + 0.005 * handle_N * handle_N - 0.005); }
+
+TEST(Tips, AreACurveOfTheHandlesForceFromNothingOn) {
+  std::vector<MonotoneCurve::Point> points;
+  for (const double f : {10.0, 0.5, 1.0, 2.0, 4.0, 7.0}) points.push_back({f, tips(f)});  // in any order
+  MonotoneCurve curve;
+  ASSERT_EQ(set_tip(points, curve), "");
+  EXPECT_EQ(curve.points().front().x, 0);
+  EXPECT_EQ(curve.value(0), 0);
+  // error of a monotone cubic between points 3 N apart of a parabola with y'' = 0.01 /N: below h^2 y''/8 = 11 mN, that of a straight line
+  for (double f = 0.5; f <= 10; f += 0.01) EXPECT_NEAR(curve.value(f), tips(f), 11e-3) << f;
+  EXPECT_THAT(set_tip({{1, 0.2}, {2, 0.1}}, curve), HasSubstr("at 2 N it does not"));
+  EXPECT_THAT(set_tip({{-1, 0}, {2, 0.1}}, curve), HasSubstr("leave that point out"));
+  for (const std::size_t n : {0u, 4u, 12u}) EXPECT_NE(check_table_size(n), "") << n;
+  for (const std::size_t n : {5u, 11u}) EXPECT_EQ(check_table_size(n), "") << n;
+
+  Calibration c = holder_calibration();
+  ASSERT_EQ(set_tip(points, c.tip), "");
+  Handle handle;
+  handle.set(c, 0.6, {0, 10e-3});
+  const Handle::Grip grip = handle.at(c.poses.closed - 0.8e-3);
+  EXPECT_GT(grip.force, 0.5);
+  EXPECT_NEAR(grip.tip, tips(grip.force), 11e-3);
+  EXPECT_EQ(handle.at(c.poses.closed + 1e-4).tip, 0) << "nothing presses before the jaws meet";
+}
+
+TEST(Tips, ACheckOnAGaugeHoldsToTenPercent) {
+  EXPECT_EQ(check_tip({0.6, 0.6, ""}), "");
+  EXPECT_EQ(check_tip({0.6, 0.6 * 1.0999, ""}), "");
+  EXPECT_EQ(check_tip({0.6, 0.6 * 0.9001, ""}), "");
+  EXPECT_THAT(check_tip({0.6, 0.67, ""}), HasSubstr("0.60 N at the tips are measured as 0.67 N, 12 % off"));
+  EXPECT_NE(check_tip({0.6, 0.53, ""}), "");
+  Calibration c = holder_calibration();
+  c.check = {0.6, 0.75, "2026-11-23"};
+  EXPECT_THAT(calibration_trouble(c, "A1", "2026-11-23"), HasSubstr("25 % off"));
+  c.check.measured = 0.58;
+  EXPECT_EQ(calibration_trouble(c, "A1", "2026-11-23"), "");
+}
+
+// what the wizard of the console makes of its rows
+TEST(Drafts, PosesAndForcesOfASessionNeedNoBench) {
+  const test::TempFolder folder;
+  Calibration stored = holder_calibration();
+  ASSERT_EQ(save_calibration(folder / "a.json", stored), "");
+  const auto volts = [&](double length) { return (length - stored.displacement.offset) / stored.displacement.slope; };
+  Draft draft;
+  draft.by = "Mei";
+  EXPECT_EQ(draft.begin_from(folder / "a.json"), "");
+  Calibration c;
+  draft.pose_volts = {volts(5.1e-3), volts(2.05e-3), volts(0.5e-3)};
+  ASSERT_EQ(draft.finish("2026-11-25", c), "");
+  EXPECT_NEAR(c.poses.closed, 2.05e-3, 1e-12);
+  EXPECT_EQ(c.poses_date, "2026-11-25");
+  EXPECT_EQ(c.date, stored.date) << "the bench is that of before";
+  EXPECT_EQ(c.force.points().size(), 7u) << "and so are the forces";
+  draft.pose_volts[0] = volts(9e-3);
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("same needleholder"));
+  draft.pose_volts[0] = volts(5.1e-3);
+
+  // five forces of the handle with those of the tips, and a check
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double s = 0.25e-3 * static_cast<double>(i);
+    draft.force_rows[i] = {holder(s), tips(holder(s) - holder(0)), volts(2.05e-3 - s)};
+  }
+  draft.force_rows[4].volts.reset();
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("5 to 11 points; there are 4"));
+  draft.force_rows[4].volts = volts(2.05e-3 - 1e-3);
+  ASSERT_EQ(draft.finish("2026-11-25", c), "");
+  EXPECT_EQ(c.force.points().size(), 5u);
+  EXPECT_NEAR(c.force.value(0.5e-3), holder(0.5e-3), 1e-9);
+  EXPECT_NEAR(c.tip.value(holder(0.5e-3) - holder(0)), tips(holder(0.5e-3) - holder(0)), 1e-9);
+  EXPECT_FALSE(c.check.known());
+  draft.check_volts = volts(2.05e-3 - 0.75e-3);
+  ASSERT_EQ(draft.finish("2026-11-25", c), "");
+  EXPECT_EQ(c.check.wanted, 0.6);
+  EXPECT_NEAR(c.check.measured, tips(holder(0.75e-3) - holder(0)), 1e-9);
+  draft.pose_volts[1].reset();
+  draft.rows()[0].volts = 0.1;
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("no fit yet")) << "a bench that has begun is made to its end";
+}
+
 TEST(Poses, AreCheckedAgainstThemselvesAndThoseOfBefore) {
   EXPECT_EQ(check_poses({5e-3, 2e-3, 0.5e-3}, {}), "");
   EXPECT_EQ(check_poses({0.5e-3, 2e-3, 5e-3}, {}), "") << "mounted the other way round";
@@ -221,7 +304,9 @@ TEST(Poses, AreCheckedAgainstThemselvesAndThoseOfBefore) {
 
 TEST(CalibrationFile, ComesBackAsItWas) {
   const test::TempFolder folder;
-  const Calibration c = holder_calibration();
+  Calibration c = holder_calibration();
+  ASSERT_EQ(set_tip({{1, 0.2}, {5, 1}}, c.tip), "");
+  c.check = {0.6, 0.58, "2026-11-24"};
   ASSERT_EQ(save_calibration(folder / "deeper/a.json", c), "");
   Calibration back;
   ASSERT_EQ(load_calibration(folder / "deeper/a.json", back), "");
@@ -234,6 +319,9 @@ TEST(CalibrationFile, ComesBackAsItWas) {
   ASSERT_EQ(back.displacement.points.size(), 13u);
   EXPECT_EQ(back.displacement.points[3].residual_m, c.displacement.points[3].residual_m);
   EXPECT_EQ(back.force.value(1.1e-3), c.force.value(1.1e-3));
+  EXPECT_EQ(back.tip.value(2.5), c.tip.value(2.5));
+  EXPECT_EQ(back.check.measured, 0.58);
+  EXPECT_EQ(back.check.date, "2026-11-24");
   EXPECT_EQ(back.geometry.gap, c.geometry.gap);
   EXPECT_EQ(back.poses.squeezed, c.poses.squeezed);
 }
@@ -274,6 +362,8 @@ TEST(CalibrationFile, ExpiresAndBelongsToOneSensor) {
   EXPECT_EQ(days_after("2026-11-22", 365), "2027-11-22");
   EXPECT_EQ(days_after("2028-02-28", 1), "2028-02-29");
   EXPECT_EQ(days_after("yesterday", 1), "");
+  EXPECT_EQ(days_between("2026-11-22", "2027-11-22"), 365);
+  EXPECT_EQ(days_between("2028-02-28", "2028-03-01"), 2);
   EXPECT_EQ(calibration_path("../../etc/passwd"), "");
   EXPECT_EQ(calibration_path(".."), "");
   EXPECT_THAT(calibration_path("A1"), HasSubstr("swage/calibrations/A1.json"));
