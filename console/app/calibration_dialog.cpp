@@ -15,6 +15,7 @@ namespace swage::console {
 namespace {
 
 constexpr int kPoll_ms = 15;
+constexpr int kAmber_days = 30;  // after which a calibration that has not expired is spoken of all the same
 constexpr double kPatience_s = 4;  // boards that restart when their port is opened need two
 enum Column { kLength, kVolts, kResidual, kColumns };
 
@@ -27,8 +28,12 @@ CalibrationDialog::CalibrationDialog(const UiTheme& theme, const QString& by, QW
   setWindowTitle(tr("Calibrate a jaw sensor"));
   auto* column = new QVBoxLayout(this);
   column->addWidget(make_sensor());
-  column->addWidget(make_points(theme), 1);
-  column->addWidget(make_poses());
+  steps_ = new QTabWidget(this);
+  steps_->setObjectName(QStringLiteral("calibration_steps"));
+  steps_->addTab(make_points(theme), tr("Lengths"));
+  steps_->addTab(make_poses(), tr("Poses"));
+  steps_->addTab(make_forces(), tr("Forces"));
+  column->addWidget(steps_, 1);
   column->addWidget(make_end());
   by_->setText(by);
   timer_.setInterval(kPoll_ms);
@@ -103,7 +108,10 @@ QWidget* CalibrationDialog::make_points(const UiTheme& theme) {
 
 QWidget* CalibrationDialog::make_poses() {
   Card card = make_card(tr("Poses of the needleholder"), this);
-  auto* row = new QHBoxLayout;
+  auto* why = new QLabel(tr("Measure these three in each session; it takes 20 s. Lengths and forces of before stay."), card.frame);
+  why->setWordWrap(true);
+  card.body->addWidget(why);
+  auto* row = new QVBoxLayout;
   const QString words[] = {tr("Open: let the handle go"), tr("Just closed: the jaws meet"), tr("Squeezed: as far as it goes")};
   const char* const names[] = {"calibration_open", "calibration_closed", "calibration_squeezed"};
   for (int i = 0; i < 3; ++i) {
@@ -112,6 +120,7 @@ QWidget* CalibrationDialog::make_poses() {
     row->addWidget(pose_[i]);
   }
   card.body->addLayout(row);
+  card.body->addStretch(1);
   return card.frame;
 }
 
@@ -166,6 +175,9 @@ void CalibrationDialog::poll() {
     draft_.name = bench_.name();
     const std::string wrong = draft_.begin_from(sensor::calibration_path(draft_.serial));
     if (!wrong.empty()) say(QString::fromStdString(wrong), true);
+    // a sensor with a bench behind it needs only its poses
+    if (draft_.in_use().valid() && !draft_.fit().valid()) steps_->setCurrentIndex(1);
+    show_points();
   } else if (!named_ && sensor::now_s() > asked_s_ + kPatience_s) {
     timer_.stop();
     bench_.close();
@@ -179,7 +191,9 @@ void CalibrationDialog::poll() {
   if (measuring_ >= 0 && !bench_.measuring()) measured();
   const bool ready = named_ && bench_.plugged() && measuring_ < 0;
   measure_->setEnabled(ready);
-  for (QPushButton* pose : pose_) pose->setEnabled(ready && draft_.fit().valid());
+  for (QPushButton* pose : pose_) pose->setEnabled(ready && draft_.in_use().valid());
+  measure_force_->setEnabled(ready && draft_.in_use().valid());
+  show_tip();
 }
 
 void CalibrationDialog::measure(int what) {
@@ -195,7 +209,13 @@ void CalibrationDialog::measured() {
   double volts = 0;
   if (const std::string why = bench_.mean(volts); !why.empty()) return say(QString::fromStdString(why), true);
   say({}, false);
-  if (what >= kPose) {
+  if (what == kCheck) {
+    draft_.check_volts = volts;
+  } else if (what >= kForce) {
+    draft_.force_rows[static_cast<size_t>(what - kForce)].volts = volts;
+    draft_.check_volts.reset();
+    force_table_->setCurrentCell(std::min(what - kForce + 1, static_cast<int>(sensor::Draft::kForceRows) - 1), 0);
+  } else if (what >= kPose) {
     draft_.pose_volts[static_cast<size_t>(what - kPose)] = volts;
   } else {
     draft_.rows()[static_cast<size_t>(what)].volts = volts;
@@ -208,7 +228,7 @@ void CalibrationDialog::read_lengths() {
   if (filling_) return;
   for (int i = 0; i < sensor::Draft::kRows; ++i) {
     bool good = false;
-    const double mm = table_->item(i, kLength)->text().toDouble(&good);
+    const double mm = table_->item(i, kLength)->text().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&good);
     if (good) draft_.rows()[static_cast<size_t>(i)].length_m = 1e-3 * mm;
   }
   show_points();
@@ -241,15 +261,25 @@ void CalibrationDialog::show_points() {
                                       .arg(left_out)
                                       .arg(fit.points.size())
                                 : QString::fromStdString(wrong));
+  if (!fit.valid() && draft_.in_use().valid())
+    verdict_->setText(tr("The stored lengths are used: worst residual %1 µm. Measure new ones where the sensor was mounted anew.")
+                          .arg(number(1e6 * draft_.in_use().worst, 1)));
+  show_poses();
+  show_forces();
+  keep_->setEnabled(draft_.in_use().valid());
+  if (!named_) {
+    measure_->setEnabled(false);
+    measure_force_->setEnabled(false);
+    check_->setEnabled(false);
+    for (QPushButton* pose : pose_) pose->setEnabled(false);
+  }
+}
+
+void CalibrationDialog::show_poses() {
   const char* const marks[] = {"○", "●"};
   const QString words[] = {tr("Open: let the handle go"), tr("Just closed: the jaws meet"), tr("Squeezed: as far as it goes")};
   for (size_t i = 0; i < 3; ++i)
     pose_[i]->setText(QString::fromUtf8(marks[draft_.pose_volts[i] ? 1 : 0]) + QLatin1Char(' ') + words[i]);
-  keep_->setEnabled(fit.valid());
-  if (!named_) {
-    measure_->setEnabled(false);
-    for (QPushButton* pose : pose_) pose->setEnabled(false);
-  }
 }
 
 void CalibrationDialog::keep() {
@@ -277,6 +307,8 @@ QStringList stored_calibrations() {
     const std::string trouble = sensor::calibration_trouble(c, "", sensor::today());
     out += !trouble.empty()      ? QStringLiteral("▲ %1: ").arg(QString::fromStdString(c.serial)) + QString::fromStdString(trouble)
            : !c.poses.known() ? QObject::tr("▲ %1: the poses of its needleholder are missing").arg(QString::fromStdString(c.serial))
+           : sensor::days_between(c.date, sensor::today()) > kAmber_days
+               ? QObject::tr("▲ %1: %2 days old. Check it on a gauge, or calibrate anew").arg(QString::fromStdString(c.serial)).arg(sensor::days_between(c.date, sensor::today()))
                                  : QObject::tr("● %1: of %2 by %3, until %4, worst residual %5 µm")
                                        .arg(QString::fromStdString(c.serial), QString::fromStdString(c.date), QString::fromStdString(c.by),
                                             QString::fromStdString(c.expires), number(1e6 * c.displacement.worst, 1));

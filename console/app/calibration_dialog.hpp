@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Calibration of a jaw sensor, by hand on a bench: thirteen lengths and their volts, the fit with what is left of each point, then
-// the three poses of the needleholder. The same arithmetic as `swage calibrate`.
+// Calibration of a jaw sensor: thirteen lengths and their volts on a bench, the fit with what is left of each point; the three poses of
+// the needleholder, anew in each session; forces of the handle and of the tips, and a check on a gauge. The same arithmetic as
+// `swage calibrate`. Nothing is kept before "Keep".
 #pragma once
 
 #include <QComboBox>
@@ -10,6 +11,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTimer>
 
@@ -34,17 +36,22 @@ class CalibrationDialog : public QDialog {
   QWidget* make_sensor();
   QWidget* make_points(const UiTheme& theme);
   QWidget* make_poses();
+  QWidget* make_forces();
   QWidget* make_end();
   void connect_sensor();
-  void measure(int what);  // a row, or kPose and on: open, closed, squeezed
+  void measure(int what);  // a row; kPose and on: open, closed, squeezed; kForce and on: a row of forces; kCheck
   void poll();
   void measured();
   void read_lengths();
+  void read_forces();
   void show_points();
+  void show_poses();
+  void show_forces();
+  void show_tip();  // what the tips press now, by the calibration
   void keep();
   void say(const QString& text, bool bad);
 
-  static constexpr int kPose = 100;
+  static constexpr int kPose = 100, kForce = 200, kCheck = 300;
   sensor::Bench bench_;
   sensor::Draft draft_;
   QTimer timer_;
@@ -55,10 +62,11 @@ class CalibrationDialog : public QDialog {
   QComboBox *port_, *rate_;
   QLineEdit* by_;
   QSpinBox* days_;
-  QLabel *sensor_, *verdict_, *said_;
-  QTableWidget* table_;
+  QLabel *sensor_, *verdict_, *said_, *forces_, *tip_;
+  QTabWidget* steps_;
+  QTableWidget *table_, *force_table_;
   FitPlot* plot_;
-  QPushButton *connect_, *measure_, *clear_, *keep_, *pose_[3];
+  QPushButton *connect_, *measure_, *clear_, *keep_, *pose_[3], *measure_force_, *check_;
 };
 
 /// What is stored of jaw sensors, one sentence each, with what is wrong with it.

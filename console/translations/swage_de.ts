@@ -303,6 +303,10 @@
         <source>▲ that station does not have it</source>
         <translation>▲ der Platz hat sie nicht</translation>
     </message>
+    <message>
+        <source>▲ %1: %2 days old. Check it on a gauge, or calibrate anew</source>
+        <translation>▲ %1: %2 Tage alt. Mit einem Kraftmesser prüfen oder neu kalibrieren</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>
@@ -868,6 +872,82 @@
     <message>
         <source>Kept, valid until %1. It is used once the three poses are measured.</source>
         <translation>Behalten, gültig bis %1. Sie wird benutzt, sobald die drei Stellungen gemessen sind.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Stellungen</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Measure these three in each session; it takes 20 s. Lengths and forces of before stay.</source>
+        <translation>Diese drei in jeder Sitzung messen; das dauert 20 s. Längen und Kräfte von vorher bleiben.</translation>
+    </message>
+    <message>
+        <source>The stored lengths are used: worst residual %1 µm. Measure new ones where the sensor was mounted anew.</source>
+        <translation>Die gespeicherten Längen gelten: größte Abweichung %1 µm. Neue messen, wenn der Sensor neu eingebaut wurde.</translation>
+    </message>
+    <message>
+        <source>Forces of the handle and of the tips</source>
+        <translation>Kräfte am Griff und an den Spitzen</translation>
+    </message>
+    <message>
+        <source>Measure &quot;just closed&quot; first. Then squeeze, type what the scale at the handle shows and, with a gauge between the tips, what it shows; 5 to 11 rows.</source>
+        <translation>Zuerst „gerade geschlossen“ messen. Dann drücken, eintragen, was die Waage am Griff zeigt, und, mit einem Kraftmesser zwischen den Spitzen, was er zeigt; 5 bis 11 Zeilen.</translation>
+    </message>
+    <message>
+        <source>Forces and volts</source>
+        <translation>Kräfte und Spannungen</translation>
+    </message>
+    <message>
+        <source>At the handle, N</source>
+        <translation>Am Griff, N</translation>
+    </message>
+    <message>
+        <source>At the tips, N</source>
+        <translation>An den Spitzen, N</translation>
+    </message>
+    <message>
+        <source>Measure this force</source>
+        <translation>Diese Kraft messen</translation>
+    </message>
+    <message>
+        <source>Check at %1 N</source>
+        <translation>Bei %1 N prüfen</translation>
+    </message>
+    <message>
+        <source>A real needle between the tips on the gauge: squeeze until it shows this force, hold still, press</source>
+        <translation>Eine echte Nadel zwischen den Spitzen auf dem Kraftmesser: drücken, bis er diese Kraft zeigt, still halten, klicken</translation>
+    </message>
+    <message>
+        <source>Without new rows the forces of before stay; without any, force is shown and not scored.</source>
+        <translation>Ohne neue Zeilen bleiben die Kräfte von vorher; ohne solche wird die Kraft gezeigt und nicht gewertet.</translation>
+    </message>
+    <message>
+        <source>%1 N at the handle after %2 mm of travel; the tips are not measured.</source>
+        <translation>%1 N am Griff nach %2 mm Weg; die Spitzen sind nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 N at the handle after %2 mm of travel, %3 N at the tips.</source>
+        <translation>%1 N am Griff nach %2 mm Weg, %3 N an den Spitzen.</translation>
+    </message>
+    <message>
+        <source>Force at the tips: not calibrated</source>
+        <translation>Kraft an den Spitzen: nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Force at the tips now: %1 N</source>
+        <translation>Kraft an den Spitzen jetzt: %1 N</translation>
+    </message>
+    <message>
+        <source>%1 Now %2 N; checked: %3 N for %4 N</source>
+        <translation>%1 Jetzt %2 N; geprüft: %3 N für %4 N</translation>
     </message>
 </context>
 <context>

@@ -108,6 +108,51 @@ TEST_F(CalibrationTest, ThirteenPointsAndThreePosesAreFittedAndKept) {
   EXPECT_TRUE(child<QLabel>("setup_calibrations")->text().contains(QStringLiteral("expired on 2020-01-01")));
 }
 
+// A session: the bench is that of before, so the wizard begins with the poses; then forces with a gauge between the tips, and the check.
+TEST_F(CalibrationTest, ASessionNeedsPosesAloneAndForcesAreCheckedOnAGauge) {
+  sensor::Calibration stored;
+  stored.serial = "B7", stored.by = "Ada", stored.date = sensor::today(), stored.expires = sensor::days_after(stored.date, 90);
+  stored.displacement = {1e-3, 3e-3, 20e-6, 10e-6, {}};
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("B7"), stored), "");
+  auto sensor = plug();
+  CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), QStringLiteral("Mei"));
+  dialog.set_seconds(0.1);
+  connect_to(dialog);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+  EXPECT_EQ(in<QTabWidget>(dialog, "calibration_steps")->currentIndex(), 1);
+  EXPECT_TRUE(said(dialog, "calibration_verdict").contains(QStringLiteral("The stored lengths are used")));
+  measure(dialog, "calibration_open", 5);
+  measure(dialog, "calibration_closed", 3);
+  measure(dialog, "calibration_squeezed", 1.5);
+  // a handle of 0.2 N where the jaws meet and 4 N/mm from there on; a fifth of what is beyond at the tips
+  auto* table = in<QTableWidget>(dialog, "calibration_forces");
+  EXPECT_FALSE(in<QPushButton>(dialog, "calibration_check")->isEnabled());
+  for (int i = 0; i < 5; ++i) {
+    const double travel = 0.3 * i;
+    table->setCurrentCell(i, 0);
+    table->item(i, 0)->setText(QString::number(0.2 + 4 * travel).replace(QLatin1Char('.'), QLatin1Char(i == 2 ? ',' : '.')));
+    table->item(i, 1)->setText(QString::number(0.8 * travel));
+    measure(dialog, "calibration_measure_force", 3 - travel);
+    EXPECT_EQ(said(dialog, "calibration_forces_verdict").startsWith(QStringLiteral("▲")), i < 4) << "five rows are needed";
+  }
+  measure(dialog, "calibration_check", 3 - 0.75);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_tip").startsWith(QStringLiteral("●")); })) << said(dialog, "calibration_tip").toStdString();
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  sensor::Calibration kept;
+  ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), kept), "") << said(dialog, "calibration_said").toStdString();
+  EXPECT_EQ(kept.by, "Mei");
+  EXPECT_EQ(kept.displacement.slope, 1e-3);
+  EXPECT_NEAR(kept.poses.closed, 3e-3, 30e-6);
+  EXPECT_EQ(kept.poses_date, sensor::today());
+  EXPECT_NEAR(kept.force.value(0.75e-3), 3.2, 0.05);
+  EXPECT_NEAR(kept.tip.value(3), 0.6, 0.02);
+  EXPECT_EQ(kept.check.wanted, 0.6);
+  EXPECT_NEAR(kept.check.measured, 0.6, 0.06);
+  // a gauge that shows 0.6 N where the tables have 0.4 N
+  measure(dialog, "calibration_check", 3 - 0.5);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_tip").startsWith(QStringLiteral("▲")); }));
+}
+
 // U15: nothing is written before "Keep", wherever somebody closes the window; and what was kept before is as it was.
 TEST_F(CalibrationTest, ClosingItAtAnyStepWritesNothing) {
   auto sensor = plug();
