@@ -172,7 +172,9 @@ void PeoplePage::refresh() {
         tr("No one here yet. Attempts appear here after the first lesson; without a name they are kept for "
            "Guest, and can be given a name later."));
   stack_->setCurrentIndex(0);
+  filling_ = true;
   choose(id);
+  filling_ = false;
   show_chosen();
 }
 
@@ -210,6 +212,7 @@ const std::vector<record::AttemptRow>& PeoplePage::experts_at(const std::string&
 }
 
 void PeoplePage::show_chosen() {
+  if (filling_) return;
   const std::string id = chosen().toStdString();
   for (QPushButton* b : of_person_) b->setEnabled(!id.empty());
   if (id.empty()) return person_->show_person({}, {});

@@ -77,6 +77,7 @@ class PeoplePage : public QWidget {
   QSortFilterProxyModel* sorted_;
   std::vector<record::AttemptRow> of_experts_;  // at one lesson, read when they are first asked for
   std::string lesson_read_;
+  bool filling_ = false;  // rows come and go; the person is shown once at the end
   QStackedWidget* stack_ = nullptr;
   QTableView* table_ = nullptr;
   PersonPanel* person_ = nullptr;

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <unordered_map>
+#include <iterator>
 #include <utility>
 
+#include "record/attempt_heads.hpp"
+#include "record/attempt_metrics.hpp"
 #include "record/identity.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
@@ -22,51 +24,6 @@ namespace {
 // Stores before version 4 are read too, and have neither names nor decisions.
 constexpr int kSchool = 4;
 
-std::string select_attempts(bool school) {
-  const std::string own =
-      "SELECT a.attempt_id, p.person_id, p.pseudonym, a.exercise, a.title, a.mode, a.device, a.started_utc, a.ended_utc,"
-      " a.state, a.outcome, a.reason, a.score, a.simulated_s, a.is_void, a.loop_health, a.realtime, a.dropped";
-  const std::string from =
-      " FROM attempt a JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
-  if (!school) return own + from;
-  return own +
-         ", n.display_name, v.lesson_digest, v.is_scripted, v.is_synthetic, r.kind, r.reason, r.made_by" + from +
-         " LEFT JOIN roster n ON n.person_id = p.person_id LEFT JOIN provenance v ON v.attempt_id = a.attempt_id"
-         " LEFT JOIN (SELECT attempt_id, MAX(ruling_id) AS ruling_id FROM ruling WHERE kind < 2 GROUP BY attempt_id) l"
-         " ON l.attempt_id = a.attempt_id LEFT JOIN ruling r ON r.ruling_id = l.ruling_id";
-}
-
-AttemptRow attempt_from(const Row& r) {
-  AttemptRow a;
-  a.id = text(r[0]);
-  a.person_id = text(r[1]);
-  a.person_name = text(r[2]);
-  a.lesson_id = text(r[3]);
-  a.lesson_title = text(r[4]);
-  a.mode = text(r[5]);
-  a.device = text(r[6]);
-  a.started_utc = text(r[7]);
-  a.ended_utc = text(r[8]);
-  a.state = text(r[9]);
-  a.outcome = text(r[10]);
-  a.reason = text(r[11]);
-  a.score = real(r[12]);
-  a.simulated_s = real(r[13]);
-  a.is_void = integer(r[14]) != 0;
-  a.remark = remark(text(r[15]), integer(r[16]) != 0, integer(r[17]));
-  a.person_code = a.person_name;
-  if (r.size() < 25) return a;
-  if (!text(r[18]).empty()) a.person_name = text(r[18]);
-  a.lesson_digest = text(r[19]);
-  a.is_scripted = integer(r[20]) != 0;
-  a.is_synthetic = integer(r[21]) != 0;
-  if (std::holds_alternative<std::monostate>(r[22])) return a;
-  a.is_void = integer(r[22]) == 1;
-  a.void_reason = text(r[23]);
-  a.void_by = text(r[24]);
-  return a;
-}
-
 // What tells that a list of attempts is no longer as it was. It reads no recording.
 constexpr const char* kDigest =
     "SELECT COUNT(*), COALESCE(MAX(started_utc), ''), COALESCE(MAX(ended_utc), ''),"
@@ -79,7 +36,7 @@ constexpr const char* kSchoolDigest =
 class SqlStore final : public Store {
  public:
   SqlStore(std::unique_ptr<Database> db, std::string where, bool read_only)
-      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only), school_(schema_version(*db_) >= kSchool) {}
+      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only), school_(schema_version(*db_) >= kSchool), heads_(*db_, school_), metrics_(*db_) {}
 
   std::string trouble() const override { return trouble_; }
   bool read_only() const override { return read_only_; }
@@ -137,8 +94,12 @@ class SqlStore final : public Store {
 
   std::vector<AttemptRow> attempt_heads(const std::string& person_id, const std::string& lesson_id) override {
     begin();
-    Row values;
-    return heads(condition(person_id, lesson_id, values), values);
+    if (!heads_.renew()) complain();
+    std::vector<AttemptRow> out;
+    std::copy_if(heads_.all().begin(), heads_.all().end(), std::back_inserter(out), [&](const AttemptRow& a) {
+      return (person_id.empty() || a.person_id == person_id) && (lesson_id.empty() || a.lesson_id == lesson_id);
+    });
+    return out;
   }
 
   std::vector<AttemptRow> attempts(const std::string& person_id, const std::string& lesson_id) override {
@@ -146,16 +107,7 @@ class SqlStore final : public Store {
     Row values;
     const std::string which = condition(person_id, lesson_id, values);
     std::vector<AttemptRow> out = heads(which, values);
-    std::unordered_map<std::string, std::size_t> place;
-    for (std::size_t i = 0; i < out.size(); ++i) place[out[i].id] = i;
-    const std::string metrics =
-        "SELECT m.attempt_id, m.name, m.unit, m.value FROM metric m JOIN attempt a ON a.attempt_id = "
-        "m.attempt_id"
-        " JOIN session s ON s.session_id = a.session_id JOIN person p ON p.person_id = s.person_id";
-    for (const Row& r : rows(metrics + which + " ORDER BY m.attempt_id, m.seq", values)) {
-      const auto at = place.find(text(r[0]));
-      if (at != place.end()) out[at->second].metrics.push_back({text(r[1]), text(r[2]), real(r[3])});
-    }
+    if (!metrics_.fill(out, which, values)) complain();
     return out;
   }
 
@@ -289,6 +241,8 @@ class SqlStore final : public Store {
   const std::string where_;
   const bool read_only_;
   const bool school_;  // the tables of people and courses are there
+  AttemptHeads heads_;
+  AttemptMetrics metrics_;
   std::string trouble_;
   int64_t data_version_ = -1;
   std::vector<Row> digest_;
