@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -43,6 +45,7 @@ bool use_language(const QString& code) {
   for (const auto& translator : installed()) QCoreApplication::removeTranslator(translator.get());
   installed().clear();
   if (!code.isEmpty()) QLocale::setDefault(QLocale(code));
+  set_words_language(wanted);
   if (wanted == languages().first()) return true;
   // Qt's own words where Debian's qt6-translations-l10n is installed, and ours before them
   install(QStringLiteral("qtbase_") + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "judge/learning.hpp"
 
@@ -59,7 +60,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kWhen:
       return when_text(qt(a.started_utc));
     case kLesson:
-      return a.lesson_title.empty() ? qt(a.lesson_id) : qt(a.lesson_title);
+      return said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title);
     case kMode:
       return is_hand(a) ? tr("Recorded hand") : mode_text(qt(a.mode));
     case kVerdict:
@@ -70,8 +71,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
       return clock_text(a.simulated_s);
     case kReason:
       if (a.is_void && !a.void_reason.empty()) return tr("%1 (voided by %2)").arg(qt(a.void_reason), qt(a.void_by));
-      return a.remark.empty() ? human_id(qt(a.reason))
-                              : QStringLiteral("%1 (%2)").arg(human_id(qt(a.reason)), qt(a.remark));
+      return a.remark.empty() ? said_id(a.reason) : QStringLiteral("%1 (%2)").arg(said_id(a.reason), remark_text(qt(a.remark)));
     default:
       return {};
   }

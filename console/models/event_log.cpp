@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/event_log.hpp"
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
+#include "host/words.hpp"
 #include "judge/host_events.hpp"
 
 namespace swage::console {
@@ -9,9 +11,9 @@ namespace {
 
 // docs end with what the value of the event stands for, which is not shown here
 QString meaning(const std::string& doc) {
-  const QString text = QString::fromStdString(doc);
-  const qsizetype value = text.indexOf(QStringLiteral("; value:"));
-  return value < 0 ? text : text.left(value) + QLatin1Char('.');
+  const QString text = said_event(doc);
+  const bool whole = host::without_value(doc).size() == doc.size() || text.endsWith(QLatin1Char('.'));
+  return whole ? text : text + QLatin1Char('.');
 }
 
 // how the machine did, not how the trainee did
@@ -37,7 +39,7 @@ void EventLog::append(const Row& row) {
 void EventLog::add(const judge::Event& event, const judge::Script& script, double dt) {
   if (event.event >= script.events.size()) return;
   const judge::Name& name = script.events[event.event];
-  append({static_cast<double>(event.step) * dt, human_id(QString::fromStdString(name.id)), meaning(name.doc),
+  append({static_cast<double>(event.step) * dt, said_name(name, script.events), meaning(name.doc),
           false, is_technical(name)});
 }
 

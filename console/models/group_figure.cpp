@@ -7,6 +7,7 @@
 
 #include "console/models/metric_bars.hpp"
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -25,7 +26,7 @@ QString unit_of(const record::AttemptRow& a, const QString& metric) {
 struct Names {
   std::map<std::string, QString> by_id;
   QStringList words;
-  void add(const std::string& id, const std::string& name) { by_id.emplace(id, QString::fromStdString(name.empty() ? id : name)); }
+  void add(const std::string& id, const QString& name) { by_id.emplace(id, name.isEmpty() ? QString::fromStdString(id) : name); }
   std::map<std::string, int> order() {
     std::vector<std::pair<QString, std::string>> all;
     for (const auto& [id, name] : by_id) all.emplace_back(name, id);
@@ -45,8 +46,8 @@ GroupFigure group_figure(const std::vector<record::AttemptRow>& attempts, const 
   for (const record::AttemptRow& a : attempts) {
     if (!judged(a) || !std::isfinite(metric_value(a, metric))) continue;
     used.push_back(&a);
-    lessons.add(a.lesson_id, a.lesson_title);
-    people.add(a.person_id, a.person_name);
+    lessons.add(a.lesson_id, said(a.lesson_title));
+    people.add(a.person_id, QString::fromStdString(a.person_name));
   }
   out.metric = metric_title(metric);
   out.attempts = static_cast<int>(used.size());

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "assembly/lesson_text.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
 
@@ -80,10 +81,10 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
     case SWAGE_PARAM_BOOL:
       return value.number[0] != 0 ? Words::tr("yes") : Words::tr("no");
     case SWAGE_PARAM_CHOICE:
-      return QString::fromStdString(p.choices[static_cast<size_t>(value.number[0])]);
+      return said(p.choices[static_cast<size_t>(value.number[0])]);
     case SWAGE_PARAM_TEXT:
     case SWAGE_PARAM_FILE:
-      return QString::fromStdString(text).replace(QLatin1Char('_'), QLatin1Char(' '));
+      return said(text).replace(QLatin1Char('_'), QLatin1Char(' '));
     default:
       break;
   }
@@ -106,7 +107,7 @@ bool holds(const Judged& lesson, const std::string& when) {
 
 /// The sentence with the values of its parameters.
 QString sentence(const Judged& lesson, const std::string& text) {
-  const QString form = QCoreApplication::translate("criteria", text.c_str());
+  const QString form = said(text, lesson.plugin->bundle_dir);
   QString out;
   qsizetype at = 0;
   for (qsizetype open = form.indexOf(QLatin1Char('{')); open >= 0; open = form.indexOf(QLatin1Char('{'), at)) {

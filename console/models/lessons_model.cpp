@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "assembly/lesson_text.hpp"
+#include "console/models/said.hpp"
 #include "console/models/variant.hpp"
 
 namespace swage::console {
@@ -33,6 +34,8 @@ LessonEntry read_lesson(const QString& path) {
     entry.problem = QObject::tr("%1 at byte %2").arg(error.errorString()).arg(error.offset);
     return entry;
   }
+  // its own translations, and those of the lesson that it is based on
+  for (const QString& file : {entry.path, QString::fromStdString(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
   entry.id = root[QStringLiteral("id")].toString();
   entry.title = root[QStringLiteral("title")].toString(entry.title);
   entry.summary = root[QStringLiteral("summary")].toString();
@@ -70,7 +73,8 @@ void LessonsModel::set_folders(const QStringList& folders) {
   for (const QString& folder : folders) {
     QStringList files;
     QDirIterator it(folder, {QStringLiteral("*.json")}, QDir::Files, QDirIterator::Subdirectories);
-    while (it.hasNext()) files += it.next();
+    while (it.hasNext())
+      if (const QString file = it.next(); !it.fileName().startsWith(QLatin1String("words"))) files += file;
     files.sort();
     for (const QString& file : files) {
       const LessonEntry entry = read_lesson(file);
@@ -123,21 +127,23 @@ QVariant LessonsModel::data(const QModelIndex& index, int role) const {
   const LessonEntry& e = entries_[index.row()];
   switch (role) {
     case Qt::DisplayRole:
-      return e.title;
+      return said(e.title);
     case Qt::ToolTipRole:
-      return QStringList({e.title, e.summary, e.path, e.problem})
+      return QStringList({said(e.title), said(e.summary), e.path, e.problem})
           .filter(QRegularExpression(QStringLiteral(".")))
           .join(QLatin1Char('\n'));
     case Qt::AccessibleDescriptionRole:
-      return e.problem.isEmpty() ? e.summary : e.problem;
+      return e.problem.isEmpty() ? said(e.summary) : e.problem;
     case kPath:
       return e.path;
     case kId:
       return e.id;
+    case kTitle:
+      return e.title;
     case kSummary:
-      return e.summary;
+      return said(e.summary);
     case kGoal:
-      return e.goal;
+      return said(e.goal);
     case kMirror:
       return e.mirror;
     case kHands:

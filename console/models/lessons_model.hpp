@@ -9,7 +9,7 @@
 namespace swage::console {
 
 /// What the list says about one lesson file.
-struct LessonEntry {
+struct LessonEntry {  // in the words of the file
   QString path, id, title, summary, goal;
   QStringList hands;    // the names ("as") under which its devices can be chosen, first choice first
   bool mirror = false;  // made for the left hand
@@ -27,7 +27,8 @@ QStringList lesson_folders();
 class LessonsModel : public QAbstractListModel {
   Q_OBJECT
  public:
-  enum Role { kPath = Qt::UserRole, kId, kSummary, kGoal, kHands, kMirror, kProblem };
+  /// Display role, kSummary and kGoal are in the language of the window; kTitle is as the file says it, for what is kept.
+  enum Role { kPath = Qt::UserRole, kId, kTitle, kSummary, kGoal, kHands, kMirror, kProblem };
 
   using QAbstractListModel::QAbstractListModel;
   void set_folders(const QStringList& folders);

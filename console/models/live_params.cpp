@@ -149,7 +149,7 @@ QVector<LiveParam> collect(const std::string& lesson_path, const snapshot::Scene
     for (size_t i = 0; i < plugin->params.size(); ++i) {
       const host::Param& p = plugin->params[i];
       if (p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE || !wanted(use, p)) continue;
-      LiveParam live{use.name, p, {}};
+      LiveParam live{use.name, p, {}, plugin->bundle_dir};
       std::copy_n(values.value[i].number, 4, live.start.begin());
       out.append(live);
     }

@@ -17,6 +17,7 @@ struct LiveParam {
   std::string instance;  // as the scene names it
   host::Param param;
   std::array<double, 4> start{};  // SI, as the lesson begins
+  std::string folder = {};        // of the plugin's bundle, whose words these are
 
   /// From SI to what is shown: 1000 for a length in mm.
   double factor() const;

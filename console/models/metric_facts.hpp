@@ -32,7 +32,7 @@ struct MetricSaid {
 /// `card`: of a scene of the metric's lesson; nullptr where there is none.
 MetricFacts metric_facts(const snapshot::SceneCard* card, const std::string& id);
 
-/// "lower is better", "" for SWAGE_BETTER_NONE; with an arrow where that is shown rather than written to a file.
+/// "lower is better", "" for SWAGE_BETTER_NONE; with an arrow where there is no other sign for it.
 QString better_words(int32_t better, bool arrow = true);
 
 }  // namespace swage::console

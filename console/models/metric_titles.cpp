@@ -4,13 +4,14 @@
 #include <QCoreApplication>
 #include <QHash>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
 namespace {
 
 struct Label {
-  QByteArray title;
+  std::string title;
   int32_t show = SWAGE_SHOW_QUANTITY;
 };
 
@@ -36,7 +37,7 @@ void learn_metric_labels(const std::vector<host::PluginInfo>& plugins) {
     for (const host::MetricInfo& m : plugin.metrics) {
       const QString id = QString::fromStdString(m.id);
       if (!m.title.empty() && !labels().contains(id))
-        labels().insert(id, {QByteArray::fromStdString(m.title), m.show});
+        labels().insert(id, {m.title, m.show});
       if (m.evidence != SWAGE_EVIDENCE_NONE && !cards().contains(id))
         cards().insert(id, {m.better, QString::fromStdString(m.formula)});
     }
@@ -48,7 +49,7 @@ QString metric_title(const QString& id) {
   // the host's own two are on no card
   if (id == QLatin1String("score")) return QCoreApplication::translate("metric_titles", "Score");
   if (id == QLatin1String("time")) return QCoreApplication::translate("metric_titles", "Time");
-  return label == labels().constEnd() ? human_id(id) : QCoreApplication::translate("metrics", label->title);
+  return label == labels().constEnd() ? said_id(id.toStdString()) : said(label->title);
 }
 
 QString shown_unit(int32_t show, const QString& unit) {

@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
+#include "host/words.hpp"
 #include "judge/host_events.hpp"
 
 namespace swage::console {
@@ -33,10 +35,10 @@ Trace make_trace(const record::Recording& r, size_t index) {
   const QString unit = qt(name.unit);
   Trace t;
   t.index = index;
-  t.name = human_id(qt(name.id));
+  t.name = said_name(name, r.info.script.signals);
   t.unit = display_unit(unit);
   t.factor = display_factor(unit);
-  t.tip = QStringLiteral("%1: %2").arg(qt(name.owner), qt(name.doc));
+  t.tip = QStringLiteral("%1: %2").arg(said_id(name.owner), said(name.doc));
   double low = 0, high = 0, first = std::nan("");
   t.flat = true;
   const size_t n = r.info.script.signals.size();
@@ -61,13 +63,16 @@ void add_moments(const record::Recording& r, const std::vector<record::EventRow>
     m.time_s = e.time_s;
     m.by_person = e.owner == "note";
     if (!m.by_person) m.id = qt(e.id);
+    m.as_kept = e.owner == "gap" ? QStringLiteral("not_recorded") : qt(e.id);
     m.by_lesson = e.owner == "lesson";
     m.technical = e.owner == "gap" || (e.owner == judge::kHostOwner && e.id == "host.gap");
-    m.what = m.by_person ? (e.id.empty() ? QObject::tr("Mark") : qt(e.id)) : human_id(qt(e.id));
+    m.what = m.by_person ? (e.id.empty() ? QObject::tr("Mark") : qt(e.id)) : said_id(e.id);
     if (e.owner == "gap") m.what = QObject::tr("Not recorded");
     for (const judge::Name& name : r.info.script.events) {
-      if (name.owner == e.owner && name.id == e.id)
-        m.means = qt(name.doc).section(QStringLiteral("; value:"), 0, 0);
+      if (name.owner != e.owner || name.id != e.id) continue;
+      m.what = said_name(name, r.info.script.events);
+      m.means = said_event(name.doc);
+      m.doc = qt(std::string(host::without_value(name.doc)));
     }
     out.moments += m;
   }
@@ -83,7 +88,7 @@ void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Re
     line.value = quantity_text(m.value, metric_unit(qt(m.id), qt(m.unit)));
     line.better = facts.better;
     for (const judge::Name& name : r.info.script.metrics) {
-      if (name.id == m.id) line.doc = qt(name.doc);
+      if (name.id == m.id) line.doc = said(name.doc);
     }
     if (!facts.formula.isEmpty()) line.doc += QStringLiteral("\n") + facts.formula;
     out.metrics += line;
@@ -98,6 +103,13 @@ void put(std::string& out, Number value) {
   out.append(text, end);
 }
 
+// in no language of the window: files are read by programs, and by people elsewhere
+std::string better_in_files(int32_t better) {
+  if (better == SWAGE_BETTER_INSIDE) return "best inside its band";
+  const std::string word = host::better_text(better);
+  return word.empty() ? word : word + " is better";
+}
+
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -107,7 +119,7 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 QString Review::headline() const {
-  return QStringList({qt(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
+  return QStringList({said(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
                       qt(attempt.person_name), when_text(qt(attempt.started_utc)), mode_text(qt(attempt.mode)),
                       QObject::tr("seed %1").arg(seed)})
       .join(QStringLiteral("  ·  "));
@@ -120,7 +132,7 @@ QString Review::verdict() const {
   const QString text = sign + verdict_text(attempt.is_void ? QStringLiteral("void") : qt(attempt.outcome));
   if (attempt.outcome == "passed")
     return QObject::tr("%1, %2 of 100").arg(text).arg(attempt.score, 0, 'f', 0);
-  const QString told = why.isEmpty() ? human_id(qt(attempt.reason)) : why;
+  const QString told = why.isEmpty() ? said_id(attempt.reason) : why;
   return attempt.reason.empty() || told == text ? text : QStringLiteral("%1: %2").arg(text, told);
 }
 
@@ -139,7 +151,7 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   std::stable_sort(out.traces.begin(), out.traces.end(),
                    [&](const Trace& a, const Trace& b) { return order(a) < order(b); });
   for (const judge::Name& event : recording.info.script.events) {
-    if (event.id == attempt.reason) out.why = qt(event.doc);
+    if (event.id == attempt.reason) out.why = said_event(event.doc);
   }
   add_moments(recording, events, out);
   add_metrics(recording, card, out);
@@ -196,10 +208,10 @@ std::string summary_csv(const Review& review) {
   for (size_t i = 0; i < a.metrics.size(); ++i) {
     const record::MetricValue& m = a.metrics[i];
     const int32_t better = review.metrics[static_cast<int>(i)].better;
-    line("metric", m.id, none, m.value, m.unit, better_words(better, false).toStdString());
+    line("metric", m.id, none, m.value, m.unit, better_in_files(better));
   }
   for (const Moment& m : review.moments)
-    line("event", m.what.toStdString(), m.time_s, none, "", m.means.toStdString());
+    line("event", (m.by_person ? m.what : human_id(m.as_kept)).toStdString(), m.time_s, none, "", m.doc.toStdString());
   return out;
 }
 

@@ -29,6 +29,7 @@ struct Moment {
   QString what, means;
   bool by_person = false, technical = false;
   QString id = {};  // of the event; "" for what a person said
+  QString as_kept = {}, doc = {};  // the event's id and meaning as they are recorded, in no language of the window
   bool by_lesson = false;
 };
 

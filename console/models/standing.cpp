@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "console/models/attempts_model.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -19,6 +20,12 @@ constexpr int kReady = 3;         // passes in a row after which a test is due
 class Words {
   Q_DECLARE_TR_FUNCTIONS(standing)
 };
+
+// "failed.dropped" -> its translation, else "Dropped"
+QString short_reason(const QString& id) {
+  const QString words = said(id);
+  return words != id ? words : human_id(id.section(QLatin1Char('.'), -1));
+}
 
 bool counts(const record::AttemptRow& a) {
   return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed");
@@ -34,7 +41,7 @@ Standing standing_of(const std::vector<const record::AttemptRow*>& newest_first,
   for (const record::AttemptRow* a : newest_first) {
     if (out.last_utc.isEmpty() && !is_hand(*a)) {
       out.last_utc = QString::fromStdString(a->started_utc);
-      out.lesson = QString::fromStdString(a->lesson_title.empty() ? a->lesson_id : a->lesson_title);
+      out.lesson = said(a->lesson_title.empty() ? a->lesson_id : a->lesson_title);
       const QDateTime when = QDateTime::fromString(out.last_utc, Qt::ISODate);
       out.days = when.isValid() ? std::max<int>(0, static_cast<int>(when.daysTo(now))) : 0;
     }
@@ -67,7 +74,7 @@ QString attention_words(const Standing& s) {
   if (s.failing >= kStuck)
     words += s.same_reason.isEmpty()
                  ? Words::tr("%1 not passed in a row").arg(s.failing)
-                 : Words::tr("%1 not passed in a row: %2").arg(s.failing).arg(human_id(s.same_reason.section(QLatin1Char('.'), -1)));
+                 : Words::tr("%1 not passed in a row: %2").arg(s.failing).arg(short_reason(s.same_reason));
   if (s.attempts > 0 && s.days >= kWeek) words += Words::tr("%1 days without practice").arg(s.days);
   if (!words.isEmpty()) return words.join(Words::tr(", "));
   const auto n = s.last.size();

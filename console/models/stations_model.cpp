@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/stations_model.hpp"
 
+#include "console/models/said.hpp"
+
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +62,7 @@ QString station_health_text(const StationNow& n) {
 
 QString sent_text(const record::StationMessage& m) {
   using Kind = record::StationMessage::Kind;
-  const QString what = m.kind == Kind::kLesson ? QObject::tr("lesson “%1”").arg(qt(m.title)) : qt(m.body);
+  const QString what = m.kind == Kind::kLesson ? QObject::tr("lesson “%1”").arg(said(m.title)) : qt(m.body);
   QString receipt = m.shown ? QObject::tr("● on the screen") : QObject::tr("○ sent");
   if (m.answer == "read") receipt = QObject::tr("✓ read");
   if (m.answer == "taken") receipt = QObject::tr("✓ taken");
@@ -100,11 +102,11 @@ QString StationsModel::text(const StationNow& n, int column) const {
     case kWho:
       return qt(n.person);
     case kLesson:
-      return qt(n.lesson_title);
+      return said(n.lesson_title);
     case kState:
       return station_state_text(n);
     case kPhase:
-      return attempt ? qt(n.phase) : QString();
+      return attempt ? said(n.phase) : QString();
     case kTime:
       return attempt ? clock_text(n.time_s) : QString();
     case kForce:

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QTimeZone>
 #include <cmath>
 #include <numbers>
@@ -89,6 +90,23 @@ QString mode_text(const QString& mode) {
   if (mode == QLatin1String("test")) return Words::tr("Test");
   if (mode == QLatin1String("demo")) return Words::tr("Demo");
   return human_id(mode);
+}
+
+QString remark_text(const QString& remark) {
+  static const QRegularExpression kSlow(QStringLiteral("^at (\\d+) % of real speed$")),
+      kForces(QStringLiteral("^no forces for ([\\d.]+) s$")), kSteps(QStringLiteral("^(\\d+) steps not recorded$"));
+  QStringList out;
+  for (const QString& part : remark.split(QStringLiteral(", "), Qt::SkipEmptyParts)) {
+    if (const auto m = kSlow.match(part); m.hasMatch())
+      out += Words::tr("at %1 % of real speed").arg(m.captured(1));
+    else if (const auto f = kForces.match(part); f.hasMatch())
+      out += Words::tr("no forces for %1 s").arg(QLocale().toString(f.captured(1).toDouble(), 'f', 1));
+    else if (const auto n = kSteps.match(part); n.hasMatch())
+      out += Words::tr("%1 steps not recorded").arg(n.captured(1));
+    else
+      out += part;
+  }
+  return out.join(QStringLiteral(", "));
 }
 
 QString when_text(const QString& utc) {

@@ -20,9 +20,11 @@ double nice_end(double value);
 QString clock_text(double seconds);
 /// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".
 QString verdict_text(const QString& outcome);
-/// "2026-11-21T09:30:00Z" -> "21 Nov 2026 10:30" in local time.
 /// "practice", "test", "demo" as words.
 QString mode_text(const QString& mode);
+/// What bends the numbers of an attempt (record::AttemptRow::remark), in the language of the window.
+QString remark_text(const QString& remark);
+/// "2026-11-21T09:30:00Z" -> "21 Nov 2026 10:30" in local time.
 QString when_text(const QString& utc);
 
 }  // namespace swage::console

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 
 namespace swage::console {
@@ -76,7 +77,7 @@ void add_mishaps(const Review& review, QVector<WorstMoment>& out) {
             ended ? kEndedIt : kOverLimit};
   }
   if (failed && !told)
-    out += {review.length_s, QObject::tr("%1: this ended the attempt").arg(human_id(reason)), review.why, kEndedIt};
+    out += {review.length_s, QObject::tr("%1: this ended the attempt").arg(said_id(review.attempt.reason)), review.why, kEndedIt};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "console/models/course_words.hpp"
 #include "console/models/metric_bars.hpp"
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/courses_page.hpp"
 
@@ -73,7 +74,7 @@ void CoursesPage::refresh() {
   }
   if (lesson_->count() != lessons_->rowCount()) {
     lesson_->clear();
-    for (int i = 0; i < lessons_->rowCount(); ++i) lesson_->addItem(lessons_->at(i).title, lessons_->at(i).id);
+    for (int i = 0; i < lessons_->rowCount(); ++i) lesson_->addItem(said(lessons_->at(i).title), lessons_->at(i).id);
   }
   list_->setCurrentRow(chosen);
   filling_ = before;
@@ -96,7 +97,7 @@ void CoursesPage::show_course() {
   for (const record::CourseStep& s : course_.steps) {
     const QString known = QString::fromStdString(s.lesson_id);
     const QString gone = lessons_->row_of(known) < 0 ? tr("▲ not installed: ") : QString();
-    steps_->addItem(tr("%1  %3%2").arg(++number).arg(QString::fromStdString(s.title.empty() ? s.lesson_id : s.title), gone));
+    steps_->addItem(tr("%1  %3%2").arg(++number).arg(said(s.title.empty() ? s.lesson_id : s.title), gone));
   }
   steps_->setCurrentRow(std::clamp(at, course_.steps.empty() ? -1 : 0, static_cast<int>(course_.steps.size()) - 1));
   filling_ = before;
@@ -108,7 +109,7 @@ void CoursesPage::show_step() {
   step_stack_->setCurrentIndex(s ? 0 : 1);
   if (!s) return;
   const bool before = std::exchange(filling_, true);
-  step_title_->setText(QString::fromStdString(s->title.empty() ? s->lesson_id : s->title));
+  step_title_->setText(said(s->title.empty() ? s->lesson_id : s->title));
   open_->setChecked(s->is_open);
   const bool streak = s->rule.kind == judge::PassRule::Kind::kStreak;
   kind_->setCurrentIndex(streak ? 0 : 1);

@@ -192,7 +192,7 @@ void LessonsPage::publish() {
   const std::string text = lesson_text(lesson());
   record::LessonVersion made;
   if (!desk_ || text.empty()) return;
-  const bool done = desk_->publish(at.data(LessonsModel::kId).toString(), at.data().toString(), text, made);
+  const bool done = desk_->publish(at.data(LessonsModel::kId).toString(), at.data(LessonsModel::kTitle).toString(), text, made);
   show_lesson();
   if (!done) version_->setText(tr("▲ %1").arg(desk_->problem()));
 }

@@ -6,6 +6,7 @@
 #include <QStackedWidget>
 #include <cmath>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -198,7 +199,7 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
 }
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
-  if (!r.phase.isEmpty()) phase_->setText(r.phase);
+  if (!r.phase.isEmpty()) phase_->setText(said(r.phase));
   show_time(time_s);
   const bool contact = r.force && *r.force > 0;
   // tissue and tray press on closed jaws, too

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
@@ -246,7 +247,7 @@ void PersonPanel::fill_lessons() {
   for (const record::AttemptRow& a : all_) {
     const QString id = QString::fromStdString(a.lesson_id);
     if (lesson_->findData(id) < 0)
-      lesson_->addItem(QString::fromStdString(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), id);
+      lesson_->addItem(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), id);
   }
   // of somebody else the newest lesson is looked at first; several together have no curve
   const int at = lesson_->findData(before), newest = lesson_->count() > 1 ? 1 : 0;

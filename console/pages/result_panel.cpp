@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -13,9 +14,9 @@ namespace swage::console {
 
 QString reason_text(const std::string& reason, const judge::Script& script) {
   for (const judge::Name& e : script.events) {
-    if (e.id == reason && !e.doc.empty()) return QString::fromStdString(e.doc);
+    if (e.id == reason && !e.doc.empty()) return said_event(e.doc);
   }
-  return human_id(QString::fromStdString(reason));
+  return said_id(reason);
 }
 
 ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
@@ -118,19 +119,19 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
     const session::Result::Metric& m = r.metrics[i];
     const QString id = QString::fromStdString(m.id);
     add_line(to, metric_title(id), quantity_text(m.value, shown_unit(card_of(i).show, QString::fromStdString(m.unit))),
-             QString::fromStdString(m.doc));
+             said(m.doc));
   };
   for (size_t i = 0; i < r.metrics.size(); ++i) {
     const session::Result::Metric& m = r.metrics[i];
     if (!std::isfinite(m.value)) continue;  // not reported: there was none
-    const snapshot::CardMetric said = card_of(i);
-    if (said.show == SWAGE_SHOW_POINTS) {
+    const snapshot::CardMetric own = card_of(i);
+    if (own.show == SWAGE_SHOW_POINTS) {
       if (m.value < 0.05) continue;  // less than is shown
       points = true;
       add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
-               QString::fromStdString(m.doc));
-    } else if (said.rank > 0) {
-      first.emplace_back(said.rank, i);
+               said(m.doc));
+    } else if (own.rank > 0) {
+      first.emplace_back(own.rank, i);
     } else {
       more = true;
       add(more_, i);
@@ -198,7 +199,7 @@ void ResultPanel::show_seen(const session::Result& r) {
   for (const session::Result::Metric& m : r.metrics) {
     if (std::isfinite(m.value))
       add_line(metrics_, metric_title(QString::fromStdString(m.id)), quantity_text(m.value, QString::fromStdString(m.unit)),
-               QString::fromStdString(m.doc));
+               said(m.doc));
   }
   points_heading_->hide();
   more_button_->hide();

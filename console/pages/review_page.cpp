@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/comparison.hpp"
 #include "console/widgets/parts.hpp"
@@ -338,7 +339,7 @@ void ReviewPage::show_player() {
   view_->set_hold(reading.hold.value_or(0));
   legend_->set_active(reading.meanings);
   const QString clock = clock_text(snapshot_->time_s);
-  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(reading.phase, clock), {});
+  view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});
   const uint64_t differs = player_->first_difference();
   if (differs >= player_->count() || note_->isVisible()) return;
   note_->setText(tr("From %L1 s on the picture is not the attempt bit for bit: it was recorded with another "

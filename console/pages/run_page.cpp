@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -99,13 +100,14 @@ void RunPage::set_base_options(const session::Options& options) {
   where.safe_mode = options.safe_mode;
   catalogue_ = host::Catalogue(where);
   learn_metric_labels(catalogue_.plugins());
+  for (const host::PluginInfo& p : catalogue_.plugins()) learn_words(QString::fromStdString(p.bundle_dir));
 }
 
 MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& metric_id) {
-  MetricSaid said{metric_facts(nullptr, metric_id), metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
+  MetricSaid out{metric_facts(nullptr, metric_id), metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
   for (const host::MetricInfo& m : lesson_metrics(lesson_path.toStdString(), catalogue_))
-    if (m.id == metric_id && m.evidence != SWAGE_EVIDENCE_NONE) said.facts = {m.better, QString::fromStdString(m.formula)};
-  return said;
+    if (m.id == metric_id && m.evidence != SWAGE_EVIDENCE_NONE) out.facts = {m.better, QString::fromStdString(m.formula)};
+  return out;
 }
 
 // a lesson's card does not change while the program runs; a running session is not disturbed for it
@@ -238,7 +240,7 @@ void RunPage::update_frame() {
   for (NowPanel* now : now_panels()) now->show_reading(reading, newest->time_s);
   for (CueLegend* legend : legends())
     if (legend != legend_ || !cues_hidden()) legend->set_active(reading.meanings);
-  for (SceneView* view : views_) view->set_task(reading.phase);
+  for (SceneView* view : views_) view->set_task(said(reading.phase));
   sound(reading, newest->time_s);
   for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
   // once a second is often enough to read a number

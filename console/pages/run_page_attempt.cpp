@@ -4,6 +4,7 @@
 #include <QRandomGenerator>
 
 #include "console/models/live_params.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/pages/run_page.hpp"
 #include "record/recorder.hpp"
@@ -149,7 +150,7 @@ QList<CueLegend*> RunPage::legends() const {
 }
 
 void RunPage::show_card(const snapshot::SceneCard& card) {
-  title_->setText(QString::fromStdString(card.title));
+  title_->setText(said(card.title));
   fold_view_bar();
   reader_ = Reader(card);
   const std::string lesson = setup_->lesson().toStdString();

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "console/models/instrument.hpp"
+#include "console/models/said.hpp"
 #include "console/models/variant.hpp"
 #include "console/widgets/parts.hpp"
 
@@ -211,7 +212,7 @@ void SetupPanel::fill_devices() {
                          : hand == QLatin1String("mouse") ? tr("Mouse and keyboard")
                          : hand.isEmpty()               ? tr("As the lesson says")
                          : plugin                       ? hand
-                                                        : tr("Recorded hand: %1").arg(hand);
+                                                        : tr("Recorded hand: %1").arg(said(hand));
     device_->addItem(name, hand);
   }
   device_->setCurrentIndex(device_->findData(wanted_device_));

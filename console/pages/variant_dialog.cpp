@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "console/models/said.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -30,14 +31,14 @@ VariantDialog::VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>
 
 QWidget* VariantDialog::make_words(const LessonEntry& base) {
   const bool edits = folder_.isEmpty();
-  Card card = make_card(edits ? tr("Lesson of your own") : tr("Based on %1").arg(base.title), this);
+  Card card = make_card(edits ? tr("Lesson of your own") : tr("Based on %1").arg(said(base.title)), this);
   auto* form = new QFormLayout;
-  title_ = new QLineEdit(edits ? base.title : tr("%1, adapted").arg(base.title), card.frame);
+  title_ = new QLineEdit(edits ? base.title : tr("%1, adapted").arg(said(base.title)), card.frame);
   title_->setObjectName(QStringLiteral("variant_title"));
-  summary_ = new QLineEdit(base.summary, card.frame);
+  summary_ = new QLineEdit(edits ? base.summary : said(base.summary), card.frame);
   summary_->setObjectName(QStringLiteral("variant_summary"));
   summary_->setCursorPosition(0);
-  goal_ = new QPlainTextEdit(base.goal, card.frame);
+  goal_ = new QPlainTextEdit(edits ? base.goal : said(base.goal), card.frame);
   goal_->setObjectName(QStringLiteral("variant_goal"));
   goal_->setTabChangesFocus(true);
   goal_->setFixedHeight(64);

@@ -5,6 +5,7 @@
 #include <QLocale>
 
 #include "console/models/attempts_model.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/report/sheet.hpp"
 #include "console/widgets/timeline.hpp"
@@ -71,13 +72,13 @@ QString made_with(const AttemptReport& r) {
   QStringList out = {Words::tr("Lesson version %1").arg(a.lesson_digest.empty() ? QStringLiteral("–") : qt(a.lesson_digest.substr(0, 12))),
                      is_hand(a) ? Words::tr("recorded hand") : Words::tr("input: %1").arg(qt(a.device)),
                      Words::tr("seed %1").arg(r.review.seed)};
-  if (!a.remark.empty()) out += qt(a.remark);
+  if (!a.remark.empty()) out += remark_text(qt(a.remark));
   return out.join(QStringLiteral(" · ")) + QStringLiteral("\n") + plugins.join(QStringLiteral(", "));
 }
 
 void draw(Sheet& sheet, const AttemptReport& r) {
   const record::AttemptRow& a = r.review.attempt;
-  sheet.text(qt(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
+  sheet.text(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
   const QString who = a.person_code.empty() || a.person_code == a.person_name
                           ? qt(a.person_name)
                           : Words::tr("%1 (%2)").arg(qt(a.person_name), qt(a.person_code));

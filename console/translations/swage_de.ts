@@ -4598,6 +4598,18 @@ Alle 2 s wird es wieder versucht.</translation>
 <context>
     <name>words</name>
     <message>
+        <source>at %1 % of real speed</source>
+        <translation>mit %1 % der wirklichen Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>no forces for %1 s</source>
+        <translation>%1 s ohne Kräfte</translation>
+    </message>
+    <message>
+        <source>%1 steps not recorded</source>
+        <translation>%1 Schritte nicht aufgezeichnet</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>

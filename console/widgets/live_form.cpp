@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/widgets/live_form.hpp"
 
+#include "console/models/said.hpp"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -41,7 +43,7 @@ void LiveForm::set_params(const QVector<LiveParam>& params) {
   for (const LiveParam& param : params) {
     if (param.instance != part) {
       part = param.instance;
-      heading = make_heading(human_id(QString::fromStdString(part)), body_);
+      heading = make_heading(said_id(part), body_);
       grid->addWidget(heading, grid->rowCount(), 0, 1, 3);
     }
     add_field(param, heading, grid);
@@ -54,8 +56,8 @@ void LiveForm::add_field(const LiveParam& param, QLabel* heading, QGridLayout* g
   const auto index = static_cast<int>(fields_.size());
   fields_.append({param, param.start, param.start, {}, nullptr, nullptr, heading});
   const int row = grid->rowCount();
-  const QString name = QString::fromStdString(param.param.label.empty() ? param.param.id : param.param.label);
-  const QString doc = QString::fromStdString(param.param.doc);
+  const QString name = said(param.param.label.empty() ? param.param.id : param.param.label, param.folder);
+  const QString doc = said(param.param.doc, param.folder);
   auto* label = new QLabel(name, body_);
   label->setWordWrap(true);
   label->setToolTip(doc);
@@ -101,7 +103,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
   }
   if (p.param.type == SWAGE_PARAM_CHOICE) {
     auto* box = new QComboBox(body_);
-    for (const std::string& choice : p.param.choices) box->addItem(QString::fromStdString(choice));
+    for (const std::string& choice : p.param.choices) box->addItem(said(choice, p.folder));
     box->setCurrentIndex(static_cast<int>(start));
     connect(box, &QComboBox::currentIndexChanged, this, [=, this](int i) { edit(field, component, i); });
     return box;
@@ -131,12 +133,12 @@ void LiveForm::edit(int index, int component, double shown) {
 
 QString LiveForm::words(const Field& field) const {
   const LiveParam& p = field.param;
-  const QString name = QString::fromStdString(p.param.label.empty() ? p.param.id : p.param.label);
+  const QString name = said(p.param.label.empty() ? p.param.id : p.param.label, p.folder);
   if (p.param.type == SWAGE_PARAM_BOOL)
     return QStringLiteral("%1: %2").arg(name, field.value[0] > 0.5 ? tr("on") : tr("off"));
   if (p.param.type == SWAGE_PARAM_CHOICE)
     return QStringLiteral("%1: %2").arg(
-        name, QString::fromStdString(p.param.choices[static_cast<size_t>(field.value[0])]));
+        name, said(p.param.choices[static_cast<size_t>(field.value[0])], p.folder));
   QStringList numbers;
   for (int c = 0; c < field.editors.size(); ++c)
     numbers += QLocale().toString(field.value[static_cast<size_t>(c)] * p.factor(), 'f', p.decimals());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/widgets/message_strip.hpp"
 
+#include "console/models/said.hpp"
+
 #include <QHBoxLayout>
 
 #include "console/widgets/parts.hpp"
@@ -46,7 +48,7 @@ QString MessageStrip::words() const {
   if (messages_.empty()) return {};
   const record::StationMessage& m = messages_.front();
   const QString who = QString::fromStdString(m.from);
-  const QString what = m.kind == Kind::kLesson ? tr("next lesson: %1").arg(QString::fromStdString(m.title)) : QString::fromStdString(m.body);
+  const QString what = m.kind == Kind::kLesson ? tr("next lesson: %1").arg(said(m.title)) : QString::fromStdString(m.body);
   return QStringLiteral("✉ %1: %2").arg(who, what);
 }
 

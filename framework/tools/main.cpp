@@ -30,6 +30,7 @@ struct Arguments {
   ReplayOptions replay;
   ValidateOptions validate;
   DescribeOptions describe;
+  WordsOptions words;
   NewOptions make_new;
   AuditOptions audit;
   DoctorOptions doctor;
@@ -153,6 +154,16 @@ void add_describe(CLI::App& app, Arguments& a) {
   verb->add_flag("--json", o.json, "As JSON");
   plugin_dirs(verb, o.plugin_dirs);
   verb->final_callback([&] { a.chosen = [&] { return describe(a.describe); }; });
+}
+
+void add_words(CLI::App& app, Arguments& a) {
+  CLI::App* verb = app.add_subcommand("words", "List what a lesson or plugin says and has no translation for, as a file to fill in");
+  WordsOptions& o = a.words;
+  verb->add_option("what", o.what, "Lesson files (with all plugins that they use), bundles, ids of plugins")->required();
+  verb->add_option("--language", o.language, "Two letters: de, fr, hi")->capture_default_str();
+  verb->add_flag("--all", o.all, "What is translated, too");
+  plugin_dirs(verb, o.plugin_dirs);
+  verb->final_callback([&] { a.chosen = [&] { return words(a.words); }; });
 }
 
 void add_new(CLI::App& app, Arguments& a) {
@@ -320,7 +331,7 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", "swage " SWAGE_VERSION);
   app.require_subcommand(1);
   Arguments a;
-  for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_new,
+  for (const auto add : {add_run, add_study, add_replay, add_validate, add_audit, add_describe, add_words, add_new,
                          add_doctor, add_bench, add_attempts, add_needle, add_simulate_sensor, add_calibrate})
     add(app, a);
   add_school_verbs(app, a.chosen);

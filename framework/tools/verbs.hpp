@@ -78,6 +78,14 @@ struct DescribeOptions {
 };
 int describe(const DescribeOptions&);
 
+struct WordsOptions {
+  std::vector<std::string> what;  // lesson files, bundles, ids
+  std::string language = "de";
+  std::vector<std::string> plugin_dirs;
+  bool all = false;  // what is translated, too
+};
+int words(const WordsOptions&);
+
 struct NewOptions {
   std::string kind, id, name, dir;
 };

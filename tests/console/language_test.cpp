@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QFile>
 #include <QLabel>
+#include <QListView>
 #include <QLocale>
 #include <QProcess>
 #include <QRegularExpression>
@@ -17,6 +18,7 @@
 #include <QXmlStreamReader>
 
 #include "console/cues/theme_words.hpp"
+#include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "window_fixture.hpp"
 
@@ -176,6 +178,62 @@ TEST_F(GermanWindow, WritesNumbersAndDatesAsGermansDo) {
   // numbers by %n
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 1), QStringLiteral("1 Person hinzufügen"));
   EXPECT_EQ(QCoreApplication::translate("swage::console::SchoolDesk", "Add %n people", nullptr, 3), QStringLiteral("3 Personen hinzufügen"));
+}
+
+void put(const QString& path, const QByteArray& text) {
+  QDir().mkpath(QFileInfo(path).absolutePath());
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+QByteArray german_words(const QByteArray& pairs) {
+  return R"({ "format": "swage-words/1", "language": "de", "words": {)" + pairs + "} }";
+}
+
+// Nothing of this lesson is in the program: its words lie beside it. What is kept stays as it is written.
+TEST_F(GermanWindow, SaysInGermanWhatAStrangersLessonSays) {
+  const QString file = dir.filePath(QStringLiteral("strangers/clip.json"));
+  put(file, R"({ "format": "swage-lesson/1", "id": "org.example.clip", "title": "Set a clip", "summary": "Close the clip.", "goal": "Not too hard.",
+                 "devices": [ { "name": "hand", "as": "mouse", "plugin": "swage.device.mouse" } ] })");
+  put(dir.filePath(QStringLiteral("strangers/words.de.json")),
+      german_words(R"("Set a clip": "Eine Klammer setzen", "Close the clip.": "Die Klammer schließen.")"));
+  launch.options.lesson_path = file.toStdString();
+  open();
+  click("page_lessons");
+  EXPECT_EQ(child<QLabel>("lesson_headline")->text(), "Eine Klammer setzen");
+  const auto* list = child<QListView>("all_lessons");
+  EXPECT_EQ(list->currentIndex().data(console::LessonsModel::kSummary).toString(), "Die Klammer schließen.");
+  EXPECT_EQ(list->currentIndex().data(console::LessonsModel::kGoal).toString(), "Not too hard.") << "nobody has translated it";
+  EXPECT_EQ(list->currentIndex().data(console::LessonsModel::kTitle).toString(), "Set a clip");
+}
+
+TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
+  QTemporaryDir dir;
+  const QString clip = dir.filePath(QStringLiteral("org.example.clip")), other = dir.filePath(QStringLiteral("org.example.other"));
+  put(clip + "/words.de.json", german_words(R"("Clip force": "Klammerkraft", "clip.closed": "Geschlossen", "Drag": "Ziehen",
+                                              "The clip is closed": "Die Klammer ist zu")"));
+  put(other + "/words.de.json", german_words(R"("Drag": "Widerstand")"));
+  put(dir.filePath(QStringLiteral("broken/words.de.json")), "{");
+  ASSERT_TRUE(console::use_language(QStringLiteral("de")));
+  for (const QString& folder : {clip, other, dir.filePath(QStringLiteral("broken"))}) console::learn_words(folder);
+  EXPECT_EQ(console::problems_of_words().size(), 1U);
+  EXPECT_EQ(console::said(std::string("Clip force")), "Klammerkraft");
+  EXPECT_EQ(console::said_id("clip.closed"), "Geschlossen");
+  EXPECT_EQ(console::said_id("clip.opened"), "Clip opened");
+  EXPECT_EQ(console::said_event("The clip is closed; value: its force."), "Die Klammer ist zu");
+  EXPECT_EQ(console::said("Drag", other.toStdString()), "Widerstand");
+  EXPECT_EQ(console::said("Drag", clip.toStdString()), "Ziehen");
+  // two clips are told apart by the name that the lesson gives them
+  const judge::Name one{"left", "clip.closed", "1", ""}, two{"right", "clip.closed", "1", ""};
+  EXPECT_EQ(console::said_name(one, {one, two}), "Geschlossen (Left)");
+  EXPECT_EQ(console::said_name(one, {one}), "Geschlossen");
+  EXPECT_EQ(console::remark_text(QStringLiteral("at 52 % of real speed, no forces for 1.5 s")), "mit 52 % der wirklichen Geschwindigkeit, 1,5 s ohne Kräfte");
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+  console::learn_words(clip);
+  EXPECT_EQ(console::said(std::string("Clip force")), "Clip force");
+  EXPECT_EQ(console::said_id("clip.closed"), "Clip closed");
 }
 
 TEST(Language, IsReadOutOfTheArgumentsAndOnlyThoseThereAreIsTaken) {

@@ -102,6 +102,26 @@ TEST(ReviewModel, SummaryAsCsvQuotesWhatPeopleWrote) {
   EXPECT_NE(csv.find("metric,\"force.peak\",,0.83,\"N\",\"lower is better\""), std::string::npos) << csv;
 }
 
+// Two instruments have one grasp each: plots, lists and pictures say whose force it is.
+TEST(ReviewModel, TracesAndEventsOfTwoGraspsAreToldApart) {
+  record::Recording r = test::fake_recording(200);
+  ASSERT_GE(r.info.script.signals.size(), 2u);
+  r.info.script.signals[0] = {"grasp", "grasp.force", "N", "The grip."};
+  r.info.script.signals[1] = {"tail_grasp", "grasp.force", "N", "The grip."};
+  r.info.script.events.push_back({"tail_grasp", "grasp.taken", "N", "Both jaws hold it; value: the force."});
+  r.info.script.events.push_back({"grasp", "grasp.taken", "N", "Both jaws hold it; value: the force."});
+  const Review review = make_review(test::fake_attempt(), r, {{10, 0.01, "tail_grasp", "grasp.taken", 0.5}});
+  QStringList names;
+  for (const Trace& t : review.traces) names += t.name;
+  EXPECT_TRUE(names.contains("Grasp force (Grasp)")) << names.join(", ").toStdString();
+  EXPECT_TRUE(names.contains("Grasp force (Tail grasp)"));
+  names.removeDuplicates();
+  EXPECT_EQ(names.size(), review.traces.size());
+  ASSERT_EQ(review.moments.size(), 1);
+  EXPECT_EQ(review.moments[0].what, "Grasp taken (Tail grasp)");
+  EXPECT_EQ(review.moments[0].means, "Both jaws hold it");
+}
+
 LiveParam length_param() {
   LiveParam p;
   p.instance = "needle";

@@ -9,6 +9,7 @@
 #       <id>.so      a module that exports swage_plugin_entry and nothing else
 #       plugin.json  what the module says of itself, written by swage-describe after linking
 #       RESOURCES    copied beside them; the plugin finds them through swage::bundle_dir()
+#       words*.json  copied, too, where they lie beside the sources: what the plugin says in other languages (guide/languages.md)
 #     and installs it below lib/swage/plugins. LINKS are the plugin's own libraries; the SDK and the toolkit are always there.
 #
 #   swage_add_plugin_tests(<target> [STRICTNESS <1..10>])
@@ -78,8 +79,12 @@ function(swage_add_plugin target)
   endif()
   _swage_plugin_flags(${target})
 
-  # resources beside the module
+  # resources beside the module; one that changes is copied again
+  file(GLOB words RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/words*.json)
+  list(APPEND PLUGIN_RESOURCES ${words})
+  list(REMOVE_DUPLICATES PLUGIN_RESOURCES)
   foreach(file IN LISTS PLUGIN_RESOURCES)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     add_custom_command(TARGET ${target} POST_BUILD
       COMMAND ${CMAKE_COMMAND} -E copy_if_different ${CMAKE_CURRENT_SOURCE_DIR}/${file} ${bundle}/ VERBATIM)
   endforeach()

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Everything that stock lessons, plugins and devices say to people has a German translation beside it, and no translation is of
+// something that nobody says any more. What a scene says is asked of the scene: sentences may be made when it is built.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "assembly/lesson_text.hpp"
+#include "host/words.hpp"
+#include "run_lesson.hpp"
+#include "test_places.hpp"
+
+namespace swage::stage {
+namespace {
+
+const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series";
+
+host::Words words_in(const std::string& folder) {
+  host::Words out;
+  base::Problems problems;
+  for (const std::string& file : host::word_files(folder, "de")) host::read_words(file, "de", out, problems);
+  for (const base::Problem& p : problems) ADD_FAILURE() << p.where << ": " << p.message;
+  return out;
+}
+
+std::string untranslated(const std::vector<std::string>& said, const host::Words& known) {
+  std::string out;
+  for (const std::string& w : said)
+    if (known.find(w) == known.end()) out += "\n  \"" + w + "\"";
+  return out;
+}
+
+const host::Catalogue& stock() {
+  static const host::Catalogue one([] {
+    host::Catalogue::Options options;
+    options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
+    options.use_environment = false;
+    return options;
+  }());
+  return one;
+}
+
+/// Of all lessons, and what each plugin may add.
+struct Stock {
+  host::Words known;              // translations of the series and of all plugins
+  std::set<std::string> said;
+};
+
+void add(const std::vector<std::string>& words, Stock& out) { out.said.insert(words.begin(), words.end()); }
+
+Stock collect() {
+  Stock out;
+  out.known = words_in(kSeries);
+  for (const host::PluginInfo& p : stock().plugins()) {
+    if (!p.id.starts_with("swage.")) continue;  // those of tests lie beside them
+    const host::Words own = words_in(p.bundle_dir);
+    EXPECT_EQ(untranslated(host::words_of(p), own), "") << "\nof " << p.id << " is in no words*.de.json of its bundle";
+    add(host::words_of(p), out);
+    out.known.insert(own.begin(), own.end());
+  }
+  return out;
+}
+
+TEST(StockWords, AreAllGermanAndNoneIsLeftOver) {
+  Stock all = collect();
+  ASSERT_GT(all.known.size(), 700u);
+  int lessons = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
+    if (entry.path().extension() != ".json") continue;
+    ++lessons;
+    assembly::LessonText text;
+    base::Problems problems;
+    ASSERT_TRUE(assembly::read_lesson_text(entry.path(), {}, text, problems));
+    const LessonRun run(entry.path(), std::string());
+    ASSERT_TRUE(run.ready()) << run.problems();
+    std::vector<std::string> said = host::words_of(text.json);
+    for (const std::string& w : host::words_of(run.rig().card)) said.push_back(w);
+    EXPECT_EQ(untranslated(said, all.known), "") << "\nof " << entry.path() << " has no translation";
+    add(said, all);
+  }
+  EXPECT_GE(lessons, 28);
+  for (const auto& [english, german] : all.known)
+    EXPECT_TRUE(all.said.contains(english)) << "\"" << english << "\" is translated, but nobody says it";
+}
+
+TEST(StockWords, AWordThatIsMissingIsNamed) {
+  EXPECT_EQ(untranslated({"Lift it.", "Hold it."}, {{"Lift it.", "Heben."}}), "\n  \"Hold it.\"");
+}
+
+// Units, places for values and full stops are those of the source; a German decimal number has a comma.
+TEST(StockWords, TranslationsEndAsTheirSource) {
+  for (const auto& [english, german] : collect().known) {
+    EXPECT_EQ(english.ends_with('.'), german.ends_with('.')) << english << " -> " << german;
+    EXPECT_FALSE(german.starts_with(' ') || german.ends_with(' ')) << english;
+    for (size_t at = german.find('.'); at != std::string::npos && at + 1 < german.size(); at = german.find('.', at + 1))
+      EXPECT_FALSE(at > 0 && isdigit(static_cast<unsigned char>(german[at - 1])) && isdigit(static_cast<unsigned char>(german[at + 1])))
+          << german << ": a number with a decimal point";
+  }
+}
+
+}  // namespace
+}  // namespace swage::stage
