@@ -50,7 +50,7 @@ Launch read_command_line(const QStringList& arguments) {
       option("theme", QT_TRANSLATE_NOOP("command_line", "light, dark or contrast."), "theme"),
       option("cues", QT_TRANSLATE_NOOP("command_line", "thesis or safe: colours of the cues."), "cues"),
       option("view", QT_TRANSLATE_NOOP("command_line", "orbit, side, top or near."), "view"),
-      option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right."), "layout"),
+      option("trainee", QT_TRANSLATE_NOOP("command_line", "Show the trainee's view, for two eyes: side, over, lines, checker, anaglyph, grey, least, shutter, one, left or right."), "layout"),
       option("page", QT_TRANSLATE_NOOP("command_line", "run, lessons, courses, people, review, setup or stations."), "page"),
       option("review", QT_TRANSLATE_NOOP("command_line", "Open a recorded attempt: its id, or latest."), "attempt"),
       option("size", QT_TRANSLATE_NOOP("command_line", "Size of the window, as in 1440x900."), "size"),

@@ -110,7 +110,8 @@ HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) 
                               {tr("Wheel,  + −"), tr("Nearer, further")},
                               {tr("Double click,  Home"), tr("Frame the scene")},
                               {tr("Ctrl+drag"), tr("Turn while the mouse is the instrument")},
-                              {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")}},
+                              {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")},
+                              {tr("Ctrl+Page up, down"), tr("Zoom of the microscope; with Shift its focus")}},
                              this)
                       .frame,
                   1, 0);

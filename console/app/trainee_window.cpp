@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "console/view3d/quad_window.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -34,6 +35,8 @@ QString layout_words(StereoLayout layout) {
       return QObject::tr("Red and cyan glasses, grey");
     case StereoLayout::kAnaglyphLeast:
       return QObject::tr("Red and cyan glasses, least ghosts");
+    case StereoLayout::kShutter:
+      return QObject::tr("One after the other (shutter glasses)");
     case StereoLayout::kOneEye:
       return QObject::tr("One eye");
     case StereoLayout::kLeftEye:
@@ -58,6 +61,7 @@ TraineeLook read_trainee_look(const Settings& settings) {
   stereo.rig.convergence_mm =
       settings.text("trainee_convergence_mm", QString::number(StereoRig{}.convergence_mm)).toFloat();
   stereo.microscope.on = flag(settings, "trainee_microscope");
+  stereo.microscope.blur = flag(settings, "trainee_blur");
   stereo.microscope.zoom = std::clamp(settings.text("trainee_zoom", QString::number(Microscope{}.zoom)).toFloat(), kLeastZoom, kMostZoom);
   look.full_screen = flag(settings, "trainee_full_screen");
   look.screen = settings.text("trainee_screen", QStringLiteral("1")).toInt();
@@ -73,6 +77,7 @@ void remember(const TraineeLook& look, Settings& settings) {
   settings.set("trainee_convergence_mm", look.stereo.rig.convergence_mm);
   settings.set("trainee_microscope", look.stereo.microscope.on);
   settings.set("trainee_zoom", look.stereo.microscope.zoom);
+  settings.set("trainee_blur", look.stereo.microscope.blur);
   settings.set("trainee_full_screen", look.full_screen);
   settings.set("trainee_screen", look.screen);
 }
@@ -90,13 +95,35 @@ TraineeWindow::TraineeWindow() : view_(new SceneView(this)) {
 }
 
 void TraineeWindow::show_as(const TraineeLook& look) {
-  view_->set_stereo(look.stereo);
+  StereoLook stereo = look.stereo;
+  // one that was chosen with another driver
+  if (stereo.layout == StereoLayout::kShutter && !has_quad_buffers()) stereo.layout = StereoLayout::kSideBySide;
+  view_->set_stereo(stereo);
+  show_in_turn(stereo.layout == StereoLayout::kShutter);
   const QList<QScreen*> screens = QGuiApplication::screens();
   QScreen* wanted = screens.value(look.screen, screens.first());
   if (screen() != wanted || !isVisible())
     setGeometry(QRect(wanted->geometry().topLeft() + QPoint(40, 40), size()));
   look.full_screen ? showFullScreen() : showNormal();
   view_->setFocus();
+}
+
+void TraineeWindow::show_in_turn(bool on) {
+  if (on == (in_turn_ != nullptr)) return;
+  view_->set_eyes_sink({});
+  delete in_turn_;
+  in_turn_ = nullptr;
+  if (!on) return;
+  auto* window = new QuadWindow(view_);
+  in_turn_ = QWidget::createWindowContainer(window, this);
+  in_turn_->setGeometry(rect());
+  in_turn_->show();
+  view_->set_eyes_sink([window](const QImage& left, const QImage& right) { window->show_eyes(left, right); });
+}
+
+void TraineeWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (in_turn_) in_turn_->setGeometry(rect());
 }
 
 void TraineeWindow::keyPressEvent(QKeyEvent* event) {
@@ -120,18 +147,17 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   auto* form = new QFormLayout(this);
   layout_ = new QComboBox(this);
   layout_->setObjectName(QStringLiteral("trainee_layout"));
-  for (const StereoLayout l : kStereoLayouts) layout_->addItem(layout_words(l), layout_name(l));
-  layout_->setCurrentIndex(layout_->findData(layout_name(look.stereo.layout)));
+  for (const StereoLayout l : kStereoLayouts)
+    if (l != StereoLayout::kShutter || has_quad_buffers()) layout_->addItem(layout_words(l), layout_name(l));
+  layout_->setCurrentIndex(std::max(0, layout_->findData(layout_name(look.stereo.layout))));
   layout_->setToolTip(
       tr("Red and cyan glasses change the colours of the cues: shapes and words then tell them"));
   form->addRow(tr("&Picture"), layout_);
-  QLabel* shutter = make_muted(
-      has_quad_buffers()
-          ? tr("This driver has two buffers for glasses that shut in turn. Swage does not draw into them yet: choose what else the screen can show.")
-          : tr("Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none."),
-      this);
-  shutter->setObjectName(QStringLiteral("trainee_shutter"));
-  form->addRow(QString(), shutter);
+  if (!has_quad_buffers()) {
+    QLabel* shutter = make_muted(tr("Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none."), this);
+    shutter->setObjectName(QStringLiteral("trainee_shutter"));
+    form->addRow(QString(), shutter);
+  }
   squeezed_ = new QCheckBox(tr("&Half-width side by side (3D TV)"), this);
   squeezed_->setChecked(look.stereo.squeezed);
   form->addRow(QString(), squeezed_);
@@ -167,6 +193,12 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   zoom_->setMinimum(static_cast<double>(kLeastZoom));
   zoom_->setSuffix(tr(" ×"));
   form->addRow(tr("Ma&gnification"), zoom_);
+  blur_ = new QCheckBox(tr("&Depth of field"), this);
+  blur_->setObjectName(QStringLiteral("trainee_blur"));
+  blur_->setToolTip(tr("What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. "
+                       "Without a graphics card pictures come less often"));
+  blur_->setChecked(look.stereo.microscope.blur);
+  form->addRow(QString(), blur_);
   screen_ = new QComboBox(this);
   screen_->setObjectName(QStringLiteral("trainee_screen"));
   for (const QScreen* s : QGuiApplication::screens())
@@ -183,7 +215,7 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
   set_open(false);
   for (QComboBox* box : {layout_, mirror_, screen_})
     connect(box, &QComboBox::currentIndexChanged, this, &TraineeSettings::changed);
-  for (QCheckBox* box : {squeezed_, swapped_, full_, microscope_})
+  for (QCheckBox* box : {squeezed_, swapped_, full_, microscope_, blur_})
     connect(box, &QCheckBox::toggled, this, &TraineeSettings::changed);
   for (QDoubleSpinBox* box : {eyes_, convergence_, zoom_})
     connect(box, &QDoubleSpinBox::valueChanged, this, &TraineeSettings::changed);
@@ -209,7 +241,7 @@ TraineeLook TraineeSettings::look() const {
   look.stereo.mirror = mirror_of(mirror_->currentData().toString());
   look.stereo.rig = {static_cast<float>(eyes_->value()), static_cast<float>(convergence_->value()),
                      swapped_->isChecked()};
-  look.stereo.microscope = {microscope_->isChecked(), static_cast<float>(zoom_->value())};
+  look.stereo.microscope = {microscope_->isChecked(), static_cast<float>(zoom_->value()), blur_->isChecked()};
   look.screen = screen_->currentIndex();
   look.full_screen = full_->isChecked();
   return look;

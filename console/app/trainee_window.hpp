@@ -39,9 +39,12 @@ class TraineeWindow : public QWidget {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void show_in_turn(bool on);
   SceneView* view_;
+  QWidget* in_turn_ = nullptr;  // over the view, where the driver shows the eyes in turn
 };
 
 /// Every change acts at once.
@@ -61,7 +64,7 @@ class TraineeSettings : public QDialog {
 
   QComboBox *layout_, *mirror_, *screen_;
   QDoubleSpinBox *eyes_, *convergence_, *zoom_;
-  QCheckBox *squeezed_, *swapped_, *full_, *microscope_;
+  QCheckBox *squeezed_, *swapped_, *full_, *microscope_, *blur_;
   QPushButton* toggle_;
 };
 

@@ -27,6 +27,8 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
       lessons_(lessons),
       strip_(strip),
       setup_(new SetupPanel(lessons, this)),
+      options_(*setup_),
+      editing_(new LessonEditing(lessons, setup_, control_, options_, this)),
       events_(new EventLog(this)),
       shown_events_(new EventFilter(events_, this)) {
   auto* row = new QHBoxLayout(this);
@@ -39,6 +41,19 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
   preview_timer_.setSingleShot(true);
   preview_timer_.setInterval(kPreviewDelay_ms);
   connect(&preview_timer_, &QTimer::timeout, this, &RunPage::preview);
+  connect_setup();
+  connect_control();
+  connect(now_->form(), &LiveForm::changed, this, &RunPage::change);
+  connect(&guide_, &GuideControl::noted, events_, &EventLog::note);
+  add_view(view_);
+  connect(result_, &ResultPanel::again, this, &RunPage::start);
+  connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
+  connect(result_, &ResultPanel::review, this, &RunPage::review);
+  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
+  update_state();
+}
+
+void RunPage::connect_setup() {
   connect(setup_, &SetupPanel::lesson_changed, &preview_timer_, qOverload<>(&QTimer::start));
   connect(setup_, &SetupPanel::mode_changed, this, &RunPage::update_cues);
   // a verdict of another lesson is gone at once, the new scene comes when the list rests
@@ -46,9 +61,20 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
     if (!control_->running() && shown_lesson_ != setup_->lesson()) forget_attempt();
   });
   connect(setup_, &SetupPanel::start, this, &RunPage::start);
-  connect(setup_, &SetupPanel::make_variant, this, &RunPage::make_variant);
-  connect(setup_, &SetupPanel::edit_lesson, this, &RunPage::edit_lesson);
-  connect(setup_, &SetupPanel::delete_lesson, this, &RunPage::delete_lesson);
+  connect(setup_, &SetupPanel::make_variant, editing_, &LessonEditing::make_variant);
+  connect(setup_, &SetupPanel::edit_lesson, editing_, &LessonEditing::edit);
+  connect(setup_, &SetupPanel::delete_lesson, editing_, &LessonEditing::remove);
+  connect(editing_, &LessonEditing::changed, this, &RunPage::preview);
+  connect(editing_, &LessonEditing::failed, this, [this](const QString& words) {
+    problem_->setText(words);
+    problem_->show();
+  });
+  editing_->set_live_values([this](const QString& lesson) {
+    return shown_lesson_ == lesson ? now_->form()->changed_values() : QVector<LiveForm::Change>();
+  });
+}
+
+void RunPage::connect_control() {
   connect(control_, &RunControl::opened, this, [this] { show_card(control_->card()); });
   connect(control_, &RunControl::failed, this, &RunPage::show_problems);
   connect(control_, &RunControl::told, this, &RunPage::show_record_warning);
@@ -59,13 +85,6 @@ RunPage::RunPage(SessionOpener opener, LessonsModel* lessons, StatusStrip* strip
           [this](const judge::Event& e) { events_->add(e, control_->card().script, control_->card().dt); });
   connect(control_, &RunControl::marked, this,
           [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
-  connect(now_->form(), &LiveForm::changed, this, &RunPage::change);
-  add_view(view_);
-  connect(result_, &ResultPanel::again, this, &RunPage::start);
-  connect(result_, &ResultPanel::progress, this, &RunPage::show_progress);
-  connect(result_, &ResultPanel::review, this, &RunPage::review);
-  connect(result_, &ResultPanel::next, this, [this] { setup_->select_next(); });
-  update_state();
 }
 
 void RunPage::set_sound(bool on, double volume) {
@@ -94,31 +113,21 @@ void RunPage::set_themes(const UiTheme& ui, const CueTheme& cues) {
 }
 
 void RunPage::set_base_options(const session::Options& options) {
-  base_ = options;
-  host::Catalogue::Options where;
-  where.plugin_dirs = options.plugin_dirs;
-  where.safe_mode = options.safe_mode;
-  catalogue_ = host::Catalogue(where);
-  learn_metric_labels(catalogue_.plugins());
-  for (const host::PluginInfo& p : catalogue_.plugins()) learn_words(QString::fromStdString(p.bundle_dir));
+  options_.set_base(options);
+  learn_metric_labels(catalogue().plugins());
+  for (const host::PluginInfo& p : catalogue().plugins()) learn_words(QString::fromStdString(p.bundle_dir));
 }
 
 MetricSaid RunPage::metric_said(const QString& lesson_path, const std::string& metric_id) {
-  MetricSaid out{metric_facts(nullptr, metric_id), metric_target(lesson_path.toStdString(), metric_id, catalogue_)};
-  for (const host::MetricInfo& m : lesson_metrics(lesson_path.toStdString(), catalogue_))
-    if (m.id == metric_id && m.evidence != SWAGE_EVIDENCE_NONE) out.facts = {m.better, QString::fromStdString(m.formula)};
-  return out;
+  MetricSaid said{metric_facts(nullptr, metric_id), metric_target(lesson_path.toStdString(), metric_id, catalogue())};
+  for (const host::MetricInfo& m : lesson_metrics(lesson_path.toStdString(), catalogue()))
+    if (m.id == metric_id && m.evidence != SWAGE_EVIDENCE_NONE) said.facts = {m.better, QString::fromStdString(m.formula)};
+  return said;
 }
 
-// a lesson's card does not change while the program runs; a running session is not disturbed for it
-const snapshot::SceneCard* RunPage::card_of(const QString& lesson_path) {
-  const auto known = cards_.find(lesson_path);
-  if (known != cards_.end()) return known->second.get();
-  if (control_->running()) return nullptr;
-  session::Options o = base_;
-  o.lesson_path = lesson_path.toStdString();
-  base::Problems problems;
-  return (cards_[lesson_path] = control_->preview(o, problems)).get();
+void RunPage::set_expert(ExpertOpener open) {
+  guide_.set_expert(std::move(open));
+  update_cues();
 }
 
 void RunPage::set_notice(const QString& text) { strip_->set_idle(text); }
@@ -142,13 +151,13 @@ void RunPage::add_view(SceneView* view) {
   if (have_card_) view->set_card(card_, preset_);
   view->set_instrument(view_->instrument());
   view->set_cues_shown(view_->cues_shown());
-  if (guide_) view->set_ghost(&guide_->card(), tr("Expert"));
+  guide_.show_in(view);
 }
 
 record::Display RunPage::display() const {
   const auto open = std::find_if(views_.rbegin(), views_.rend(), [](const SceneView* v) { return v->isVisible(); });
   record::Display out = (open != views_.rend() ? *open : view_)->display();
-  out.guided = guide_ && !guide_->failed();
+  out.guided = guide_.guides();
   return out;
 }
 
@@ -186,7 +195,7 @@ void RunPage::update_state() {
     rate_steps_ = control_->newest() ? control_->newest()->step : 0;
   }
   if (!running) strip_->set_idle(setup_->has_lessons() ? tr("○ Ready") : tr("○ No lessons"));
-  if (!running) end_guide();
+  if (!running) guide_.end();
   update_cues();
   update_frame();
 }
@@ -217,7 +226,7 @@ void RunPage::update_second() {
 void RunPage::update_cues() {
   // a test is taken without help: only the instructor's window shows cues
   cues_button_->setEnabled(!cues_hidden());
-  guide_button_->setEnabled(expert_ && !cues_hidden());
+  guide_button_->setEnabled(guide_.possible() && !cues_hidden());
   const bool shown = !cues_hidden() && cues_button_->isChecked();
   for (SceneView* view : views_) view->set_cues_shown(shown);
   legend_->set_in_picture(shown);
@@ -230,7 +239,7 @@ void RunPage::update_frame() {
   if (const snapshot::Snapshot* shown = control_->shown()) {
     for (SceneView* view : views_) view->show_snapshot(*shown);
   }
-  move_guide();
+  guide_.move(control_->shown());
   const bool paused = control_->state() == RunControl::State::kPaused;
   if (!control_->running()) return;
   set_texts(clock_text(newest->time_s), paused ? tr("Paused") : QString());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The Run page: choose at the left, watch in the middle, read at the right.
+// The Run page: choose at the left, watch in the middle, read at the right. What an attempt is opened with (AttemptOptions), the expert's
+// ghost (GuideControl) and an instructor's own lessons (LessonEditing) are classes of their own.
 #pragma once
 
 #include <QElapsedTimer>
@@ -12,27 +13,25 @@
 #include <QTableView>
 #include <QTimer>
 #include <QWidget>
-#include <map>
 #include <memory>
-#include <optional>
 
 #include "console/cues/speaker.hpp"
 #include "console/link/arm_reader.hpp"
-#include "console/link/guide.hpp"
 #include "console/link/run_control.hpp"
 #include "console/models/event_log.hpp"
-#include "console/models/instrument.hpp"
 #include "console/models/lessons_model.hpp"
 #include "console/models/metric_facts.hpp"
 #include "console/models/reading.hpp"
+#include "console/pages/attempt_options.hpp"
+#include "console/pages/guide_control.hpp"
 #include "console/pages/instructor_window.hpp"
+#include "console/pages/lesson_editing.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
 #include "console/pages/setup_panel.hpp"
 #include "console/pages/status_strip.hpp"
 #include "console/view3d/scene_view.hpp"
 #include "console/widgets/cue_legend.hpp"
-#include "host/catalogue.hpp"
 
 namespace swage::console {
 
@@ -53,14 +52,12 @@ class RunPage : public QWidget {
   RunControl* control() { return control_; }
   /// What a lesson says about a metric, in its plugin's card.
   MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
-  const host::Catalogue& catalogue() const { return catalogue_; }
+  const host::Catalogue& catalogue() const { return options_.catalogue(); }
   SetupPanel* setup() { return setup_; }
   SceneView* view() { return view_; }
   /// Another view of the same attempt, a trainee's; it shows what there is and goes on with it until it is destroyed.
   void add_view(SceneView* view);
-  /// Where the instrument stands that is called so; nothing: as the lesson says.
-  using Placing = std::function<std::optional<Placement>(const std::string& device)>;
-  void set_placing(Placing placing) { placing_ = std::move(placing); }
+  void set_placing(Placing placing) { options_.set_placing(std::move(placing)); }
   /// Reads the chosen instrument; nullptr while an attempt runs or no lesson is chosen.
   std::unique_ptr<ArmReader> make_arm_reader();
   /// A person's own instrument, chosen among those of the lesson.
@@ -71,7 +68,7 @@ class RunPage : public QWidget {
   void set_guided(bool on) { guide_button_->setChecked(on); }
   void click_guide() { guide_button_->click(); }  // nothing while it is disabled
   bool guided() const { return guide_button_->isChecked(); }
-  const Guide* guide() const { return guide_.get(); }
+  const Guide* guide() const { return guide_.guide(); }
   /// How the trainee sees the scene: in the view that was added last and is open, else in that of this page.
   record::Display display() const;
   ResultPanel* result() { return result_; }
@@ -86,12 +83,9 @@ class RunPage : public QWidget {
   void start();
   /// The same with nothing kept, because the store cannot be written; said as long as it lasts.
   void start_unrecorded();
-  /// A lesson of the instructor's own, based on the chosen one.
-  void make_variant();
-  /// Title, task, goal and values of a lesson of the instructor's own.
-  void edit_lesson();
-  /// Into the bin with a lesson of the instructor's own, when nothing is based on it, after a question.
-  void delete_lesson();
+  void make_variant() { editing_->make_variant(); }
+  void edit_lesson() { editing_->edit(); }
+  void delete_lesson() { editing_->remove(); }
   /// Readings, cues and events in a window of their own, for a second screen.
   void show_instructor(bool on);
 
@@ -112,8 +106,6 @@ class RunPage : public QWidget {
  private:
   void fold_view_bar();
   void fill_view_menu(QMenu* menu) const;
-  QString check(const QString& lesson_path,
-                const QVector<std::pair<std::string, std::string>>& set);  // "" when it can be practised
   QWidget* make_middle();
   QWidget* make_view_bar();
   QWidget* make_actions();
@@ -123,15 +115,9 @@ class RunPage : public QWidget {
   void change(const QString& instance, const QString& json, const QString& words);
   void sound(const Reading& reading, double time_s);
   bool cues_hidden() const { return setup_->mode() == QLatin1String("test"); }
-  session::Options lesson_options() const;
-  session::Options options() const;
-  void begin_guide(const session::Options& like);
-  void end_guide();
-  void show_guide();
-  void move_guide();
-  void toggle_guide(bool on);
+  void connect_setup();
+  void connect_control();
   void preview();
-  const snapshot::SceneCard* card_of(const QString& lesson_path);
   void show_card(const snapshot::SceneCard& card);
   void show_problems(const base::Problems& problems);
   void show_record_warning(const base::Problems& problems);
@@ -141,7 +127,6 @@ class RunPage : public QWidget {
   void update_cues();
   void update_second();
   void tell_display();
-  void take_instrument(session::Options& o, const std::optional<Placement>& place) const;
   bool by_mouse() const;
   void tell_circle(const std::optional<NeedleCircle>& about);
   void show_finished();
@@ -152,22 +137,17 @@ class RunPage : public QWidget {
   QList<NowPanel*> now_panels() const;
   QList<CueLegend*> legends() const;
 
-  session::Options base_;
-  Placing placing_;
-  ExpertOpener expert_;
-  std::unique_ptr<Guide> guide_;
-  session::Options guide_options_;  // of the attempt, for a guide that is asked for in the middle of it
-  bool guide_told_ = false;         // that it is gone
-  Binding binding_;
   bool draws_seed_ = false;
-  host::Catalogue catalogue_;
   CameraPreset preset_ = CameraPreset::kOrbit;
   RunControl* control_;
   LessonsModel* lessons_;
   StatusStrip* strip_;
   SetupPanel* setup_;
+  AttemptOptions options_;
+  LessonEditing* editing_;
   SceneView* view_ = nullptr;
   QList<SceneView*> views_;  // that one first
+  GuideControl guide_{views_};
   QLabel *title_ = nullptr, *problem_ = nullptr;
   QPushButton* unrecorded_ = nullptr;  // offered where the store refuses
   QString refused_;                    // why it refused
@@ -197,7 +177,6 @@ class RunPage : public QWidget {
   CueSounds sounds_;
   Speaker speaker_;
   Reader reader_;
-  std::map<QString, std::unique_ptr<snapshot::SceneCard>> cards_;  // by lesson file, as far as one was opened
   QTimer preview_timer_;
   QElapsedTimer rate_clock_;
   uint64_t rate_steps_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// An attempt on the Run page: its options, its scene before the start, its end, and what of it a trainee may see.
+// An attempt on the Run page: its start, its scene before that, its end, and what of it a trainee may see.
 #include <QRandomGenerator>
 
 #include "console/models/live_params.hpp"
@@ -22,60 +22,13 @@ constexpr int kMostSeed = 1000000;  // six digits can be read out and typed agai
 
 }  // namespace
 
-// the lesson as it is chosen, whoever plays it
-session::Options RunPage::lesson_options() const {
-  session::Options o = base_;
-  o.lesson_path = setup_->lesson().toStdString();
-  o.person = setup_->person().toStdString();
-  o.mode = asked_.show ? "demo" : setup_->mode().toStdString();
-  o.display = display();
-  if (setup_->left_handed()) o.settings.push_back("mirror=true");
-  // a demonstration is nobody's attempt
-  if (o.mode == "demo") o.store_path = ":none:";
-  return o;
-}
-
-session::Options RunPage::options() const {
-  session::Options o = lesson_options();
-  o.device = setup_->device().toStdString();
-  for (const QString& meaning : cue_theme_.meanings()) {
-    const CueForce f = cue_theme_.style(meaning).force;
-    if (f.pulses > 0)
-      o.cue_pulses.push_back(
-          {meaning.toStdString(), static_cast<uint32_t>(f.pulses), f.frequency_Hz, f.peak_N, f.length_s});
-  }
-  const std::optional<Placement> place = placing_ ? placing_(o.device) : std::nullopt;
-  take_instrument(o, place);
-  return o;
-}
-
 std::unique_ptr<ArmReader> RunPage::make_arm_reader() {
   if (control_->running() || setup_->lesson().isEmpty()) return nullptr;
-  session::Options o = base_;
-  o.lesson_path = setup_->lesson().toStdString();
-  o.device = setup_->device().toStdString();
-  take_instrument(o, Placement{.force = false});
-  return std::make_unique<ArmReader>(control_->opener(), o);
-}
-
-// The lesson's devices as they are led and placed here; the person's own instrument is then the lesson's first choice.
-void RunPage::take_instrument(session::Options& o, const std::optional<Placement>& place) const {
-  const bool own = o.device == kOwnInstrument;
-  for (std::string& s : instrument_settings(o.lesson_path, own ? binding_ : Binding{}, place, catalogue_)) o.settings.push_back(std::move(s));
-  if (own) o.device.clear();
+  return std::make_unique<ArmReader>(control_->opener(), options_.reader());
 }
 
 void RunPage::set_binding(const Binding& binding) {
-  if (binding == binding_) return;
-  binding_ = binding;
-  const auto name = [&](const std::string& id) {
-    const host::PluginInfo* plugin = catalogue_.find(id);
-    return QString::fromStdString(plugin != nullptr ? plugin->name : id);
-  };
-  QString title;
-  if (binding.any()) title = name(binding.pose);
-  if (!binding.jaws.empty() && binding.jaws != binding.pose) title += QStringLiteral(" + ") + name(binding.jaws);
-  setup_->set_own_instrument(title);
+  if (options_.set_binding(binding)) setup_->set_own_instrument(options_.instrument_title());
 }
 
 void RunPage::start() { launch(false); }
@@ -96,17 +49,17 @@ void RunPage::launch(bool unrecorded) {
   sounds_.reset();
   problem_->hide();
   unrecorded_->hide();
-  session::Options o = options(), like = lesson_options();
+  session::Options o = options_.attempt(display(), cue_theme_), like = options_.lesson(display());
   if (unrecorded) o.store_path = ":none:";
   if (draws_seed_) {
     const std::string seed = "seed=" + std::to_string(QRandomGenerator::global()->bounded(1, kMostSeed));
     o.settings.push_back(seed);
     like.settings.push_back(seed);
   }
-  begin_guide(like);
+  guide_.begin(like, guided() && !cues_hidden());
   seen_ = o.display = display();
   if (!control_->start(o)) return;
-  show_guide();
+  guide_.show();
   view_->setFocus();
 }
 
@@ -126,10 +79,11 @@ void RunPage::preview() {
     preset_ = CameraPreset::kOrbit;  // a view that suits one lesson may hide the work of another
   }
   shown_lesson_ = setup_->lesson();
-  asked_ = read_criteria(shown_lesson_.toStdString(), catalogue_);
+  asked_ = read_criteria(shown_lesson_.toStdString(), catalogue());
   setup_->set_show(asked_.show);
+  options_.set_show(asked_.show);
   base::Problems problems;
-  const auto card = control_->preview(options(), problems);
+  const auto card = control_->preview(options_.attempt(display(), cue_theme_), problems);
   problem_->setVisible(!card);
   setup_->set_startable(card != nullptr);
   if (!card) return show_problems(problems);
@@ -154,10 +108,10 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   fold_view_bar();
   reader_ = Reader(card);
   const std::string lesson = setup_->lesson().toStdString();
-  const std::optional<ForceBand> band = force_band(lesson, catalogue_);
+  const std::optional<ForceBand> band = force_band(lesson, catalogue());
   for (NowPanel* now : now_panels()) {
     now->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task(), asked_);
-    now->form()->set_params(live_params(lesson, card, catalogue_));
+    now->form()->set_params(live_params(lesson, card, catalogue()));
   }
   for (CueLegend* legend : legends()) legend->set_meanings(Reader::meanings(card));
   card_ = card;

@@ -204,7 +204,9 @@ QWidget* RunPage::make_actions() {
   guide_button_ = make_button(tr("Guide"), QStringLiteral("F4"), QStringLiteral("guide"), bar);
   guide_button_->setCheckable(true);
   guide_button_->setToolTip(tr("An expert's instruments, seen through, show what comes next and wait for you; not in a test (F4)"));
-  connect(guide_button_, &QPushButton::toggled, this, &RunPage::toggle_guide);
+  connect(guide_button_, &QPushButton::toggled, this, [this](bool on) {
+    if (control_->running()) guide_.toggle(on && !cues_hidden(), control_->shown());
+  });
   for (QPushButton* b : {pause_, reset_, mark_, stop_, guide_button_}) row->addWidget(b, 1);
   connect(pause_, &QPushButton::clicked, control_, &RunControl::toggle_pause);
   connect(reset_, &QPushButton::clicked, control_, &RunControl::reset_work);

@@ -307,6 +307,35 @@
         <source>▲ %1: %2 days old. Check it on a gauge, or calibrate anew</source>
         <translation>▲ %1: %2 Tage alt. Mit einem Kraftmesser prüfen oder neu kalibrieren</translation>
     </message>
+    <message>
+        <source>One after the other (shutter glasses)</source>
+        <translation>Abwechselnd (Shutterbrille)</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePainter</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.3 (%1).
+Everything else works: lessons run and are recorded.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3 (%1).
+Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Wound %1 %</source>
+        <translation>Wunde %1 %</translation>
+    </message>
+    <message>
+        <source>Wound</source>
+        <translation>Wunde</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>
@@ -422,10 +451,6 @@
         <translation>orbit, side, top oder near.</translation>
     </message>
     <message>
-        <source>Show the trainee&apos;s view, for two eyes: side, over, lines, checker, anaglyph, grey, least, one, left or right.</source>
-        <translation>Die Ansicht des Trainees für zwei Augen zeigen: side, over, lines, checker, anaglyph, grey, least, one, left oder right.</translation>
-    </message>
-    <message>
         <source>Open a recorded attempt: its id, or latest.</source>
         <translation>Einen aufgezeichneten Versuch öffnen: seine Kennung oder latest.</translation>
     </message>
@@ -448,6 +473,10 @@
     <message>
         <source>run, lessons, courses, people, review, setup or stations.</source>
         <translation>run, lessons, courses, people, review, setup oder stations.</translation>
+    </message>
+    <message>
+        <source>Show the trainee&apos;s view, for two eyes: side, over, lines, checker, anaglyph, grey, least, shutter, one, left or right.</source>
+        <translation>Die Ansicht des Trainees für zwei Augen zeigen: side, over, lines, checker, anaglyph, grey, least, shutter, one, left oder right.</translation>
     </message>
 </context>
 <context>
@@ -1413,6 +1442,21 @@
     </message>
 </context>
 <context>
+    <name>swage::console::GuideControl</name>
+    <message>
+        <source>No guide: %1</source>
+        <translation>Keine Führung: %1</translation>
+    </message>
+    <message>
+        <source>Expert</source>
+        <translation>Experte</translation>
+    </message>
+    <message>
+        <source>No guide: the scripted expert does not pass this lesson as it is set.</source>
+        <translation>Keine Führung: der vorgegebene Experte besteht diese Lektion mit diesen Einstellungen nicht.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::HelpDialog</name>
     <message>
         <source>Keys and cues</source>
@@ -1766,12 +1810,47 @@
         <source>What the instructor sent: read or taken, not now</source>
         <translation>Was die Ausbilder schicken: gelesen oder angenommen, jetzt nicht</translation>
     </message>
+    <message>
+        <source>Ctrl+Page up, down</source>
+        <translation>Strg+Bild auf, ab</translation>
+    </message>
+    <message>
+        <source>Zoom of the microscope; with Shift its focus</source>
+        <translation>Zoom des Mikroskops; mit Umschalt sein Fokus</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
     <message>
         <source>Swage: instructor</source>
         <translation>Swage: Ausbilder</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::LessonEditing</name>
+    <message>
+        <source>Delete lesson</source>
+        <translation>Lektion löschen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>It stays: these lessons are based on it and could not run without it: %1.</source>
+        <translation>Sie bleibt: diese Lektionen bauen auf ihr auf und liefen ohne sie nicht: %1.</translation>
+    </message>
+    <message>
+        <source>The lesson goes into the bin. Attempts at it stay.</source>
+        <translation>Die Lektion kommt in den Papierkorb. Versuche daran bleiben.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be built with these values.</source>
+        <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
     </message>
 </context>
 <context>
@@ -3278,42 +3357,6 @@ Bea L., Frühjahr, links</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Delete lesson</source>
-        <translation>Lektion löschen</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot;</source>
-        <translation>„%1“</translation>
-    </message>
-    <message>
-        <source>It stays: these lessons are based on it and could not run without it: %1.</source>
-        <translation>Sie bleibt: diese Lektionen bauen auf ihr auf und liefen ohne sie nicht: %1.</translation>
-    </message>
-    <message>
-        <source>The lesson goes into the bin. Attempts at it stay.</source>
-        <translation>Die Lektion kommt in den Papierkorb. Versuche daran bleiben.</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>The lesson cannot be built with these values.</source>
-        <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
-    </message>
-    <message>
-        <source>Expert</source>
-        <translation>Experte</translation>
-    </message>
-    <message>
-        <source>No guide: %1</source>
-        <translation>Keine Führung: %1</translation>
-    </message>
-    <message>
-        <source>No guide: the scripted expert does not pass this lesson as it is set.</source>
-        <translation>Keine Führung: der vorgegebene Experte besteht diese Lektion mit diesen Einstellungen nicht.</translation>
-    </message>
-    <message>
         <source>Guide</source>
         <translation>Führung</translation>
     </message>
@@ -3323,33 +3366,7 @@ Bea L., Frühjahr, links</translation>
     </message>
 </context>
 <context>
-    <name>swage::console::SceneView</name>
-    <message>
-        <source>Live view of the scene</source>
-        <translation>Die Szene, wie sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>The 3D view needs OpenGL 3.3 (%1).
-Everything else works: lessons run and are recorded.</source>
-        <translation>Die 3D-Ansicht braucht OpenGL 3.3 (%1).
-Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>From above</source>
-        <translation>Von oben</translation>
-    </message>
-    <message>
-        <source>From the front</source>
-        <translation>Von vorn</translation>
-    </message>
-    <message>
-        <source>Wound %1 %</source>
-        <translation>Wunde %1 %</translation>
-    </message>
-    <message>
-        <source>Wound</source>
-        <translation>Wunde</translation>
-    </message>
+    <name>swage::console::SceneInput</name>
     <message>
         <source>The instrument waits: a drag turns the view</source>
         <translation>Das Instrument wartet: Ziehen dreht die Ansicht</translation>
@@ -3373,6 +3390,13 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>T: drive the needle</source>
         <translation>T: die Nadel führen</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::SceneView</name>
+    <message>
+        <source>Live view of the scene</source>
+        <translation>Die Szene, wie sie jetzt ist</translation>
     </message>
 </context>
 <context>
@@ -4282,12 +4306,16 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>&amp;Vergrößerung</translation>
     </message>
     <message>
-        <source>This driver has two buffers for glasses that shut in turn. Swage does not draw into them yet: choose what else the screen can show.</source>
-        <translation>Dieser Treiber hat zwei Puffer für Brillen, die abwechselnd schließen. Swage zeichnet noch nicht hinein: wählen Sie, was der Bildschirm sonst zeigen kann.</translation>
-    </message>
-    <message>
         <source>Glasses that shut in turn (frame-sequential) need a driver with quad buffers, and this one has none.</source>
         <translation>Brillen, die abwechselnd schließen (Shutter), brauchen einen Treiber mit Quad-Buffer, und dieser hat keinen.</translation>
+    </message>
+    <message>
+        <source>&amp;Depth of field</source>
+        <translation>Ti&amp;efenschärfe</translation>
+    </message>
+    <message>
+        <source>What lies before and behind the plane in focus is unsharp; in the view Ctrl+Shift+Page up and down move that plane. Without a graphics card pictures come less often</source>
+        <translation>Was vor und hinter der scharfen Ebene liegt, ist unscharf; in der Ansicht verschieben Strg+Umschalt+Bild auf und ab diese Ebene. Ohne Grafikkarte kommen Bilder seltener</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,12 @@ OrbitCamera OrbitCamera::showing(float height_mm) const {
   return out;
 }
 
+OrbitCamera OrbitCamera::nearer(float mm) const {
+  OrbitCamera out = *this;
+  out.now_.focus += mm * (eye() - now_.focus).normalized();
+  return out;
+}
+
 void OrbitCamera::release() { held_ = false; }
 
 // the short way round

@@ -36,6 +36,9 @@ class OrbitCamera {
   /// The same view so that the half of this height fills the half of the picture.
   OrbitCamera showing(float height_mm) const;
 
+  /// The same view so much nearer to the person, mm: what lay so far before the focus is in it.
+  OrbitCamera nearer(float mm) const;
+
   /// Moves towards the goal; returns whether the picture changed.
   bool advance(double dt_s);
   void jump();  // no gliding

@@ -9,11 +9,35 @@
 #include <Qt3DRender/QEffect>
 #include <Qt3DRender/QGraphicsApiFilter>
 #include <Qt3DRender/QNoDepthMask>
-#include <Qt3DRender/QRenderPass>
 #include <Qt3DRender/QShaderProgram>
 #include <Qt3DRender/QTechnique>
 
 namespace swage::console {
+Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex, const char* fragment) {
+  using namespace Qt3DRender;
+  auto* effect = new QEffect(material);
+  auto* technique = new QTechnique(effect);
+  technique->graphicsApiFilter()->setApi(QGraphicsApiFilter::OpenGL);
+  technique->graphicsApiFilter()->setProfile(QGraphicsApiFilter::CoreProfile);
+  technique->graphicsApiFilter()->setMajorVersion(3);
+  technique->graphicsApiFilter()->setMinorVersion(3);
+  auto* pass = new QRenderPass(technique);
+  auto* program = new QShaderProgram(pass);
+  program->setVertexShaderCode(vertex);
+  program->setFragmentShaderCode(fragment);
+  pass->setShaderProgram(program);
+  technique->addRenderPass(pass);
+  effect->addTechnique(technique);
+  material->setEffect(effect);
+  return pass;
+}
+
+Qt3DRender::QParameter* add_parameter(Qt3DRender::QMaterial* material, const char* name) {
+  auto* parameter = new Qt3DRender::QParameter(QString::fromLatin1(name), QVariant(), material);
+  material->addParameter(parameter);
+  return parameter;
+}
+
 namespace {
 
 const char* const kSolidVertex = R"(#version 330 core
@@ -194,32 +218,6 @@ void main() {
   float above = step(sunk, place.z);
   fragColor = vec4(0.0, 0.0, 0.0, strength * fade * near * above * inside.x * inside.y);
 })";
-
-Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex,
-                                       const char* fragment) {
-  using namespace Qt3DRender;
-  auto* effect = new QEffect(material);
-  auto* technique = new QTechnique(effect);
-  technique->graphicsApiFilter()->setApi(QGraphicsApiFilter::OpenGL);
-  technique->graphicsApiFilter()->setProfile(QGraphicsApiFilter::CoreProfile);
-  technique->graphicsApiFilter()->setMajorVersion(3);
-  technique->graphicsApiFilter()->setMinorVersion(3);
-  auto* pass = new QRenderPass(technique);
-  auto* program = new QShaderProgram(pass);
-  program->setVertexShaderCode(vertex);
-  program->setFragmentShaderCode(fragment);
-  pass->setShaderProgram(program);
-  technique->addRenderPass(pass);
-  effect->addTechnique(technique);
-  material->setEffect(effect);
-  return pass;
-}
-
-Qt3DRender::QParameter* add_parameter(Qt3DRender::QMaterial* material, const char* name) {
-  auto* parameter = new Qt3DRender::QParameter(QString::fromLatin1(name), QVariant(), material);
-  material->addParameter(parameter);
-  return parameter;
-}
 
 // premultiplied over what is there, hidden by what stands before it, hiding nothing itself
 void lay_over(Qt3DRender::QRenderPass* pass, Qt3DRender::QCullFace::CullingMode culling) {

@@ -6,10 +6,15 @@
 #include <Qt3DCore/QNode>
 #include <Qt3DRender/QMaterial>
 #include <Qt3DRender/QParameter>
+#include <Qt3DRender/QRenderPass>
 
 #include "console/view3d/renderer.hpp"
 
 namespace swage::console {
+
+/// A material's only technique: OpenGL 3.3 core, of one pass.
+Qt3DRender::QRenderPass* add_technique(Qt3DRender::QMaterial* material, const char* vertex, const char* fragment);
+Qt3DRender::QParameter* add_parameter(Qt3DRender::QMaterial* material, const char* name);
 
 class SolidMaterial : public Qt3DRender::QMaterial {
  public:

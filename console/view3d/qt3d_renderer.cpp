@@ -96,6 +96,8 @@ class Qt3dRenderer final : public Renderer {
 
   void set_shelf(const Floor& shelf) override { set_level(1, shelf); }
 
+  void set_lens(const Lens& lens) override { target_->set_lens(lens, target_->camera(0)->lens()->projectionMatrix()); }
+
   void set_views(std::span<const View> views) override {
     for (size_t i = 0; i < target_->most_views(); ++i) {
       if (i >= views.size()) {

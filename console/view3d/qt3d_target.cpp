@@ -10,13 +10,14 @@
 #include <Qt3DRender/QRenderTargetOutput>
 #include <Qt3DRender/QRenderTargetSelector>
 #include <Qt3DRender/QTexture>
+#include <Qt3DRender/QTextureWrapMode>
 
 namespace swage::console {
 namespace {
 
 using namespace Qt3DRender;
 
-// a colour and a depth texture to draw into
+// A colour and a depth texture to draw into: the last two of `textures` then.
 QRenderTarget* make_target(Qt3DCore::QNode* parent, int samples, std::vector<QAbstractTexture*>& textures) {
   auto* target = new QRenderTarget(parent);
   const auto attach = [&](QRenderTargetOutput::AttachmentPoint point,
@@ -29,6 +30,9 @@ QRenderTarget* make_target(Qt3DCore::QNode* parent, int samples, std::vector<QAb
       texture->setSamples(samples);
     } else {
       texture = new QTexture2D(output);
+      texture->setWrapMode(QTextureWrapMode(QTextureWrapMode::ClampToEdge));
+      if (format == QAbstractTexture::RGBA8_UNorm) texture->setMinificationFilter(QAbstractTexture::Linear);
+      if (format == QAbstractTexture::RGBA8_UNorm) texture->setMagnificationFilter(QAbstractTexture::Linear);
     }
     texture->setFormat(format);
     texture->setGenerateMipMaps(false);
@@ -43,7 +47,7 @@ QRenderTarget* make_target(Qt3DCore::QNode* parent, int samples, std::vector<QAb
 
 }  // namespace
 
-PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views) {
+PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samples, int most_views) : lens_(parent) {
   surface_ = new QRenderSurfaceSelector(parent);
   surface_->setSurface(surface);
   floor_layer_ = new QLayer(parent);
@@ -60,14 +64,14 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
   Q_UNUSED(nothing)
   for (int i = 0; i < most_views; ++i) add_view(draw);
 
-  // one sample per pixel; the interpolation enum is swapped in the OpenGL renderer: Linear gives GL_NEAREST,
+  // One sample per pixel, of colour and depth; the interpolation enum is swapped in the OpenGL renderer: Linear gives GL_NEAREST,
   // which depth needs
-  QRenderTarget* resolved = drawn;
+  resolved_ = drawn;
   if (samples > 1) {
     auto* blit = new QBlitFramebuffer(surface_);
-    resolved = make_target(blit, 1, textures_);
+    resolved_ = make_target(blit, 1, textures_);
     blit->setSource(drawn);
-    blit->setDestination(resolved);
+    blit->setDestination(resolved_);
     blit->setSourceAttachmentPoint(QRenderTargetOutput::Color0);
     blit->setDestinationAttachmentPoint(QRenderTargetOutput::Color0);
     blit->setInterpolationMethod(QBlitFramebuffer::Linear);
@@ -75,10 +79,12 @@ PictureTarget::PictureTarget(Qt3DCore::QNode* parent, QObject* surface, int samp
     blits_.push_back(blit);
   }
 
+  lens_.build(surface_, parent, textures_.end()[-2], textures_.back(), views_.front().camera);
+
   // a branch that captures needs a leaf
-  auto* read = new QRenderTargetSelector(surface_);
-  read->setTarget(resolved);
-  auto* leaf = new QNoDraw(read);
+  read_ = new QRenderTargetSelector(surface_);
+  read_->setTarget(resolved_);
+  auto* leaf = new QNoDraw(read_);
   capture_ = new QRenderCapture(leaf);
 }
 
@@ -88,14 +94,16 @@ void PictureTarget::add_view(QFrameGraphNode* parent) {
   view.awake = new QSubtreeEnabler(parent);
   view.port = new QViewport(view.awake);
   view.camera = new QCamera(surface_);
-  add_pass(view, {floor_layer_, shadow_layer_, ghost_layer_}, false);
+  std::vector<QLayer*> others = lens_.layers();
+  others.insert(others.end(), {floor_layer_, shadow_layer_, ghost_layer_});
+  add_pass(view, others, false);
   add_pass(view, {floor_layer_}, true);
   add_pass(view, {shadow_layer_}, true);
   add_pass(view, {ghost_layer_}, true);
   views_.push_back(view);
 }
 
-void PictureTarget::add_pass(const ViewNodes& view, std::initializer_list<QLayer*> layers, bool accept) {
+void PictureTarget::add_pass(const ViewNodes& view, const std::vector<QLayer*>& layers, bool accept) {
   auto* filter = new QLayerFilter(view.port);
   for (QLayer* layer : layers) filter->addLayer(layer);
   filter->setFilterMode(accept ? QLayerFilter::AcceptAnyMatchingLayers
@@ -109,9 +117,16 @@ void PictureTarget::show(size_t view, const QRectF& part) {
   views_[view].port->setNormalizedRect(part);
 }
 
+void PictureTarget::set_lens(const Lens& lens, const QMatrix4x4& projection) {
+  lens_.set(lens, projection);
+  QRenderTarget* wanted = lens.on ? lens_.result() : resolved_;
+  if (read_->target() != wanted) read_->setTarget(wanted);
+}
+
 void PictureTarget::resize(const QSize& pixels) {
   surface_->setExternalRenderTargetSize(pixels);
   for (QAbstractTexture* t : textures_) t->setSize(pixels.width(), pixels.height());
+  lens_.resize(pixels);
   const QRectF all(QPointF(0, 0), QSizeF(pixels));
   for (QBlitFramebuffer* blit : blits_) {
     blit->setSourceRect(all);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The frame graph: draw each view with several samples per pixel, resolve, hand the picture over.
+// The frame graph: draw each view with several samples per pixel, resolve, blur what is out of focus where that is wanted, hand the picture over.
 #pragma once
 
 #include <QRectF>
@@ -13,9 +13,13 @@
 #include <Qt3DRender/QLayer>
 #include <Qt3DRender/QRenderCapture>
 #include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QRenderTarget>
+#include <Qt3DRender/QRenderTargetSelector>
 #include <Qt3DRender/QSubtreeEnabler>
 #include <Qt3DRender/QViewport>
 #include <vector>
+
+#include "console/view3d/qt3d_lens.hpp"
 
 namespace swage::console {
 
@@ -33,6 +37,8 @@ class PictureTarget {
   Qt3DRender::QLayer* shadow_layer() { return shadow_layer_; }
   Qt3DRender::QLayer* ghost_layer() { return ghost_layer_; }
   Qt3DRender::QRenderCapture* capture() { return capture_; }
+  /// The lens through which the picture is seen; `projection` is that of any view.
+  void set_lens(const Lens& lens, const QMatrix4x4& projection);
   void resize(const QSize& pixels);
 
  private:
@@ -42,9 +48,12 @@ class PictureTarget {
     Qt3DRender::QCamera* camera;
   };
   void add_view(Qt3DRender::QFrameGraphNode* parent);
-  static void add_pass(const ViewNodes& view, std::initializer_list<Qt3DRender::QLayer*> layers, bool accept);
+  static void add_pass(const ViewNodes& view, const std::vector<Qt3DRender::QLayer*>& layers, bool accept);
 
+  LensPasses lens_;
   Qt3DRender::QRenderSurfaceSelector* surface_;
+  Qt3DRender::QRenderTarget* resolved_;        // the picture as it was drawn
+  Qt3DRender::QRenderTargetSelector* read_;    // what is handed over
   std::vector<ViewNodes> views_;
   Qt3DRender::QLayer *floor_layer_, *shadow_layer_, *ghost_layer_;
   Qt3DRender::QRenderCapture* capture_;

@@ -62,6 +62,17 @@ struct View {
   QRect part;
 };
 
+/// Depth of field: a point so far off the plane in focus is seen as a disc of so many times that diameter in that plane.
+struct Lens {
+  bool on = false;
+  float focus_mm = 1;   // from the eyes to the plane that is sharp
+  float aperture = 0;   // width of the lens over its distance
+  float px_per_mm = 1;  // in that plane
+};
+
+/// Diameter of the largest disc that is drawn: that of the taps of the blur and of one of its pixels. A larger one shows as this.
+inline constexpr float kDisc_px = 14;
+
 /// Whether this machine can draw, and why not. Asked once at start.
 struct GlProbe {
   bool ok = false, software = false;
@@ -88,6 +99,8 @@ class Renderer {
   virtual void set_shelf(const Floor& shelf) = 0;
   /// At most as many as the renderer was made for; the others sleep.
   virtual void set_views(std::span<const View> views) = 0;
+  /// For all views, which have the same near and far plane; after set_views().
+  virtual void set_lens(const Lens& lens) = 0;
   virtual void resize(const QSize& pixels) = 0;
   /// Draws one picture; `done` gets an earlier or this one, with transparent background, premultiplied.
   virtual void draw(std::function<void(const QImage&)> done) = 0;

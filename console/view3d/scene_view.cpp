@@ -1,51 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/view3d/scene_view.hpp"
 
-#include <swage/abi/lesson.h>
-
+#include <QPainter>
 #include <QPointer>
-#include <QtMath>
+#include <QScreen>
 #include <algorithm>
-#include <cmath>
-#include <span>
-#include <utility>
 
-#include "console/view3d/overlay.hpp"
+#include "console/view3d/led_tool.hpp"
 
 namespace swage::console {
 namespace {
 
 constexpr int kTick_ms = 16;
+constexpr int kSamples = 4, kMostViews = 3;
 constexpr int kFirstPictures = 16;  // shaders and meshes load in the background: the first pictures are empty
-constexpr qint64 kPatience_ms =
-    30000;  // so long an empty picture is taken for one that is still being loaded
-constexpr double kLeastThread_px = 2.2;  // a 10-0 suture has one pixel where the picture shows 15 mm: it would come and go
-constexpr float kLift_mm = 0.004F;  // the grid lies so far above its stage, so that it does not flicker
-constexpr float kRoom = 1.2F;        // space around what is framed
-
-// steel while it only springs, orange where it begins to stay bent, red at one and a half times that
-QColor stressed(const QColor& steel, double share) {
-  const QColor yields(0xff, 0x8c, 0x1a), ruined(0xd4, 0x07, 0x06);
-  const auto mix = [](const QColor& a, const QColor& b, double u) {
-    const auto f = static_cast<float>(std::clamp(u, 0.0, 1.0));
-    return QColor::fromRgbF(a.redF() + f * (b.redF() - a.redF()), a.greenF() + f * (b.greenF() - a.greenF()),
-                            a.blueF() + f * (b.blueF() - a.blueF()));
-  };
-  return share <= 1 ? mix(steel, yields, 2 * share - 1) : mix(yields, ruined, 2 * share - 2);
-}
-
-// the top of the tissue: shadows alone, which tell how far a point still is from it
-Floor shelf_of(const Ground& level) {
-  Floor floor;
-  floor.shown = level.on_stage;
-  floor.z = level.z + kLift_mm;
-  floor.centre = level.centre;
-  floor.half_x = level.half_x;
-  floor.half_y = level.half_y;
-  floor.radius = 4 * std::max(level.half_x, level.half_y);
-  floor.reach = 2;
-  return floor;
-}
+constexpr qint64 kPatience_ms = 30000;  // so long an empty picture is taken for one that is still being loaded
 
 // one colour only
 bool is_plain(const QImage& image) {
@@ -60,274 +29,193 @@ bool is_plain(const QImage& image) {
 }  // namespace
 
 SceneView::SceneView(QWidget* parent)
-    : QWidget(parent), gl_(probe_gl()), snapshot_(std::make_unique<snapshot::Snapshot>()) {
+    : QWidget(parent),
+      gl_(probe_gl()),
+      renderer_(gl_.ok ? make_qt3d_renderer(kSamples, kMostViews) : nullptr),
+      ghost_(renderer_.get()),
+      input_(new SceneInput(this, scene_, point_, panels_)) {
   setObjectName(QStringLiteral("scene_view"));
   setAccessibleName(tr("Live view of the scene"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(320, 240);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  if (gl_.ok) renderer_ = make_qt3d_renderer(4, 3);
+  connect(input_, &SceneInput::pointer, this, [this](const swage_pointer& input) {
+    pace_.moved(clock_.nsecsElapsed());
+    Q_EMIT pointer(input);
+  });
+  connect(input_, &SceneInput::circle, this, &SceneView::circle);
+  connect(input_, &SceneInput::control_used, this, &SceneView::control_used);
+  connect(input_, &SceneInput::microscope_zoomed, this, &SceneView::microscope_zoomed);
+  connect(input_, &SceneInput::looked, this, [this] { touch(); });
+  connect(input_, &SceneInput::words_changed, this, qOverload<>(&QWidget::update));
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SceneView::tick);
   clock_.start();
-  if (renderer_) timer_.start(kTick_ms);
+  if (!renderer_) return;
+  meshes_ = std::make_unique<SceneMeshes>(*renderer_, scene_, shown_);
+  timer_.start(kTick_ms);
 }
 
 SceneView::~SceneView() = default;
 
-void SceneView::touch(int pictures) {
-  to_draw_ = std::max(to_draw_, pictures);
-  alike_ = 0;
+void SceneView::touch(int pictures) { pace_.want(pictures); }
+
+void SceneView::measure() {
+  panels_.set_area(size(), devicePixelRatioF());
+  point_.set_screen(screen() ? screen()->size() : size());
+}
+
+// The size of the widget, its insets or its eyes are others.
+void SceneView::lay_out() {
+  measure();
+  if (renderer_) renderer_->resize(panels_.canvas());
+  touch(4);
+  update();
+}
+
+void SceneView::apply(PanelLayout::Change change) {
+  if (change == PanelLayout::Change::kLaidOut) lay_out();
+  if (change == PanelLayout::Change::kMoved) touch();
+}
+
+void SceneView::colour() {
+  if (scene_.have_card() && meshes_) meshes_->colour();
 }
 
 void SceneView::set_themes(const UiTheme& ui, const CueTheme& cues) {
-  ui_ = ui;
-  cues_ = cues;
-  background_ = {};
-  if (have_card_) colour_parts();
-  for (size_t i = 0; ghost_ && i < ghost_->part.size(); ++i) renderer_->set_surface(ghost_->part[i].first, {ui_["ghost"], 0, 0, Finish::kGhost});
+  shown_.ui = ui;
+  shown_.cues = cues;
+  painter_.forget_background();
+  colour();
+  ghost_.colour(ui);
   touch();
   update();
 }
 
 void SceneView::set_card(const snapshot::SceneCard& card, CameraPreset preset) {
-  card_ = card;
-  parts_ = make_parts(card);
-  have_card_ = true;
-  have_snapshot_ = false;
-  led_ = SWAGE_NONE;
-  image_ = {};
-  image_parts_.clear();
-  second_ = {};
-  ghost_.reset();
+  scene_.set_card(card);
+  picture_ = {};
+  panels_.clear();
+  ghost_.forget();
   since_card_.start();
-  camera_.frame(parts_.focus.centre(), kRoom * std::max(parts_.focus.radius(), 0.3F));
-  near_ = {};
-  camera_.look(preset_ = preset);
-  look_aside();
-  camera_.jump();
-  if (!renderer_) return update();
-  renderer_->clear();
-  for (size_t i = 0; i < parts_.part.size(); ++i) {
-    const ScenePart& part = parts_.part[i];
-    const bool carries = parts_.ground.on_stage && i == parts_.ground.part;
-    const bool casts = part.role != Role::kMark && !carries;
-    const bool moves = casts && !part.soft && part.role != Role::kStage;
-    renderer_->add_part(part.mesh, surface_of(part), {casts, moves});
-  }
-  add_wounds();
-  dented_.clear();
-  wound_ = {};
-  wounds_drawn_ = false;
-  loupe_mm_ = 0;
-  colour_parts();
-  place_parts();
+  point_.frame(preset);
+  if (!meshes_) return update();
+  meshes_->build(panels_.mm_per_pixel());
+  set_wound();
   touch(kFirstPictures);
 }
 
-Surface SceneView::surface_of(const ScenePart& part) const {
-  if (part.soft) return {ui_["tissue"], 0, 60, Finish::kMoist};
-  switch (part.role) {
-    case Role::kTool:
-      return {ui_["tool"], 0.7F, 60, Finish::kBrushed};
-    case Role::kStage:
-      return {ui_["stage"], 0, 12};
-    case Role::kMark: {
-      if (part.collar) return {Qt::white, 0, 30};
-      const judge::Script::Mark& mark = card_.script.marks[part.mark];
-      return {cues_.style(QString::fromStdString(mark.meaning)).colour, 0, 30};
-    }
-    case Role::kWork:
-    case Role::kOther:
-      break;
-  }
-  if (part.thread >= 0) return {ui_["thread"], 0.1F, 60};
-  return part.wire ? Surface{ui_["steel"], 0.7F, 40} : Surface{ui_["other"], 0, 20};
-}
-
-QString SceneView::cue_of(uint32_t object) const {
-  if (!cues_shown_ || !have_snapshot_ || object >= snapshot_->n_object) return {};
-  const uint32_t cue = snapshot_->object_cue[object];
-  return cue < card_.script.cues.size() ? QString::fromStdString(card_.script.cues[cue].id) : QString();
-}
-
-void SceneView::colour_parts() {
-  if (!renderer_) return;
-  for (size_t i = 0; i < parts_.part.size(); ++i) {
-    const ScenePart& part = parts_.part[i];
-    Surface surface = surface_of(part);
-    const QString cue = cue_of(part.object);
-    if (part.role == Role::kWork && part.chain >= 0 && stress_shown_)
-      surface.colour = stressed(surface.colour, stress_);
-    // a wound is seen on tissue in its own colour only
-    if (part.role != Role::kMark && !part.soft && !cue.isEmpty())
-      surface = {cues_.style(cue).colour, 0.25F, 40, surface.finish};
-    renderer_->set_surface(static_cast<int>(i), surface);
-  }
-  colour_wounds();
-  const Ground& ground = parts_.ground;
-  const float size = std::max(parts_.focus.radius(), 0.5F);
-  Floor floor;
-  floor.shown = have_card_;
-  floor.z = ground.z + (ground.on_stage ? kLift_mm : 0);
-  floor.centre = ground.centre;
-  floor.radius = 8 * size;
-  floor.reach = size;
-  if (ground.on_stage) {
-    floor.half_x = ground.half_x;
-    floor.half_y = ground.half_y;
-    floor.radius = 4 * std::max(ground.half_x, ground.half_y);
-    floor.fill = 0;
-  }
-  floor.colour = ui_["floor"];
-  floor.line = ui_["floor_line"];
-  renderer_->set_floor(floor);
-  renderer_->set_shelf(shelf_of(parts_.shelf));
-}
-
-void SceneView::place_parts() {
-  for (size_t i = 0; i < parts_.part.size(); ++i) {
-    if (parts_.part[i].thread >= 0) {
-      place_thread(static_cast<int>(i));
-      continue;
-    }
-    if (parts_.part[i].chain >= 0) {
-      if (have_snapshot_)
-        renderer_->set_mesh(static_cast<int>(i), chain_mesh(parts_, parts_.part[i],
-                                                            std::span(snapshot_->X_WB, snapshot_->n_body)));
-      continue;
-    }
-    const uint32_t body = parts_.part[i].body;
-    const swage_pose& X =
-        have_snapshot_ && body < snapshot_->n_body ? snapshot_->X_WB[body] : card_.start[body];
-    QMatrix4x4 m;
-    m.translate(to_mm(X.p));
-    m.rotate(to_qt(X.q));
-    renderer_->set_pose(static_cast<int>(i), m);
-  }
-  if (!have_snapshot_) return;
-  place_soft();
-}
-
-// Of its true thickness, but where that could not be seen.
-void SceneView::place_thread(int part) {
-  const ScenePart& of = parts_.part[static_cast<size_t>(part)];
-  const ThreadLine& thread = parts_.threads[static_cast<size_t>(of.thread)];
-  const uint32_t last = thread.first + thread.vertices();
-  const std::span<const double> p_W = have_snapshot_ && last <= snapshot_->n_particle
-                                          ? std::span(snapshot_->particle_p_W + 3 * thread.first, thread.start.size())
-                                          : std::span(thread.start);
-  const Panel first = panels().front();
-  const double mm_per_px = first.view.eye.mm_per_pixel(first.size.height());
-  renderer_->set_mesh(part, thread_mesh(parts_, of, p_W, 0.5 * kLeastThread_px * mm_per_px / kMmPerM));
-}
-
-// in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
-bool SceneView::read_signals(const snapshot::Snapshot& snapshot) {
-  double stress = 0;
-  pierced_ = false;
-  for (uint32_t i = 0; i < snapshot.n_signal && i < card_.script.signals.size(); ++i) {
-    const std::string& id = card_.script.signals[i].id;
-    if (id == "pierce.state") pierced_ |= snapshot.signal[i] > 1.5;  // 2: in the tissue
-    if (stress_shown_ && id == "needle.stress") stress = std::max(stress, snapshot.signal[i]);
-  }
-  const double rounded = std::round(16 * std::min(stress, 2.0)) / 16;
-  return std::exchange(stress_, rounded) != rounded;
-}
-
-void SceneView::set_stress_shown(bool shown) {
-  stress_shown_ = shown;
-  if (have_snapshot_) read_signals(*snapshot_);
-  if (have_card_) colour_parts();
-  touch();
+void SceneView::set_wound() {
+  marks_.set_wound(meshes_->soft().wound(), meshes_->soft().wounded_object());
+  apply(panels_.set_wound(meshes_->soft().wound()));
 }
 
 void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
-  const bool recolour =
-      read_signals(snapshot) || !have_snapshot_ ||
-      !std::equal(snapshot.object_cue, snapshot.object_cue + snapshot.n_object, snapshot_->object_cue);
-  const bool same =
-      have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
-  *snapshot_ = snapshot;
-  if (moved_ns_ >= 0 && sampled_ns_ < 0 && !same) sampled_ns_ = moved_ns_;
-  follow_led_tool();
-  const bool first = !std::exchange(have_snapshot_, true);
-  look_near();
-  if (first && near_) camera_.jump();
-  if (!renderer_) return;
-  if (recolour) colour_parts();
-  if (same) return;
-  place_parts();
+  const SceneState::Change change = scene_.take(snapshot, shown_.stress);
+  if (!change.same) pace_.sampled();
+  if (change.led) update();
+  if (point_.look_near() && change.first) point_.camera.jump();
+  if (!meshes_) return;
+  if (change.colours) meshes_->colour();
+  if (change.same) return;
+  meshes_->place(panels_.mm_per_pixel());
+  set_wound();
   // under a drag the picture stands still: what is dragged stays under the pointer
-  if (!dragging_ && parts_.watched >= 0 && static_cast<uint32_t>(parts_.watched) < snapshot.n_body) {
-    const swage_pose& X = snapshot.X_WB[parts_.watched];
-    camera_.follow(to_mm(X.p) + to_qt(X.q).rotatedVector(parts_.watched_middle));
-  }
+  if (const auto watched = scene_.watched(); watched && !panels_.held()) point_.camera.follow(*watched);
+  touch();
+}
+
+void SceneView::look(CameraPreset preset) {
+  point_.look(preset);
+  touch();
+}
+
+void SceneView::set_stereo(const StereoLook& look) {
+  point_.set_stereo(look);
+  lay_out();
+}
+
+void SceneView::set_station_mark(const std::optional<QPointF>& at_mm) {
+  painter_.set_station_mark(at_mm);
+  update();
+}
+
+void SceneView::set_second_shown(bool shown) { apply(panels_.show_second(shown)); }
+void SceneView::set_loupe_shown(bool shown) { apply(panels_.show_loupe(shown)); }
+void SceneView::set_instrument(bool on) { input_->set_instrument(on); }
+void SceneView::set_control_hints(bool drag, bool close, bool drive) { input_->set_hints(drag, close, drive); }
+
+void SceneView::set_stress_shown(bool shown) {
+  shown_.stress = shown;
+  scene_.read_stress(shown);
+  colour();
   touch();
 }
 
 void SceneView::set_cues_shown(bool shown) {
-  cues_shown_ = shown;
-  if (have_card_) colour_parts();
+  shown_.cues_shown = shown;
+  colour();
   touch();
   update();
 }
 
 void SceneView::set_forces_shown(bool shown) {
-  forces_shown_ = shown;
+  shown_.forces = shown;
   update();
 }
 
 void SceneView::set_hold(double share) {
-  if (hold_ == share) return;
-  hold_ = share;
-  update();
+  if (marks_.set_hold(share)) update();
 }
 
 void SceneView::set_texts(const QString& clock, const QString& banner) {
-  if (clock == clock_text_ && banner == banner_) return;
-  clock_text_ = clock;
-  banner_ = banner;
+  if (clock == words_.clock && banner == words_.banner) return;
+  words_.clock = clock;
+  words_.banner = banner;
   update();
 }
 
 void SceneView::set_task(const QString& task) {
-  if (task == task_) return;
-  task_ = task;
-  if (stereo_) update();
+  if (task == words_.task) return;
+  words_.task = task;
+  if (point_.stereo()) update();
 }
 
 void SceneView::set_message(const QString& words) {
-  if (words == message_) return;
-  message_ = words;
-  if (stereo_) update();
+  if (words == words_.message) return;
+  words_.message = words;
+  if (point_.stereo()) update();
+}
+
+void SceneView::set_ghost(const snapshot::SceneCard* card, const QString& name) {
+  card ? ghost_.set(*card, name, shown_.ui) : ghost_.drop();
+  touch();
+  update();
+}
+
+void SceneView::show_ghost(std::span<const swage_pose> X_WB) {
+  if (ghost_.show(X_WB)) touch();
 }
 
 void SceneView::tick() {
   const qint64 now = clock_.nsecsElapsed();
   const double dt = std::min(0.1, static_cast<double>(now - last_tick_ns_) * 1e-9);
   last_tick_ns_ = now;
-  if (!isVisible() || !have_card_) return;
-  if (camera_.advance(dt)) {
-    for (size_t i = 0; i < parts_.part.size(); ++i)
-      if (parts_.part[i].thread >= 0 && renderer_) place_thread(static_cast<int>(i));
+  if (!isVisible() || !scene_.have_card()) return;
+  measure();
+  if (point_.camera.advance(dt)) {
+    meshes_->place_threads(panels_.mm_per_pixel());
     touch();
   }
-  move_second(dt);
-  if (resting()) {
-    moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
-    return frames_.rest();
-  }
-  // a processor that draws has less left for the session: every other picture is enough
-  skip_ = gl_.software && !skip_;
-  if (skip_) return;
-  to_draw_ = std::max(0, to_draw_ - 1);
+  apply(panels_.advance(dt));
+  send_eyes();
+  if (!pace_.due(gl_.software)) return;
   std::vector<View> views;
   const std::vector<Panel> parts = panels();
   for (const Panel& panel : parts) views.push_back(panel.view);
   renderer_->set_views(views);
-  if (sampled_ns_ >= 0 && drawn_ns_ < 0) drawn_ns_ = sampled_ns_;
+  renderer_->set_lens(point_.lens(views.front().part.size(), views.front().eye));
   QPointer<SceneView> self(this);
   renderer_->draw([self, parts](const QImage& image) {
     if (self) self->arrived(image, parts);
@@ -335,28 +223,79 @@ void SceneView::tick() {
 }
 
 // Goes on drawing until the picture stands still: a slow machine is still loading when a fast one has long finished.
-void SceneView::arrived(const QImage& image, const std::vector<Panel>& parts) {
+void SceneView::arrived(const QImage& image, const std::vector<Panel>& panels) {
   const bool empty = image.isNull() || (image.pixelColor(0, 0).alpha() == 0 && is_plain(image));
-  if (empty && since_card_.elapsed() < kPatience_ms) {
-    alike_ = 0;
-    return;
-  }
-  const bool first = image_.isNull();
-  alike_ = image == image_ ? alike_ + 1 : 0;
-  image_ = image;
-  frames_.add(clock_.nsecsElapsed());
-  if (drawn_ns_ >= 0) {
-    shows_ns_ = drawn_ns_;
-    moved_ns_ = sampled_ns_ = drawn_ns_ = -1;
-  }
-  image_parts_ = parts;
+  if (empty && since_card_.elapsed() < kPatience_ms) return pace_.empty();
+  const bool first = !ready();
+  pace_.arrived(clock_.nsecsElapsed(), image == picture_.image);
+  picture_ = {image, panels};
   update();
   if (first) Q_EMIT ready_changed();
 }
 
+// Words change without a picture, and the display wants both eyes all the time.
+void SceneView::send_eyes() {
+  if (!eyes_sink_ || !ready() || point_.stereo()->layout != StereoLayout::kShutter) return;
+  const std::vector<QImage> eye = painter_.eyes(canvas(), panels(), picture_, words_, instrument());
+  if (eye.size() == 2) eyes_sink_(eye[0], eye[1]);
+}
+
+Canvas SceneView::canvas() const {
+  const double ratio = devicePixelRatioF();
+  return {size(), ratio, (QPointF(mapToGlobal(QPoint())) * ratio).toPoint(), font(), hasFocus()};
+}
+
+QImage SceneView::image() const {
+  return picture_.panels.size() < 2 ? picture_.image : picture_.image.copy(picture_.panels.front().view.part);
+}
+
+void SceneView::paintEvent(QPaintEvent*) {
+  pace_.painted(clock_.nsecsElapsed());
+  QPainter painter(this);
+  if (!renderer_) return painter_.paint_placeholder(painter, canvas(), gl_.why);
+  measure();
+  words_.hint = input_->hint(hasFocus(), scene_.led() != SWAGE_NONE, !words_.banner.isEmpty());
+  painter_.paint(painter, canvas(), panels(), picture_, words_, input_->instrument());
+}
+
 void SceneView::resizeEvent(QResizeEvent*) {
-  background_ = {};
+  painter_.forget_background();
   lay_out();
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) { input_->press(event); }
+void SceneView::mouseMoveEvent(QMouseEvent* event) { input_->move(event); }
+void SceneView::mouseReleaseEvent(QMouseEvent* event) { input_->release(event); }
+void SceneView::wheelEvent(QWheelEvent* event) { input_->wheel(event); }
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (instrument()) return mousePressEvent(event);
+  look(CameraPreset::kOrbit);
+}
+
+// Tab hands over to the other instrument where the mouse leads two; else it goes on to the next button, as everywhere.
+bool SceneView::focusNextPrevChild(bool next) {
+  if (instrument() && mouse_hands(scene_.card()) > 1) return false;
+  return QWidget::focusNextPrevChild(next);
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (!input_->key_down(event)) QWidget::keyPressEvent(event);
+}
+
+void SceneView::keyReleaseEvent(QKeyEvent* event) {
+  if (!input_->key_up(event)) QWidget::keyReleaseEvent(event);
+}
+
+void SceneView::focusInEvent(QFocusEvent* event) {
+  update();
+  QWidget::focusInEvent(event);
+}
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  input_->focus_lost();
+  update();
+  QWidget::focusOutEvent(event);
 }
 
 }  // namespace swage::console

@@ -3,33 +3,28 @@
 // The live picture: the 3D scene, and over it the scale, the cue at the grasp, the clock. Works without
 // OpenGL, too: then it says so, and the rest of the window goes on.
 //
-// The picture has one panel, or two: a second view at right angles near the jaws, or the two eyes of a trainee.
+// The widget passes on what happens. Each job has a class of its own: what is in the scene (SceneState), from where it is looked at
+// (ViewPoint), its panels (PanelLayout), its parts in the renderer (SceneMeshes, SoftMeshes, GhostTools), what is painted over the picture
+// (SceneMarks, ScenePainter), mouse and keys (SceneInput), when a picture is drawn (PicturePace).
 #pragma once
 
 #include <QElapsedTimer>
-#include <QImage>
-#include <QPixmap>
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 
-#include "console/cues/cue_theme.hpp"
-#include "console/cues/ui_theme.hpp"
-#include "console/link/pointer_input.hpp"
-#include "console/view3d/frame_times.hpp"
-#include "console/view3d/needle_circle.hpp"
+#include "console/view3d/ghost_tools.hpp"
+#include "console/view3d/panels.hpp"
+#include "console/view3d/picture_pace.hpp"
 #include "console/view3d/renderer.hpp"
-#include "console/view3d/scene_parts.hpp"
-#include "console/view3d/stereo_look.hpp"
-#include "console/view3d/wound_surface.hpp"
-#include "record/display.hpp"
+#include "console/view3d/scene_input.hpp"
+#include "console/view3d/scene_meshes.hpp"
+#include "console/view3d/scene_painter.hpp"
 
 namespace swage::console {
-
-class Overlay;
 
 class SceneView : public QWidget {
   Q_OBJECT
@@ -37,10 +32,13 @@ class SceneView : public QWidget {
   explicit SceneView(QWidget* parent = nullptr);
   /// For two eyes: nothing but the scene and its cues.
   void set_stereo(const StereoLook& look);
+  /// Takes the pictures of both eyes, at display rate, while they are shown in turn (StereoLayout::kShutter); the view shows the left one.
+  using EyesSink = std::function<void(const QImage& left, const QImage& right)>;
+  void set_eyes_sink(EyesSink sink) { eyes_sink_ = std::move(sink); }
   /// A mark of a registration over the picture, mm from its middle, +y up; where the size of the screen is known.
   void set_station_mark(const std::optional<QPointF>& at_mm);
   /// How the scene is seen here, for the record of an attempt.
-  record::Display display() const;
+  record::Display display() const { return point_.display(); }
   ~SceneView() override;
 
   const GlProbe& gl() const { return gl_; }
@@ -49,10 +47,10 @@ class SceneView : public QWidget {
   /// Copies what it needs; call at display rate.
   void show_snapshot(const snapshot::Snapshot& snapshot);
   void look(CameraPreset preset);
-  OrbitCamera& camera() { return camera_; }
+  OrbitCamera& camera() { return point_.camera; }
   /// Cues are hidden in Test mode, and by choice.
   void set_cues_shown(bool shown);
-  bool cues_shown() const { return cues_shown_; }
+  bool cues_shown() const { return shown_.cues_shown; }
   void set_forces_shown(bool shown);
   /// Colours a bending needle by its stress; for the instructor.
   void set_stress_shown(bool shown);
@@ -62,7 +60,7 @@ class SceneView : public QWidget {
   void set_task(const QString& task);
   /// What an instructor says, for a trainee's view; "" for nothing.
   void set_message(const QString& words);
-  const QString& message() const { return message_; }
+  const QString& message() const { return words_.message; }
   /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
   void set_control_hints(bool drag, bool close, bool drive);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
@@ -73,21 +71,23 @@ class SceneView : public QWidget {
   void set_loupe_shown(bool shown);
   /// While true, mouse and keys drive the instrument and not the camera.
   void set_instrument(bool on);
-  bool instrument() const { return instrument_; }
+  bool instrument() const { return input_->instrument(); }
   /// Instruments of somebody else in this scene, seen through, with a name at their tips: until the next card, or without a card. The
   /// card is of the same lesson; bodies are its.
   void set_ghost(const snapshot::SceneCard* card, const QString& name = {});
   /// Where they are; none: they are not shown.
   void show_ghost(std::span<const swage_pose> X_WB);
-  bool ghost_shown() const { return ghost_ && ghost_->shown; }
+  bool ghost_shown() const { return ghost_.shown(); }
   /// A picture of the scene has arrived since the last card.
-  bool ready() const { return !image_.isNull(); }
+  bool ready() const { return !picture_.image.isNull(); }
   QImage image() const;
   /// Nothing moves, and the last pictures were alike: what is seen is what there is, however slow the machine.
-  bool resting() const { return to_draw_ == 0 && alike_ >= kAlike; }
-  const FrameTimes& frames() const { return frames_; }
+  bool resting() const { return pace_.resting(); }
+  const FrameTimes& frames() const { return pace_.frames(); }
+  /// Pictures drawn since the start.
+  uint64_t drawn() const { return pace_.count(); }
   /// From a movement of mouse or key to the first picture painted that can show it, as far as software sees.
-  const FrameTimes& latency() const { return latency_; }
+  const FrameTimes& latency() const { return pace_.latency(); }
   /// Draws again although nothing moved.
   void redraw() { touch(); }
 
@@ -98,7 +98,7 @@ class SceneView : public QWidget {
   void ready_changed();
   /// By keys, a pedal that sends them, or the wheel.
   void microscope_zoomed(float zoom);
-  /// The person has done what a hint told, or turned the view: "drag", "close", "drive", "view".
+  /// The person has done what a hint told: "drag", "close", "drive".
   void control_used(const QString& what);
 
  protected:
@@ -116,135 +116,36 @@ class SceneView : public QWidget {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
-  static constexpr int kAlike =
-      3;  // pictures in a row; less, and a mesh that is still being loaded is missed
-  enum class Inset { kNone, kDepth, kWound };
-  /// A part of the widget in which the scene is seen by one eye.
-  struct Panel {
-    QRectF at;    // on the widget
-    QSizeF size;  // it is painted as large as this and then pressed into `at`
-    View view;    // and where it lies in the renderer's picture
-    Inset inset = Inset::kNone;
-  };
-  struct Ghost {
-    QString name;
-    std::vector<std::pair<int, uint32_t>> part;  // of the renderer, and its body
-    std::vector<std::vector<Spot>> tips;         // of each instrument
-    std::vector<swage_pose> X_WB;
-    bool shown = false;
-  };
-  void paint_ghost(Overlay& overlay, const Panel& panel) const;
-  std::vector<Panel> panels() const;
-  std::array<Eye, 2> eyes(const QSizeF& own) const;
+  void measure();
   void lay_out();
-  QSize canvas() const;  // the renderer's picture: all panels beside each other
-  Panel panel_at(const QPointF& position) const;
-  void move_second(double dt_s);
-  QRectF corner_at(int corner, double shape) const;
-  Panel loupe() const;
-  void show_loupe();
-  void choose_loupe_corner();
-  void choose_corner(const QVector3D& tips, const QVector3D& aim);
-  void look_from(const QPointF& position);
-  swage_pointer moved(const QPointF& from, const QPointF& to);
-  QVector3D place_of(const Spot& spot) const;
-  QVector3D middle_of_tips() const;
-  QVector3D aim_near(const QVector3D& tips) const;
-  const Panel* drawn(const Panel& panel, size_t index) const;
-  void paint_panel(QPainter& painter, const Panel& panel, size_t index);
-  void paint_eyes(QPainter& painter, const std::vector<Panel>& all);
-  void paint_frame(QPainter& painter, const Panel& inset) const;
-  void paint_words(QPainter& painter);
-  QString hint() const;
-  void used(const char* what);
-  void tick();
+  void apply(PanelLayout::Change change);
   void touch(int pictures = 3);
-  void arrived(const QImage& image, const std::vector<Panel>& parts);
-  bool read_signals(const snapshot::Snapshot& snapshot);  // true when the colour changes
-  void place_parts();
-  void place_thread(int part);
-  void colour_parts();
-  void look_near();
-  void look_aside();
-  void add_wounds();
-  void colour_wounds();
-  void place_soft();
-  Surface surface_of(const ScenePart& part) const;
-  QString cue_of(uint32_t object) const;
-  bool moves_camera(const QMouseEvent& event) const;
-  void wrap_pointer(const QPoint& global);
-  QVector3D grasp_point(uint32_t object) const;
-  void paint_background(QPainter& painter, const QRectF& at);
-  void paint_placeholder(QPainter& painter);
-  bool has_target() const;
-  void tell(const swage_pointer& input);
-  void tell_circle(const swage_pointer& input);
-  void follow_led_tool();
-  void paint_led(Overlay& overlay, const Panel& panel) const;
-  void paint_station_mark(QPainter& painter, const Panel& panel) const;
-  QSizeF screen_mm_per_pixel() const;
-  float screen_scale() const;
-  void zoom_microscope(int notches);
-  /// Whether the lesson has looked at the scene yet: only then are its marks where it has drawn them.
-  bool judged() const { return have_snapshot_ && snapshot_->step > 0; }
-  void paint_marks(Overlay& overlay, const Panel& panel) const;
-  void paint_forces(Overlay& overlay, const Panel& panel) const;
-  void paint_cues(Overlay& overlay, const Panel& panel) const;
-  double clear_px(uint32_t object, const Panel& panel) const;
+  void tick();
+  void arrived(const QImage& image, const std::vector<Panel>& panels);
+  void set_wound();
+  void send_eyes();
+  Canvas canvas() const;
+  void colour();
+  std::vector<Panel> panels() const { return panels_.panels(); }
 
   GlProbe gl_;
-  std::unique_ptr<Renderer> renderer_;
-  OrbitCamera camera_;
-  UiTheme ui_;
-  CueTheme cues_;
-  snapshot::SceneCard card_;
-  SceneParts parts_;
-  std::set<int> dented_;          // parts that are not as they were at rest
-  bool pierced_ = false;
-  WoundPlace wound_;  // the greatest in the scene
-  uint32_t wounded_object_ = 0;
-  bool wounds_drawn_ = false;
-  int wound_part_[3] = {-1, -1, -1};  // lip, flesh, depth
-  std::unique_ptr<snapshot::Snapshot> snapshot_;
-  bool have_card_ = false, have_snapshot_ = false;
-  bool cues_shown_ = true, forces_shown_ = false, instrument_ = false;
-  bool stress_shown_ = false, second_shown_ = false;
-  std::unique_ptr<Ghost> ghost_;
-  std::optional<StereoLook> stereo_;
-  std::optional<QPointF> station_mark_;
-  Bounds second_;          // what the second view shows now
-  bool dragging_ = false;  // a button moves the instrument: no view moves meanwhile
-  Inset drags_in_ = Inset::kNone;
-  int corner_ = 0;        // where the second view lies
-  int loupe_corner_ = 1;  // and the loupe
-  float loupe_mm_ = 0;    // radius of what the loupe shows, 0 for no loupe
-  bool loupe_shown_ = true;
-  double stress_ = 0;  // of first yield
-  double hold_ = 0;
-  QString clock_text_, banner_, task_, message_;
-  bool hint_drag_ = false, hint_close_ = false, hint_drive_ = false;
-  bool turned_view_ = false;  // a drag turned the view while no attempt took it
-  QImage image_;                    // of all panels
-  std::vector<Panel> image_parts_;  // as they were when it was drawn
-  QPixmap background_;
-  CameraPreset preset_ = CameraPreset::kOrbit;
-  std::optional<QVector3D> near_;  // the mark looked at
-  int to_draw_ = 0;                // pictures still wanted
-  int alike_ = 0;                  // pictures in a row that were the same
-  QElapsedTimer since_card_;
-  FrameTimes frames_, latency_;
-  qint64 moved_ns_ = -1;    // the oldest movement that no picture shows yet
-  qint64 sampled_ns_ = -1;  // and that a snapshot since then may show
-  qint64 drawn_ns_ = -1;    // and that the picture under way shows
-  qint64 shows_ns_ = -1;    // and that the next paint brings to the screen
-  bool skip_ = false;
-  QTimer timer_;
-  QElapsedTimer clock_;
+  std::unique_ptr<Renderer> renderer_;  // none without OpenGL
+  Shown shown_;
+  SceneState scene_;
+  ViewPoint point_{scene_};
+  PanelLayout panels_{scene_, point_};
+  GhostTools ghost_;
+  std::unique_ptr<SceneMeshes> meshes_;  // with a renderer
+  SceneMarks marks_{scene_, shown_, ghost_};
+  ScenePainter painter_{scene_, shown_, point_, marks_};
+  SceneInput* input_;
+  PicturePace pace_;
+  ViewWords words_;
+  Picture picture_;
+  EyesSink eyes_sink_;
+  QElapsedTimer since_card_, clock_;
   qint64 last_tick_ns_ = 0;
-  PointerInput input_;
-  uint32_t led_ = SWAGE_NONE;  // the tool that the mouse leads, of several
-  bool drives_ = false;  // along the needle's circle
-  QPointF last_mouse_;
+  QTimer timer_;
 };
 
 }  // namespace swage::console

@@ -12,7 +12,7 @@ constexpr std::pair<StereoLayout, const char*> kNames[] = {
     {StereoLayout::kSideBySide, "side"},      {StereoLayout::kOverUnder, "over"},      {StereoLayout::kLines, "lines"},
     {StereoLayout::kChecker, "checker"},      {StereoLayout::kAnaglyph, "anaglyph"},   {StereoLayout::kAnaglyphGrey, "grey"},
     {StereoLayout::kAnaglyphLeast, "least"}, {StereoLayout::kOneEye, "one"},          {StereoLayout::kLeftEye, "left"},
-    {StereoLayout::kRightEye, "right"}};
+    {StereoLayout::kRightEye, "right"},       {StereoLayout::kShutter, "shutter"}};
 
 // Red-cyan by least squares, of sRGB values: rows red, green, blue of the picture, columns those of an eye's
 constexpr float kLeastLeft[3][3] = {{0.437F, 0.449F, 0.164F}, {-0.062F, -0.062F, -0.024F}, {-0.048F, -0.050F, -0.017F}};
@@ -40,6 +40,8 @@ QRgb both(StereoLayout layout, QRgb left, QRgb right, int x, int y) {
       return qRgb(qGray(left), qGray(right), qGray(right));
     case StereoLayout::kAnaglyphLeast:
       return least(left, right);
+    case StereoLayout::kShutter:
+      return left;
     default:
       return qRgb(qRed(left), qGreen(right), qBlue(right));
   }

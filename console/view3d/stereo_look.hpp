@@ -22,6 +22,7 @@ enum class StereoLayout {
   kAnaglyph,       // red of the left, green and blue of the right
   kAnaglyphGrey,   // the same of grey pictures: no colour fights with itself, cues lose theirs
   kAnaglyphLeast,  // least squares in what the glasses let through (Dubois 2001): least ghosts
+  kShutter,        // one after the other, for glasses that shut in turn: a driver with two buffers shows them (quad_window.hpp)
   kOneEye,         // in the middle
   kLeftEye,
   kRightEye
@@ -39,13 +40,13 @@ struct StereoLook {
   TrueSize true_size;  // while it is on, eyes and window are those of the station and not the microscope's
 };
 
-/// Names for settings and the command line: side, over, lines, checker, anaglyph, grey, least, one, left, right. An unknown one is
+/// Names for settings and the command line: side, over, lines, checker, anaglyph, grey, least, shutter, one, left, right. An unknown one is
 /// side by side.
 QString layout_name(StereoLayout layout);
 StereoLayout layout_of(const QString& name);
 inline constexpr std::array kStereoLayouts = {
     StereoLayout::kSideBySide,   StereoLayout::kOverUnder,     StereoLayout::kLines,  StereoLayout::kChecker,  StereoLayout::kAnaglyph,
-    StereoLayout::kAnaglyphGrey, StereoLayout::kAnaglyphLeast, StereoLayout::kOneEye, StereoLayout::kLeftEye, StereoLayout::kRightEye};
+    StereoLayout::kAnaglyphGrey, StereoLayout::kAnaglyphLeast, StereoLayout::kShutter, StereoLayout::kOneEye, StereoLayout::kLeftEye, StereoLayout::kRightEye};
 /// Both eyes' pictures lie on each other, on the whole screen.
 bool overlaid(StereoLayout layout);
 /// One picture, for one eye or for both.
@@ -59,7 +60,7 @@ Mirror mirror_of(const QString& name);
 /// other is empty.
 std::array<QRectF, 2> places(StereoLayout layout, const QSizeF& screen);
 
-/// The two on each other as the layout says; of equal size, opaque. `origin`: place of their first pixel on the screen, whose lines and
+/// The two on each other as the layout says, the left alone for kShutter; of equal size, opaque. `origin`: place of their first pixel on the screen, whose lines and
 /// pixels a display with lines or a chess board counts.
 QImage overlay_eyes(StereoLayout layout, const QImage& left, const QImage& right, const QPoint& origin = {});
 

@@ -3,6 +3,7 @@
 // What a trainee's screen shows, read from its pixels: every way of showing two eyes, true size, the look of a microscope.
 #include <cmath>
 
+#include "console/view3d/quad_window.hpp"
 #include "gl_fixture.hpp"
 
 namespace swage::test {
@@ -185,6 +186,101 @@ TEST_F(Gl, AMicroscopeHasARoundFieldAndMagnifiesAsItsMakerSays) {
   EXPECT_FLOAT_EQ(zoom, 25);
   for (int i = 0; i < 20; ++i) QTest::keyClick(view(), Qt::Key_PageDown, Qt::ControlModifier);
   EXPECT_FLOAT_EQ(zoom, 4);
+}
+
+/// Standard deviation of lightness over the middle of a picture: how much of its lines is left.
+double contrast(const QImage& image) {
+  double n = 0, sum = 0, squares = 0;
+  for (int y = image.height() * 2 / 5; y < image.height() * 3 / 5; ++y)
+    for (int x = image.width() * 2 / 5; x < image.width() * 3 / 5; ++x) {
+      const double v = qGray(image.pixel(x, y));
+      n += 1, sum += v, squares += v * v;
+    }
+  return std::sqrt(squares / n - sum * sum / n / n);
+}
+
+// Lines on a plate that is out of focus: its picture is the sharp one and the blurred copy, mixed by the share s that the disc of a point has
+// of the copy's disc. So a line keeps (1 - s) of its contrast, and s times the little that is left of it in the copy. The disc is the
+// aperture, 12 mm at 250 mm, times the distance from the focus.
+TEST_F(Gl, AMicroscopeIsSharpInItsFocusAndBlursByTheDistanceFromIt) {
+  open_ready();
+  if (IsSkipped()) return;
+  console::StereoLook look;
+  look.layout = console::StereoLayout::kOneEye;
+  look.microscope = {true, 10, false};
+  const QSize screen = view()->screen()->size();
+  look.true_size.screen_mm = {0.25 * screen.width(), 0.25 * screen.height()};
+  look.true_size.distance_mm = 250;
+  view()->set_stereo(look);
+  view()->set_card(plate(), console::CameraPreset::kTop);
+  const auto left_at = [&](int steps) {
+    view()->set_card(plate(), console::CameraPreset::kTop);  // in focus again
+    for (int i = 0; i < std::abs(steps); ++i)
+      QTest::keyClick(view(), steps > 0 ? Qt::Key_PageUp : Qt::Key_PageDown, Qt::ControlModifier | Qt::ShiftModifier);
+    double seen[2];
+    for (const bool blur : {false, true}) {
+      look.microscope.blur = blur;
+      view()->set_stereo(look);
+      settle();
+      seen[blur] = contrast(view()->image());
+    }
+    EXPECT_GT(seen[0], 3) << "of 255: there are lines";
+    return seen[1] / seen[0];
+  };
+  const double px_per_mm = 10 / 0.25, disc_of_step = 12.0 / 250 * static_cast<double>(console::kFocusStep_mm) * px_per_mm;
+  const auto share = [&](int steps) { return std::min(1.0, steps * disc_of_step / static_cast<double>(console::kDisc_px)); };
+  ASSERT_EQ(share(30), 1);
+  const double copy = left_at(30);
+  EXPECT_LT(copy, 0.5);
+  EXPECT_NEAR(left_at(0), 1, 0.03);
+  for (const int steps : {8, 15}) EXPECT_NEAR(left_at(steps), 1 - share(steps) * (1 - copy), 0.08) << steps;
+  EXPECT_NEAR(left_at(-15), 1 - share(15) * (1 - copy), 0.12) << "behind the focus as before it";
+  EXPECT_NEAR(left_at(60), left_at(100), 0.05) << "the focus has an end";
+}
+
+// A driver without two buffers shows the left eye, upright and as it is. What it would show right needs one that has them.
+TEST_F(Gl, OneAfterTheOtherCopiesAnEyeToTheScreen) {
+  open_ready();
+  if (IsSkipped()) return;
+  QWidget under;
+  console::QuadWindow shutter(&under);
+  shutter.resize(64, 48);
+  shutter.show();
+  ASSERT_TRUE(eventually([&] { return shutter.isExposed(); }));
+  QImage left(shutter.size() * shutter.devicePixelRatio(), QImage::Format_RGB32), right = left;
+  for (int y = 0; y < left.height(); ++y)
+    for (int x = 0; x < left.width(); ++x) left.setPixel(x, y, qRgb(3 * x, 5 * y, 77)), right.setPixel(x, y, qRgb(77, 3 * x, 5 * y));
+  EXPECT_EQ(shutter.show_eyes(left, right), console::has_quad_buffers());
+  // two buffers in turn: what was drawn comes back with the second swap
+  shutter.show_eyes(left, right);
+  EXPECT_EQ(shutter.read_back(), left);
+  shutter.resize(80, 40);
+  QImage other(shutter.size() * shutter.devicePixelRatio(), QImage::Format_RGB32);
+  other.fill(QColor(9, 200, 30));
+  ASSERT_TRUE(eventually([&] { return shutter.show_eyes(other, other), shutter.read_back() == other; }));
+}
+
+// The two pictures that a driver with two buffers is given are what each eye sees alone.
+TEST_F(Gl, OneAfterTheOtherIsGivenBothEyes) {
+  open_ready();
+  if (IsSkipped()) return;
+  using Layout = console::StereoLayout;
+  console::StereoLook look;
+  look.rig.eye_distance_mm = 40;
+  const auto shot = [&](Layout layout) {
+    look.layout = layout;
+    view()->set_stereo(look);
+    settle();
+    return picture();
+  };
+  const QImage left = shot(Layout::kLeftEye), right = shot(Layout::kRightEye);
+  QImage eye[2];
+  view()->set_eyes_sink([&](const QImage& l, const QImage& r) { eye[0] = l, eye[1] = r; });
+  EXPECT_LT(apart(shot(Layout::kShutter), left), 0.1 * apart(left, right)) << "the view itself shows the left one";
+  ASSERT_TRUE(eventually([&] { return !eye[1].isNull(); }));
+  EXPECT_LT(apart(eye[0], left), 0.1 * apart(left, right));
+  EXPECT_LT(apart(eye[1], right), 0.1 * apart(left, right));
+  view()->set_eyes_sink({});
 }
 
 }  // namespace

@@ -217,6 +217,32 @@ TEST_F(Gl, ResizingKeepsThePictureSharp) {
   EXPECT_GT(count(picture(), red), 200);
 }
 
+// The line of F12: how often pictures come, how many there were, and how long a movement took to its picture.
+TEST_F(Gl, TheStripTellsPicturesAndTheLatencyOfTheHand) {
+  script.end_s = 0;
+  script.rate = 10;
+  open_ready();
+  if (IsSkipped()) return;
+  auto* line = child<QLabel>("frames");
+  EXPECT_FALSE(line->isVisible());
+  QTest::keyClick(window.get(), Qt::Key_F12);
+  click("start");
+  ASSERT_TRUE(eventually([&] { return view()->frames().count() > 3; }));
+  EXPECT_EQ(view()->latency().count(), 0U) << "nobody has moved anything";
+  const QPoint middle = view()->rect().center();
+  QTest::mousePress(view(), Qt::LeftButton, {}, middle);
+  for (int i = 1; i < 200 && view()->latency().count() == 0; ++i) {
+    QTest::mouseMove(view(), middle + QPoint(i % 40, 0));
+    QTest::qWait(20);
+  }
+  QTest::mouseRelease(view(), Qt::LeftButton, {}, middle);
+  ASSERT_GT(view()->latency().count(), 0U);
+  EXPECT_GT(view()->latency().share(0.5), 0);
+  EXPECT_TRUE(eventually([&] { return line->text().contains(QStringLiteral("hand to picture p50")); })) << line->text().toStdString();
+  EXPECT_TRUE(line->text().contains(QStringLiteral(" fps"))) << line->text().toStdString();
+  EXPECT_TRUE(line->text().contains(QStringLiteral("picture "))) << line->text().toStdString();
+}
+
 TEST_F(Gl, RealKeysFromTheDesktopArrive) {
   const QString xdotool = QStandardPaths::findExecutable("xdotool");
   if (xdotool.isEmpty() || QGuiApplication::platformName() != "xcb") GTEST_SKIP() << "needs X11 and xdotool";

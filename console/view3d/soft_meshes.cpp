@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-//
-// What SceneView draws of soft things: their surface where it is dented, and the wounds in it.
+#include "console/view3d/soft_meshes.hpp"
+
 #include <algorithm>
 #include <utility>
-
-#include "console/view3d/scene_view.hpp"
-#include "console/view3d/wound_surface.hpp"
 
 namespace swage::console {
 namespace {
@@ -65,33 +62,37 @@ std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<
 
 }  // namespace
 
-void SceneView::add_wounds() {
-  for (int& part : wound_part_) part = renderer_->add_part({}, {}, {});
+void SoftMeshes::add() {
+  for (int& part : part_) part = renderer_.add_part({}, {}, {});
+  dented_.clear();
+  wound_ = {};
+  drawn_ = false;
 }
 
 // anatomy, not a cue: as red as it is in any palette
-void SceneView::colour_wounds() {
-  renderer_->set_surface(wound_part_[0], {ui_["wound_lip"], 0, 60, Finish::kMoist});
-  renderer_->set_surface(wound_part_[1], {ui_["wound_flesh"], 0, 70, Finish::kMoist});
-  renderer_->set_surface(wound_part_[2], {ui_["wound_depth"], 0, 30});
+void SoftMeshes::colour(const UiTheme& ui) {
+  renderer_.set_surface(part_[kLip], {ui["wound_lip"], 0, 60, Finish::kMoist});
+  renderer_.set_surface(part_[kFlesh], {ui["wound_flesh"], 0, 70, Finish::kMoist});
+  renderer_.set_surface(part_[kDepth], {ui["wound_depth"], 0, 30});
 }
 
-void SceneView::place_soft() {
+void SoftMeshes::place(const SceneState& scene) {
   WoundMeshes wounds;
   wound_ = {};
-  for (size_t i = 0; i < parts_.part.size(); ++i) {
-    const ScenePart& part = parts_.part[i];
-    if (!part.soft || part.body >= snapshot_->n_body) continue;
-    const swage_pose& X = snapshot_->X_WB[part.body];
+  const std::vector<ScenePart>& parts = scene.parts().part;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const ScenePart& part = parts[i];
+    if (!part.soft || part.body >= scene.now().n_body) continue;
+    const swage_pose& X = scene.pose(part.body);
     QMatrix4x4 X_WB;
     X_WB.translate(to_mm(X.p));
     X_WB.rotate(to_qt(X.q));
-    const std::vector<Dent> dents = dents_of(*snapshot_, part.object);
-    const std::vector<Tear> tears = tears_of(*snapshot_, part.object);
+    const std::vector<Dent> dents = dents_of(scene.now(), part.object);
+    const std::vector<Tear> tears = tears_of(scene.now(), part.object);
     if (!dents.empty() || dented_.contains(static_cast<int>(i))) {
       Mesh mesh;
       displace(refined(part.mesh, X_WB, with_wounds(dents, tears)), X_WB, dents, mesh);
-      renderer_->set_mesh(static_cast<int>(i), mesh);
+      renderer_.set_mesh(static_cast<int>(i), mesh);
       if (dents.empty())
         dented_.erase(static_cast<int>(i));
       else
@@ -103,11 +104,10 @@ void SceneView::place_soft() {
       wounded_object_ = part.object;
     }
   }
-  show_loupe();
-  if (!std::exchange(wounds_drawn_, wound_.there()) && !wounds_drawn_) return;
-  renderer_->set_mesh(wound_part_[0], wounds.lip);
-  renderer_->set_mesh(wound_part_[1], wounds.flesh);
-  renderer_->set_mesh(wound_part_[2], wounds.depth);
+  if (!std::exchange(drawn_, wound_.there()) && !drawn_) return;
+  renderer_.set_mesh(part_[kLip], wounds.lip);
+  renderer_.set_mesh(part_[kFlesh], wounds.flesh);
+  renderer_.set_mesh(part_[kDepth], wounds.depth);
 }
 
 }  // namespace swage::console

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The panels of a view: one, with or without insets in its corners, or the two eyes of a trainee. [main]
+#pragma once
+
+#include <QRectF>
+#include <QSizeF>
+#include <optional>
+#include <vector>
+
+#include "console/view3d/renderer.hpp"
+#include "console/view3d/view_point.hpp"
+#include "console/view3d/wound_surface.hpp"
+
+namespace swage::console {
+
+/// A small view in a corner: at right angles near the jaws, which shows the depth to a person who has only a mouse; or a wound, magnified.
+enum class Inset { kNone, kDepth, kWound };
+
+/// A part of the widget in which the scene is seen by one eye.
+struct Panel {
+  QRectF at;    // on the widget
+  QSizeF size;  // it is painted as large as this and then pressed into `at`
+  View view;    // and where it lies in the renderer's picture
+  Inset inset = Inset::kNone;
+};
+
+class PanelLayout {
+ public:
+  PanelLayout(const SceneState& scene, const ViewPoint& point) : scene_(scene), point_(point) {}
+  /// Size of the widget, and device pixels of one of its pixels.
+  void set_area(const QSize& size, double ratio) { size_ = size, ratio_ = ratio; }
+  /// Insets of the last scene are gone.
+  void clear();
+
+  /// What has to be drawn anew: nothing, the same panels, or other ones.
+  enum class Change { kNone, kMoved, kLaidOut };
+  Change show_second(bool shown);
+  Change show_loupe(bool shown);
+  Change set_wound(const WoundPlace& wound);
+  /// Lets the second view follow the tips, and both insets keep clear of what is worked on.
+  Change advance(double dt_s);
+  /// While a drag began in this panel no inset moves, and all of the drag is the panel's.
+  void hold(std::optional<Inset> dragged_in) { dragged_in_ = dragged_in; }
+  bool held() const { return dragged_in_.has_value(); }
+
+  std::vector<Panel> panels() const;
+  Panel at(const QPointF& position) const;
+  /// Pixels of the renderer's picture: all panels beside each other.
+  QSize canvas() const;
+  /// Of the first panel, in the plane of the focus.
+  double mm_per_pixel() const;
+
+ private:
+  QRectF corner_at(int corner, double shape) const;
+  Panel loupe() const;
+  Change fit_loupe();
+  Change choose_corner(const QVector3D& tips, const QVector3D& aim);
+  Change choose_loupe_corner();
+  Change follow_tips(double dt_s);
+  bool second_there() const { return second_shown_ && !second_.empty(); }
+
+  const SceneState& scene_;
+  const ViewPoint& point_;
+  QSize size_{1, 1};
+  double ratio_ = 1;
+  WoundPlace wound_;
+  std::optional<Inset> dragged_in_;
+  bool second_shown_ = false, loupe_shown_ = true;
+  Bounds second_;         // what the second view shows now
+  int corner_ = 0;        // where it lies
+  int loupe_corner_ = 1;  // and the loupe
+  float loupe_mm_ = 0;    // radius of what the loupe shows, 0 for no loupe
+};
+
+}  // namespace swage::console

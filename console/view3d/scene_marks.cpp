@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/scene_marks.hpp"
+
+#include <swage/abi/lesson.h>
+
+#include <algorithm>
+
+namespace swage::console {
+namespace {
+
+constexpr double kBesideWound_px = 9;  // from its edge to the ring of its cue
+constexpr double kForceScale_px = 60;  // arrow of 1 N
+
+}  // namespace
+
+void SceneMarks::paint(Overlay& overlay, const Panel& panel, bool leads) const {
+  if (!scene_.have_snapshot()) return;
+  if (panel.inset != Inset::kWound) paint_targets(overlay, panel);
+  paint_forces(overlay, panel);
+  if (panel.inset != Inset::kNone) return;
+  paint_cues(overlay, panel);
+  if (leads) paint_led(overlay, panel);
+  ghost_.paint(overlay, panel.view.eye, panel.size);
+}
+
+QVector3D SceneMarks::grasp_point(uint32_t object) const {
+  if (wound_.there() && object == wounded_object_) return wound_.middle;
+  const snapshot::Snapshot& now = scene_.now();
+  // where the forces of contact act, which are greatest in the jaws; else the object itself
+  QVector3D sum;
+  double weight = 0;
+  for (uint32_t i = 0; i < now.n_contact; ++i) {
+    const swage_vec3& f = now.contact[i].f_W;
+    const double w = f.x * f.x + f.y * f.y + f.z * f.z;
+    sum += static_cast<float>(w) * to_mm(now.contact[i].p_W);
+    weight += w;
+  }
+  if (weight > 0) return sum / static_cast<float>(weight);
+  const SceneParts& parts = scene_.parts();
+  if (scene_.watched() && role_of(scene_.card(), object) == Role::kWork)
+    return scene_.place_of({static_cast<uint32_t>(parts.watched), parts.watched_on});
+  const uint32_t body = scene_.card().objects[object].first_body;
+  return to_mm(body < now.n_body ? now.X_WB[body].p : swage_vec3{});
+}
+
+// Points that a lesson shows in the world. Where to go is the task and is seen in a test, too; that one is near is a cue.
+void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
+  const Eye& eye = panel.view.eye;
+  const double h = panel.size.height();
+  const judge::Script& script = scene_.card().script;
+  const snapshot::Snapshot& now = scene_.now();
+  for (uint32_t m = 0; scene_.judged() && m < now.n_mark && m < script.marks.size(); ++m) {
+    const auto& mark = script.marks[m];
+    if (mark.mark.kind != SWAGE_MARK_POINT) continue;
+    const uint32_t cue = shown_.cues_shown ? now.mark_cue[m] : SWAGE_NONE;
+    if (cue == SWAGE_NONE && scene_.pierced()) continue;  // the wound is there now, and is to be seen
+    const std::string meaning = cue < script.cues.size() ? script.cues[cue].id : mark.meaning;
+    const QPointF at = eye.project(to_mm(now.mark_p_W[m]), panel.size);
+    const double radius = mark.mark.number[0] * kMmPerM / eye.mm_per_pixel(h);
+    overlay.target(at, radius, shown_.cues.style(QString::fromStdString(meaning)), panel.inset == Inset::kNone);
+    if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
+  }
+}
+
+void SceneMarks::paint_forces(Overlay& overlay, const Panel& panel) const {
+  const Eye& eye = panel.view.eye;
+  const snapshot::Snapshot& now = scene_.now();
+  for (uint32_t c = 0; shown_.forces && c < now.n_contact; ++c) {
+    const QVector3D p = to_mm(now.contact[c].p_W);
+    const swage_vec3& f = now.contact[c].f_W;
+    const auto mm = static_cast<float>(kForceScale_px * eye.mm_per_pixel(panel.size.height()));
+    const QVector3D arrow(static_cast<float>(f.x), static_cast<float>(f.y), static_cast<float>(f.z));
+    overlay.force(eye.project(p, panel.size), eye.project(p + mm * arrow, panel.size));
+  }
+}
+
+// a cue stands beside a wound, never on it
+double SceneMarks::clear_px(uint32_t object, const Panel& panel) const {
+  if (!wound_.there() || object != wounded_object_) return 0;
+  const double mm = panel.view.eye.mm_per_pixel(panel.size.height(), wound_.middle);
+  return static_cast<double>(wound_.radius) / mm + kBesideWound_px;
+}
+
+void SceneMarks::paint_cues(Overlay& overlay, const Panel& panel) const {
+  int slot = 0;
+  bool ringed = false;
+  for (uint32_t o = 0; o < scene_.card().objects.size(); ++o) {
+    const QString cue = cue_of(scene_, shown_, o);
+    if (cue.isEmpty()) continue;
+    const QPointF at = panel.view.eye.project(grasp_point(o), panel.size);
+    if (!ringed && hold_ > 0 && !scene_.has_target()) overlay.ring(at, hold_), ringed = true;
+    // the tool's own cue (too much force) goes to the left, that of the work to the right
+    const bool tool = role_of(scene_.card(), o) == Role::kTool;
+    overlay.cue(at, shown_.cues.style(cue), tool ? 1 : slot++ == 0 ? 0 : 2, clear_px(o, panel));
+  }
+}
+
+// Of two tools the one that the mouse leads has a sign at its tips.
+void SceneMarks::paint_led(Overlay& overlay, const Panel& panel) const {
+  if (scene_.led() == SWAGE_NONE) return;
+  const std::string& name = scene_.card().objects[scene_.led()].name;
+  overlay.led(panel.view.eye.project(scene_.middle_of_tips(), panel.size), QString::fromStdString(name));
+}
+
+}  // namespace swage::console

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/scene_painter.hpp"
+
+#include <QLinearGradient>
+#include <algorithm>
+#include <utility>
+
+namespace swage::console {
+
+void ScenePainter::paint(QPainter& painter, const Canvas& canvas, const std::vector<Panel>& panels, const Picture& picture, const ViewWords& words,
+                         bool leads) {
+  const Job job{canvas, panels, picture, words, leads};
+  const std::optional<StereoLook>& look = point_.stereo();
+  if (look && (overlaid(look->layout) || look->mirror != Mirror::kNone)) return paint_eyes(painter, job);
+  for (size_t i = 0; i < panels.size(); ++i) {
+    paint_panel(painter, job, panels[i], i);
+    if (panels[i].inset != Inset::kNone) paint_frame(painter, panels[i]);
+  }
+  if (!look) paint_words(painter, job);
+}
+
+void ScenePainter::paint_placeholder(QPainter& painter, const Canvas& canvas, const QString& why) {
+  const QRect all(QPoint(), canvas.size);
+  paint_background(painter, canvas, all);
+  painter.setPen(shown_.ui["view_text"]);
+  painter.drawText(all.adjusted(40, 0, -40, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                   tr("The 3D view needs OpenGL 3.3 (%1).\nEverything else works: lessons run and are recorded.").arg(why));
+}
+
+void ScenePainter::paint_background(QPainter& painter, const Canvas& canvas, const QRectF& at) {
+  const QSize pixels = (QSizeF(canvas.size) * canvas.ratio).toSize();
+  if (background_.size() != pixels) {
+    background_ = QPixmap(pixels);
+    QPainter p(&background_);
+    QLinearGradient gradient(0, 0, 0, pixels.height());
+    gradient.setColorAt(0, shown_.ui["view_top"]);
+    gradient.setColorAt(1, shown_.ui["view_bottom"]);
+    p.fillRect(background_.rect(), gradient);
+  }
+  painter.drawPixmap(at, background_, background_.rect());
+}
+
+// where a panel lies in the last picture, which may be of other panels
+const Panel* ScenePainter::drawn(const Job& job, size_t index) const {
+  const std::vector<Panel>& last = job.picture.panels;
+  if (point_.stereo()) return index < last.size() ? &last[index] : nullptr;
+  const auto same = std::find_if(last.begin(), last.end(), [&](const Panel& p) { return p.inset == job.panels[index].inset; });
+  return same == last.end() ? nullptr : &*same;
+}
+
+// The scene as one eye sees it, and over it what belongs to places in it.
+void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& panel, size_t index) {
+  painter.save();
+  painter.setClipRect(panel.at);
+  paint_background(painter, job.canvas, panel.at);
+  if (const Panel* last = drawn(job, index)) {
+    // until the next one comes a picture of another size is stretched
+    const QRect& part = last->view.part;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, part.size() != panel.view.part.size());
+    painter.drawImage(panel.at, job.picture.image, part);
+  }
+  painter.translate(panel.at.topLeft());
+  painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
+  if (point_.microscope()) paint_field(painter, panel.size);
+  Overlay overlay(painter, QRectF(QPointF(), panel.size), shown_.ui);
+  if (panel.inset == Inset::kNone && !point_.stereo())
+    for (const Panel& other : job.panels)
+      if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
+  marks_.paint(overlay, panel, job.leads);
+  if (point_.stereo()) paint_eye_words(painter, overlay, job, panel);
+  painter.restore();
+}
+
+// each eye sees clock, verdict and task at the depth of the screen
+void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Job& job, const Panel& panel) const {
+  const ViewWords& words = job.words;
+  if (!words.clock.isEmpty()) overlay.clock(words.clock);
+  if (!words.banner.isEmpty()) overlay.banner(words.banner);
+  if (!words.task.isEmpty()) overlay.hint(words.task);
+  if (!words.message.isEmpty()) overlay.message(words.message);
+  if (station_mark_) paint_station_mark(painter, panel);
+}
+
+// In the plane of the screen: either eye has it at the same place.
+void ScenePainter::paint_station_mark(QPainter& painter, const Panel& panel) const {
+  constexpr double kArm_mm = 8;
+  const QSizeF mm = point_.screen_mm_per_pixel();
+  if (mm.width() <= 0 || mm.height() <= 0) return;
+  const QPointF at(0.5 * panel.size.width() + station_mark_->x() / mm.width(), 0.5 * panel.size.height() - station_mark_->y() / mm.height());
+  const QPointF x(kArm_mm / mm.width(), 0), y(0, kArm_mm / mm.height());
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair{Qt::black, 5}, {Qt::white, 2}}) {
+    painter.setPen(QPen(colour, width));
+    painter.drawLine(at - x, at + x);
+    painter.drawLine(at - y, at + y);
+  }
+}
+
+std::vector<QImage> ScenePainter::eyes(const Canvas& canvas, const std::vector<Panel>& panels, const Picture& picture, const ViewWords& words,
+                                       bool leads) {
+  return eyes(Job{canvas, panels, picture, words, leads});
+}
+
+// Each eye's picture by itself, words and all, then reflected.
+std::vector<QImage> ScenePainter::eyes(const Job& job) {
+  const double ratio = job.canvas.ratio;
+  const StereoLook& look = *point_.stereo();
+  std::vector<QImage> eye;
+  for (size_t i = 0; i < job.panels.size(); ++i) {
+    QImage picture((job.panels[i].at.size() * ratio).toSize(), QImage::Format_RGB32);
+    picture.setDevicePixelRatio(ratio);
+    Panel own = job.panels[i];
+    own.at.moveTopLeft({});
+    QPainter onto(&picture);
+    onto.setFont(job.canvas.font);
+    paint_panel(onto, job, own, i);
+    onto.end();
+    eye.push_back(picture.mirrored(look.mirror == Mirror::kLeftRight, look.mirror == Mirror::kUpDown));
+    eye.back().setDevicePixelRatio(ratio);
+  }
+  return eye;
+}
+
+// Laid on each other or beside each other.
+void ScenePainter::paint_eyes(QPainter& painter, const Job& job) {
+  const std::vector<QImage> eye = eyes(job);
+  const StereoLook& look = *point_.stereo();
+  if (overlaid(look.layout) && eye.size() == 2) {
+    // lines and chess boards are those of the screen, wherever the window lies
+    QImage together = overlay_eyes(look.layout, eye[0], eye[1], job.canvas.origin);
+    together.setDevicePixelRatio(job.canvas.ratio);
+    return painter.drawImage(QPointF(), together);
+  }
+  for (size_t i = 0; i < job.panels.size(); ++i) painter.drawImage(job.panels[i].at.topLeft(), eye[i]);
+}
+
+// a corner that shows the depth or a wound: what it is, and how large
+void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(shown_.ui["border"], 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(inset.at);
+  painter.setPen(shown_.ui["view_text"]);
+  if (inset.inset == Inset::kDepth) {
+    const bool from_above = inset.view.eye.up.z() < 0.5F;
+    painter.drawText(inset.at.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignTop, from_above ? tr("From above") : tr("From the front"));
+    return;
+  }
+  // how large it is is a cue; that it is there is plain to see
+  Overlay overlay(painter, inset.at, shown_.ui);
+  overlay.caption(shown_.cues_shown ? tr("Wound %1 %").arg(100 * marks_.wound().ratio, 0, 'f', 0) : tr("Wound"));
+  overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
+}
+
+void ScenePainter::paint_words(QPainter& painter, const Job& job) const {
+  const QRect all(QPoint(), job.canvas.size);
+  Overlay overlay(painter, all, shown_.ui);
+  double left = 0;  // what insets take of the lower left
+  for (const Panel& panel : job.panels)
+    if (panel.inset != Inset::kNone && panel.at.left() < all.width() / 4.0 && panel.at.bottom() > all.height() / 2.0) left = panel.at.right();
+  if (scene_.have_card()) overlay.scale_bar(job.panels.front().view.eye.mm_per_pixel(all.height()), left);
+  if (!job.words.clock.isEmpty()) overlay.clock(job.words.clock);
+  if (!job.words.banner.isEmpty()) overlay.banner(job.words.banner);
+  if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint);
+  if (!job.canvas.focus) return;
+  painter.setPen(QPen(shown_.ui["accent"], 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(all.adjusted(1, 1, -1, -1));
+}
+
+}  // namespace swage::console

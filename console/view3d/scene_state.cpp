@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/scene_state.hpp"
+
+#include <swage/abi/lesson.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "console/view3d/led_tool.hpp"
+
+namespace swage::console {
+
+SceneState::SceneState() : snapshot_(std::make_unique<snapshot::Snapshot>()) {}
+
+void SceneState::set_card(const snapshot::SceneCard& card) {
+  card_ = card;
+  parts_ = make_parts(card);
+  have_card_ = true;
+  have_snapshot_ = false;
+  led_ = SWAGE_NONE;
+  pierced_ = false;
+  stress_ = 0;
+}
+
+SceneState::Change SceneState::take(const snapshot::Snapshot& snapshot, bool with_stress) {
+  Change change;
+  change.same = have_snapshot_ && snapshot.step == snapshot_->step && snapshot.time_s == snapshot_->time_s;
+  change.colours = !have_snapshot_ || !std::equal(snapshot.object_cue, snapshot.object_cue + snapshot.n_object, snapshot_->object_cue);
+  *snapshot_ = snapshot;
+  change.first = !std::exchange(have_snapshot_, true);
+  change.colours |= read_stress(with_stress);
+  change.led = follow_led_tool();
+  return change;
+}
+
+// in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
+bool SceneState::read_stress(bool with_stress) {
+  double stress = 0;
+  pierced_ = false;
+  for (uint32_t i = 0; have_snapshot_ && i < snapshot_->n_signal && i < card_.script.signals.size(); ++i) {
+    const std::string& id = card_.script.signals[i].id;
+    if (id == "pierce.state") pierced_ |= snapshot_->signal[i] > 1.5;  // 2: in the tissue
+    if (with_stress && id == "needle.stress") stress = std::max(stress, snapshot_->signal[i]);
+  }
+  const double rounded = std::round(16 * std::min(stress, 2.0)) / 16;
+  return std::exchange(stress_, rounded) != rounded;
+}
+
+// What is near the tips, is dragged with them or driven about them are those of the tool that is led.
+bool SceneState::follow_led_tool() {
+  const uint32_t now = led_tool(card_, *snapshot_);
+  if (now == led_) return false;
+  led_ = now;
+  if (const auto tips = parts_.tips_of.find(now); tips != parts_.tips_of.end()) parts_.tips = tips->second;
+  return true;
+}
+
+bool SceneState::judged() const { return have_snapshot_ && snapshot_->step > 0; }
+
+std::span<const swage_pose> SceneState::X_WB() const {
+  return have_snapshot_ ? std::span<const swage_pose>(snapshot_->X_WB, snapshot_->n_body) : std::span<const swage_pose>(card_.start);
+}
+
+const swage_pose& SceneState::pose(uint32_t body) const {
+  return have_snapshot_ && body < snapshot_->n_body ? snapshot_->X_WB[body] : card_.start[body];
+}
+
+QVector3D SceneState::place_of(const Spot& spot) const {
+  const swage_pose& X = pose(spot.body);
+  return to_mm(X.p) + to_qt(X.q).rotatedVector(spot.p_B);
+}
+
+QVector3D SceneState::middle_of_tips() const {
+  QVector3D sum;
+  for (const Spot& s : parts_.tips) sum += place_of(s);
+  return parts_.tips.empty() ? sum : sum / static_cast<float>(parts_.tips.size());
+}
+
+QVector3D SceneState::aim_near(const QVector3D& tips, float reach) const {
+  QVector3D aim = tips;
+  float least = 1e30F;
+  for (const Spot& s : parts_.aim) {
+    const QVector3D p = place_of(s);
+    if ((p - tips).length() >= least) continue;
+    least = (p - tips).length();
+    aim = p;
+  }
+  if ((aim - tips).length() > reach) return aim;
+  return first_point().value_or(aim);
+}
+
+std::optional<QVector3D> SceneState::first_point() const {
+  if (!judged()) return {};
+  for (uint32_t m = 0; m < snapshot_->n_mark && m < card_.script.marks.size(); ++m)
+    if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT) return to_mm(snapshot_->mark_p_W[m]);
+  return {};
+}
+
+bool SceneState::has_target() const {
+  return std::any_of(card_.script.marks.begin(), card_.script.marks.end(),
+                     [](const judge::Script::Mark& m) { return m.mark.kind == SWAGE_MARK_POINT; });
+}
+
+std::optional<QVector3D> SceneState::watched() const {
+  if (parts_.watched < 0 || !have_snapshot_ || static_cast<uint32_t>(parts_.watched) >= snapshot_->n_body) return {};
+  return place_of({static_cast<uint32_t>(parts_.watched), parts_.watched_middle});
+}
+
+}  // namespace swage::console

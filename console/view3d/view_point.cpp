@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/view3d/view_point.hpp"
+
+#include <QtMath>
+#include <algorithm>
+#include <cmath>
+
+#include "console/view3d/needle_circle.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr float kRoom = 1.2F;       // space around what is framed
+constexpr float kLeast_mm = 0.3F;   // radius framed at least
+constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is looked at
+constexpr float kAnywhere_mm = 1e6F;
+constexpr float kStands = 0.7F;           // level part of its plane's normal: a needle that lies is looked at as everything is
+constexpr float kBehindTool = 0.3F;       // of the way to the viewer: from here on the tool is in the way
+constexpr float kFromTheFront_deg = -90;  // a person at a station sits before the scene
+
+QVector3D middle_of(const Mesh& mesh) {
+  Bounds own;
+  for (const Vertex& v : mesh.vertex) own.add({v.p[0], v.p[1], v.p[2]});
+  return own.empty() ? QVector3D() : own.centre();
+}
+
+}  // namespace
+
+void ViewPoint::frame(CameraPreset preset) {
+  const Bounds& focus = scene_.parts().focus;
+  camera.frame(focus.centre(), kRoom * std::max(focus.radius(), kLeast_mm));
+  near_ = {};
+  focus_mm_ = 0;
+  camera.look(preset_ = preset);
+  look_aside();
+  camera.jump();
+}
+
+void ViewPoint::look(CameraPreset preset) {
+  camera.look(preset_ = preset);
+  look_aside();
+  near_ = {};
+  look_near();
+}
+
+// At the mark that is in the world, else at what is watched.
+bool ViewPoint::look_near() {
+  if (preset_ != CameraPreset::kNear) return near_.has_value();
+  const std::optional<QVector3D> at = scene_.first_point();
+  if (!at) return near_.has_value();
+  if (!near_ || (*near_ - *at).length() > kMoved_mm) camera.stay_at(*at);
+  near_ = at;
+  return true;
+}
+
+// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve.
+void ViewPoint::look_aside() {
+  if (preset_ != CameraPreset::kSide || !scene_.have_card()) return;
+  const QVector3D tips = scene_.middle_of_tips();
+  const auto circle = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), tips, kAnywhere_mm);
+  if (!circle) return;
+  QVector3D level(circle->axis.x(), circle->axis.y(), 0);
+  if (level.length() < kStands) return;
+  QVector3D handle;  // from the tips
+  for (const ScenePart& part : scene_.parts().part)
+    if (part.role == Role::kTool && part.chain < 0) handle += scene_.place_of({part.body, middle_of(part.mesh)}) - tips;
+  const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
+  const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
+  if (other_side) level = -level;
+  camera.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
+}
+
+void ViewPoint::set_stereo(const StereoLook& look) {
+  stereo_ = look;
+  const TrueSize& station = look.true_size;
+  const bool hold = station.on && station.known() && station.held;
+  if (hold) camera.hold(kFromTheFront_deg, look_down_deg(station, look.mirror != Mirror::kNone));
+  if (!hold && camera.held()) {
+    camera.release();
+    camera.look(preset_);
+  }
+}
+
+bool ViewPoint::zoom_microscope(int notches) {
+  const float was = stereo_->microscope.zoom;
+  stereo_->microscope.zoom = zoomed(was, notches);
+  return stereo_->microscope.zoom != was;
+}
+
+bool ViewPoint::focus_microscope(int steps) {
+  const float was = focus_mm_;
+  focus_mm_ = std::clamp(was + kFocusStep_mm * static_cast<float>(steps), -kMostFocus_mm, kMostFocus_mm);
+  return focus_mm_ != was;
+}
+
+Lens ViewPoint::lens(const QSize& panel_px, const Eye& eye) const {
+  if (!microscope() || !stereo_->microscope.blur) return {};
+  return {true, eye.distance, kPupil_mm / kWorkingDistance_mm, static_cast<float>(panel_px.height()) / eye.span};
+}
+
+QSizeF ViewPoint::screen_mm_per_pixel() const {
+  constexpr double kUsual_mm = 25.4 / 96;  // of a screen that nobody has measured
+  if (!stereo_->true_size.known()) return {kUsual_mm, kUsual_mm};
+  return console::mm_per_pixel(stereo_->true_size, screen_px_);
+}
+
+// Size on the screen over size in the scene, at the focus.
+float ViewPoint::screen_scale() const {
+  const TrueSize& station = stereo_->true_size;
+  return stereo_->microscope.on ? scale_on_screen(stereo_->microscope, station.distance_mm) : station.scale;
+}
+
+std::array<Eye, 2> ViewPoint::eyes(const QSizeF& panel) const {
+  const StereoLook& look = *stereo_;
+  const bool middle = look.layout == StereoLayout::kOneEye;
+  const auto seen_by = [&](const OrbitCamera& from) -> std::array<Eye, 2> {
+    if (middle) return {middle_eye(from, shape_of(panel)), middle_eye(from, shape_of(panel))};
+    return two_eyes(from, look.rig, shape_of(panel));
+  };
+  const QSizeF mm = screen_mm_per_pixel();
+  if (look.microscope.on) return seen_by(camera.nearer(focus_mm_).showing(static_cast<float>(panel.height() * mm.height()) / screen_scale()));
+  if (!look.true_size.on || !look.true_size.known()) return seen_by(camera);
+  const QSizeF window(panel.width() * mm.width(), panel.height() * mm.height());
+  if (middle) return {true_eye(camera, look.true_size, window), true_eye(camera, look.true_size, window)};
+  return true_eyes(camera, look.true_size, window, look.rig.swapped);
+}
+
+record::Display ViewPoint::display() const {
+  if (!stereo_) return {"mono"};
+  const bool two = !flat(stereo_->layout) && stereo_->rig.eye_distance_mm > 0;
+  const bool scaled = stereo_->true_size.known() && (stereo_->true_size.on || stereo_->microscope.on);
+  return {layout_name(stereo_->layout).toStdString(), two, two && stereo_->rig.swapped, mirror_name(stereo_->mirror).toStdString(),
+          scaled ? static_cast<double>(screen_scale()) : 0};
+}
+
+}  // namespace swage::console
