@@ -63,8 +63,15 @@ Stock collect() {
   return out;
 }
 
+// What is said only in scenes of other lessons: scissors, and tissue with a slit whose edges are drawn.
+const std::vector<std::string> kOfNoStockLesson = {
+    "cut.force", "With which both blades press on the thread: that of the one that presses less.", "cut.cuts",
+    "How often the thread was cut so far.", "cut.parted", "The blades have cut the thread", "tissue.gap",
+    "Width of the slit as its edges are drawn now; 0: they meet."};
+
 TEST(StockWords, AreAllGermanAndNoneIsLeftOver) {
   Stock all = collect();
+  add(kOfNoStockLesson, all);
   ASSERT_GT(all.known.size(), 700u);
   int lessons = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
