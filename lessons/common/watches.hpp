@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What several lessons watch: the way of the tips, and things that fall. Each keeps its memory in a struct of doubles that
+// What several lessons watch: the way of the tips and how smooth it is, and things that fall. Each keeps its memory in a struct of doubles that
 // a lesson puts among its private numbers.
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "common/low_pass.hpp"
+#include "common/smoothness.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::lessons {
-
-using toolkit::Vec3;
 
 // Voluntary movement of a hand lies below this, Hz: tremor (8-12 Hz) must not count as way travelled.
 inline constexpr double kVoluntary = 6;
@@ -24,12 +24,13 @@ struct PathState {
   double length = 0;           // m
   double quick_s = 0;          // s, how long it has been quicker than a rest
   double set_off_s = -1;       // s, when the movement began; -1: not yet
+  MovesState moves;
 };
 
 class PathWatch {
  public:
   PathWatch() = default;
-  explicit PathWatch(double dt) : filter_(kVoluntary, dt), dt_(dt) {}
+  explicit PathWatch(double dt) : filter_(kVoluntary, dt), moves_(dt), dt_(dt) {}
 
   /// [rt]
   void look(PathState& state, const Vec3& p_W, double time_s) const noexcept {
@@ -40,6 +41,7 @@ class PathWatch {
     const double way = first ? 0 : (now - last).norm();
     last = now;
     state.length += way;
+    moves_.look(state.moves, now);
 
     // it has set off once it was quicker than 2 mm/s for 0.1 s
     constexpr double kRest = 2e-3, kFor = 0.1;
@@ -49,8 +51,20 @@ class PathWatch {
 
  private:
   LowPass4 filter_;
+  MovesWatch moves_;
   double dt_ = 1e-3;
 };
+
+/// Median over the movements of all hands: `which` is &MovesState::sparc or &MovesState::ldlj. Nothing before there was one. [rt]
+inline std::optional<double> smoothness(std::span<const PathState> hands, MedianState MovesState::*which) noexcept {
+  MedianState all;
+  for (const PathState& hand : hands) {
+    const MedianState& one = hand.moves.*which;
+    for (size_t i = 0; i < static_cast<size_t>(one.n); ++i) add_value(all, one.value[i]);
+  }
+  if (all.n == 0) return std::nullopt;
+  return median(all);
+}
 
 /// Time since the first of several hands set off, s; 0 before. [rt]
 inline double time_since_set_off(std::span<const PathState> hands, double time_s) noexcept {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_grasp {
@@ -185,6 +186,7 @@ void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict)
   tell(Measure::kRegrasps, m.regrasps);
   tell(Measure::kResets, m.resets);
   tell(Measure::kPath, m.path.length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], {&m.path, 1});
   tell(Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   report_grasps(m, verdict);
   report_hold(m, verdict);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_insertion {
@@ -319,6 +320,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kForce, GripWatch::mean(m.grip));
   tell(Measure::kPeak, judge_.grip().peak(m.grip));
   tell(Measure::kPath, m.path.length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], {&m.path, 1});
   if (m.grip.held_s > 0) tell(Measure::kTipReach, m.reach_s / m.grip.held_s);
   if (bending_.valid()) tell(Measure::kBending, m.bending);
   tell(Measure::kEntries, m.entries);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/declare.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_knot {
@@ -192,6 +193,7 @@ void KnotLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kTail, look.tail);
   tell(verdict, Measure::kDrops, m.drops);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   tell(verdict, Measure::kPassages, m.passages);
   if (m.held_s > 0) report_held(m, verdict);

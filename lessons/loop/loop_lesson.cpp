@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_loop {
@@ -118,6 +119,7 @@ void LoopLesson::report(const Memory& m, const Look& look, const Verdict& verdic
   tell(verdict, Measure::kSlips, m.slips);
   tell(verdict, Measure::kDrops, m.drops);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   tell(verdict, Measure::kPassages, m.passages);
   if (m.on_s > 0) tell(verdict, Measure::kPlace, m.behind_s / m.on_s);

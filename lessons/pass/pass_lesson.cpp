@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "common/declare.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_pass {
@@ -119,6 +120,7 @@ void PassLesson::report(const Memory& m, double time_s, const Verdict& verdict) 
   tell(verdict, Measure::kSnatches, m.snatches);
   tell(verdict, Measure::kDrops, m.drops);
   tell(verdict, Measure::kPath, m.path[0].length + m.path[1].length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], m.path);
   tell(verdict, Measure::kHold, std::min(1.0, m.hold_s / judge_.rules().hold_time));
   if (bending_.valid()) tell(verdict, Measure::kBending, m.bending);
   if (m.passes > 0) tell(verdict, Measure::kShared, m.shared_s / m.passes);

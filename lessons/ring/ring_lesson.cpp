@@ -5,6 +5,7 @@
 
 #include "common/declare.hpp"
 #include "common/names.hpp"
+#include "common/report.hpp"
 #include "common/rules.hpp"
 
 namespace swage::lesson_ring {
@@ -174,6 +175,7 @@ void RingLesson::report(const Memory& m, double time_s, const Verdict& verdict) 
   tell(Measure::kDrops, m.drops);
   tell(Measure::kRegrasps, std::max(0.0, m.grasps - 1));
   tell(Measure::kPath, m.path.length);
+  lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], {&m.path, 1});
   tell(Measure::kProgress, m.free != 0 ? 1 : m.reached);
   tell(Measure::kPosts, m.posts);
   if (m.grip.held_s > 0) {
