@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The look of an operating microscope: a round field, magnification by its usual measure, a working light that fades to the rim.
-// Depth of field is a choice: where there is no graphics card it takes time of the processor for each picture (README.md has how much).
+// Depth of field is a choice: where there is no graphics card it takes time of the processor for each picture.
 #pragma once
 
 #include <QPainter>
