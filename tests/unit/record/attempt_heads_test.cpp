@@ -157,7 +157,9 @@ TEST_P(HeadsTest, AreThoseOfAFullReadAfterAnyEdit) {
     ASSERT_EQ(told(store_->attempt_heads()), told(known_)) << "after edit " << i;
     EXPECT_EQ(store_->trouble(), "");
     // metrics are kept, too
-    if (draw(3) == 0) ASSERT_NO_FATAL_FAILURE(compare_attempts(draw(2) == 0 ? "" : some_person()));
+    if (draw(3) == 0) {
+      ASSERT_NO_FATAL_FAILURE(compare_attempts(draw(2) == 0 ? "" : some_person()));
+    }
     most = std::max(most, known_.size());
     erased += known_.size() < before;
   }
