@@ -16,7 +16,8 @@ inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force 
 inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kBending = {"needle.bending", "1", "Greatest bending moment in the needle over the moment at which it yields.", "max of the needle's signal needle.stress", "M21", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D};
 inline constexpr swage_metric_info kPath = {"motion.path", "m", "Length of the path of the tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
-inline constexpr swage_metric_info kSparc = {"motion.sparc", "1", "Smoothness of the movements: spectral arc length, median over the movements of the tips; about -1.4 of one that is smooth.", "- arc length of the normalised spectrum of the speed below 6 Hz, up to 10 Hz", "M27", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_B};
+// It describes and does not rate: in 020 the expert, who comes to the needle in two parts, has -1.87 and a novice -1.40.
+inline constexpr swage_metric_info kSparc = {"motion.sparc", "1", "Smoothness of the movements: spectral arc length, median over the movements of the tips; about -1.4 of one that is smooth.", "- arc length of the normalised spectrum of the speed below 6 Hz, up to 10 Hz", "M27", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kLdlj = {"motion.ldlj", "1", "Smoothness of the long movements: log dimensionless jerk, median over movements of the tips beyond 20 mm; about -5.3 of one that is smooth.", "- ln(T^3 / peak^2 integral of (d2v/dt2)^2 dt)", "M28", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kPathOfBoth = {"motion.path", "m", "Length of the paths of both pairs of tips.", "sum of abs(dx) below 6 Hz", "M22", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 

@@ -58,7 +58,8 @@ TEST(Locale, TheOneOfTheTestHasAComma) {
 TEST(Locale, EveryHandOfEveryLessonIsReadAndMovesTheSame) {
   std::setlocale(LC_ALL, "C");
   std::vector<fs::path> lessons;
-  for (const auto& entry : fs::directory_iterator(kSeries)) lessons.push_back(entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(kSeries))
+    if (entry.is_regular_file()) lessons.push_back(entry.path().filename());
   std::sort(lessons.begin(), lessons.end());
   ASSERT_GT(lessons.size(), 10u);
   for (const fs::path& lesson : lessons) {
