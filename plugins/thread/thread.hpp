@@ -157,7 +157,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   double mass(int i) const;  // kg
   bool stays(int i) const;
   void advance_masses(const Step& step, const toolkit::RodState& begun, toolkit::RodState& s);
-  void answer_masses(const Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
+  void answer_masses(std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
                      double* v_free, double* W);
   void linearise_masses(const Step& step, double* columns) const;
   void go_masses(const Step& step, const double* change, toolkit::RodState& s);

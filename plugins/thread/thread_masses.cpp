@@ -53,11 +53,12 @@ void Thread::advance_masses(const Step& step, const RodState& begun, RodState& s
   part(step);
 }
 
-/// v = v_free + W j with the masses of the two nodes beside each point.
-void Thread::answer_masses(const Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place, double* v_free, double* W) {
+/// v = v_free + W j at the end of the step, with the masses of the two nodes beside each point. The way of explicit parts is shorter than
+/// that speed tells, by a h^2 / 2.
+void Thread::answer_masses(std::span<const swage_contact_point> points, std::span<const swage_chain_place> place, double* v_free, double* W) {
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
   const int stride = 3 * static_cast<int>(points.size());
-  const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
+  const RodState base(nodes(), base_.data());
   std::fill_n(v_free, stride, 0.0), std::fill_n(W, stride * stride, 0.0);
   const auto weight = [&](const Point& p, int node) {
     if (stays(node)) return 0.0;
@@ -65,8 +66,8 @@ void Thread::answer_masses(const Step& step, std::span<const swage_contact_point
   };
   for (int i = 0; i < n; ++i) {
     const Point& p = point_[at(i)] = point(points[at(i)], place[at(i)]);
-    const Vec3 way = (1 - p.s) * (base.node(p.edge) - begun.node(p.edge)) + p.s * (base.node(p.edge + 1) - begun.node(p.edge + 1));
-    for (int r = 0; r < 3; ++r) v_free[3 * i + r] = way[r] / step.dt();
+    const Vec3 free = (1 - p.s) * base.velocity(p.edge) + p.s * base.velocity(p.edge + 1);
+    for (int r = 0; r < 3; ++r) v_free[3 * i + r] = free[r];
     for (int j = 0; j <= i; ++j) {
       double w = 0;
       for (const int node : {p.edge, p.edge + 1}) w += weight(p, node) * weight(point_[at(j)], node) / mass(node);

@@ -95,7 +95,7 @@ void Thread::push(const Point& p, const Vec3& f, double* unknowns, int line) con
 
 void Thread::compliance(const Step& step, std::span<const swage_contact_point> points,
                         std::span<const swage_chain_place> place, double* v_free, double* W) {
-  if (masses()) return answer_masses(step, points, place, v_free, W);
+  if (masses()) return answer_masses(points, place, v_free, W);
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
   const double h = step.dt();
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());
