@@ -4,6 +4,9 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScreen>
+#include <QScrollArea>
+#include <QTabWidget>
 
 #include "console/widgets/parts.hpp"
 
@@ -65,75 +68,108 @@ Card make_legend(const CueTheme& cues, QWidget* parent) {
 
 }  // namespace
 
+Card HelpDialog::lesson_keys(QWidget* parent) {
+  return make_table(tr("Lesson"),
+                    {{tr("F3,  Shift+F3"), tr("What the instructor sent: read or taken, not now")},
+                     {tr("F4"), tr("An expert's instruments as a guide")},
+                     {tr("F5"), tr("Start, again")},
+                     {tr("F6"), tr("Pause, resume")},
+                     {tr("F7"), tr("Bring the needle back")},
+                     {tr("F8"), tr("Mark the moment two seconds ago")},
+                     {tr("Shift+F5"), tr("Stop")},
+                     {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
+                     {tr("F10"), tr("Instructor's window: readings, cues, events")},
+                     {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
+                     {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},
+                     {tr("Ctrl+Z,  Ctrl+Y"), tr("Undo, redo")},
+                     {tr("F12"), tr("Show frame rate")},
+                     {tr("F1"), tr("This page")}},
+                    parent);
+}
+
+Card HelpDialog::instrument_keys(QWidget* parent) {
+  return make_table(tr("Instrument: mouse and keyboard"),
+                    {{tr("Left drag,  A D W S"), tr("Move across")},
+                     {tr("Wheel,  Q E"), tr("Move away, come nearer")},
+                     {tr("Right drag,  arrows"), tr("Turn")},
+                     {tr("Ctrl+right drag,  Z X"), tr("Roll")},
+                     {tr("C+left drag,  T G"), tr("Drive the needle along its own curve")},
+                     {tr("Middle button,  Space"), tr("Close the jaws to a good grip; again: further")},
+                     {tr("Ctrl+middle,  B"), tr("Open the jaws")},
+                     {tr("Ctrl+wheel"), tr("Close, open in small steps")},
+                     {tr("Shift"), tr("Everything finer")},
+                     {tr("Tab"), tr("The other instrument, where there are two")}},
+                    parent);
+}
+
+Card HelpDialog::picture_keys(QWidget* parent) {
+  return make_table(tr("Picture"),
+                    {{tr("Orbit Side Top Near"), tr("Go to a view")},
+                     {tr("Drag,  arrows"), tr("Turn the camera")},
+                     {tr("Right drag, Shift+drag"), tr("Shift the camera")},
+                     {tr("Wheel,  + −"), tr("Nearer, further")},
+                     {tr("Double click,  Home"), tr("Frame the scene")},
+                     {tr("Ctrl+drag"), tr("Turn while the mouse is the instrument")},
+                     {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")},
+                     {tr("Ctrl+Page up, down"), tr("Zoom of the microscope; with Shift its focus")}},
+                    parent);
+}
+
+Card HelpDialog::review_keys(QWidget* parent) {
+  return make_table(tr("Review"),
+                    {{tr("Space"), tr("Play, pause")},
+                     {tr("← →"), tr("10 ms back, on")},
+                     {tr("Shift+← →"), tr("1 ms")},
+                     {tr("Ctrl+← →"), tr("1 s")},
+                     {tr("Home,  End"), tr("Start, end")},
+                     {tr(",  ."), tr("Event before, after")},
+                     {tr("L"), tr("Loop around the cursor")},
+                     {tr("N"), tr("Note at the cursor")},
+                     {tr("Ctrl+E"), tr("Save the attempt")},
+                     {tr("Ctrl+Shift+E"), tr("Save its signals")}},
+                    parent);
+}
+
+QWidget* HelpDialog::make_keys() {
+  auto* page = new QWidget(this);
+  auto* grid = new QGridLayout(page);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(12);
+  grid->addWidget(lesson_keys(page).frame, 0, 0);
+  grid->addWidget(instrument_keys(page).frame, 0, 1);
+  grid->addWidget(picture_keys(page).frame, 1, 0);
+  grid->addWidget(review_keys(page).frame, 1, 1);
+  return page;
+}
+
+// a page is scrolled where the screen is smaller than it
+void HelpDialog::add_tab(QWidget* page, const QString& title) {
+  auto* area = new QScrollArea(tabs_);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidget(page);
+  tabs_->addTab(area, title);
+  wanted_ = wanted_.expandedTo(page->sizeHint());
+}
+
 HelpDialog::HelpDialog(const CueTheme& cues, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Keys and cues"));
   setObjectName(QStringLiteral("help"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(16, 16, 16, 16);
-  grid->setSpacing(12);
-  grid->addWidget(make_table(tr("Lesson"),
-                             {{tr("F3,  Shift+F3"), tr("What the instructor sent: read or taken, not now")},
-                              {tr("F4"), tr("An expert's instruments as a guide")},
-                              {tr("F5"), tr("Start, again")},
-                              {tr("F6"), tr("Pause, resume")},
-                              {tr("F7"), tr("Bring the needle back")},
-                              {tr("F8"), tr("Mark the moment two seconds ago")},
-                              {tr("Shift+F5"), tr("Stop")},
-                              {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
-                              {tr("F10"), tr("Instructor's window: readings, cues, events")},
-                              {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
-                              {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},
-                              {tr("Ctrl+Z,  Ctrl+Y"), tr("Undo, redo")},
-                              {tr("F12"), tr("Show frame rate")},
-                              {tr("F1"), tr("This page")}},
-                             this)
-                      .frame,
-                  0, 0);
-  grid->addWidget(make_table(tr("Instrument: mouse and keyboard"),
-                             {{tr("Left drag,  A D W S"), tr("Move across")},
-                              {tr("Wheel,  Q E"), tr("Move away, come nearer")},
-                              {tr("Right drag,  arrows"), tr("Turn")},
-                              {tr("Ctrl+right drag,  Z X"), tr("Roll")},
-                              {tr("C+left drag,  T G"), tr("Drive the needle along its own curve")},
-                              {tr("Middle button,  Space"), tr("Close the jaws to a good grip; again: further")},
-                              {tr("Ctrl+middle,  B"), tr("Open the jaws")},
-                              {tr("Ctrl+wheel"), tr("Close, open in small steps")},
-                              {tr("Shift"), tr("Everything finer")},
-                              {tr("Tab"), tr("The other instrument, where there are two")}},
-                             this)
-                      .frame,
-                  0, 1);
-  grid->addWidget(make_table(tr("Picture"),
-                             {{tr("Orbit Side Top Near"), tr("Go to a view")},
-                              {tr("Drag,  arrows"), tr("Turn the camera")},
-                              {tr("Right drag, Shift+drag"), tr("Shift the camera")},
-                              {tr("Wheel,  + −"), tr("Nearer, further")},
-                              {tr("Double click,  Home"), tr("Frame the scene")},
-                              {tr("Ctrl+drag"), tr("Turn while the mouse is the instrument")},
-                              {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")},
-                              {tr("Ctrl+Page up, down"), tr("Zoom of the microscope; with Shift its focus")}},
-                             this)
-                      .frame,
-                  1, 0);
-  grid->addWidget(make_table(tr("Review"),
-                             {{tr("Space"), tr("Play, pause")},
-                              {tr("← →"), tr("10 ms back, on")},
-                              {tr("Shift+← →"), tr("1 ms")},
-                              {tr("Ctrl+← →"), tr("1 s")},
-                              {tr("Home,  End"), tr("Start, end")},
-                              {tr(",  ."), tr("Event before, after")},
-                              {tr("L"), tr("Loop around the cursor")},
-                              {tr("N"), tr("Note at the cursor")},
-                              {tr("Ctrl+E"), tr("Save the attempt")},
-                              {tr("Ctrl+Shift+E"), tr("Save its signals")}},
-                             this)
-                      .frame,
-                  0, 2);
-  grid->addWidget(make_legend(cues, this).frame, 1, 1, 1, 2);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 12, 16, 12);
+  column->setSpacing(12);
+  tabs_ = new QTabWidget(this);
+  add_tab(make_keys(), tr("Keys"));
+  add_tab(make_legend(cues, this).frame, tr("Cues"));
+  tabs_->setFocus();  // Ctrl+Tab goes to the other page
+  column->addWidget(tabs_, 1);
   auto* close = make_button(tr("Close"), QStringLiteral("Esc"), QStringLiteral("close_help"), this);
   close->setDefault(true);
   connect(close, &QPushButton::clicked, this, &QDialog::accept);
-  grid->addWidget(close, 2, 2, Qt::AlignRight);
+  column->addWidget(close, 0, Qt::AlignRight);
+  constexpr int kScrollBar_px = 24, kTabsAndButton_px = 130, kTitle_px = 40;
+  const QSize screen_px = screen()->availableGeometry().size() - QSize(0, kTitle_px);
+  resize((wanted_ + QSize(32 + kScrollBar_px, kTabsAndButton_px)).boundedTo(screen_px));
 }
 
 }  // namespace swage::console

@@ -1818,6 +1818,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Zoom of the microscope; with Shift its focus</source>
         <translation>Zoom des Mikroskops; mit Umschalt sein Fokus</translation>
     </message>
+    <message>
+        <source>Cues</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -3380,8 +3388,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Tab: das andere Instrument</translation>
     </message>
     <message>
-        <source>Drag: move the instrument</source>
-        <translation>Ziehen: das Instrument bewegen</translation>
+        <source>Drag, or A D W S Q E: move the instrument</source>
+        <translation>Ziehen oder A D W S Q E: das Instrument bewegen</translation>
     </message>
     <message>
         <source>Space: close the jaws</source>

@@ -41,7 +41,7 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   if (!focus) return tr("Click here: then mouse and keys move the instrument");
   QStringList all;
   if (led) all += tr("Tab: the other instrument");
-  if (hint_drag_) all += tr("Drag: move the instrument");
+  if (hint_drag_) all += tr("Drag, or A D W S Q E: move the instrument");
   if (hint_close_) all += tr("Space: close the jaws");
   if (hint_drive_) all += tr("T: drive the needle");
   return all.join(QStringLiteral("   ·   "));
@@ -165,6 +165,11 @@ bool SceneInput::microscope_key(const QKeyEvent& event) {
   return true;
 }
 
+// as devices/mouse reads them
+bool SceneInput::moves_instrument(int key) {
+  return key == Qt::Key_A || key == Qt::Key_D || key == Qt::Key_W || key == Qt::Key_S || key == Qt::Key_Q || key == Qt::Key_E;
+}
+
 bool SceneInput::key_down(QKeyEvent* event) {
   if (microscope_key(*event)) return true;
   swage_pointer out{};
@@ -172,6 +177,7 @@ bool SceneInput::key_down(QKeyEvent* event) {
   if (!instrument_ || !input_.key(*event, true, out)) return camera_key(event->key());
   if (event->isAutoRepeat()) return true;
   tell_circle(out);
+  if (moves_instrument(event->key())) used("drag");
   if (event->key() == Qt::Key_Space) used("close");
   if (event->key() == Qt::Key_T) used("drive");
   Q_EMIT pointer(out);

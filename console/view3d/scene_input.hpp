@@ -60,6 +60,7 @@ class SceneInput : public QObject {
   void wrap_pointer(const QPoint& global);
   void zoom_microscope(int notches);
   bool microscope_key(const QKeyEvent& event);
+  static bool moves_instrument(int key);
   bool camera_key(int key);
 
   QWidget* widget_;

@@ -22,11 +22,11 @@ constexpr double kSmall = 0.82;  // of the usual size: all words, where those of
 /// One meaning: its signs in its colour, its words.
 class CueLegend::Row : public QWidget {
  public:
-  /// `wide`: some sign of this legend has two parts, and all words stand behind that. `low`: one line and no more.
+  /// `wide`: some sign of this column has two parts, and all its words stand behind that. `low`: one line and no more.
   Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, CueLegend* legend)
       : QWidget(legend), legend_(legend), style_(style), ui_(ui), wide_(wide), low_(low) {
     setFixedHeight(low ? kLow_px : kRow_px);
-    setMinimumWidth(120);
+    setMinimumWidth(60);
     QStringList tip = {style.text};
     if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(theme_word(style.sound));
     setToolTip(tip.join(QLatin1Char('\n')));
@@ -38,12 +38,10 @@ class CueLegend::Row : public QWidget {
     setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
     update();
   }
-  /// Whether the words are longer than their line, at the usual size and bold, as they are when the cue is on.
-  bool is_too_long() const {
-    QFont bold = font();
-    bold.setBold(true);
-    return QFontMetricsF(bold).horizontalAdvance(style_.text) > room().width();
-  }
+  /// Whether the words are longer than their line, at the usual size.
+  bool is_too_long() const { return words_px() > room().width(); }
+  /// px, that the whole row asks for
+  int natural_px() const { return static_cast<int>(room().left() + words_px()) + 4; }
 
  protected:
   void paintEvent(QPaintEvent*) override {
@@ -57,8 +55,11 @@ class CueLegend::Row : public QWidget {
     const int sign = low_ ? kLow_px - 3 : kSign_px;
     paint_cue_shape(p, {5, 0.5 * (height() - sign)}, sign, style_);
     QFont text = font();
-    text.setBold(active_);
     if (legend_->has_long_words()) text.setPointSizeF(text.pointSizeF() * kSmall);
+    QFont bold = text;
+    bold.setBold(true);
+    // bold words are wider; the frame tells alone where they would be cut short
+    if (active_ && QFontMetricsF(bold).horizontalAdvance(style_.text) <= room().width()) text = bold;
     p.setFont(text);
     p.setPen(ui_["text"]);
     if (low_)
@@ -69,6 +70,7 @@ class CueLegend::Row : public QWidget {
   }
 
  private:
+  double words_px() const { return QFontMetricsF(font()).horizontalAdvance(style_.text); }
   QRectF room() const {
     const double left = 5 + (wide_ ? 2 : 1) * kSign_px + 6;
     return {left, 0, width() - left - 2, double(height())};
@@ -92,7 +94,6 @@ CueLegend::CueLegend(QWidget* parent) : QFrame(parent) {
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setHorizontalSpacing(6);
   grid_->setVerticalSpacing(0);
-  for (int i = 0; i < kColumns; ++i) grid_->setColumnStretch(i, 1);
   column->addLayout(grid_);
   empty_ = make_muted(tr("This lesson shows no cues."), this);
   column->addWidget(empty_);
@@ -112,17 +113,24 @@ void CueLegend::set_meanings(const QStringList& meanings) {
   fill();
 }
 
+// A column is as wide as its words ask for, as those of the grasp are twice as long as the others.
+void CueLegend::add_column(const QStringList& meanings, int column, bool low) {
+  const bool wide = std::any_of(meanings.begin(), meanings.end(), [this](const QString& m) { return cues_.style(m).shape.size() > 1; });
+  int widest_px = 1, line = 0;
+  for (const QString& meaning : meanings) {
+    auto* row = new Row(cues_.style(meaning), wide, low, ui_, this);
+    grid_->addWidget(row, line++, column);
+    widest_px = std::max(widest_px, row->natural_px());
+    rows_ += row;
+  }
+  grid_->setColumnStretch(column, widest_px);
+}
+
 void CueLegend::fill() {
   for (Row* row : rows_) delete row;
   rows_.clear();
   const auto lines = static_cast<int>((meanings_.size() + kColumns - 1) / kColumns);
-  const bool wide = std::any_of(meanings_.begin(), meanings_.end(),
-                                [this](const QString& m) { return cues_.style(m).shape.size() > 1; });
-  for (int i = 0; i < meanings_.size(); ++i) {
-    auto* row = new Row(cues_.style(meanings_[i]), wide, lines > kMostTall, ui_, this);
-    grid_->addWidget(row, i % std::max(lines, 1), i / std::max(lines, 1));
-    rows_ += row;
-  }
+  for (int column = 0; column < kColumns; ++column) add_column(meanings_.mid(column * lines, lines), column, lines > kMostTall);
   empty_->setVisible(has_lesson_ && meanings_.isEmpty());
   const QStringList now = active_;
   active_.clear();

@@ -29,6 +29,7 @@ class CueLegend : public QFrame {
  private:
   class Row;
   void fill();
+  void add_column(const QStringList& meanings, int column, bool low);
   CueTheme cues_;
   UiTheme ui_;
   QStringList meanings_, active_;

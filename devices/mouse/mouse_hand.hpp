@@ -65,7 +65,8 @@ class MouseHand {
 
   /// A step in which another hand is led: this one comes to rest where it was to be, and holds. [rt]
   void rest(double dt) noexcept {
-    closing_ = goes_on_ = false;
+    goes_on_ = false;
+    up_s_ = kLetGo_s;
     smooth(dt);
   }
 
@@ -145,8 +146,8 @@ class MouseHand {
     const bool close = (p.keys & (kSpace | kPlus)) != 0 || (middle && !control);
     const bool open = (p.keys & (letter('b') | kEnter | kMinus)) != 0 || (middle && control);
     constexpr double kRests = 0.9;  // share of the resting force from which a new press goes on
-    if (close && !closing_) goes_on_ = grip >= kRests * speeds_.rest_force;
-    closing_ = close;
+    if (close && up_s_ >= kLetGo_s) goes_on_ = grip >= kRests * speeds_.rest_force;
+    up_s_ = close ? 0 : up_s_ + dt;
     const bool rests = speeds_.rest_force > 0 && grip >= speeds_.rest_force && !goes_on_;
     double rate = (close && !rests ? 1.0 : 0.0) - (open ? 1.0 : 0.0);
     if (!speeds_.latch && !close) rate = -2;
@@ -171,7 +172,11 @@ class MouseHand {
   Circle circle_;
   Pose target_, middle_, pose_;
   double closure_ = 0;
-  bool closing_ = false, goes_on_ = false;  // the key is down; this press began at the resting force
+  // The repeat of a held key may reach us as a release and a press (X11 without detectable auto-repeat), a few ms apart.
+  // A finger is up for 80 ms or more between two presses. Larger values make a quick second press one with the first.
+  static constexpr double kLetGo_s = 0.04;
+  double up_s_ = kLetGo_s;  // s, how long the closing key is up
+  bool goes_on_ = false;    // this press began at the resting force
 };
 
 }  // namespace swage::mouse

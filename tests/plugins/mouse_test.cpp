@@ -180,6 +180,19 @@ TEST(MouseHand, ClosingRestsAtTheForceOfTheLessonUntilTheKeyIsPressedAgain) {
   EXPECT_NEAR(grip(), 0.6, 5e-3) << "opening never rests";
 }
 
+TEST(MouseHand, TheRepeatOfAHeldKeyIsNoSecondPress) {
+  Speeds speeds;
+  speeds.rest_force = 0.6;
+  MouseHand hand(speeds, Pose());
+  swage_pointer p = still();
+  const auto grip = [&] { return 2 * std::max(0.0, hand.closure() - 0.2); };
+  for (int ms = 0; ms < 3000; ++ms) {
+    p.keys = ms > 600 && ms % 40 < 5 ? 0 : kSpace;  // up for 5 ms at each repeat
+    hand.step(p, 1e-3, grip());
+  }
+  EXPECT_NEAR(grip(), 0.6, 2e-3);
+}
+
 TEST(MouseHand, SqueezeWhileHeldAndStay) {
   swage_pointer p = still();
   MouseHand hand(quick(), Pose());
