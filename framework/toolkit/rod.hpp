@@ -210,7 +210,7 @@ class Rod {
   void system(const RodState& s, const RodLoad& load, bool hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
   bool factor(const RodState& s, const RodLoad& load);
-  void slow_turns();
+  void slow_turns(const RodState& s);
   bool solve(const RodState& s, const RodLoad& load);
   double potential(const RodState& s, const RodLoad& load) const;
   void follow_tension(const RodState& s, const double* change, double share);

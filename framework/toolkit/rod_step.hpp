@@ -139,7 +139,7 @@ inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int st
   if (stiffer > 1)
     for (double& T : tension_) T = std::abs(T);
   system(s, load, true);
-  slow_turns();
+  slow_turns(s);
   if (stiffer < 3) return;
   double largest = 0;
   for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) largest = std::max(largest, A_.at(k, k));
@@ -149,12 +149,18 @@ inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int st
 }
 
 /// Rotations that hardly anything holds back: the rod that bends the way it remembers turns all of its edges together. They stiffen
-/// by EI k^2 l, what bending to the remembered curvature k costs when it does not follow, and so that their torque does not turn them
-/// by more than the linear model holds.
-inline void Rod::slow_turns() {
-  const double k2 = section_.bending * memory_ * memory_;
-  for (int j = 0; slow_ && j < edges(); ++j)
-    A_.at(4 * j + 3, 4 * j + 3) += k2 * rest_[at(j)] + std::abs(gradient_[at(4 * j + 3)]) / kMostAbout;
+/// by EI k m l, what bending to the remembered curvature m costs when it does not follow, k the curvature that it has where that is
+/// greater (bent by k against what it remembers it is at a top of its energy, whose slope falls by EI k m), and so that their torque
+/// does not turn them by more than the linear model holds.
+inline void Rod::slow_turns(const RodState& s) {
+  const double remembered = std::abs(memory_);
+  for (int j = 0; slow_ && j < edges(); ++j) {
+    double k = remembered;
+    for (const int i : {j, j + 1})
+      if (remembered > 0 && has_joint(i)) k = std::max(k, curvature(s, i));
+    A_.at(4 * j + 3, 4 * j + 3) +=
+        section_.bending * remembered * k * rest_[at(j)] + std::abs(gradient_[at(4 * j + 3)]) / kMostAbout;
+  }
 }
 
 /// The next change of all unknowns. False: there is none.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <numbers>
 #include <random>
 
 namespace swage::toolkit {
@@ -108,6 +109,33 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
 }
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
                          testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
+
+// At a top of its energy: an arc of 10 mm that is bent to a radius of 1.25 mm against the 10 mm that it remembers. All of its edges would
+// turn together, and hardly anything but their own inertia holds them.
+TEST(Rod, BentSharplyAgainstWhatItRemembersHasALinearStep) {
+  constexpr int n = 17;
+  constexpr double radius = 1.25e-3, l = 0.625e-3;  // m
+  std::vector<double> numbers(RodState::size(n));
+  RodState s(n, numbers.data());
+  for (const double memory : {100.0, -100.0}) {
+    Rod rod(kNylon, std::vector<double>(n - 1, l), memory);
+    for (int i = 0; i < n; ++i) {
+      const double a = l / radius * i;
+      Eigen::Map<Vec3>(s.x + 3 * i) = radius * Vec3(std::sin(a), 1 - std::cos(a), 0);
+    }
+    rod.start(s);
+    RodLoad load;
+    load.h = 1e-3;
+    for (const double turn : {0.0, 0.5, 1.0, 1.5}) {  // of half a turn: for two of them it lies against what it remembers
+      std::vector<double> change(static_cast<size_t>(rod.unknowns()), 0.0), moved(numbers);
+      RodState to(n, moved.data());
+      for (int j = 0; j < n - 1; ++j) change[static_cast<size_t>(4 * j + 3)] = turn * std::numbers::pi;
+      rod.move(s, change.data(), 1, to);
+      rod.prepare(to, load);
+      EXPECT_TRUE(rod.linearise(to, load)) << memory << " 1/m, turned by " << turn << " pi";
+    }
+  }
+}
 
 }  // namespace
 }  // namespace swage::toolkit
