@@ -3094,6 +3094,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Ghost</source>
         <translation>Durchscheinend</translation>
     </message>
+    <message>
+        <source>Choose an attempt</source>
+        <translation>Versuch wählen</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::RosterDialog</name>
