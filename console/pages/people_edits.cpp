@@ -69,7 +69,10 @@ void PeoplePage::add_person() {
 
 void PeoplePage::add_list() {
   RosterDialog dialog(people_->names(), this);
-  if (dialog.exec() == QDialog::Accepted) desk_->add_people(dialog.lines());
+  if (dialog.exec() != QDialog::Accepted || !desk_->add_people(dialog.lines())) return;
+  // where they are: those who need attention stand above them
+  for (const RosterLine& line : dialog.lines())
+    if (line.is == RosterLine::Is::kNew) return select_person(line.name);
 }
 
 void PeoplePage::change_person() {

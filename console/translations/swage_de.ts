@@ -391,6 +391,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Swage %1. For teaching, not for certification.</source>
         <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
     </message>
+    <message>
+        <source>timing: no fault</source>
+        <translation>Zeitverhalten: fehlerfrei</translation>
+    </message>
+    <message>
+        <source>no calibrated sensor</source>
+        <translation>kein kalibrierter Sensor</translation>
+    </message>
+    <message>
+        <source>calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
 </context>
 <context>
     <name>command_line</name>
