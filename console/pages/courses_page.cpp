@@ -46,7 +46,7 @@ CoursesPage::CoursesPage(SchoolDesk* desk, StoreLink* link, LessonsModel* lesson
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
   splitter->setStretchFactor(2, 5);
-  splitter->setSizes({190, 330, 740});  // whatever the course has: what they ask for changes with it
+  splitter->setSizes({150, 300, 850});  // whatever the course has: what they ask for changes with it
   step_stack_->setMinimumWidth(kLeastRule_px);
   stack_->addWidget(splitter);
   stack_->addWidget(make_empty());

@@ -1214,7 +1214,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>then, first of a later day</source>
-        <translation>dann die ersten eines späteren Tages</translation>
+        <translation>dann die ersten an späterem Tag</translation>
     </message>
     <message>
         <source>That must do so too; 0: not asked</source>
@@ -1302,11 +1302,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Add limit</source>
-        <translation>Grenze hinzufügen</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Remove limit</source>
-        <translation>Grenze entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove a limit</source>
