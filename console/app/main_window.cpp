@@ -136,6 +136,7 @@ void MainWindow::connect_pages() {
   connect(people_->person(), &PersonPanel::review, this, &MainWindow::review);
   connect(people_->person(), &PersonPanel::open_file, this, &MainWindow::open_attempt);
   connect(review_, &ReviewPage::back, this, [this, people] { show_page(people); });
+  connect(review_, &ReviewPage::ask_file, this, &MainWindow::open_attempt);
   const auto said = [this](const QString& lesson, const std::string& metric) {
     const int row = lessons_.row_of(lesson);
     const QModelIndex index = lessons_.index(row, 0);

@@ -8,6 +8,7 @@
 
 #include "assembly/lesson_text.hpp"
 #include "assembly/settings.hpp"
+#include "console/models/environment_params.hpp"
 
 namespace swage::console {
 namespace {
@@ -166,8 +167,11 @@ QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::S
 
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                  const host::Catalogue& catalogue) {
-  return collect(lesson_path, card, catalogue,
-                 [](const Use& use, const host::Param&) { return !use.device; });
+  QVector<LiveParam> out =
+      collect(lesson_path, card, catalogue, [](const Use& use, const host::Param&) { return !use.device; });
+  const Json root = read(lesson_path).root;
+  const auto section = root.find("environment");
+  return out + environment_params(section != root.end() ? section->dump() : "");
 }
 
 }  // namespace swage::console

@@ -7,6 +7,8 @@
 #include <QString>
 #include <QVector>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "host/catalogue.hpp"
 #include "snapshot/scene_card.hpp"
@@ -18,6 +20,9 @@ struct LiveParam {
   host::Param param;
   std::array<double, 4> start{};  // SI, as the lesson begins
   std::string folder = {};        // of the plugin's bundle, whose words these are
+  std::string follows = {};       // the choice of this instance that gives the start; "" for none
+  std::vector<double> start_of = {};  // by that choice, SI; NaN where the value means nothing
+  std::string least_words = {};   // said in the place of the least value; "" for none
 
   /// From SI to what is shown: 1000 for a length in mm.
   double factor() const;
@@ -32,7 +37,7 @@ struct LiveParam {
 /// In the order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's.
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue);
-/// All numbers, switches and choices of objects, couplings and lesson, for a lesson that is based on this one.
+/// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson that is based on this one.
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                  const host::Catalogue& catalogue);
 

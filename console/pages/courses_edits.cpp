@@ -173,6 +173,7 @@ void CoursesPage::add_lesson() {
   fresh.title = lessons_->at(row).title.toStdString();
   edit(tr("Add a lesson"), [&](record::Course& c) { c.steps.insert(c.steps.begin() + at, fresh); });
   steps_->setCurrentRow(at);
+  if (title_->hasFocus()) steps_->setFocus();  // a line that is typed into keeps Ctrl+Z for itself
   if (lesson_->currentIndex() + 1 < lesson_->count()) lesson_->setCurrentIndex(lesson_->currentIndex() + 1);
 }
 

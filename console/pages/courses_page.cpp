@@ -12,6 +12,7 @@ namespace swage::console {
 namespace {
 
 constexpr int kSimulate_ms = 200;  // after the last change: a tenth of a second of work each
+constexpr int kLeastRule_px = 300;  // of the rule beside lists on a narrow screen
 
 /// Fields of a course whose edits that follow each other are one undo.
 enum Field { kTitle = 1, kRule = 10, kLimit = 100 };
@@ -45,6 +46,8 @@ CoursesPage::CoursesPage(SchoolDesk* desk, StoreLink* link, LessonsModel* lesson
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
   splitter->setStretchFactor(2, 5);
+  splitter->setSizes({150, 300, 850});  // whatever the course has: what they ask for changes with it
+  step_stack_->setMinimumWidth(kLeastRule_px);
   stack_->addWidget(splitter);
   stack_->addWidget(make_empty());
   column->addWidget(stack_, 1);
@@ -73,7 +76,9 @@ QWidget* CoursesPage::make_courses() {
     record::Course fresh;
     fresh.title = tr("Course %1").arg(courses_.size() + 1).toStdString();
     course_ = {};
-    desk_->change_course({}, fresh, tr("New course"));
+    if (!desk_->change_course({}, fresh, tr("New course"))) return;
+    title_->setFocus();
+    title_->selectAll();
   });
   auto* remove = make_button(tr("Remove"), {}, QStringLiteral("remove_course"), card.frame);
   remove->setToolTip(tr("Ctrl+Z brings it back"));

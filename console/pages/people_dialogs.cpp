@@ -123,6 +123,7 @@ RosterDialog::RosterDialog(const QStringList& known, QWidget* parent) : QDialog(
   preview_->setTabKeyNavigation(false);
   preview_->setShowGrid(false);
   preview_->verticalHeader()->hide();
+  preview_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   preview_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   preview_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   row->addWidget(preview_, 3);

@@ -69,7 +69,10 @@ void PeoplePage::add_person() {
 
 void PeoplePage::add_list() {
   RosterDialog dialog(people_->names(), this);
-  if (dialog.exec() == QDialog::Accepted) desk_->add_people(dialog.lines());
+  if (dialog.exec() != QDialog::Accepted || !desk_->add_people(dialog.lines())) return;
+  // where they are: those who need attention stand above them
+  for (const RosterLine& line : dialog.lines())
+    if (line.is == RosterLine::Is::kNew) return select_person(line.name);
 }
 
 void PeoplePage::change_person() {
@@ -102,7 +105,7 @@ void PeoplePage::erase_person() {
 }
 
 // Title of the course by person, their own first, then that of their group.
-QHash<QString, QString> PeoplePage::courses_of_people() {
+QHash<QString, QString> PeoplePage::courses_of(const std::vector<record::Person>& people) {
   QHash<QString, QString> out;
   record::School* school = desk_->school();
   if (!school) return out;
@@ -122,7 +125,7 @@ QHash<QString, QString> PeoplePage::courses_of_people() {
     if (!a.to_group) add(a.who_id, a);
   for (const record::Assignment& a : all) {
     if (!a.to_group) continue;
-    for (const record::Person& p : school->people())
+    for (const record::Person& p : people)
       if (p.group_id == a.who_id) add(p.id, a);
   }
   return out;

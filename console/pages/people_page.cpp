@@ -164,7 +164,7 @@ void PeoplePage::refresh() {
   lesson_read_.clear();
   if (!link_->reads()) return show_empty(link_->problem());
   fill_groups();
-  people_->set_people(people, heads, groups_, courses_of_people());
+  people_->set_people(people, heads, groups_, courses_of(people));
   problem_->hide();
   count_->setText(people.size() == 1 ? tr("1 person") : tr("%1 people, those who need attention first").arg(people.size()));
   if (people.empty())

@@ -67,7 +67,7 @@ class PeoplePage : public QWidget {
   std::vector<std::string> all_chosen() const;
   std::vector<record::AttemptRow> attempts_of(const std::vector<std::string>& people, const std::string& lesson);
   const std::vector<record::AttemptRow>& experts_at(const std::string& lesson, const std::vector<std::string>& experts);
-  QHash<QString, QString> courses_of_people();
+  QHash<QString, QString> courses_of(const std::vector<record::Person>& people);
   void choose(const QString& id);
 
   StoreLink* link_;

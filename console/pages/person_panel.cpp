@@ -32,6 +32,7 @@ PersonPanel::PersonPanel(QWidget* parent)
   offer_picture(group_plot_, QStringLiteral("group"));
   tabs_->addTab(group_plot_, tr("G&roup"));
   connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::show_group);
+  connect(tabs_, &QTabWidget::currentChanged, this, &PersonPanel::choose_newest);
   column->addWidget(tabs_, 1);
 }
 
@@ -157,6 +158,11 @@ QWidget* PersonPanel::make_attempts() {
   return list.frame;
 }
 
+// what the buttons below the attempts are for
+void PersonPanel::choose_newest() {
+  if (tabs_->currentIndex() == 1 && !table_->selectionModel()->hasSelection()) table_->selectRow(0);
+}
+
 void PersonPanel::update_buttons() {
   const record::AttemptRow* row = chosen_row();
   for (QPushButton* b : {review_, void_, give_}) b->setEnabled(row);
@@ -234,6 +240,7 @@ void PersonPanel::show_person(const QString& name, std::vector<record::AttemptRo
   for (int row = 0; !chosen.isEmpty() && row < sorted_->rowCount(); ++row) {
     if (sorted_->index(row, 0).data(AttemptsModel::kId).toString() == chosen) table_->selectRow(row);
   }
+  choose_newest();
 }
 
 // the lessons that this person has done, the newest first

@@ -65,6 +65,7 @@ class PersonPanel : public QWidget {
   void show_metric();
   void review_current();
   void update_buttons();
+  void choose_newest();
   std::string only_lesson() const;
   void ask_lesson(MetricSeries& series) const;
 

@@ -45,11 +45,7 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   timeline_->setProperty("card", true);
   rows->addWidget(timeline_, 4);
   pages_->addWidget(full);
-  problem_ = new QLabel(pages_);
-  problem_->setObjectName(QStringLiteral("review_problem"));
-  problem_->setAlignment(Qt::AlignCenter);
-  problem_->setWordWrap(true);
-  pages_->addWidget(problem_);
+  pages_->addWidget(make_empty());
   column->addWidget(pages_, 1);
   show_problem(tr("Choose an attempt on the People page and press Enter, or open one that was saved to a file (Ctrl+O)."));
 
@@ -86,6 +82,31 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
 // the player looks at the recording
 ReviewPage::~ReviewPage() { player_.reset(); }
 
+// what there is to do while no attempt is open
+QWidget* ReviewPage::make_empty() {
+  auto* box = new QWidget(pages_);
+  auto* column = new QVBoxLayout(box);
+  problem_ = new QLabel(box);
+  problem_->setObjectName(QStringLiteral("review_problem"));
+  problem_->setAlignment(Qt::AlignCenter);
+  problem_->setWordWrap(true);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  auto* choose = make_button(tr("Choose an attempt"), QStringLiteral("Ctrl+4"), QStringLiteral("review_choose"), box);
+  connect(choose, &QPushButton::clicked, this, &ReviewPage::back);
+  buttons->addWidget(choose);
+  auto* open = make_button(tr("Open a file…"), QStringLiteral("Ctrl+O"), QStringLiteral("review_open"), box);
+  connect(open, &QPushButton::clicked, this, &ReviewPage::ask_file);
+  buttons->addWidget(open);
+  buttons->addStretch(1);
+  column->addStretch(2);
+  column->addWidget(problem_);
+  column->addSpacing(10);
+  column->addLayout(buttons);
+  column->addStretch(3);
+  return box;
+}
+
 QWidget* ReviewPage::make_head() {
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
@@ -101,10 +122,13 @@ QWidget* ReviewPage::make_head() {
   headline_->setFont(font);
   verdict_ = new ElidedLabel(box);
   verdict_->setObjectName(QStringLiteral("review_verdict"));
+  // one below the other: beside the buttons a small window has no room for both
+  auto* words = new QVBoxLayout;
+  words->setSpacing(0);
+  words->addWidget(headline_);
+  words->addWidget(verdict_);
   row->addSpacing(8);
-  row->addWidget(headline_, 2);
-  row->addSpacing(14);
-  row->addWidget(verdict_, 1);
+  row->addLayout(words, 1);
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto call) {
     auto* button = make_button(text, {}, QString::fromLatin1(name), box);
     button->setToolTip(tip);

@@ -82,8 +82,11 @@ class ReviewPage : public QWidget {
 
  Q_SIGNALS:
   void back();
+  /// An attempt that was saved is wanted.
+  void ask_file();
 
  private:
+  QWidget* make_empty();
   QWidget* make_head();
   QWidget* make_view();
   QWidget* make_transport();

@@ -10,6 +10,7 @@
 #include "console/report/sheet.hpp"
 #include "console/widgets/timeline.hpp"
 #include "console/widgets/track_plot.hpp"
+#include "record/display.hpp"
 
 namespace swage::console {
 namespace {
@@ -72,7 +73,11 @@ QString made_with(const AttemptReport& r) {
   QStringList out = {Words::tr("Lesson version %1").arg(a.lesson_digest.empty() ? QStringLiteral("–") : qt(a.lesson_digest.substr(0, 12))),
                      is_hand(a) ? Words::tr("recorded hand") : Words::tr("input: %1").arg(qt(a.device)),
                      Words::tr("seed %1").arg(r.review.seed)};
-  if (!a.remark.empty()) out += remark_text(qt(a.remark));
+  out += a.remark.empty() ? Words::tr("timing: no fault") : remark_text(qt(a.remark));
+  QStringList sensors;
+  for (const record::FileInfo& f : r.recording.info.files)
+    if (f.name.starts_with(record::kCalibrationFile)) sensors += qt(f.name).section(QLatin1Char(':'), 2);
+  out += sensors.isEmpty() ? Words::tr("no calibrated sensor") : Words::tr("calibration: %1").arg(sensors.join(QStringLiteral(", ")));
   return out.join(QStringLiteral(" · ")) + QStringLiteral("\n") + plugins.join(QStringLiteral(", "));
 }
 

@@ -391,6 +391,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Swage %1. For teaching, not for certification.</source>
         <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
     </message>
+    <message>
+        <source>timing: no fault</source>
+        <translation>Zeitverhalten: fehlerfrei</translation>
+    </message>
+    <message>
+        <source>no calibrated sensor</source>
+        <translation>kein kalibrierter Sensor</translation>
+    </message>
+    <message>
+        <source>calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
 </context>
 <context>
     <name>command_line</name>
@@ -1202,7 +1214,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>then, first of a later day</source>
-        <translation>dann die ersten eines späteren Tages</translation>
+        <translation>dann die ersten an späterem Tag</translation>
     </message>
     <message>
         <source>That must do so too; 0: not asked</source>
@@ -1290,11 +1302,11 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Add limit</source>
-        <translation>Grenze hinzufügen</translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Remove limit</source>
-        <translation>Grenze entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove a limit</source>
@@ -3101,6 +3113,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Ghost</source>
         <translation>Durchscheinend</translation>
+    </message>
+    <message>
+        <source>Choose an attempt</source>
+        <translation>Versuch wählen</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
     </message>
 </context>
 <context>

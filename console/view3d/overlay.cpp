@@ -164,7 +164,11 @@ void Overlay::clock(const QString& text) {
   QFont font = p_.font();
   font.setPointSizeF(font.pointSizeF() * 1.25);
   font.setBold(true);
-  pill({area_.right(), area_.top()}, text, font);
+  // a narrow picture, as one of two that are compared: smaller, then without the middle of the words; the time stays
+  constexpr double kSmallest = 0.72, kAround_px = 32;
+  const double room = std::max(0.0, area_.width() - kAround_px), needed = QFontMetricsF(font).horizontalAdvance(text);
+  if (needed > room) font.setPointSizeF(font.pointSizeF() * std::max(kSmallest, room / needed));
+  pill({area_.right(), area_.top()}, QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, room), font);
 }
 
 void Overlay::banner(const QString& text) {

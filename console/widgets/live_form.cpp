@@ -10,6 +10,7 @@
 #include <QLocale>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
@@ -49,6 +50,7 @@ void LiveForm::set_params(const QVector<LiveParam>& params) {
     add_field(param, heading, grid);
   }
   column_->insertWidget(1, body_);
+  for (const Field& field : fields_) take_start(field);
   set_running(running_);
 }
 
@@ -113,6 +115,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
   box->setDecimals(p.decimals());
   box->setRange(p.param.min * factor, p.param.max * factor);
   box->setSingleStep(p.step());
+  if (!p.least_words.empty()) box->setSpecialValueText(said(p.least_words, p.folder));
   if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
   box->setValue(start * factor);
   box->setKeyboardTracking(false);  // while typing "0.25" neither 0 nor 0.2 is meant
@@ -125,7 +128,8 @@ void LiveForm::edit(int index, int component, double shown) {
   Field& field = fields_[index];
   field.before = field.value;
   field.value[static_cast<size_t>(component)] = shown / field.param.factor();
-  field.back->setEnabled(running_ && field.value != field.param.start);
+  enable(field);
+  take_start(field);
   last_ = index;
   Q_EMIT changed(QString::fromStdString(field.param.instance),
                  QString::fromStdString(field.param.json(field.value)), words(field));
@@ -157,8 +161,30 @@ void LiveForm::put(int index, const std::array<double, 4>& value) {
     if (auto* choice = qobject_cast<QComboBox*>(field.editors[c]))
       choice->setCurrentIndex(static_cast<int>(v));
   }
-  field.back->setEnabled(running_ && field.value != field.param.start);
+  enable(field);
   filling_ = false;
+  take_start(field);
+}
+
+void LiveForm::enable(const Field& field) {
+  for (QWidget* editor : field.editors) editor->setEnabled(running_ && field.means);
+  field.back->setEnabled(running_ && field.means && field.value != field.param.start);
+}
+
+// What follows this choice starts from another value; one that nobody has touched moves with it, and one that means nothing under
+// this choice is not kept.
+void LiveForm::take_start(const Field& choice) {
+  if (choice.param.param.type != SWAGE_PARAM_CHOICE) return;
+  const auto chosen = static_cast<std::size_t>(choice.value[0]);
+  for (int i = 0; i < fields_.size(); ++i) {
+    Field& field = fields_[i];
+    LiveParam& p = field.param;
+    if (p.follows != choice.param.param.id || p.instance != choice.param.instance || chosen >= p.start_of.size()) continue;
+    const bool untouched = field.value == p.start;
+    field.means = std::isfinite(p.start_of[chosen]);
+    if (field.means) p.start[0] = p.start_of[chosen];
+    put(i, untouched || !field.means ? p.start : field.value);
+  }
 }
 
 void LiveForm::answer(const QString& problem) {
@@ -169,10 +195,7 @@ void LiveForm::answer(const QString& problem) {
 
 void LiveForm::set_running(bool running) {
   running_ = running;
-  for (const Field& field : fields_) {
-    for (QWidget* editor : field.editors) editor->setEnabled(running);
-    field.back->setEnabled(running && field.value != field.param.start);
-  }
+  for (const Field& field : fields_) enable(field);
   if (of_ == Of::kVariant)
     return explain_->setText(
         tr("What you change here is written into the lesson; all else stays as it is."));

@@ -51,11 +51,14 @@ class LiveForm : public QFrame {
     QVector<QWidget*> editors;
     QToolButton* back = nullptr;
     QLabel *label = nullptr, *heading = nullptr;
+    bool means = true;  // under what is chosen where it follows a choice
   };
   void add_field(const LiveParam& param, QLabel* heading, QGridLayout* grid);
   QWidget* make_editor(int field, int component);
   void edit(int field, int component, double shown);
   void put(int field, const std::array<double, 4>& value);
+  void take_start(const Field& choice);
+  void enable(const Field& field);
   QString words(const Field& field) const;
 
   QVector<Field> fields_;

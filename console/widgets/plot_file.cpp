@@ -44,7 +44,8 @@ QString save_plot(QWidget& plot, const QString& file) {
     svg.setTitle(plot.accessibleName());
     svg.setDescription(plot.accessibleDescription());
     QPainter p(&svg);
-    p.fillRect(plot.rect(), plot.palette().color(QPalette::Base));
+    // a size in whole millimetres is a fraction of a pixel more
+    p.fillRect(plot.rect().adjusted(0, 0, 1, 1), plot.palette().color(QPalette::Base));
     plot.render(&p, {}, {}, QWidget::DrawChildren);
   } else {
     QPixmap picture(plot.size() * kPng_scale);

@@ -37,7 +37,7 @@ class Timeline : public QWidget {
   void set_loop(double from_s, double to_s);
   double x_of(double time_s) const;  // pixels
 
-  QSize sizeHint() const override { return {800, 320}; }
+  QSize sizeHint() const override { return {800, 220}; }  // a window of 770 lines has room for it and a sentence above
   QSize minimumSizeHint() const override { return {300, 160}; }
 
  Q_SIGNALS:

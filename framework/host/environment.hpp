@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The keys of "environment" in a lesson file: one table for who reads the file and for its schema. Threads: [any], no state.
+// The keys of "environment" in a lesson file: one table for who reads the file, for its schema and for the instructor's form. Threads: [any], no state.
 #pragma once
 
 #include <swage/environment.hpp>
@@ -18,20 +18,38 @@ struct EnvironmentKey {
   const char* unit;
   double swage_environment::*member;
   double min, max;
+  uint32_t media;  // in which it means something, 1 << index in kMedia
+  const char* display_unit;
+  const char* label;
+  const char* doc;
 };
+
+inline constexpr uint32_t kInDry = 1, kInMoist = 2, kInAll = 7;
+
+inline constexpr const char* kMediumLabel = "Medium";
+inline constexpr const char* kMediumDoc =
+    "What surrounds everything in the scene. Dry: a thread may be charged. Moist: surfaces carry a film of water. Water: everything "
+    "is under water. The numbers below are the medium's own until they are changed. "
+    "Not set: a thread is in still air, and bodies feel no fluid.";
 
 // C/m: 26.5 uC/m2, at which air breaks down, on a thread of 10-0 (pi 22 um around) is 1.83 nC/m
 inline constexpr double kMostCharge = 2e-9;
 inline constexpr EnvironmentKey kEnvironmentKeys[] = {
-    {"density", "kg/m3", &swage_environment::density, 0, 2000},
-    {"viscosity", "Pa*s", &swage_environment::viscosity, 0, 1},
-    {"surface_tension", "N/m", &swage_environment::surface_tension, 0, 0.2},
-    {"contact_angle", "rad", &swage_environment::contact_angle, 0, std::numbers::pi / 2},
-    {"film", "m", &swage_environment::film, 1e-6, 1e-3},
-    {"charge", "C/m", &swage_environment::charge, -kMostCharge, kMostCharge},
-    {"earthed_plane", "m", &swage_environment::ground_z, -1, 1},
-    {"linear_damping", "N*s/m", &swage_environment::linear_damping, 0, 1},
-    {"angular_damping", "N*m*s/rad", &swage_environment::angular_damping, 0, 1},
+    {"density", "kg/m3", &swage_environment::density, 0, 2000, kInAll, "kg/m3", "Density of the fluid", "Drag and buoyancy of what moves in it."},
+    {"viscosity", "Pa*s", &swage_environment::viscosity, 0, 1, kInAll, "mPa*s", "Viscosity of the fluid", "Drag of what moves in it."},
+    {"surface_tension", "N/m", &swage_environment::surface_tension, 0, 0.2, kInMoist, "mN/m", "Surface tension of the film",
+     "How strongly the film draws wet things together; 0: nothing is wet."},
+    {"contact_angle", "rad", &swage_environment::contact_angle, 0, std::numbers::pi / 2, kInMoist, "deg", "Contact angle of the film",
+     "How well the film spreads on what it wets; 0: fully."},
+    {"film", "m", &swage_environment::film, 1e-6, 1e-3, kInMoist, "um", "Thickness of the film", "How much water surfaces carry."},
+    {"charge", "C/m", &swage_environment::charge, -kMostCharge, kMostCharge, kInDry, "nC/m", "Charge of a thread",
+     "Along its length, in dry surroundings only. At 1.83 nC/m air breaks down on a thread of 10-0."},
+    {"earthed_plane", "m", &swage_environment::ground_z, -1, 1, kInDry, "mm", "Height of an earthed plane",
+     "A horizontal metal plane that draws what is charged. None: there is no such plane."},
+    {"linear_damping", "N*s/m", &swage_environment::linear_damping, 0, 1, kInAll, "uN*s/m", "Damping of motion",
+     "Force against the motion of each free body, for each unit of its speed."},
+    {"angular_damping", "N*m*s/rad", &swage_environment::angular_damping, 0, 1, kInAll, "nN*m*s/rad", "Damping of rotation",
+     "Torque against the rotation of each free body, for each unit of its angular speed."},
 };
 
 /// What a medium is without further words: air or water at 20 deg C; moist: a film of water 0.1 mm thick (assumed: tissue that is

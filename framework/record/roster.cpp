@@ -6,12 +6,14 @@
 namespace swage::record {
 
 std::string select_people(bool school) {
-  const std::string own =
-      "SELECT p.person_id, p.pseudonym, p.created_utc, (SELECT COUNT(*) FROM session s JOIN attempt a"
-      " ON a.session_id = s.session_id WHERE s.person_id = p.person_id)";
-  if (!school) return own + " FROM person p ORDER BY p.pseudonym";
-  return own + ", n.display_name, n.handedness, n.group_id, n.archived_utc FROM person p"
-               " LEFT JOIN roster n ON n.person_id = p.person_id";
+  const std::string own = "SELECT p.person_id, p.pseudonym, p.created_utc, COALESCE(c.attempts, 0)";
+  // counted for all at once, not person by person
+  const std::string from =
+      " FROM person p LEFT JOIN (SELECT s.person_id, COUNT(*) AS attempts FROM session s JOIN attempt a"
+      " ON a.session_id = s.session_id GROUP BY s.person_id) c ON c.person_id = p.person_id";
+  if (!school) return own + from + " ORDER BY p.pseudonym";
+  return own + ", n.display_name, n.handedness, n.group_id, n.archived_utc" + from +
+         " LEFT JOIN roster n ON n.person_id = p.person_id";
 }
 
 Person person_from(const Row& r) {

@@ -265,6 +265,9 @@ bool Database::connect(Access access, std::string& error) {
     c.patience.emplace(socket_of(c.db), kAnswer);
     // a lock of another station is waited for as long as one of SQLite's
     run("SET lock_timeout = '2s'");
+    // every statement here takes milliseconds; without statistics the server takes some of them for long ones and compiles them first,
+    // which costs 250 ms
+    run("SET jit = off");
     run("SET client_min_messages = warning");  // "already exists, skipping" is for nobody's terminal
     return true;
   }

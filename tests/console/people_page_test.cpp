@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QTabWidget>
 #include <QTableView>
 
 #include "window_fixture.hpp"
@@ -98,6 +99,16 @@ TEST_F(PeoplePages, TheNewestAttemptIsThreeKeysAway) {
   EXPECT_EQ(table->selectionModel()->selectedRows().front().row(), 0);
   QTest::keyClick(table, Qt::Key_Return);
   EXPECT_TRUE(window->review_page()->isVisible());
+}
+
+TEST_F(PeoplePages, TheNewestAttemptIsChosenWhereAttemptsAreListed) {
+  attempts = sample_attempts();
+  open();
+  click("page_people");
+  EXPECT_FALSE(child<QPushButton>("void_attempt")->isEnabled());
+  child<QTabWidget>("person_tabs")->setCurrentIndex(1);
+  EXPECT_TRUE(child<QPushButton>("void_attempt")->isEnabled());
+  EXPECT_EQ(child<QTableView>("attempts")->selectionModel()->selectedRows().front().row(), 0);
 }
 
 TEST_F(PeoplePages, ProgressAsksTheLessonWhichWayAMetricIsBetter) {

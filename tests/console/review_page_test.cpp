@@ -51,6 +51,15 @@ TEST_F(ReviewPages, EnterOpensAnAttemptWithItsTracesEventsAndMetrics) {
   EXPECT_TRUE(window->people_page()->isVisible());
 }
 
+TEST_F(ReviewPages, SaysWhatToPressWhileNothingIsOpen) {
+  attempts = sample_attempts();
+  open();
+  click("page_review");
+  EXPECT_TRUE(child<QPushButton>("review_open")->isVisible());
+  click("review_choose");
+  EXPECT_TRUE(window->people_page()->isVisible());
+}
+
 TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {
   launch.attempt_file = "/somewhere/one.swage";
   open();

@@ -65,6 +65,7 @@ TEST_F(SchoolPages, APastedListIsPreviewedAddedAndUndone) {
   });
   click("first_list");
   EXPECT_EQ(people(), 2);
+  EXPECT_EQ(child<QLabel>("person_name")->text(), "Arun P.") << "the first of them is shown";
   EXPECT_FALSE(child<QLabel>("empty")->isVisible());
   auto* group = child<QComboBox>("group_filter");
   EXPECT_GE(group->findText("Spring"), 0);
@@ -291,6 +292,23 @@ TEST_F(SchoolPages, ACourseIsBuiltWithoutASaveButtonAndUndone) {
   while (window->desk()->course_edits()->canUndo()) window->desk()->course_edits()->undo();
   EXPECT_TRUE(courses().empty());
   EXPECT_TRUE(child<QLabel>("no_courses")->isVisible());
+}
+
+TEST_F(SchoolPages, ANewCourseIsNamedAtOnceAndItsRuleHasRoom) {
+  open();
+  click("page_courses");
+  click("first_course");
+  click("new_course");
+  auto* title = child<QLineEdit>("course_title");
+  EXPECT_TRUE(title->hasFocus() && title->hasSelectedText());
+  QTest::keyClicks(title, QStringLiteral("Spring"));
+  click("add_lesson");
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(title->text(), "Spring") << "the lesson is taken back, not the name";
+  EXPECT_EQ(child<QListWidget>("steps")->count(), 0);
+  click("add_lesson");
+  EXPECT_GE(child<QLabel>("rule_says")->mapTo(window.get(), QPoint()).x(), 500);
+  EXPECT_GT(child<QTableWidget>("limits")->width(), 400);
 }
 
 TEST_F(SchoolPages, ANumberThatIsNoneLeavesTheLimitAsItWas) {

@@ -87,7 +87,7 @@ TEST_F(Synthetic, LearnsAndItsExpertsDoNotNeedTo) {
   const auto school = School::open(path_, error_);
   std::string experts;
   for (const Group& g : school->groups())
-    if (g.name == "Synthetic experts") experts = g.id;
+    if (g.name == "Experts") experts = g.id;
   const Course course = school->courses().at(0);
   int levels = 0, passed = 0, masters = 0;
   for (const Person& p : school->people()) {
@@ -107,6 +107,17 @@ TEST_F(Synthetic, LearnsAndItsExpertsDoNotNeedTo) {
   EXPECT_EQ(masters, 1);
   EXPECT_EQ(levels, 9);
   EXPECT_GT(passed, 0) << "somebody passes the course";
+}
+
+TEST_F(Synthetic, ExpertsDoNotJoinRealOnes) {
+  Group real{"", "Experts", "", ""};
+  ASSERT_TRUE(School::open(path_, error_)->add_group(real)) << error_;
+  ASSERT_TRUE(write_synthetic_school(path_, school_, error_)) << error_;
+  const auto school = School::open(path_, error_);
+  std::vector<std::string> groups;
+  for (const Group& g : school->groups()) groups.push_back(g.name);
+  EXPECT_THAT(groups, testing::UnorderedElementsAre("Experts", "Synthetic experts", "Synthetic residents"));
+  for (const Person& p : school->people()) EXPECT_NE(p.group_id, real.id) << p.name;
 }
 
 TEST_F(Synthetic, TheSameSeedDrawsTheSameNumbers) {

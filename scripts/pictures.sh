@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+#
+# Pictures of every page of the console, to be looked at: filled with a synthetic school and empty, 1280x800 and 1920x1080, English and
+# German. Needs a build of the preset and Debian's package xvfb.
+#
+#   scripts/pictures.sh <folder> [preset]
+set -euo pipefail
+folder=${1:?folder for the pictures}
+mkdir -p "$folder"
+folder=$(cd "$folder" && pwd)
+cd "$(dirname "$0")/.."
+bin=build/${2:-release}/bin
+export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
+
+school=$folder/school.db empty=$folder/empty.db
+[ -f "$school" ] || "$bin/swage" people synthetic --store "$school" --attempts 1200
+
+# settings of its own for each picture, as the console remembers its layout
+picture() {
+  local name=$1
+  shift
+  XDG_CONFIG_HOME=$(mktemp -d) XDG_DATA_HOME=$folder/data xvfb-run -a -s "-screen 0 1920x1080x24" \
+    timeout 120 "$bin/swage-console" "$@" --at 1 --screenshot "$folder/$name.png" 2>"$folder/$name.log" ||
+    echo "$name: see $folder/$name.log"
+}
+
+for language in en de; do
+  for size in 1280x800 1920x1080; do
+    for page in run lessons courses people review setup; do
+      review=()
+      [ "$page" != review ] || review=(--review latest)
+      picture "${page}_filled_${size}_$language" --page "$page" --store "$school" --size "$size" --language "$language" "${review[@]}"
+      picture "${page}_empty_${size}_$language" --page "$page" --store "$empty" --size "$size" --language "$language"
+    done
+  done
+done
