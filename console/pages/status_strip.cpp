@@ -2,8 +2,29 @@
 #include "console/pages/status_strip.hpp"
 
 #include <QHBoxLayout>
+#include <cmath>
+
+#include "console/models/said.hpp"
+#include "console/models/words.hpp"
 
 namespace swage::console {
+namespace {
+
+/// What a device tells of itself, as far as it is known: ", Pad: Battery 70 %".
+QString told_by(const snapshot::Snapshot& s, const snapshot::SceneCard& card, const std::string& device) {
+  QString out;
+  for (uint32_t i = 0; i < s.n_signal && i < card.script.signals.size(); ++i) {
+    const judge::Name& name = card.script.signals[i];
+    if (name.owner != device || std::isnan(s.signal[i])) continue;
+    const QString unit = QString::fromStdString(name.unit);
+    const bool share = name.unit == "1";
+    out += QStringLiteral(", %1 %2").arg(said_name(name, card.script.signals),
+                                         quantity_text(s.signal[i], share ? QStringLiteral("%") : unit));
+  }
+  return out;
+}
+
+}  // namespace
 
 StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
@@ -73,7 +94,7 @@ void StatusStrip::show_health(const snapshot::Snapshot& s, const snapshot::Scene
   QStringList devices;
   for (uint32_t i = 0; i < s.n_device && i < card.devices.size(); ++i) {
     const QString name = QString::fromStdString(card.devices[i].name);
-    devices += s.device[i].stale ? tr("▲ %1: no reply").arg(name) : tr("● %1: OK").arg(name);
+    devices += (s.device[i].stale ? tr("▲ %1: no reply").arg(name) : tr("● %1: OK").arg(name)) + told_by(s, card, card.devices[i].name);
   }
   device_->setText(devices.join(QStringLiteral("   ")));
   recording_->setText(recording ? tr("● Recording") : tr("○ Not recorded"));

@@ -16,6 +16,8 @@ using toolkit::Vec3;
 namespace {
 
 constexpr double kRetry = 0.25;  // s between two looks for a pad that was pulled out
+constexpr double kBatteryEach = 5;  // s between two looks at its battery, which takes hours
+constexpr double kLow = 0.2;        // charge of which a person is told
 
 double now_s() {
   timespec t;
@@ -53,6 +55,7 @@ void Gamepad::open() {
   sdl_ = load_sdl(why);
   if (sdl_ == nullptr) return refuse(why);
   found_.clear();
+  battery_told_ = false;
   sdl_->GameControllerUpdate();
   last_s_ = now_s();
   if (find()) return note("Pad: " + found_);
@@ -69,6 +72,17 @@ void Gamepad::open() {
 void Gamepad::close() {
   if (pad_ != nullptr) sdl_->GameControllerClose(pad_);
   pad_ = nullptr;
+  battery_ = kNotKnown;
+  battery_s_ = -kBatteryEach;
+}
+
+void Gamepad::look_at_battery(double now) {
+  if (now - battery_s_ < kBatteryEach) return;
+  battery_s_ = now;
+  battery_ = battery_of(sdl_->JoystickCurrentPowerLevel(sdl_->GameControllerGetJoystick(pad_)));
+  if (!(battery_ <= kLow) || battery_told_) return;
+  battery_told_ = true;
+  warn("The battery of the pad " + found_ + " is low. Charge it, or put it on its wire.");
 }
 
 double Gamepad::axis(Axis a) const { return static_cast<double>(sdl_->GameControllerGetAxis(pad_, a)) / 32767; }
@@ -120,6 +134,7 @@ void Gamepad::exchange(const swage_command&, swage_sample& sample) {
     if (!find()) return;
   }
   last_s_ = now;
+  look_at_battery(now);
   lead(dt);
   squeeze(dt);
   sample.sequence += 1;

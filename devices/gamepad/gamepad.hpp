@@ -4,7 +4,7 @@
 // See gamepad.md.
 #pragma once
 
-#include <swage/device.hpp>
+#include <swage/device_signals.hpp>
 #include <swage/units.hpp>
 
 #include <string>
@@ -32,7 +32,7 @@ struct GamepadParams {
 inline constexpr const char* kHalves[] = {"both", "left", "right", nullptr};
 inline constexpr const char* kTriggers[] = {"position", "rate", nullptr};
 
-class Gamepad final : public Device<GamepadParams> {
+class Gamepad final : public TellingDevice<GamepadParams> {
  public:
   using P = GamepadParams;
   static constexpr auto id = "swage.device.gamepad";
@@ -70,8 +70,12 @@ class Gamepad final : public Device<GamepadParams> {
   void close() override;
   void exchange(const swage_command& command, swage_sample& sample) override;
 
+  static constexpr std::array told{DeviceSignal{"pad.battery", "1", "Charge of the pad's battery; not known of a pad on a wire."}};
+  void tell(std::span<double> out) override { out[0] = battery_; }
+
  private:
   bool find();
+  void look_at_battery(double now);
   double axis(Axis a) const;
   double key(Button plus, Button minus) const;
   bool down(Button b) const { return sdl_->GameControllerGetButton(pad_, b) != 0; }
@@ -83,6 +87,8 @@ class Gamepad final : public Device<GamepadParams> {
   std::string found_;  // name of the pad that was found first: only one like it takes its place
   rate::RateHand hand_;
   double closure_ = 0, last_s_ = 0, tried_s_ = 0;
+  double battery_ = kNotKnown, battery_s_ = 0;
+  bool battery_told_ = false;
 };
 
 }  // namespace swage::gamepad

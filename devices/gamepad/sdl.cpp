@@ -3,6 +3,8 @@
 
 #include <dlfcn.h>
 
+#include <limits>
+
 namespace swage::gamepad {
 
 namespace {
@@ -29,10 +31,17 @@ bool find_all(void* library, Sdl& s, std::string& why) {
          find(library, "SDL_GameControllerName", s.GameControllerName, why) &&
          find(library, "SDL_GameControllerNameForIndex", s.GameControllerNameForIndex, why) &&
          find(library, "SDL_GameControllerEventState", s.GameControllerEventState, why) &&
-         find(library, "SDL_GameControllerUpdate", s.GameControllerUpdate, why);
+         find(library, "SDL_GameControllerUpdate", s.GameControllerUpdate, why) &&
+         find(library, "SDL_GameControllerGetJoystick", s.GameControllerGetJoystick, why) &&
+         find(library, "SDL_JoystickCurrentPowerLevel", s.JoystickCurrentPowerLevel, why);
 }
 
 }  // namespace
+
+double battery_of(int level) {
+  constexpr double kShare[] = {0.05, 0.2, 0.7, 1};  // EMPTY, LOW, MEDIUM, FULL
+  return level >= 0 && level < 4 ? kShare[level] : std::numeric_limits<double>::quiet_NaN();
+}
 
 const Sdl* load_sdl(std::string& why) {
   static Sdl sdl{};

@@ -10,6 +10,7 @@
 namespace swage::gamepad {
 
 struct SdlController;  // SDL_GameController
+struct SdlJoystick;    // SDL_Joystick
 
 enum Axis { kLeftX, kLeftY, kRightX, kRightY, kLeftTrigger, kRightTrigger };  // SDL_CONTROLLER_AXIS_*
 enum Button {                                                                // SDL_CONTROLLER_BUTTON_*
@@ -31,7 +32,12 @@ struct Sdl {
   const char* (*GameControllerNameForIndex)(int);
   int (*GameControllerEventState)(int);
   void (*GameControllerUpdate)();
+  SdlJoystick* (*GameControllerGetJoystick)(SdlController*);
+  int (*JoystickCurrentPowerLevel)(SdlJoystick*);
 };
+
+/// Charge of a battery, the upper end of what SDL's level (SDL_JOYSTICK_POWER_*) says; NaN for a wire and where it is not known.
+double battery_of(int level);
 
 /// One for the process, never unloaded. nullptr with a sentence: what is missing and how it is had. [main]
 const Sdl* load_sdl(std::string& why);

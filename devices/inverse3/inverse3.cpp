@@ -54,7 +54,7 @@ void Inverse3::build(const P& params, DeviceBuilder& builder) {
 std::string Inverse3::reach() {
   const std::string where = params().host + ":" + std::to_string(params().port);
   std::string others, text;
-  bool told = false;
+  bool greeted = false;
   if (const std::string why = socket_.open(params().host, params().port, "/"); !why.empty()) return why;
   for (const double until = now_s() + kPatience; now_s() < until; nap()) {
     if (socket_.progress() == WebSocket::State::kClosed)
@@ -62,14 +62,14 @@ std::string Inverse3::reach() {
              " Install and start it (from docs.haply.co; sudo systemctl enable --now haply-inverse-service).";
     while (socket_.receive(text)) {
       const Message m = read_message(text, params().arm, params().grip);
-      told |= m.readable;
+      greeted |= m.readable;
       others = m.others;
       hear(text, now_s());
     }
     if (fresh_) return "";
-    if (told) answer({}, now_s());
+    if (greeted) answer({}, now_s());
   }
-  if (!told) return where + " says nothing that is of the Inverse Service. Is its port right?";
+  if (!greeted) return where + " says nothing that is of the Inverse Service. Is its port right?";
   if (!others.empty()) return "There is no arm \"" + params().arm + "\". There is: " + others + ".";
   return "The Inverse Service knows no arm. Switch the Inverse3 on, plug it in, and calibrate it as its maker says.";
 }

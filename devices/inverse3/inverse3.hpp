@@ -3,7 +3,7 @@
 // swage.device.inverse3: an Inverse3 arm of Haply with its stylus, through the service of its maker. See inverse3.md.
 #pragma once
 
-#include <swage/device.hpp>
+#include <swage/device_signals.hpp>
 
 #include <string>
 
@@ -22,7 +22,7 @@ struct Inverse3Params {
   double close_time = 1.5;  // s
 };
 
-class Inverse3 final : public Device<Inverse3Params> {
+class Inverse3 final : public TellingDevice<Inverse3Params> {
  public:
   using P = Inverse3Params;
   static constexpr auto id = "swage.device.inverse3";
@@ -51,6 +51,9 @@ class Inverse3 final : public Device<Inverse3Params> {
   void open() override;
   void close() override;
   void exchange(const swage_command& command, swage_sample& sample) override;
+
+  static constexpr std::array told{DeviceSignal{"stylus.battery", "1", "Charge of the VerseGrip's battery."}};
+  void tell(std::span<double> out) override { out[0] = grip_there_ ? grip_.battery.value_or(kNotKnown) : kNotKnown; }
 
  private:
   std::string reach();

@@ -50,7 +50,8 @@ bool JawSensor::choose_port(sensor::LinkSettings& settings) {
   }
   std::string list;
   for (const std::string& one : all) list += " " + one;
-  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."
+  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port; a port that may not be "
+                       "opened needs the group dialout (sudo adduser $USER dialout)."
                      : "There are several serial adapters; name the port of the sensor, one of:" + list);
   return false;
 }
@@ -152,6 +153,7 @@ void JawSensor::take(const Measurement& m) {
     filled_ = false;
     return;
   }
+  volts_ = m.value;
   const double length = displacement_.length(m.value), dt = m.time_s - last_s_;
   const double share = filled_ && params().smoothing > 0 ? 1 - std::exp(-std::max(0.0, dt) / params().smoothing) : 1;
   length_ = filled_ ? length_ + share * (length - length_) : length;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/calibrated.hpp>
+#include <swage/device_signals.hpp>
 
 #include <array>
 
@@ -40,7 +41,7 @@ inline constexpr const char* kForces[] = {"travel", "gauge", "jaws", nullptr};
 inline constexpr const char* kFormats[] = {"text",   "u16_big_endian",    "u16_little_endian", "i16_big_endian",
                                            "i16_little_endian", "i24_big_endian", nullptr};
 
-class JawSensor final : public CalibratedDevice<JawSensorParams> {
+class JawSensor final : public TellingDevice<JawSensorParams, CalibratedDevice<JawSensorParams>> {
  public:
   using P = JawSensorParams;
   static constexpr auto id = "swage.device.jaw_sensor";
@@ -88,6 +89,9 @@ class JawSensor final : public CalibratedDevice<JawSensorParams> {
   void close() override { link_.close(); }
   void exchange(const swage_command& command, swage_sample& sample) override;
 
+  static constexpr std::array told{DeviceSignal{"sensor.volts", "V", "What the displacement sensor measures, before any calibration."}};
+  void tell(std::span<double> out) override { out[0] = measured_ && link_.plugged() ? volts_ : kNotKnown; }
+
   std::string_view calibration() const override { return in_use_; }
 
   const sensor::SensorLink& link() const { return link_; }
@@ -110,7 +114,7 @@ class JawSensor final : public CalibratedDevice<JawSensorParams> {
   std::string serial_;  // with which the lesson began
   uint32_t connection_ = 0;
   bool warned_ = false, filled_ = false, measured_ = false, gauge_ = false;
-  double length_ = 0, force_ = 0, last_s_ = 0;  // m, N, s
+  double volts_ = 0, length_ = 0, force_ = 0, last_s_ = 0;  // V, m, N, s
 };
 
 }  // namespace swage::jaw_sensor

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "base/clock.hpp"
 #include "host/guard.hpp"
@@ -116,6 +117,7 @@ void IoPort::run() {
     const bool good = host::guarded(instance, host::Call::kExchange, n,
                                     [&] { return slot_.device->exchange(instance.raw, &out, &sample); });
     if (leaving) return;
+    signals_.read(n, given.told);
     if (good && sample.sequence != given.sample.sequence) {
       given.wall_ns = base::wall_ns();
       given.known |= sample.valid & kWhole;
@@ -179,6 +181,14 @@ swage_vec3 IoPort::force() const noexcept {
   return given_.latest(given) != 0 ? given.force : swage_vec3{};
 }
 
+void IoPort::told(double* out) const noexcept {
+  Given given;
+  if (given_.latest(given) != 0)
+    std::copy_n(given.told, signals_.count(), out);
+  else
+    std::fill_n(out, signals_.count(), std::numeric_limits<double>::quiet_NaN());
+}
+
 bool IoPort::stale() const noexcept {
   Given given;
   return given_.latest(given) == 0 || seconds(base::wall_ns() - given.wall_ns) > kSilence;
@@ -196,6 +206,7 @@ void StepPort::read(uint64_t step, double time_s, swage_sample& sample) noexcept
   }
   given_ = command.force;
   step::exchange(slot_, step, command, sample);
+  signals_.read(step, told_);
 }
 
 }  // namespace swage::session

@@ -3,12 +3,14 @@
 // Devices as the session runs them: on threads of their own, or asked in the step; forces in both cases through a guard.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <future>
 #include <thread>
 
 #include "base/snapshot_ring.hpp"
+#include "host/device_signals.hpp"
 #include "host/rig.hpp"
 #include "session/force_guard.hpp"
 #include "step/device_port.hpp"
@@ -19,6 +21,11 @@ namespace swage::session {
 class Port : public step::DevicePort {
  public:
   Port(host::DeviceSlot& slot, const ForceLimits& limits) : slot_(slot), guard_(limits) {}
+  /// What its device tells of itself from now on. [main] before start()
+  void tell(const host::DeviceSignals& signals) { signals_ = signals; }
+  const host::DeviceSignals& signals() const noexcept { return signals_; }
+  /// Newest values of signals(), NaN where nothing is known. [rt]
+  virtual void told(double* out) const noexcept = 0;
   virtual void start() {}                                                // [main] the device is open
   /// Ends its thread. False: the device has not come back from exchange(); the port, the rig and the watchdog's flag have to
   /// stay for the rest of the process. [main]
@@ -45,6 +52,7 @@ class Port : public step::DevicePort {
 
   host::DeviceSlot& slot_;
   ForceGuard guard_;
+  host::DeviceSignals signals_;
 
  private:
   std::atomic<uint32_t> arm_{0}, disarm_{0};
@@ -65,6 +73,7 @@ class IoPort final : public Port {
   swage_vec3 force() const noexcept override;
   bool stale() const noexcept override;
   double lost_s() const noexcept override;
+  void told(double* out) const noexcept override;
 
  private:
   struct Wanted {
@@ -77,6 +86,7 @@ class IoPort final : public Port {
     int64_t wall_ns = 0;  // when a new sample last came
     int64_t whole_ns = 0; // when one last came that was whole
     uint64_t known = 0;   // SWAGE_VALID_POSE, _CLOSURE that it has ever given
+    double told[SWAGE_MOST_DEVICE_SIGNALS];
   };
   bool resting(const Given& given, int64_t now, double time_s) noexcept;
   void run();
@@ -105,12 +115,14 @@ class StepPort final : public Port {
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
   void send(const step::ToolForce& force) noexcept override { wanted_ = knocked(force); }
   swage_vec3 force() const noexcept override { return given_; }
+  void told(double* out) const noexcept override { std::copy_n(told_, signals_.count(), out); }
 
  private:
   const double dt_;
   const bool forces_;
   step::ToolForce wanted_;
   swage_vec3 given_{};
+  double told_[SWAGE_MOST_DEVICE_SIGNALS] = {};
 };
 
 }  // namespace swage::session

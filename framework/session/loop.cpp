@@ -173,6 +173,15 @@ void Loop::feel() noexcept {
   for (const contact::Contact& c : engine_.contacts().contact) hardest_ = std::max(hardest_, c.f_a_W.norm());
 }
 
+// what devices tell, after the n signals of the scene; how many there are then
+uint32_t Loop::listen_to_devices(double* signal, uint32_t n) const noexcept {
+  for (const Port* port : ports_) {
+    port->told(signal + n);
+    n += port->signals().count();
+  }
+  return n;
+}
+
 // records, events and snapshots of the step that was just made
 void Loop::keep(const LoopStats& stats) noexcept {
   steps_.store(engine_.world().step, std::memory_order_relaxed);
@@ -189,6 +198,7 @@ void Loop::keep(const LoopStats& stats) noexcept {
     record_.n_signal = static_cast<uint32_t>(std::min<std::size_t>(signals.size(), snapshot::kMaxSignals));
     std::copy_n(samples.begin(), record_.n_device, record_.sample);
     std::copy_n(signals.begin(), record_.n_signal, record_.signal);
+    record_.n_signal = listen_to_devices(record_.signal, record_.n_signal);
     recorder_->step(record_);
   }
   const uint64_t every = settings_.realtime ? kShowRealtime : kShowFastest;
@@ -198,6 +208,7 @@ void Loop::keep(const LoopStats& stats) noexcept {
 void Loop::show(const LoopStats& stats) noexcept {
   snapshot::Snapshot& s = *out_;
   engine_.fill(s);
+  s.n_signal = listen_to_devices(s.signal, s.n_signal);
   s.paused = paused_.load(std::memory_order_relaxed) || hand_lost_;
   for (uint32_t i = 0; i < s.n_device; ++i) {
     s.device[i].force = ports_[i]->force();

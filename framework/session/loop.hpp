@@ -71,6 +71,7 @@ class Loop {
   void knock() noexcept;
   void watch_hands() noexcept;
   void tell(judge::HostEvent event, double value) noexcept;
+  uint32_t listen_to_devices(double* signal, uint32_t n) const noexcept;
   void keep(const LoopStats& stats) noexcept;
   void show(const LoopStats& stats) noexcept;
   void feel() noexcept;

@@ -80,7 +80,7 @@ bool replay(const record::Recording& recording, const std::vector<std::string>& 
     ++out.steps;
     if (again->first_difference() > i) continue;
     out.first_difference = i;
-    if (rig.world.signal.size() == signals) out.reason = who_differs(rig, &recording.signal[signals * i]);
+    if (rig.world.signal.size() <= signals) out.reason = who_differs(rig, &recording.signal[signals * i]);
     out.verdict = verdict_of(*again);
     if (!to_the_end) return true;
     while (again->step()) {

@@ -127,6 +127,7 @@ bool Run::prepare(Problems& problems) {
     return false;
   }
   for (Problem& p : step::start_overlaps(*rig_, contact::Options())) problems.push_back(std::move(p));
+  add_signals(problems);
   open_record(problems);
   if (base::failed(problems)) return false;
   Loop::Settings settings;
@@ -186,6 +187,27 @@ void Run::open_port(host::DeviceSlot& slot, Problems& problems) {
                             "the hand if the step hung."});
 }
 
+// What devices tell follows the scene's own signals, in the record and on the screen.
+void Run::add_signals(Problems& problems) {
+  std::vector<judge::Name>& all = rig_->card.script.signals;
+  for (const auto& port : ports_) {
+    host::Instance& instance = *port->slot().instance;
+    std::string wrong;
+    const host::DeviceSignals signals(instance, wrong);
+    if (all.size() + signals.count() > snapshot::kMaxSignals)
+      wrong = "What it tells of itself is not shown: a scene has " + std::to_string(snapshot::kMaxSignals) + " signals at most.";
+    if (!wrong.empty()) {
+      problems.push_back({Severity::kWarning, instance.name, wrong});
+      continue;
+    }
+    for (uint32_t i = 0; i < signals.count(); ++i) {
+      const swage_device_signal& s = signals.signal(i);
+      all.push_back({instance.name, s.id, s.unit, s.doc});
+    }
+    port->tell(signals);
+  }
+}
+
 // A device whose exchange has not come back is not closed: one caller at a time.
 void Run::close_devices(Problems& problems) {
   std::vector<const host::Instance*> lost;
@@ -232,6 +254,7 @@ void Run::open_record(Problems& problems) {
       info.files.push_back({record::kCalibrationFile + slot.instance->name, std::move(text)});
   info.display = options_.display;
   info.script = rig_->script;
+  info.script.signals = rig_->card.script.signals;  // with what devices tell
   info.seed = rig_->seed;
   info.dt = rig_->world.dt;
   info.realtime = realtime();

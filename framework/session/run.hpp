@@ -48,6 +48,7 @@ class Run final : public Session {
 
  private:
   void open_devices(Problems& problems);
+  void add_signals(Problems& problems);
   void open_record(Problems& problems);
   void close();
   void close_devices(Problems& problems);

@@ -7,6 +7,7 @@
 
 #include "host/catalogue.hpp"
 #include "host/child.hpp"
+#include "host/device_signals.hpp"
 #include "host/nearest.hpp"
 #include "host/params_json.hpp"
 #include "host/schema.hpp"
@@ -66,11 +67,15 @@ Declared declared(const PluginInfo& info, const host::Catalogue& catalogue) {
       std::string owner = info.kind == SWAGE_KIND_LESSON ? made.rig->lesson.instance->name : "subject";
       for (const judge::Name& s : made.rig->script.signals)
         if (s.owner == owner) out["signals"].push_back({{"id", s.id}, {"unit", s.unit}, {"doc", s.doc}});
+      if (info.kind == SWAGE_KIND_DEVICE) {
+        const host::DeviceSignals told(*made.rig->devices[0].instance, why);
+        for (uint32_t i = 0; i < told.count(); ++i)
+          out["signals"].push_back({{"id", told.signal(i).id}, {"unit", told.signal(i).unit}, {"doc", told.signal(i).doc}});
+      }
       for (const judge::Name& e : made.rig->script.events)
         if (e.owner == owner) out["events"].push_back({{"id", e.id}, {"unit", e.unit}, {"doc", e.doc}});
-    } else {
-      out["why"] = why;
     }
+    out["why"] = why;
     return out.dump();
   };
   Declared known;
@@ -241,7 +246,7 @@ int describe(const DescribeOptions& o) {
     auto list = nlohmann::ordered_json::array();
     for (const PluginInfo& p : plugins) {
       list.push_back(to_json(p));
-      if (!deep || p.kind == SWAGE_KIND_DEVICE) continue;
+      if (!deep) continue;
       const Declared known = declared(p, partners);
       list.back()["signals"] = known.signals;
       list.back()["events"] = known.events;
@@ -256,7 +261,7 @@ int describe(const DescribeOptions& o) {
   } else {
     for (const PluginInfo& p : plugins) {
       print_text(p);
-      if (deep && p.kind != SWAGE_KIND_DEVICE) print_declared(declared(p, partners));
+      if (deep) print_declared(declared(p, partners));
     }
   }
   return kPassed;

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/clock.hpp"
+#include "host/device_signals.hpp"
 #include "host/services.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
@@ -29,7 +30,7 @@ constexpr double kSlow = 0.1, kTooSlow = 1;
 
 class Driver {
  public:
-  explicit Driver(host::DeviceSlot& slot) : slot_(slot) {}
+  explicit Driver(host::DeviceSlot& slot) : slot_(slot), signals_(*slot.instance, signals_wrong_) {}
 
   /// "" or what is wrong with the table itself.
   std::string table() const {
@@ -38,7 +39,7 @@ class Driver {
     if (!std::isfinite(d.rate_hz) || d.rate_hz <= 0) return format("Its rate of %g Hz is none.", d.rate_hz);
     if (!std::isfinite(d.max_force) || (d.max_force > 0) != ((d.flags & SWAGE_DEVICE_FORCE) != 0))
       return format("It %s forces, and bears %g N.", (d.flags & SWAGE_DEVICE_FORCE) != 0 ? "takes" : "takes no", d.max_force);
-    return "";
+    return signals_wrong_;
   }
 
   Finding open() {
@@ -110,6 +111,16 @@ class Driver {
     if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
     if (instance().services->role_breaches() > 0) wrong_ = "It called the host from a thread that may not.";
     if (good && wrong_.empty()) look(sample);
+    if (good && wrong_.empty()) listen();
+  }
+
+  /// What it tells of itself is a number, or not known (NaN).
+  void listen() {
+    if (signals_.count() == 0) return;
+    double told[SWAGE_MOST_DEVICE_SIGNALS];
+    const bool finite = signals_.read(n_, told);
+    if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
+    if (!finite) wrong_ = "What it tells of itself is infinite.";
   }
 
   void look(const swage_sample& s) {
@@ -133,6 +144,8 @@ class Driver {
   }
 
   host::DeviceSlot& slot_;
+  std::string signals_wrong_;
+  host::DeviceSignals signals_;
   swage_sample last_{};
   uint64_t n_ = 0, measurements_ = 0;
   double longest_ = 0;  // s

@@ -77,7 +77,7 @@ void add_run(CLI::App& app, Arguments& a) {
 
 void add_study(CLI::App& app, Arguments& a) {
   CLI::App* verb =
-      app.add_subcommand("study", "Run a lesson over a matrix of variants and hands, and draw the figures");
+      app.add_subcommand("study", "Run a lesson over a matrix of variants and hands, or reaction laws over one recorded hand, and draw the figures");
   verb->add_option("study", a.study.file, "Study file (.json)")->required();
   verb->add_option("--set", a.study.settings,
                    "Another value than the lesson's, in every attempt: needle.level=bending; may be repeated")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// swage study: a lesson over a matrix of variants and hands, as fast as it goes.
+// swage study: a lesson over a matrix of variants and hands, as fast as it goes; or laws of reaction over one recorded hand.
 #include "tools/study.hpp"
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include "session/session.hpp"
 #include "toolkit/read_file.hpp"
 #include "tools/print.hpp"
+#include "tools/study_laws.hpp"
 #include "tools/study_rows.hpp"
 #include "tools/verbs.hpp"
 
@@ -250,19 +251,43 @@ int show(const Study& study, const StudyOptions& o, const StudyRows& done, const
   return kPassed;
 }
 
+// one recorded hand, and what several laws make of what it met
+int study_laws(const StudyOptions& o) {
+  if (!o.shard.empty() || o.merge || !o.settings.empty())
+    return problem("A study of laws is one attempt: --shard, --merge and --set are for studies over many.");
+  base::Problems problems;
+  LawsPlan plan;
+  LawsResult result;
+  if (!read_laws(o.file, plan, problems) || !run_laws(plan, o.plugin_dirs, result, problems)) return tell(problems), kProblem;
+  tell(problems);
+  std::printf("%s\n%-28s %10s %10s %10s %10s %10s %12s\n", printable(plan.title).c_str(), "", "peak N", "N s", "N/s", "silent %", "cut %", "off first N");
+  for (std::size_t k = 0; k < plan.laws.size(); ++k) {
+    const LawRun& run = result.laws[k];
+    std::printf("%-28s %10.3f %10.4f %10.1f %10.1f %10.1f %12.4f\n", printable(plan.laws[k].name).c_str(), run.peak, run.impulse, run.steepest,
+                100 * run.silent, 100 * run.cut, run.off);
+  }
+  if (o.out.empty()) return kPassed;
+  std::error_code ignored;
+  std::filesystem::create_directories(o.out, ignored);
+  const std::string csv = std::filesystem::path(plan.file).stem().string() + ".csv";
+  if (!write(o.out + "/" + plan.file, laws_svg(plan, result)) || !write(o.out + "/" + csv, laws_csv(plan, result)))
+    return problem("\"" + o.out + "\" cannot be written.");
+  return kPassed;
+}
+
 }  // namespace
 
 int study(const StudyOptions& o) {
   base::Problems problems;
   Study study;
   Shard shard;
+  std::string text, why;
+  if (toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why) && is_laws_plan(text)) return study_laws(o);
   if (!read_study(o.file, study, problems)) return tell(problems), kProblem;
   if (!o.shard.empty() && !read_shard(o.shard, shard))
     return problem("--shard: \"" + o.shard + "\" is no shard; 1/8 to 8/8 are, for example.");
   if (o.out.empty() && (o.merge || !o.shard.empty())) return problem("--shard and --merge need --out: there the shards meet.");
 
-  std::string text, why;
-  toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why);
   const std::string name = study_name(study, text, o.settings);
   StudyRows done;
   const auto count = [](uint64_t n) { return format("%llu", static_cast<unsigned long long>(n)); };

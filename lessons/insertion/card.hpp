@@ -185,7 +185,7 @@ using lessons::kFelt;
 using lessons::kHeard;
 
 /// Order of kCues.
-enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kCount };
+enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kBent, kDeflected, kDropped, kLeft, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
@@ -197,6 +197,10 @@ inline constexpr swage_cue_info kCues[] = {
     {"target.done", "It went in here, and the task is done.", kHeard, 0},
     {"suture.swage_held", "The needle is grasped at the swage, which damages the suture.", kFelt, 0},
     {"suture.tail_good", "The tail has its length.", kHeard, 0},
+    {"needle.bent", "The needle was bent beyond its yield: it stays bent.", kFelt, 0},
+    {"tissue.deflected", "The tissue has turned the point away, and it has not gone in since.", kFelt, 0},
+    {"needle.dropped", "The needle was dropped and is to be taken again.", kFelt, 0},
+    {"target.left", "The point went in beyond the tolerance of the mark.", kFelt, 0},
 };
 // clang-format on
 static_assert(sizeof kCues / sizeof kCues[0] == static_cast<size_t>(Sign::kCount));

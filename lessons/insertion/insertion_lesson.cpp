@@ -280,20 +280,28 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   const auto show = [&](uint32_t object, Cue cue) {
     cue.valid() ? verdict.cue(object, cue) : verdict.clear_cue(object);
   };
+  const Memory& m = kept.memory;
   Cue needle;
+  if (finding.stage == Stage::kTake && m.drops > 0) needle = sign(Sign::kDropped);
   if (finding.angle_good) needle = sign(Sign::kAngleGood);
+  if (m.bending >= 1) needle = sign(Sign::kBent);
   if (finding.angle_off) needle = sign(Sign::kAngleOff);
   if (finding.stuck) needle = sign(Sign::kStuck);
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
   if (thread_.valid()) show(thread_object_, finding.swage_held ? sign(Sign::kSwageHeld) : Cue());
-  show(tissue_object_, finding.torn ? sign(Sign::kTorn) : Cue());
+  const bool turned_away = finding.stage == Stage::kAim && m.deflections > 0 && m.entries == 0;
+  show(tissue_object_, finding.torn ? sign(Sign::kTorn) : turned_away ? sign(Sign::kDeflected) : Cue());
   const auto point = [&](Mark mark, const double(&p)[3], bool near) {
     const swage_vec3 p_W{p[0], p[1], p[2]};
     if (finding.end == End::kPassed) return verdict.mark(mark, sign(Sign::kDone), &p_W);
     verdict.mark(mark, near ? sign(Sign::kNear) : Cue(), &p_W);
   };
   point(target_, kept.target, finding.near);
+  if (finding.stage == Stage::kDrive && m.entry_distance > params_.tolerance) {
+    const swage_vec3 p_W{kept.target[0], kept.target[1], kept.target[2]};
+    verdict.mark(target_, sign(Sign::kLeft), &p_W);
+  }
   if (has_exit()) point(exit_, kept.exit, finding.exit_near);
 
   // what happened

@@ -2,6 +2,7 @@
 //
 // Evil devices: org.example.bad.device.<fault>. Those whose name begins with "step_" are asked in the step (LOCKSTEP). Each moves
 // well for kGood exchanges before it does in exchange() what its name says.
+#include <swage/abi/device_signals.h>
 #include <swage/abi/device.h>
 
 #include <cmath>
@@ -38,6 +39,12 @@ const std::vector<evil::Fault> kFaults = {
     {"force_nan", "Bears a force that is no number."},
     {"force_infinite", "Bears any force."},
     {"unknown_flags", "Has flags that nobody knows."},
+    {"tells_infinity", "Tells of itself what is infinite."},
+    {"tells_refuses", "Answers with an error when it is asked what it tells of itself."},
+    {"tells_nameless", "Tells what has no name."},
+    {"tells_twice", "Tells two things of one name."},
+    {"tells_many", "Tells more than is allowed."},
+    {"tells_gap", "Tells, and has no function for it."},
     {"step_sleeps", "Sleeps 2 ms in each step."},
     {"step_allocates", "Allocates memory in each step."},
     {"step_nan_pose", "Sends a pose that is no number, in the step."},
@@ -54,6 +61,7 @@ const evil::Catalogue& catalogue() {
 struct Device {
   swage_instance raw{};
   swage_device table{};
+  swage_device_signals signals{};
   std::string fault;
   uint64_t n = 0;
 };
@@ -117,6 +125,22 @@ swage_device table_of(const std::string& f) {
   return t;
 }
 
+swage_device_signals signals_of(const std::string& f) {
+  static constexpr swage_device_signal kGoodOnes[] = {{"a", "1", "One."}, {"b", "1", "Another."}};
+  static constexpr swage_device_signal kTwice[] = {{"a", "1", "One."}, {"a", "1", "Another."}};
+  static constexpr swage_device_signal kNameless[] = {{nullptr, "1", "One."}};
+  swage_device_signals t{};
+  t.count = f == "tells_many" ? 1'000'000 : f == "tells_nameless" ? 1 : 2;
+  t.signal = f == "tells_twice" ? kTwice : f == "tells_nameless" ? kNameless : kGoodOnes;
+  if (f == "tells_gap") return t;
+  t.read = [](swage_instance* raw, double* out) -> swage_result {
+    const Device& d = of(raw);
+    out[0] = d.n > kGood && d.fault == "tells_infinity" ? HUGE_VAL : 0.5;
+    return d.n > kGood && d.fault == "tells_refuses" ? SWAGE_ERROR : SWAGE_OK;
+  };
+  return t;
+}
+
 swage_instance* create(const swage_host*, const char* id) {
   const std::string fault = catalogue().fault(id);
   if (fault.empty()) return nullptr;
@@ -124,6 +148,7 @@ swage_instance* create(const swage_host*, const char* id) {
   if (d == nullptr) return nullptr;
   d->fault = fault;
   d->table = table_of(fault);
+  d->signals = signals_of(fault);
   d->raw.self = d;
   d->raw.configure = [](swage_instance*, const swage_values*, swage_builder*) -> swage_result { return SWAGE_OK; };
   d->raw.activate = [](swage_instance*, double) -> swage_result { return SWAGE_OK; };
@@ -131,6 +156,7 @@ swage_instance* create(const swage_host*, const char* id) {
   d->raw.destroy = [](swage_instance* raw) { delete &of(raw); };
   d->raw.get_extension = [](swage_instance* raw, const char* wanted) -> const void* {
     if (of(raw).fault == "no_table") return nullptr;
+    if (of(raw).fault.rfind("tells_", 0) == 0 && std::strcmp(wanted, SWAGE_EXT_DEVICE_SIGNALS) == 0) return &of(raw).signals;
     return std::strcmp(wanted, SWAGE_EXT_DEVICE) == 0 ? &of(raw).table : nullptr;
   };
   return &d->raw;

@@ -26,7 +26,17 @@ class Gl : public WindowTest {
     ASSERT_TRUE(eventually([&] { return view()->resting(); }));
   }
   SceneView* view() { return page()->view(); }
-  QImage picture() { return view()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+  /// SWAGE_PICTURES names a folder that gets each, to be looked at.
+  QImage picture() {
+    const QImage image = view()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    const QString folder = qEnvironmentVariable("SWAGE_PICTURES");
+    const char* const test = testing::UnitTest::GetInstance()->current_test_info()->name();
+    if (!folder.isEmpty()) image.save(QStringLiteral("%1/%2_%3.png").arg(folder, QString::fromLatin1(test)).arg(pictures_++, 2, 10, QLatin1Char('0')));
+    return image;
+  }
+
+ private:
+  int pictures_ = 0;
 };
 
 inline int count(const QImage& image, const std::function<bool(const QColor&)>& is) {

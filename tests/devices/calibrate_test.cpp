@@ -137,18 +137,40 @@ TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {
   EXPECT_NE(access(path("jaw").c_str(), F_OK), 0) << "its port is gone with it";
 }
 
+TEST_F(Calibrate, WhatADeviceTellsOfItselfIsDescribed) {
+  const nlohmann::json list = swage({"describe", SWAGE_BINARY_DIR "/plugins/swage.device.jaw_sensor", "--json"}).json();
+  ASSERT_EQ(list.size(), 1u);
+  ASSERT_EQ(list[0]["signals"].size(), 1u) << list;
+  EXPECT_EQ(list[0]["signals"][0]["id"], "sensor.volts");
+  EXPECT_EQ(list[0]["signals"][0]["unit"], "V");
+}
+
+// Without its hardware each driver says what is missing, and the remedy: what to install, to join, to start or to plug in.
 TEST_F(Calibrate, TheDoctorNamesEveryDriverWithItsRemedy) {
   const nlohmann::json list = swage({"doctor", "--json"}).json();
-  std::vector<std::string> kinds = {"gamepad", "inverse3", "jaw_sensor", "openhaptics", "spacemouse", "tablet"};
-  if (access(SWAGE_BINARY_DIR "/plugins/swage.device.openxr", F_OK) == 0) kinds.push_back("openxr");  // where its headers are
-  for (const std::string& id : kinds) {
+  struct Kind {
+    const char *id, *missing, *remedy;  // expressions
+  };
+  std::vector<Kind> kinds = {{"gamepad", "no game pad|libSDL2", "group input.*adduser|libsdl2-2.0-0"},
+                             {"inverse3", "Inverse Service", "Install and start it|calibrate"},
+                             {"jaw_sensor", "serial adapter", "Plug the sensor in.*group dialout|name the port"},
+                             {"openhaptics", "OpenHaptics library|arm", "Install OpenHaptics|plug|Plug|Switch"},
+                             {"spacemouse", "spacenavd|spnav", "sudo apt install spacenavd|runs spacenavd"},
+                             {"tablet", "pen tablet", "Plug one in|group input.*udev rule"}};
+  // where its headers are
+  if (access(SWAGE_BINARY_DIR "/plugins/swage.device.openxr", F_OK) == 0)
+    kinds.push_back({"openxr", "OpenXR", "Install and start one|XR_RUNTIME_JSON"});
+  for (const Kind& kind : kinds) {
     bool found = false;
     for (const auto& f : list) {
-      if (f["name"] != "device swage.device." + id) continue;
+      if (f["name"] != std::string("device swage.device.") + kind.id) continue;
       found = true;
       EXPECT_TRUE((f["state"] == "good") == (f["remedy"] == "")) << f;
+      if (f["state"] == "good") continue;  // it is plugged in here
+      EXPECT_THAT(f["text"].get<std::string>(), testing::ContainsRegex(kind.missing));
+      EXPECT_THAT(f["remedy"].get<std::string>(), testing::ContainsRegex(kind.remedy)) << kind.id;
     }
-    EXPECT_TRUE(found) << id;
+    EXPECT_TRUE(found) << kind.id;
   }
 }
 

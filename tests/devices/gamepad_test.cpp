@@ -57,6 +57,26 @@ class Pad : public testing::Test {
   }
 };
 
+// The levels of SDL (SDL_joystick.h): each is the upper end of its range, and a wire needs no charge.
+TEST_F(Pad, TellsItsBatteryByTheLevelsOfSdl) {
+  EXPECT_EQ(battery_of(0), 0.05);
+  EXPECT_EQ(battery_of(1), 0.2);
+  EXPECT_EQ(battery_of(2), 0.7);
+  EXPECT_EQ(battery_of(3), 1);
+  EXPECT_TRUE(std::isnan(battery_of(4)));
+  EXPECT_TRUE(std::isnan(battery_of(-1)));
+  VirtualPad pad;
+  Bench bench;
+  start_flat(bench);
+  const auto* signals = bench.get<swage_device_signals>(SWAGE_EXT_DEVICE_SIGNALS);
+  ASSERT_NE(signals, nullptr);
+  ASSERT_EQ(signals->count, 1u);
+  EXPECT_STREQ(signals->signal[0].id, "pad.battery");
+  double told = 0;
+  ASSERT_EQ(signals->read(bench.raw, &told), SWAGE_OK);
+  EXPECT_TRUE(std::isnan(told)) << "SDL does not know that of a pad that it makes up";
+}
+
 TEST_F(Pad, NoneIsToldWithTheRemedy) {
   Bench bench;
   EXPECT_FALSE(bench.start());

@@ -1,61 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lesson 020 in real time with drivers against their fakes, in a home of its own; and what is watched while plugs are pulled.
+// Lesson 020 in real time with drivers against their fakes, in a home of its own; and what was kept of it.
 #pragma once
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "lost_hand_law.hpp"
 #include "record/recorder.hpp"
 #include "session/session.hpp"
 #include "temp_folder.hpp"
 #include "test_places.hpp"
-#include "toolkit/math.hpp"
 
 namespace swage::test {
 
 using Json = nlohmann::ordered_json;
 
-/// Highest speed of the tool and fastest change of the grip's force between two looks; and the longest way of the tool beyond what a
-/// hand that is as fast as `top` [m/s] goes meanwhile, twice over, as the clocks scatter.
-class LeapWatch {
- public:
-  explicit LeapWatch(double top = 0) : top_(top) {}
-  void look(const session::Session& session, const snapshot::Snapshot& now) {
-    const double dt = now.time_s - last_->time_s;
-    // a scene that lost steps follows a hand that moved meanwhile
-    if (now.health.dropped != last_->health.dropped) behind_until_ = now.time_s + kBehind;
-    // after a step that came late the scene catches up, and then its time goes faster than the hand's
-    if (seen_ && dt > 0 && now.health.late == last_->health.late && now.time_s > behind_until_) {
-      const double way = (toolkit::vec(now.X_WB[0].p) - toolkit::vec(last_->X_WB[0].p)).norm();
-      speed_ = std::max(speed_, way / std::max(dt, 5e-3));
-      leap_ = std::max(leap_, way - 2 * top_ * dt);
-      for (uint32_t i = 0; i < now.n_signal; ++i)
-        if (session.card().script.signals[i].id == "grip.command")
-          force_ = std::max(force_, std::abs(now.signal[i] - last_->signal[i]) / std::max(dt, 20e-3));
-    }
-    seen_ = true;
-    *last_ = now;
-  }
-  double speed() const { return speed_; }  // m/s
-  double force() const { return force_; }  // N/s
-  double leap() const { return leap_; }    // m
+// N per unit of closure of the jaws in 020: from open to squeezed, 15 deg, at the 2 N that 6 deg of them are worth (plugins/jaws/jaw_shape.hpp)
+constexpr double kGripGain = 5;
 
- private:
-  std::unique_ptr<snapshot::Snapshot> last_ = std::make_unique<snapshot::Snapshot>();
-  static constexpr double kBehind = 0.1;  // s, as long as a hand may be silent and is caught up with (step/hands.cpp)
-  bool seen_ = false;
-  double behind_until_ = 0;
-  double top_, speed_ = 0, force_ = 0, leap_ = 0;
-};
+/// What the step heard of one device. `scale`: hand over tool.
+inline HeardHand heard_hand(const record::Recording& kept, std::size_t device, double scale = 1) {
+  HeardHand out{kept.step.front(), kept.info.dt, scale, {}};
+  for (std::size_t i = device; i < kept.sample.size(); i += kept.info.devices.size()) out.sample.push_back(kept.sample[i]);
+  return out;
+}
+
+/// One signal, at every step; empty without it.
+inline std::vector<double> kept_signal(const record::Recording& kept, const std::string& id) {
+  const auto& signals = kept.info.script.signals;
+  std::vector<double> out;
+  for (std::size_t k = 0; k < signals.size(); ++k)
+    if (signals[k].id == id)
+      for (std::size_t i = k; i < kept.signal.size(); i += signals.size()) out.push_back(kept.signal[i]);
+  return out;
+}
 
 class LiveLesson : public testing::Test {
  protected:
@@ -89,7 +74,7 @@ class LiveLesson : public testing::Test {
   }
 
   /// The attempt is whole and kept, and the samples that the step saw are: without any device the same bits come again.
-  void expect_kept(const session::Result& result, uint64_t least_steps) {
+  void expect_kept(const session::Result& result, uint64_t least_steps, record::Recording* kept = nullptr) {
     EXPECT_EQ(result.health.quarantined, 0u);
     ASSERT_FALSE(result.attempt_id.empty()) << "the attempt is kept";
     record::Recording recording;
@@ -100,6 +85,7 @@ class LiveLesson : public testing::Test {
     ASSERT_TRUE(session::replay(recording, options_.plugin_dirs, again, problems));
     EXPECT_TRUE(again.identical) << again.reason << " step " << again.first_difference << " of " << again.steps;
     EXPECT_GT(again.steps, least_steps);
+    if (kept != nullptr) *kept = std::move(recording);
   }
 
   TempFolder folder_;

@@ -15,27 +15,32 @@
 #include "fake_inverse.hpp"
 #include "fake_spnav.hpp"
 #include "live_lesson.hpp"
+#include "lost_hand_law.hpp"
 #include "sensor_thread.hpp"
 #include "virtual_pad.hpp"
 
 namespace swage::test {
+
+constexpr double kToAndFro = 1.5e-3;  // m of the tool, to either side
+constexpr double kBeat = 2 * M_PI * 0.5;  // rad/s
+inline double swing(double t) { return std::sin(kBeat * t); }
 
 class Puppet {
  public:
   virtual ~Puppet() = default;
   virtual Json devices() = 0;                        // of a lesson
   virtual std::string closure() { return "hand"; }   // which of them has the jaws
-  virtual double top_speed() const = 0;              // m/s of the tool, as the puppet is moved
+  virtual double scale() const { return 1; }         // hand over tool
+  /// m/s of the tool at the end of an axis, of a hand that is led by speeds; 0 of one that is where it is.
+  virtual double top_speed() const { return 0; }
+  /// Where a hand that is where it is was led, `t` seconds after the start; its closure is NaN where a button moves it.
+  virtual LedPoint led(double t) const { return {0, kToAndFro * swing(t), std::nan("")}; }
   /// What the person does `t` seconds after the start: to and fro. x: of the tool, from where it began.
   virtual void move(double t, double x) = 0;
   virtual void plug() = 0;
   virtual void unplug() = 0;
   virtual void check() {}  // at the end
 };
-
-constexpr double kToAndFro = 1.5e-3;  // m of the tool, to either side
-constexpr double kBeat = 2 * M_PI * 0.5;  // rad/s
-inline double swing(double t) { return std::sin(kBeat * t); }
 
 inline Json placed(Json device, std::initializer_list<const char*> p, std::initializer_list<const char*> rpy, double scale) {
   device["name"] = "hand";
@@ -82,15 +87,21 @@ class JawPuppet final : public PadPuppet {
     return out;
   }
   std::string closure() override { return "handle"; }
+  // open at 2 V, closed at -1 V and 0.6 of the closure, and squeezed a little
+  static double volts(double t) { return 0.5 + 1.8 * swing(t); }
+  LedPoint led(double t) const override {
+    const double v = volts(t);
+    return {0, 0, std::clamp(v >= -1 ? 0.6 * (2 - v) / 3 : 0.6 - 0.4 * (v + 1), 0.0, 1.0)};
+  }
   void move(double t, double x) override {
     PadPuppet::move(t, x);
-    volts_ = 0.5 + 1.8 * swing(t);  // closed at -1 V, and squeezed a little
+    volts_ = volts(t);
   }
   void plug() override { sensor_->plug(); }
   void unplug() override { sensor_->unplug(); }
 
  private:
-  std::atomic<double> volts_{2};
+  std::atomic<double> volts_{volts(0)};
   std::unique_ptr<SensorThread> sensor_;
 };
 
@@ -125,7 +136,7 @@ class ArmPuppet final : public Puppet {
     out["force_scale"] = 10;
     return Json::array({out});
   }
-  double top_speed() const override { return kToAndFro * kBeat; }
+  double scale() const override { return 4; }
   void move(double t, double) override {
     fake<void>("fake_move", 4e3 * kToAndFro * swing(t));
     fake<void>("fake_press", swing(t) > 0 ? 1 : 2);
@@ -155,7 +166,7 @@ class InversePuppet final : public Puppet {
     out["force_scale"] = 10;
     return Json::array({out});
   }
-  double top_speed() const override { return kToAndFro * kBeat; }
+  double scale() const override { return 4; }
   void move(double t, double) override {
     service_.x = 4 * kToAndFro * swing(t);
     service_.buttons = swing(t) > 0 ? 1 : 2;
@@ -192,7 +203,8 @@ class ControllerPuppet final : public Puppet {
   Json devices() override {
     return Json::array({placed({{"plugin", "swage.device.openxr"}}, {"6 mm", "0 mm", "6 mm"}, {"90 deg", "0 deg", "0 deg"}, 4)});
   }
-  double top_speed() const override { return kToAndFro * kBeat; }
+  double scale() const override { return 4; }
+  LedPoint led(double t) const override { return {0, kToAndFro * swing(t), 0.5 + 0.5 * swing(t)}; }
   void move(double t, double) override {
     fake<void>("fake_place", 1, 4 * kToAndFro * swing(t), 0.0, 0.0);
     fake<void>("fake_squeeze", 1, 0.5 + 0.5 * swing(t), 0u);
@@ -227,7 +239,12 @@ class PenPuppet final : public Puppet {
   Json devices() override {
     return Json::array({placed({{"plugin", "swage.device.tablet"}, {"params", {{"device", path_}}}}, {"6 mm", "0 mm", "12 mm"}, {"0 deg", "0 deg", "0 deg"}, 4)});
   }
-  double top_speed() const override { return kToAndFro * kBeat; }
+  double scale() const override { return 4; }
+  // the softest 5 % hold the pen on the surface
+  LedPoint led(double t) const override {
+    return {0, kToAndFro * swing(t), std::clamp((pressure(t) / 8191 - 0.05) / 0.95, 0.0, 1.0)};
+  }
+  static double pressure(double t) { return 3000 + 2000 * swing(t); }
   void move(double t, double) override {
     if (const int next = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC); next >= 0) {
       if (client_ >= 0) ::close(client_);
@@ -236,7 +253,7 @@ class PenPuppet final : public Puppet {
     if (client_ < 0) return;
     std::string bytes = event(EV_KEY, BTN_TOOL_PEN, 1) + event(EV_KEY, BTN_TOUCH, 1);
     bytes += event(EV_ABS, ABS_X, 21600 + static_cast<int>(200e3 * 4 * kToAndFro * swing(t))) + event(EV_ABS, ABS_Y, 13500);
-    bytes += event(EV_ABS, ABS_PRESSURE, 3000 + static_cast<int>(2000 * swing(t))) + event(EV_SYN, SYN_REPORT, 0);
+    bytes += event(EV_ABS, ABS_PRESSURE, static_cast<int>(pressure(t))) + event(EV_SYN, SYN_REPORT, 0);
     if (::send(client_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) return;  // the driver has let go
   }
   void plug() override {

@@ -74,6 +74,64 @@ TEST_F(InsertionOnStage, PassesAndSaysSo) {
   EXPECT_EQ(metric("wound.size"), 1);
 }
 
+TEST_F(InsertionOnStage, APointThatTheTissueTurnsAwayIsSignedUntilItGoesIn) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  observe(10);
+  EXPECT_EQ(cues[2], SWAGE_NONE);
+  happen("pierce.deflected");
+  observe();
+  EXPECT_EQ(cues[2], cue("tissue.deflected"));
+  observe(500);
+  EXPECT_EQ(cues[2], cue("tissue.deflected")) << "it has not gone in since";
+  enter(0);
+  EXPECT_EQ(cues[2], SWAGE_NONE);
+}
+
+TEST_F(InsertionOnStage, APointThatGoesInBesideTheMarkHasLeftIt) {
+  stage::Params params = at_origin();
+  params.insert({"tolerance", 0.2e-3});
+  ASSERT_EQ(bind(params), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  observe();
+  enter(0.3e-3);
+  EXPECT_EQ(mark_cues[0], cue("target.left"));
+  EXPECT_EQ(ends, 0) << "it may be pulled out, and go in again";
+}
+
+TEST_F(InsertionOnStage, ANeedleThatIsBentStaysSigned) {
+  add_coupling("needle", {"needle.stress"}, {});
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  now("needle.stress") = 0.99;
+  observe(10);
+  EXPECT_EQ(cues[1], SWAGE_NONE);
+  now("needle.stress") = 1.01;
+  observe();
+  now("needle.stress") = 0;
+  observe(100);
+  EXPECT_EQ(cues[1], cue("needle.bent"));
+}
+
+TEST_F(InsertionOnStage, ANeedleThatWasDroppedIsSignedUntilItIsTakenAgain) {
+  ASSERT_EQ(bind(at_origin()), SWAGE_OK);
+  start();
+  hold(0, 0.6, 0.7);
+  observe(10);
+  let_go(0);
+  observe(10);
+  EXPECT_EQ(cues[1], SWAGE_NONE) << "let go, but it stays";
+  X_WB[objects[1].first_body].p.z -= 20e-3;
+  observe(2);
+  EXPECT_EQ(cues[1], cue("needle.dropped"));
+  hold(0, 0.6, 0.7);
+  observe();
+  EXPECT_EQ(cues[1], SWAGE_NONE);
+}
+
 TEST_F(InsertionOnStage, TheEntryFromItsOwnCurve) {
   ASSERT_EQ(bind(at_origin()), SWAGE_OK);
   start();

@@ -8,6 +8,9 @@
 #include <set>
 
 #include "assembly/lesson_text.hpp"
+#include "host/catalogue.hpp"
+#include "host/device_signals.hpp"
+#include "host/library.hpp"
 #include "host/words.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
@@ -50,6 +53,23 @@ struct Stock {
 
 void add(const std::vector<std::string>& words, Stock& out) { out.said.insert(words.begin(), words.end()); }
 
+/// What a device tells of itself, asked of one that is made and not opened.
+std::vector<std::string> told_by(const host::PluginInfo& p) {
+  std::vector<std::string> out;
+  if (p.kind != SWAGE_KIND_DEVICE) return out;
+  std::string error;
+  const host::Library* library = stock().load(p, error);
+  const auto instance = library != nullptr ? host::Instance::create(p, *library, "asked", {}, scene::kNone, 1, error) : nullptr;
+  if (!instance) return ADD_FAILURE() << error, out;
+  const host::DeviceSignals signals(*instance, error);
+  EXPECT_EQ(error, "");
+  for (uint32_t i = 0; i < signals.count(); ++i) {
+    out.push_back(signals.signal(i).id);
+    out.push_back(signals.signal(i).doc);
+  }
+  return out;
+}
+
 Stock collect() {
   Stock out;
   out.known = words_in(kSeries);
@@ -57,7 +77,9 @@ Stock collect() {
     if (!p.id.starts_with("swage.")) continue;  // those of tests lie beside them
     const host::Words own = words_in(p.bundle_dir);
     EXPECT_EQ(untranslated(host::words_of(p), own), "") << "\nof " << p.id << " is in no words*.de.json of its bundle";
+    EXPECT_EQ(untranslated(told_by(p), own), "") << "\nof " << p.id << " is in no words*.de.json of its bundle";
     add(host::words_of(p), out);
+    add(told_by(p), out);
     out.known.insert(own.begin(), own.end());
   }
   return out;

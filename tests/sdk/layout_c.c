@@ -8,6 +8,7 @@
 #include <swage/abi/coupling.h>
 #include <swage/abi/cut.h>
 #include <swage/abi/device.h>
+#include <swage/abi/device_signals.h>
 #include <swage/abi/display.h>
 #include <swage/abi/environment.h>
 #include <swage/abi/lesson.h>

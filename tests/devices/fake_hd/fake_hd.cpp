@@ -27,7 +27,7 @@ struct Fake {
   std::atomic<unsigned> calibration{0x5000};
   std::atomic<int> buttons{0}, inkwell{0}, initiated{0}, calibrated{0}, busy{0}, slow_ms{0};
   std::atomic<bool> plugged{true}, running{false};
-  std::atomic<double> x_mm{0}, force_x{0}, most{0}, jump{0};
+  std::atomic<double> x_mm{0}, force_x{0}, force_y{0}, force_z{0}, most{0}, jump{0};
   std::atomic<unsigned long> ticks{0};
   bool open = false, in_frame = false, scheduled = false;
   unsigned enabled = 0;
@@ -133,7 +133,7 @@ void hdSetDoublev(unsigned name, const double* v) {
   if (change > f.jump) f.jump = change;
   if (size > f.most) f.most = size;
   std::memcpy(f.last, v, sizeof f.last);
-  f.force_x = v[0];
+  f.force_x = v[0], f.force_y = v[1], f.force_z = v[2];
 }
 void hdGetIntegerv(unsigned name, int* out) {
   *out = 0;
@@ -183,7 +183,7 @@ void fake_reset() {
   f.calibration = 0x5000;
   f.buttons = f.inkwell = f.initiated = f.calibrated = f.busy = 0;
   f.plugged = true;
-  f.x_mm = f.force_x = f.most = f.jump = 0;
+  f.x_mm = f.force_x = f.force_y = f.force_z = f.most = f.jump = 0;
   f.ticks = 0;
   f.open = f.in_frame = false;
   f.enabled = 0;
@@ -197,6 +197,7 @@ void fake_busy(int times) { fake().busy = times; }
 void fake_calibration(unsigned state, int inkwell) { fake().calibration = state, fake().inkwell = inkwell; }
 int fake_calibrated() { return fake().calibrated; }
 double fake_force() { return fake().force_x; }
+double fake_force_of(int axis) { return axis == 0 ? fake().force_x : axis == 1 ? fake().force_y : fake().force_z; }
 double fake_most() { return fake().most; }
 double fake_jump() { return fake().jump; }
 unsigned long fake_ticks() { return fake().ticks; }
