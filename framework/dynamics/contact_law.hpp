@@ -118,6 +118,33 @@ inline LinearLaw law_before(const Surface& s, const Force& f, const Displacement
           D};
 }
 
+/// The law as a projection (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353): f = P(f - r w), w = s + f / k_t what has
+/// slipped, P to the disc of mu f_n; in linear form about a force f and a displacement u that need not belong together. For any
+/// r > 0 [N/m] it has the solutions of the law. What slipped and turned back within a step sticks at once where r times its way back is
+/// less than its limit; the law itself sends it to the other side of a cone that is a thousand times smaller than the way.
+inline LinearLaw law_projected(const Surface& s, const Force& f, const Displacement& u, double r) {
+  LinearLaw law;
+  if (!(f.fn - r * (u.g + f.fn / s.k) > 0)) return law;
+  const double fn = -s.k * u.g, limit = s.mu * (f.fn > 0 ? f.fn : fn), rest = 1 - r / s.kt;
+  const double size = std::sqrt(f.f1 * f.f1 + f.f2 * f.f2), back = rest * (size > limit ? limit / size : 1);
+  const double a1 = back * f.f1 - r * u.s1, a2 = back * f.f2 - r * u.s2, a = std::sqrt(a1 * a1 + a2 * a2);
+  law.D.nn = s.k;
+  if (a <= limit && limit > 0) {
+    law.f = {fn, -s.kt * u.s1, -s.kt * u.s2, false};
+    law.D.t11 = law.D.t22 = s.kt;
+    return law;
+  }
+  law.f = {fn, 0, 0, true};
+  if (!(limit > 0)) return law;
+  // along the force mu f_n, across it what turns it
+  const double e1 = a1 / a, e2 = a2 / a, share = limit / a, c = share * r / (1 - share * rest);
+  const double across = c * (e1 * u.s2 - e2 * u.s1);
+  law.f.f1 = s.mu * fn * e1 + across * e2, law.f.f2 = s.mu * fn * e2 - across * e1;
+  law.D.t11 = c * e2 * e2, law.D.t12 = -c * e1 * e2, law.D.t22 = c * e1 * e1;
+  law.D.n1 = s.mu * s.k * e1, law.D.n2 = s.mu * s.k * e2;
+  return law;
+}
+
 // --- Coulomb's law piece by piece: each piece continued beyond its own range, and where it ends
 
 enum class Piece : uint8_t { kOpen, kStick, kSlip };

@@ -22,6 +22,7 @@ constexpr double kFlat = 0.1;          // slope that ends a line search, of the 
 constexpr uint32_t kSearch = 30;       // evaluations of one line search
 constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
+constexpr uint32_t kMostBends = 100;   // contacts of a thread whose path is followed: beyond it uses up the budget
 constexpr double kNeverSlips = 1e300;  // N
 constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
 
@@ -273,7 +274,14 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
     outcome.converged = minimise(island, tolerance);
     outcome.limits_hold = limits_hold(island);
   } else {
-    outcome.converged = newton(island, tolerance);
+    // threads that touch many things begin with the projection: Newton's method seldom ends there
+    const bool sparse = island.banded && !island.contact_space;
+    outcome.converged = sparse ? project(island, tolerance) : newton(island, tolerance);
+    if (!outcome.converged && island.banded) {
+      start();
+      outcome.fell_back = !sparse;
+      outcome.converged = sparse ? newton(island, tolerance) : project(island, tolerance);
+    }
     if (!outcome.converged) fall_back(island, scales, outcome);
   }
   outcome.newton = newton_;
@@ -296,17 +304,17 @@ void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome
     return;
   }
   // a needle in tissue: Newton's method from where nothing slips ends better than a path, whose end may be far from there
-  const bool tied = has_ties(island) && !island.banded;
+  const bool tied = has_ties(island) && !island.banded, long_path = island.banded && island.constraints.size() > kMostBends;
   bool stood = false;
   start();
-  outcome.converged = !tied && follow_path(island, tolerance);
+  outcome.converged = !tied && !long_path && follow_path(island, tolerance);
   const bool far = outcome.converged && !island.banded && space_->moved(z_.data()) > scales.lost;
   if (!outcome.converged || far) {
     start();
     stick_all(island, tolerance);
     std::copy_n(z_.begin(), point_size_, before_.begin());
     stood = consistent_;
-    outcome.converged = !far && (tied ? newton(island, tolerance) : follow_path(island, tolerance));
+    outcome.converged = !far && (tied ? newton(island, tolerance) : !long_path && follow_path(island, tolerance));
   }
   if (outcome.converged) {
     evaluate(island, z_.data(), Friction::kCoulomb);

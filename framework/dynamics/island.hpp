@@ -51,6 +51,7 @@ struct Constraint {
   Force f;
   double limit = 0;  // N, of friction
   Pieces on;
+  Force projected;         // of project(): force that goes with the step
   Displacement along;      // along the Newton step
   Tangent D;               // in the last system
   Displacement last_step;  // from `at` to `u`, in the last pass
@@ -121,6 +122,11 @@ class IslandSolver {
   void fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept;
   void stick_all(const Island& island, double tolerance) noexcept;
   bool hold_limits(const Island& island, double tolerance, uint32_t rounds, Outcome& outcome) noexcept;
+
+  // island_projection.cpp
+  bool project(const Island& island, double tolerance) noexcept;
+  bool search_direction_of_projection(const Island& island) noexcept;
+  bool settle(const Island& island, double tolerance) noexcept;
 
   // island_path.cpp
   bool follow_path(const Island& island, double tolerance) noexcept;

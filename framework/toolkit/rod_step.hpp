@@ -243,10 +243,13 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
     change_[at(k)] = load.h * (inner ? 0.25 * (s.v[at_k - 3] + s.v[at_k + 3]) + 0.5 * s.v[at_k] : s.v[at_k]);
   }
   bool far = bounded(s) < 1;
-  for (int j = 0; j < edges(); ++j) {
+  for (int j = 0; j < edges() && !far; ++j) {
     const double* d = change_.data() + 4 * j;
-    const double length = (s.edge(j) + Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2])).norm();
-    far = far || std::abs(length - s.edge(j).norm()) > most_strain * rest_[at(j)];
+    const Vec3 now = s.edge(j), then = now + Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]);
+    const double most = most_strain * rest_[at(j)], half = 0.5 * rest_[at(j)];
+    // no edge of half its length or more that goes so little farther needs a root
+    if (now.squaredNorm() >= half * half && std::abs(then.squaredNorm() - now.squaredNorm()) <= half * most) continue;
+    far = std::abs(then.norm() - now.norm()) > most;
   }
   for (int k = 0; far && k < unknowns(); ++k)
     if (k % 4 != 3 && held_[at(k / 4)] == 0) change_[at(k)] = 0;

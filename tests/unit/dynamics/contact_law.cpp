@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "base/rng.hpp"
 
@@ -94,6 +95,32 @@ TEST(ContactLaw, AForceOfBeforeTellsThePieceAndTheLawNearIt) {
     EXPECT_NEAR(f.f2, law.f2, 1e-5 * whole.fn);
   }
   EXPECT_FALSE(force_before(kSteel, 1, 0.99 * kSteel.mu, 0).slips);
+}
+
+// about the law's own force the projection is the law and its tangent, for any r
+TEST(ContactLaw, TheProjectionHasTheSolutionsOfTheLaw) {
+  for (const double r : {1.0, 1e3, kSteel.kt})
+    for (const Displacement& u :
+         {Displacement{1e-7, 1e-6, 0}, Displacement{-1e-6, 0.1e-6, 0.2e-6}, Displacement{-1e-6, 2e-6, -1e-6}}) {
+      const Force law = coulomb(kSteel, u);
+      const Tangent D = tangent(kSteel, u, law, kSteel.mu * law.fn, true);
+      const LinearLaw here = law_projected(kSteel, law, u, r);
+      EXPECT_NEAR(here.f.fn, law.fn, 1e-12);
+      EXPECT_NEAR(here.f.f1, law.f1, 1e-9);
+      EXPECT_NEAR(here.f.f2, law.f2, 1e-9);
+      EXPECT_EQ(here.D.nn, D.nn);
+      for (const auto& [a, b] : {std::pair{here.D.n1, D.n1}, {here.D.n2, D.n2}, {here.D.t11, D.t11}, {here.D.t12, D.t12}, {here.D.t22, D.t22}})
+        EXPECT_NEAR(a, b, 1e-8 * kSteel.k) << r;
+    }
+}
+
+// slipped to one side and now found on the other: the law slips there; the projection sticks, as long as r times the way is little
+TEST(ContactLaw, TheProjectionSticksWhereWhatSlippedTurnedBack) {
+  const Displacement u{-1e-6, -2e-6, 0};
+  const Force slipped{1, -0.3, 0, true};
+  EXPECT_TRUE(coulomb(kSteel, u).slips);
+  EXPECT_FALSE(law_projected(kSteel, slipped, u, 1e3).f.slips);
+  EXPECT_TRUE(law_projected(kSteel, slipped, u, 0.82e6).f.slips);
 }
 
 // nearest to the bristle's end on the way, and only where that is nearer by half

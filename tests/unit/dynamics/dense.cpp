@@ -78,6 +78,30 @@ TEST(Dense, SolvesByHalves) {
   }
 }
 
+// what is done several lines at a time has the bits of one at a time
+TEST(Dense, HasTheBitsOfOneLineAtATime) {
+  base::Xoshiro256 rng(6);
+  for (int n = 1; n <= 41; ++n) {
+    const size_t size = static_cast<size_t>(n);
+    const RowMajor J = random_matrix(rng, n, n), b = random_matrix(rng, n, 1);
+    RowMajor U = RowMajor::Identity(n, n) + J * J.transpose(), plain = U, x = b, y = b;
+    for (int k = 0; k < n; ++k)
+      for (int i = k + 1; i < n; ++i) {
+        const double l = plain(k, i) * (1 / plain(k, k));
+        for (int j = i; j < n; ++j) plain(i, j) -= l * plain(k, j);
+      }
+    ASSERT_TRUE(ldl_factor(size, U.data()));
+    for (int k = 0; k < n; ++k)
+      for (int i = k; i < n; ++i) ASSERT_EQ(U(k, i), plain(k, i)) << n;
+    solve_transposed(size, U.data(), x.data());
+    for (int k = 0; k < n; ++k) {
+      y(k) /= U(k, k);
+      for (int i = k + 1; i < n; ++i) y(i) -= y(k) * U(k, i);
+    }
+    for (int k = 0; k < n; ++k) ASSERT_EQ(x(k), y(k)) << n;
+  }
+}
+
 TEST(Dense, KnowsTheSignOfTheDeterminant) {
   base::Xoshiro256 rng(3);
   int negative = 0;
