@@ -27,7 +27,7 @@ picture() {
 
 for language in en de; do
   for size in 1280x800 1920x1080; do
-    for page in run lessons courses people review setup; do
+    for page in run lessons courses people review setup stations; do
       review=()
       [ "$page" != review ] || review=(--review latest)
       picture "${page}_filled_${size}_$language" --page "$page" --store "$school" --size "$size" --language "$language" "${review[@]}"

@@ -75,6 +75,18 @@ QString number_words(const host::Param& p, double value) {
   return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
 }
 
+// A text, or names of objects: each is said as the lesson calls it in this language.
+QString text_words(const std::string& text) {
+  const QString plain = QString::fromStdString(text);
+  if (const QString whole = said(text); whole != plain) return whole;
+  QStringList out;
+  for (const QString& part : plain.split(QLatin1Char(','))) {
+    const QString name = part.trimmed(), words = said(name);
+    out += words != name ? words : QString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+  }
+  return out.join(QStringLiteral(", "));
+}
+
 QString value_words(const host::Param& p, const swage_value& value, const std::string& text) {
   const auto number = [&](size_t i) { return number_words(p, value.number[i]); };
   switch (p.type) {
@@ -84,7 +96,7 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
       return said(p.choices[static_cast<size_t>(value.number[0])]);
     case SWAGE_PARAM_TEXT:
     case SWAGE_PARAM_FILE:
-      return said(text).replace(QLatin1Char('_'), QLatin1Char(' '));
+      return text_words(text);
     default:
       break;
   }

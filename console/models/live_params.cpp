@@ -107,7 +107,12 @@ double LiveParam::factor() const {
 
 QString LiveParam::unit() const {
   const std::string& u = param.display_unit.empty() ? param.unit : param.display_unit;
-  return u == "1" ? QString() : QString::fromStdString(u == "deg" ? "°" : u);
+  if (u == "1" || u == "deg") return u == "1" ? QString() : QStringLiteral("°");
+  // as people write it: "um" is a keyboard's
+  QString out = QString::fromStdString(u).replace(QLatin1Char('*'), QChar(0xb7));
+  out.replace(QLatin1String("m2"), QStringLiteral("m²")).replace(QLatin1String("m3"), QStringLiteral("m³"));
+  if (out.size() > 1 && out[0] == QLatin1Char('u')) out[0] = QChar(0xb5);
+  return out;
 }
 
 double LiveParam::step() const {
@@ -167,11 +172,14 @@ QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::S
 
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                  const host::Catalogue& catalogue) {
-  QVector<LiveParam> out =
+  const QVector<LiveParam> out =
       collect(lesson_path, card, catalogue, [](const Use& use, const host::Param&) { return !use.device; });
   const Json root = read(lesson_path).root;
   const auto section = root.find("environment");
-  return out + environment_params(section != root.end() ? section->dump() : "");
+  // behind what the lesson asks for: it is the lesson's, too
+  const auto objects = std::find_if(out.begin(), out.end(), [](const LiveParam& p) { return p.instance != "lesson"; });
+  const auto lessons = objects - out.begin();
+  return out.first(lessons) + environment_params(section != root.end() ? section->dump() : "") + out.sliced(lessons);
 }
 
 }  // namespace swage::console

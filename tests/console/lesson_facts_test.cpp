@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "console/models/said.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -147,6 +149,34 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   EXPECT_EQ(sews.pass.size(), 3);
   EXPECT_TRUE(sews.limits.isEmpty());
   EXPECT_TRUE(read_criteria(dir.filePath("none.json").toStdString(), all).pass.isEmpty());
+}
+
+TEST(LessonFacts, NamesOfObjectsAreSaidInTheLanguageOfTheWindow) {
+  host::Param things;
+  things.type = SWAGE_PARAM_TEXT;
+  things.id = things.label = "things";
+  things.default_text = "ball_small, long_rod";
+  host::PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_LESSON;
+  plugin.id = "org.example.names";
+  plugin.params = {things};
+  plugin.criteria = {{"Hold {things}.", "", SWAGE_CRITERION_PASS}};
+  host::Catalogue::Options nothing;
+  nothing.use_environment = false;
+  nothing.install_dir = "/nowhere";
+  host::Catalogue all(nothing);
+  all.add(plugin);
+  const QTemporaryDir dir;
+  const std::string path = lesson(dir, "{}", "org.example.names");
+  EXPECT_EQ(read_criteria(path, all).pass, QStringList({"Hold ball small, long rod."}));
+  QFile words(dir.filePath("words.de.json"));
+  ASSERT_TRUE(words.open(QIODevice::WriteOnly));
+  words.write(R"({"format": "swage-words/1", "language": "de", "words": {"ball_small": "Kleine Kugel"}})");
+  words.close();
+  set_words_language(QStringLiteral("de"));
+  learn_words(dir.path());
+  EXPECT_EQ(read_criteria(path, all).pass, QStringList({"Hold Kleine Kugel, long rod."}));
+  set_words_language(QStringLiteral("en"));
 }
 
 }  // namespace
