@@ -19,6 +19,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "inverse3/handshake.hpp"
 #include "sensor_thread.hpp"
@@ -153,12 +154,16 @@ class FakeInverse {
   void serve(int client) {
     std::string in;
     bool open = false;
-    double last[3] = {0, 0, 0};
+    double last[3] = {0, 0, 0}, looked_s = sensor::now_s();
     while (running_) {
       pollfd ready{client, POLLIN, 0};
-      if (::poll(&ready, 1, 2) <= 0) continue;
+      if (::poll(&ready, 1, 2) <= 0) {
+        looked_s = sensor::now_s();
+        continue;
+      }
       char bytes[4096];
       const ssize_t n = ::read(client, bytes, sizeof bytes);
+      const double held_s = sensor::now_s() - std::exchange(looked_s, sensor::now_s());
       if (n == 0 || (n < 0 && errno != EAGAIN)) {
         if (open && last[0] * last[0] + last[1] * last[1] + last[2] * last[2] > 0) blame("left under force");
         return;
@@ -169,7 +174,8 @@ class FakeInverse {
       const unsigned long before = texts_;
       while (take(client, in, last)) {
       }
-      if (texts_ > before + 1 && answers) blame("two messages at a time");
+      // a service that the machine has held up is asked again every 0.1 s
+      if (texts_ > before + 1 + static_cast<unsigned long>(held_s / 0.1) && answers) blame("two messages at a time");
     }
   }
   // one frame of the caller

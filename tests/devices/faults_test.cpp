@@ -124,6 +124,7 @@ TEST_P(Plug, AHundredPulledPlugsLeaveNoLeapAndTheAttemptIsKept) {
     watch(*session, there(random));
     puppet_->unplug();
     watch(*session, away(random));
+    if (const double closure = puppet_->closure_when_plugged(); !std::isnan(closure)) path_.push_back({now_s(), path_.back().x, closure});
     puppet_->plug();
   }
   EXPECT_EQ(pulled, 100);

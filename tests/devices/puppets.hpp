@@ -39,6 +39,8 @@ class Puppet {
   virtual void move(double t, double x) = 0;
   virtual void plug() = 0;
   virtual void unplug() = 0;
+  /// Closure in the moment in which it is plugged in; NaN where it is that of the person.
+  virtual double closure_when_plugged() const { return std::nan(""); }
   virtual void check() {}  // at the end
 };
 
@@ -56,6 +58,9 @@ class PadPuppet : public Puppet {
     return Json::array({placed({{"plugin", "swage.device.gamepad"}, {"params", rate_start()}}, {"0 mm", "0 mm", "0 mm"}, {"90 deg", "0 deg", "0 deg"}, 1)});
   }
   double top_speed() const override { return 20e-3 * std::sqrt(2.0); }
+  // SDL's -1 to 1 of a trigger is its way from 0 to 1; a pad that comes back is let go until its axes are told
+  LedPoint led(double t) const override { return {0, 0, 0.5 + 0.25 * swing(t)}; }
+  double closure_when_plugged() const override { return 0; }
   void move(double t, double x) override {
     last_t_ = t;
     pad_.axis(gamepad::kLeftX, std::clamp(600 * (kToAndFro * swing(t) - x), -1.0, 1.0));
@@ -87,6 +92,7 @@ class JawPuppet final : public PadPuppet {
     return out;
   }
   std::string closure() override { return "handle"; }
+  double closure_when_plugged() const override { return std::nan(""); }
   // open at 2 V, closed at -1 V and 0.6 of the closure, and squeezed a little
   static double volts(double t) { return 0.5 + 1.8 * swing(t); }
   LedPoint led(double t) const override {

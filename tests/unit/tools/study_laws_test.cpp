@@ -32,7 +32,7 @@ constexpr const char* kTwo = R"({ "name": "a", "reaction": { "law": "proportiona
 
 // every row of the table: the scene's force, and per law what it makes of it (wanted) and what the guard let through (given)
 TEST_F(StudyLaws, TheStockPlanComparesThreeLawsOnOneHand) {
-  const Said said = swage({"study", SWAGE_SOURCE_DIR "/lessons/studies/reactions.json", "--out", path("figures")});
+  const Said said = swage({"study", source("lessons/studies/reactions.json"), "--out", path("figures")});
   ASSERT_EQ(said.code, 0) << said.err;
   EXPECT_THAT(said.out, HasSubstr("null zone of 5 mN"));
   std::istringstream csv(read("figures/reactions.csv"));
