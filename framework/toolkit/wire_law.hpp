@@ -42,6 +42,9 @@ class WireLaw {
     return (1 - hardening_) * m + hardening_ * e;
   }
 
+  /// Nothing has flowed so far, nor does it at curvature `e`: its moment is e.
+  bool elastic(const Vec3& e, const WireMemory& memory) const { return never_flows(e, memory); }
+
   /// Bends to curvature `e`: layers beyond their limit flow back to it. Returns the moment.
   Vec3 bend(const Vec3& e, WireMemory& memory) const {
     if (never_flows(e, memory)) return e;

@@ -263,7 +263,7 @@ Bending::Reading Bending::read(const Step& step) const {
   Reading out;
   out.stress = peak_;
   for (int j = 0; j < n_ - 1; ++j) {
-    if (BentWire::moment(memory[j]).isZero(0) && memory[j].law.path == 0) continue;
+    if (BentWire::moment(memory[j]).isZero(0) && BentWire::path(memory[j]) == 0) continue;
     out.stress = std::max(out.stress, wire_.stress(j, memory[j]));
     out.bend += wire_.residual(j, memory[j]).norm();
     out.damage = std::max(out.damage, std::min(1.0, wire_.damage(memory[j])));

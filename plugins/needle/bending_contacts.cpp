@@ -280,7 +280,7 @@ void Bending::yield(const Step& step, std::span<const swage_contact_point>, cons
   }
   const double share = BentWire::share(asked);
   for (int j = 0; j < n_ - 1; ++j)
-    if (!by[at(j)].isZero(0)) wire_.bend(j, share * by[at(j)], memory[j]);
+    if (!by[at(j)].isZero(0)) wire_.bend(j, share * by[at(j)], memory[j], wire_.slope(j, m.data()));
   follow_joints(memory);
 
   // the whole: its centre and the piece that carries go as a rigid body
