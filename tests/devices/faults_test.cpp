@@ -112,7 +112,7 @@ TEST_P(Plug, AHundredPulledPlugsLeaveNoLeapAndTheAttemptIsKept) {
   ASSERT_NE(session, nullptr);
   session->start();
   // the hand rests until it is heard: from there on its places are known
-  while (!session->finished() && !(session->latest(*now_) && (now_->device[0].valid & SWAGE_VALID_POSE) != 0)) nap(2e-3);
+  for (; !session->finished() && !(session->latest(*now_) && (now_->device[0].valid & SWAGE_VALID_POSE) != 0); nap(2e-3)) puppet_->move(0, 0);
   begun_ = now_s();
   watch(*session, 1.5);  // the tool comes to the hand
   came_ = looks_.size();
