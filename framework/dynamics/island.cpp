@@ -274,10 +274,11 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
     outcome.converged = minimise(island, tolerance);
     outcome.limits_hold = limits_hold(island);
   } else {
-    // threads that touch many things begin with the projection: Newton's method seldom ends there
-    const bool sparse = island.banded && !island.contact_space;
+    // threads that touch many things begin with the projection: Newton's method seldom ends there, and a path is too long. With few
+    // contacts a path ends as near as it can; the projection may end where an edge has turned once about itself
+    const bool many = island.banded && island.constraints.size() > kMostBends, sparse = many && !island.contact_space;
     outcome.converged = sparse ? project(island, tolerance) : newton(island, tolerance);
-    if (!outcome.converged && island.banded) {
+    if (!outcome.converged && many) {
       start();
       outcome.fell_back = !sparse;
       outcome.converged = sparse ? newton(island, tolerance) : project(island, tolerance);
