@@ -95,7 +95,7 @@ void Plug::expect_led(const record::Recording& kept) {
   const std::vector<double> grip = kept_signal(kept, "grip.command");
   ASSERT_FALSE(grip.empty());
 
-  const double tool = tool_leap(pose, {looks_.begin() + static_cast<std::ptrdiff_t>(came_), looks_.end()}), force = grip_leap(closure, grip, kGripGain);
+  const double tool = tool_leap(pose, {looks_.begin() + static_cast<std::ptrdiff_t>(came_), looks_.end()}), force = grip_leap(closure, grip, kGripGain, looks_[came_].step - closure.first);
   const std::vector<double> led = led_way(pose);
   std::printf("%s: tool led over %.1f mm, beyond its samples %.4f mm; grip beyond its samples %.3f N; %.1f s simulated\n", GetParam(),
               1e3 * led.back(), 1e3 * tool, force, now_->time_s);

@@ -97,11 +97,11 @@ inline std::vector<double> closed_way(const HeardHand& hand) {
 }
 
 /// Greatest change of the grip's force within 20 steps that the hand's closures do not explain, N. `gain`: N per unit of closure; a
-/// spring that settles overshoots by at most as much again.
-inline double grip_leap(const HeardHand& hand, const std::vector<double>& grip, double gain) {
+/// spring that settles overshoots by at most as much again. `came`: steps before the jaws have come to the hand.
+inline double grip_leap(const HeardHand& hand, const std::vector<double>& grip, double gain, std::size_t came = 0) {
   const std::vector<double> sum = closed_way(hand);
   double most = 0;
-  for (std::size_t to = 20; to < grip.size() && to < sum.size(); ++to) {
+  for (std::size_t to = came + 20; to < grip.size() && to < sum.size(); ++to) {
     const std::size_t from = to < kSettling ? 0 : to - kSettling;
     most = std::max(most, std::abs(grip[to] - grip[to - 20]) - 2 * gain * (sum[to] - sum[from]));
   }
