@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session/playback.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "assembly/assemble.hpp"
+#include "base/scratch_folder.hpp"
 #include "host/catalogue.hpp"
 #include "session/session.hpp"
 
@@ -29,27 +29,20 @@ class Unpacked {
  public:
   explicit Unpacked(const std::vector<record::FileInfo>& files) {
     if (files.empty()) return;
-    std::error_code failed;
-    std::string pattern = (fs::temp_directory_path(failed) / "swage_replay_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) return;
-    folder_ = pattern;
+    folder_.emplace("replay");
+    if (folder_->path().empty()) return;
     for (const record::FileInfo& file : files) {
       // a number in front: two folders may hold files of one name. The rest only helps people
       const std::string name = std::to_string(path_.size()) + "_" + fs::path(file.name).filename().string();
-      std::ofstream(folder_ / name, std::ios::binary) << file.bytes;
-      path_[file.name] = (folder_ / name).string();
+      const fs::path path = folder_->path() / name;
+      std::ofstream(path, std::ios::binary) << file.bytes;
+      path_[file.name] = path.string();
     }
   }
-  ~Unpacked() {
-    std::error_code ignored;
-    if (!folder_.empty()) fs::remove_all(folder_, ignored);
-  }
-  Unpacked(const Unpacked&) = delete;
-  Unpacked& operator=(const Unpacked&) = delete;
   const std::map<std::string, std::string>& paths() const { return path_; }
 
  private:
-  fs::path folder_;
+  std::optional<base::ScratchFolder> folder_;  // none without files
   std::map<std::string, std::string> path_;
 };
 

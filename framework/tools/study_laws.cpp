@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/study_laws.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <set>
 
 #include "assembly/hand_shaping.hpp"
 #include "assembly/reader.hpp"
+#include "base/scratch_folder.hpp"
 #include "record/recorder.hpp"
 #include "session/force_guard.hpp"
 #include "session/playback.hpp"
@@ -34,27 +32,14 @@ std::string beside(const std::string& file, const std::string& path) {
   return path.empty() ? "" : (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
 }
 
-/// A folder of its own for the attempt that is played; gone with it.
-struct Scratch {
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "swage-laws-XXXXXX").string();
-    if (mkdtemp(name.data()) != nullptr) path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    if (!path.empty()) std::filesystem::remove_all(path, ignored);
-  }
-  std::string path;
-};
-
 // the hand of a lesson, played once and recorded
 bool play(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs, record::Recording& out, base::Problems& problems) {
-  const Scratch scratch;
+  const base::ScratchFolder scratch("laws");
   session::Options options;
   options.lesson_path = plan.lesson;
   options.plugin_dirs = plugin_dirs;
   options.device = plan.hand;
-  options.store_path = scratch.path + "/hand.db";
+  options.store_path = (scratch.path() / "hand.db").string();
   options.mode = "test";
   options.pace = session::Pace::kFastest;
   options.settings = {"seed=" + std::to_string(plan.seed)};

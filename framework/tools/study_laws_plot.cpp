@@ -16,19 +16,11 @@ namespace {
 constexpr double kWidth = 1100, kHeight = 460, kTop = 96, kBottom = 60;
 constexpr std::size_t kColumns = 700;  // of the curves over the time: one for the greatest value in each
 
-// the least of 1, 2, 5 times a power of ten that is not below x
-double round_up(double x) {
-  const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
-  for (const double k : {1.0, 2.0, 5.0})
-    if (k * power >= x) return k * power;
-  return 10 * power;
-}
-
 /// Axes from 0 on, and curves in them.
 class Panel {
  public:
   Panel(std::ostringstream& out, double left, double right, double most_x, double most_y)
-      : o_(out), left_(left), right_(right), tick_x_(round_up(most_x / 5)), tick_y_(round_up(most_y / 5)) {
+      : o_(out), left_(left), right_(right), tick_x_(svg::round_up(most_x / 5)), tick_y_(svg::round_up(most_y / 5)) {
     top_x_ = most_x;
     top_y_ = tick_y_ * std::ceil(most_y / tick_y_ - 1e-9);
   }

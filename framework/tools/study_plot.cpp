@@ -17,14 +17,6 @@ constexpr double kWidth = 900, kHeight = 480, kLeft = 80, kRight = 30, kTop = 84
 using svg::escape;
 using svg::style;
 
-/// The least of 1, 2, 5 times a power of ten that is not below x.
-double round_up(double x) {
-  const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
-  for (const double k : {1.0, 2.0, 5.0})
-    if (k * power >= x) return k * power;
-  return 10 * power;
-}
-
 class Figure {
  public:
   Figure(const Study& study, const StudyFigure& figure, const std::vector<StudyRow>& rows)
@@ -34,7 +26,7 @@ class Figure {
       const double v = value(row);
       if (std::isfinite(v)) most = std::max(most, v);
     }
-    tick_ = round_up(std::max(most, 1e-12) / 6);
+    tick_ = svg::round_up(std::max(most, 1e-12) / 6);
     top_ = tick_ * std::ceil(std::max(most, 1e-12) / tick_);
     inner_ = study.factors.back().levels.size();
     outer_ = study.factors.size() > 1 ? study.factors[0].levels.size() : 1;

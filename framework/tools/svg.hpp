@@ -3,6 +3,8 @@
 // What the figures of this room share. [main]
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -19,6 +21,14 @@ inline constexpr Style kStyles[] = {{"#0072b2", "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 
                                     {"#cc79a7", "M0 -7L7 0L0 7L-7 0Z"},
                                     {"#555555", "M0 6L6 -5L-6 -5Z"}};
 inline const Style& style(std::size_t i) { return kStyles[i % std::size(kStyles)]; }
+
+/// The least of 1, 2, 5 times a power of ten that is not below x: the distance of two ticks.
+inline double round_up(double x) {
+  const double power = std::pow(10, std::floor(std::log10(std::max(x, 1e-12))));
+  for (const double k : {1.0, 2.0, 5.0})
+    if (k * power >= x) return k * power;
+  return 10 * power;
+}
 
 inline std::string escape(const std::string& s) {
   std::string out;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // swage people synthetic: scripted hands really play a few lessons; a school's worth of attempts is drawn between them.
-#include <stdlib.h>
-
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/scratch_folder.hpp"
 #include "record/address.hpp"
 #include "record/synthetic.hpp"
 #include "session/session.hpp"
@@ -18,24 +16,6 @@ namespace swage::tools {
 namespace {
 
 constexpr uint64_t kNovices = 3;  // seeds of the novice hand: their spread is that of the drawn beginners
-
-class TempFolder {
- public:
-  TempFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "swage_synthetic_XXXXXX").string();
-    if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  ~TempFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-  std::string store() const { return path_ + "/hands.db"; }
-
- private:
-  std::string path_;
-};
 
 // The attempt's id, "" once told.
 std::string play(const SyntheticOptions& o, const std::string& lesson, const std::string& hand, uint64_t seed, const std::string& store) {
@@ -64,9 +44,9 @@ int make_synthetic_school(const SyntheticOptions& o) {
   if (lessons.empty() && !series.empty())
     for (const char* name : {"020_grasp_basic", "031_grasp_advanced_1_three_eighths", "110_insertion"}) lessons.push_back(series + "/" + name + ".json");
   if (lessons.empty()) return problem("No lessons are there: name some with --lesson.");
-  const TempFolder folder;
+  const base::ScratchFolder folder("synthetic");
   record::SyntheticSchool school;
-  school.from = folder.store();
+  school.from = (folder.path() / "hands.db").string();
   school.people = o.people;
   school.attempts = o.attempts;
   school.recordings = o.recordings;

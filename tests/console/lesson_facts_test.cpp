@@ -50,6 +50,14 @@ std::string lesson(const QTemporaryDir& dir, const QByteArray& params,
   return path.toStdString();
 }
 
+/// A catalogue with these has only what is added to it.
+host::Catalogue::Options no_folders() {
+  host::Catalogue::Options out;
+  out.use_environment = false;
+  out.install_dir = "/nowhere";
+  return out;
+}
+
 TEST(LessonFacts, ForceBandIsReadWithUnits) {
   const QTemporaryDir dir;
   const auto band = force_band(lesson(dir, R"({"force": ["200 mN", "0.9 N"]})"), catalogue());
@@ -133,10 +141,7 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
                      {"Stay.", "!carry", SWAGE_CRITERION_LIMIT},
                      {"Sew.", "task=stitch", SWAGE_CRITERION_PASS},
                      {"Slowness costs points.", "", SWAGE_CRITERION_POINTS}};
-  host::Catalogue::Options nothing;
-  nothing.use_environment = false;
-  nothing.install_dir = "/nowhere";
-  host::Catalogue all(nothing);
+  host::Catalogue all(no_folders());
   all.add(plugin);
   const QTemporaryDir dir;
   const Criteria usual = read_criteria(lesson(dir, "{}", "org.example.asks"), all);
@@ -161,10 +166,7 @@ TEST(LessonFacts, NamesOfObjectsAreSaidInTheLanguageOfTheWindow) {
   plugin.id = "org.example.names";
   plugin.params = {things};
   plugin.criteria = {{"Hold {things}.", "", SWAGE_CRITERION_PASS}};
-  host::Catalogue::Options nothing;
-  nothing.use_environment = false;
-  nothing.install_dir = "/nowhere";
-  host::Catalogue all(nothing);
+  host::Catalogue all(no_folders());
   all.add(plugin);
   const QTemporaryDir dir;
   const std::string path = lesson(dir, "{}", "org.example.names");

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <iterator>
 
 #include "host/child.hpp"
@@ -97,6 +98,22 @@ Program::~Program() {
 
 void Program::write(const std::string& name, const std::string& text) const {
   std::ofstream(path(name)) << text;
+}
+
+std::string Program::read(const std::string& name) const {
+  std::ifstream file(path(name));
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void Program::write_drop_lesson() const {
+  write("drop.json", R"({
+      "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",
+      "requires": { "swage.object.solids": "^1", "swage.lesson.look": "^1", "swage.device.mouse": "^1" },
+      "devices": [ { "name": "hand", "plugin": "swage.device.mouse" } ],
+      "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
+      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.01 s" } } })");
 }
 
 std::string source(const std::string& path) { return std::string(SWAGE_SOURCE_DIR) + "/" + path; }

@@ -50,6 +50,9 @@ class Program : public testing::Test {
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
   std::string store() const { return path("attempts.db"); }
   void write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const;
+  /// drop.json: a lesson of 10 ms, in which a ball falls and the mouse is "hand".
+  void write_drop_lesson() const;
 
  private:
   std::string folder_;

@@ -15,12 +15,6 @@ using testing::HasSubstr;
 
 class StudyLaws : public Program {
  protected:
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name));
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
-  }
   std::string plan(const std::string& laws, const std::string& more = R"("device": "hand", )") const {
     write("laws.json", R"({ "format": "swage-laws/1", "title": "Laws", "lesson": "drop.json", "hand": "mouse", )" + more + R"("laws": [ )" +
                            laws + R"( ], "file": "laws.svg" })");
@@ -72,12 +66,7 @@ TEST_F(StudyLaws, WhatIsNoPlanIsTold) {
 }
 
 TEST_F(StudyLaws, ADeviceThatWasNotThereIsNamed) {
-  write("drop.json", R"({
-      "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",
-      "requires": { "swage.object.solids": "^1", "swage.lesson.look": "^1", "swage.device.mouse": "^1" },
-      "devices": [ { "name": "hand", "plugin": "swage.device.mouse" } ],
-      "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.01 s" } } })");
+  write_drop_lesson();
   const Said none = swage({"study", plan(kTwo, R"("device": "arm", )")});
   EXPECT_NE(none.code, 0);
   EXPECT_THAT(none.err, HasSubstr("has no device of this name"));

@@ -21,12 +21,7 @@ using testing::HasSubstr;
 class Study : public Program {
  protected:
   void SetUp() override {
-    write("drop.json", R"({
-      "format": "swage-lesson/1", "id": "org.example.drop", "title": "Drop", "scene_length": "1 mm",
-      "requires": { "swage.object.solids": "^1", "swage.lesson.look": "^1", "swage.device.mouse": "^1" },
-      "devices": [ { "name": "hand", "plugin": "swage.device.mouse" } ],
-      "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
-      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "0.01 s" } } })");
+    write_drop_lesson();
   }
   std::string study(const std::string& levels, const std::string& more = "") const {
     write("study.json",
@@ -35,12 +30,6 @@ class Study : public Program {
         "hands": [ { "name": "nobody", "device": "mouse" } ],
         "figures": [ { "metric": "time.task", "title": "Time", "unit": "ms", "scale": 1000, "file": "time.svg" } ] })");
     return path("study.json");
-  }
-  std::string read(const std::string& name) const {
-    std::ifstream file(path(name));
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
   }
 };
 
