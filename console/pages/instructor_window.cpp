@@ -22,7 +22,7 @@ QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
   table->verticalHeader()->setDefaultSectionSize(24);
   table->horizontalHeader()->setStretchLastSection(true);
   table->horizontalHeader()->resizeSection(EventLog::kTime, 64);
-  table->horizontalHeader()->setSectionResizeMode(EventLog::kWhat, QHeaderView::ResizeToContents);
+  table->horizontalHeader()->resizeSection(EventLog::kWhat, 150);
   table->horizontalHeader()->setHighlightSections(false);
   QObject::connect(events, &QAbstractItemModel::rowsInserted, table, &QTableView::scrollToBottom);
   return table;

@@ -21,7 +21,7 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
 
 constexpr int kMostSteps = 24;     // along a tear: on one to the rim triangles are a little coarser
 constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
-constexpr double kGiven_s = 0.02;  // a wound that is there by then is the lesson's: a thread that lies in its track
+constexpr double kGiven_s = 0.5;   // a wound seen by then is the lesson's, as of a thread that lies in its track: no hand is there so soon
 
 QVector3D direction(const swage_vec3& n) {
   return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
