@@ -21,7 +21,6 @@ std::vector<Dent> dents_of(const snapshot::Snapshot& s, uint32_t object) {
 
 constexpr int kMostSteps = 24;     // along a tear: on one to the rim triangles are a little coarser
 constexpr uint32_t kApart = 1000;  // between the wounds of two couplings
-constexpr double kGiven_s = 0.5;   // a wound seen by then is the lesson's, as of a thread that lies in its track: no hand is there so soon
 
 QVector3D direction(const swage_vec3& n) {
   return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
@@ -66,7 +65,6 @@ std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<
 void SoftMeshes::add() {
   for (int& part : part_) part = renderer_.add_part({}, {}, {});
   dented_.clear();
-  given_.clear();
   wound_ = {};
   drawn_ = false;
 }
@@ -78,16 +76,8 @@ void SoftMeshes::colour(const UiTheme& ui) {
   renderer_.set_surface(part_[kDepth], {ui["wound_depth"], 0, 30});
 }
 
-std::vector<Tear> SoftMeshes::made_here(std::vector<Tear> tears, double time_s) {
-  if (time_s <= kGiven_s)
-    for (const Tear& t : tears) given_.insert(t.wound);
-  std::erase_if(tears, [this](const Tear& t) { return given_.contains(t.wound); });
-  return tears;
-}
-
 void SoftMeshes::place(const SceneState& scene) {
   WoundMeshes wounds;
-  bool wounded = false;
   wound_ = {};
   const std::vector<ScenePart>& parts = scene.parts().part;
   for (size_t i = 0; i < parts.size(); ++i) {
@@ -109,13 +99,12 @@ void SoftMeshes::place(const SceneState& scene) {
         dented_.insert(static_cast<int>(i));
     }
     append_wounds(tears, dents, wounds);
-    wounded |= !tears.empty();
-    if (const WoundPlace place = greatest_wound(made_here(tears, scene.now().time_s), dents); place.ratio > wound_.ratio) {
+    if (const WoundPlace place = greatest_wound(tears, dents); place.ratio > wound_.ratio) {
       wound_ = place;
       wounded_object_ = part.object;
     }
   }
-  if (!std::exchange(drawn_, wounded) && !drawn_) return;
+  if (!std::exchange(drawn_, wound_.there()) && !drawn_) return;
   renderer_.set_mesh(part_[kLip], wounds.lip);
   renderer_.set_mesh(part_[kFlesh], wounds.flesh);
   renderer_.set_mesh(part_[kDepth], wounds.depth);

@@ -21,17 +21,14 @@ class SoftMeshes {
   void colour(const UiTheme& ui);
   /// As the last snapshot has them.
   void place(const SceneState& scene);
-  /// The greatest that was made in this attempt; none when there is none.
+  /// The greatest in the scene; none when there is none.
   const WoundPlace& wound() const { return wound_; }
   /// In which object it is.
   uint32_t wounded_object() const { return wounded_object_; }
 
  private:
   enum Depth : size_t { kLip, kFlesh, kDepth };
-  std::vector<Tear> made_here(std::vector<Tear> tears, double time_s);
-
   Renderer& renderer_;
-  std::set<uint32_t> given_;  // wounds that were there when the attempt began
   std::set<int> dented_;  // parts that are not as they were at rest
   WoundPlace wound_;
   uint32_t wounded_object_ = 0;
