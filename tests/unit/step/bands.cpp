@@ -84,7 +84,7 @@ TEST(Bands, EachQuestionHasTheBudgetOfAStep) {
 TEST(Bands, WhoIsLateWithOneQuestionIsQuarantined) {
   Scene s(kBudget + kBudget / 2);
   s.ask(30, 2);
-  EXPECT_EQ(s.slot.instance->misdeed, host::Misdeed::kLate);
+  EXPECT_EQ(s.slot.instance->fault, host::FaultKind::kLate);
   EXPECT_EQ(s.slot.instance->watch.late_steps, 20u) << "a step counts once, however many questions are over the line";
 }
 

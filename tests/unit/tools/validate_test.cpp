@@ -29,19 +29,19 @@ TEST_F(Validate, LessonsAndCouplingsAreTestedToo) {
     const Said said = swage({"validate", stock(id), "--strictness", "9", "--json"});
     EXPECT_EQ(said.code, 0) << said.out << said.err;
     const nlohmann::json tests = said.json()[0]["tests"];
-    bool nonsense = false;
+    bool fuzzed = false;
     for (const auto& test : tests) {
-      nonsense |= test["test"] == "nonsense" && test["result"] == "success";
+      fuzzed |= test["test"] == "fuzz_values" && test["result"] == "success";
       const bool hands_off = test["test"] == "fuzz" && test["text"] == "No hand leads anything here.";
       EXPECT_TRUE(test["result"] != "skipped" || hands_off) << id << ": " << test.dump();
     }
-    EXPECT_TRUE(nonsense) << said.out;
+    EXPECT_TRUE(fuzzed) << said.out;
   }
 }
 
-TEST_F(Validate, NonsenseFindsWhatItAsksFor) {
+TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   const auto expect = [&](const std::string& plugin, const std::string& text) {
-    const Said said = swage({"validate", bad(plugin), "--only", "nonsense", "--strictness", "9"});
+    const Said said = swage({"validate", bad(plugin), "--only", "fuzz_values", "--strictness", "9"});
     EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
     EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
   };
