@@ -59,7 +59,7 @@ std::string Inverse3::reach() {
   for (const double until = now_s() + kPatience; now_s() < until; nap()) {
     if (socket_.progress() == WebSocket::State::kClosed)
       return "The Inverse Service does not answer at " + where + ": " + socket_.trouble() +
-             " Install and start it (from docs.haply.co; sudo systemctl enable --now haply-inverse-service).";
+             " Install it from docs.haply.co and start it (sudo systemctl enable --now haply-inverse-service).";
     while (socket_.receive(text)) {
       const Message m = read_message(text, params().arm, params().grip);
       greeted |= m.readable;

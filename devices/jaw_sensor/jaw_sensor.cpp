@@ -50,8 +50,7 @@ bool JawSensor::choose_port(sensor::LinkSettings& settings) {
   }
   std::string list;
   for (const std::string& one : all) list += " " + one;
-  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port; a port that may not be "
-                       "opened needs the group dialout (sudo adduser $USER dialout)."
+  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."
                      : "There are several serial adapters; name the port of the sensor, one of:" + list);
   return false;
 }

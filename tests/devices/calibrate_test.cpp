@@ -145,34 +145,5 @@ TEST_F(Calibrate, WhatADeviceTellsOfItselfIsDescribed) {
   EXPECT_EQ(list[0]["signals"][0]["unit"], "V");
 }
 
-// Without its hardware each driver says what is missing, and the remedy: what to install, to join, to start or to plug in.
-TEST_F(Calibrate, TheDoctorNamesEveryDriverWithItsRemedy) {
-  const nlohmann::json list = swage({"doctor", "--json"}).json();
-  struct Kind {
-    const char *id, *missing, *remedy;  // expressions
-  };
-  std::vector<Kind> kinds = {{"gamepad", "no game pad|libSDL2", "group input.*adduser|libsdl2-2.0-0"},
-                             {"inverse3", "Inverse Service", "Install and start it|calibrate"},
-                             {"jaw_sensor", "serial adapter", "Plug the sensor in.*group dialout|name the port"},
-                             {"openhaptics", "OpenHaptics library|arm", "Install OpenHaptics|plug|Plug|Switch"},
-                             {"spacemouse", "spacenavd|spnav", "sudo apt install spacenavd|runs spacenavd"},
-                             {"tablet", "pen tablet", "Plug one in|group input.*udev rule"}};
-  // where its headers are
-  if (access(SWAGE_BINARY_DIR "/plugins/swage.device.openxr", F_OK) == 0)
-    kinds.push_back({"openxr", "OpenXR", "Install and start one|XR_RUNTIME_JSON"});
-  for (const Kind& kind : kinds) {
-    bool found = false;
-    for (const auto& f : list) {
-      if (f["name"] != std::string("device swage.device.") + kind.id) continue;
-      found = true;
-      EXPECT_TRUE((f["state"] == "good") == (f["remedy"] == "")) << f;
-      if (f["state"] == "good") continue;  // it is plugged in here
-      EXPECT_THAT(f["text"].get<std::string>(), testing::ContainsRegex(kind.missing));
-      EXPECT_THAT(f["remedy"].get<std::string>(), testing::ContainsRegex(kind.remedy)) << kind.id;
-    }
-    EXPECT_TRUE(found) << kind.id;
-  }
-}
-
 }  // namespace
 }  // namespace swage::tools::test
