@@ -92,6 +92,16 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   EXPECT_EQ(list[0]["serial"], "B7");
   EXPECT_EQ(list[0]["trouble"], "");
 
+  // a sensor that drifted by 0.1 V: the zero alone is set anew; a handle that is held is no zero
+  EXPECT_EQ(answer("calibrate zero" + port, {{0.9, ""}}), 1);
+  EXPECT_THAT(said(), HasSubstr("more than a fifth of its way (3 mm). Is it let go?"));
+  ASSERT_EQ(answer("calibrate zero" + port, {{2.1, ""}}), 0) << said();
+  EXPECT_THAT(said(), HasSubstr("all poses moved by 0.100 mm"));
+  ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), c), "");
+  EXPECT_NEAR(c.poses.open, 5.1e-3, 1e-6);
+  EXPECT_NEAR(c.poses.closed, 2.1e-3, 1e-6);
+  EXPECT_EQ(c.zero_date, sensor::today());
+
   // another needleholder under the same sensor is noticed, and taken when it is meant
   EXPECT_EQ(answer("calibrate poses" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 1);
   EXPECT_THAT(said(), HasSubstr("Is it the same needleholder? Nothing is kept."));
