@@ -22,6 +22,7 @@ namespace swage::console {
 
 /// A bar that is as long as its words say, when the size of the screen is right: a ruler tells.
 class RulerBar : public QWidget {
+  Q_OBJECT
  public:
   explicit RulerBar(QWidget* parent);
   void set_mm_per_pixel(double mm) { mm_per_px_ = mm, update(); }

@@ -75,6 +75,22 @@ TEST_F(Validate, ATestEndsAtTheLimitThatIsAskedFor) {
   EXPECT_THAT(said.out, HasSubstr("It was not done within 0.5 s"));
 }
 
+// what is not known is no number and good; what is infinite is a fault of the driver
+TEST_F(Validate, WhatADeviceTellsOfItselfIsAskedFor) {
+  const auto validate = [&](const std::string& told) {
+    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_tells/org.example.bad.tells." + told;
+    return swage({"validate", bundle, "--only", "driver", "--strictness", "10"});
+  };
+  for (const char* told : {"number", "unknown"}) {
+    const Said said = validate(told);
+    EXPECT_EQ(said.code, 0) << told << said.out << said.err;
+    EXPECT_THAT(said.out, testing::ContainsRegex("driver +success +[0-9]+ measurements")) << told;
+  }
+  const Said said = validate("infinity");
+  EXPECT_EQ(said.code, 1) << said.out << said.err;
+  EXPECT_THAT(said.out, HasSubstr("What it tells of itself is infinite."));
+}
+
 // a solver that lies has finite numbers: nobody notices while it runs, so that it is asked
 TEST_F(Validate, SolversThatLieAreTold) {
   const auto validate = [&](const std::string& name, const std::string& test) {
