@@ -17,6 +17,8 @@ constexpr double kMouth = 24;
 constexpr double kNewTouch = 4;
 // Tensions are told this far outside of the holes, in radii: beyond the segment that a hole bears on.
 constexpr double kBeside = 24;
+// So much thread, in radii, is out of the last bite before the leading end begins another: tissue that springs back over the end is none.
+constexpr double kApart = 96;
 
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 
@@ -36,6 +38,7 @@ void PullThrough::build(const PullThroughParams& params, CouplingBuilder& builde
   tension_out_ = builder.signal("pull.tension_out", "N", "Tension of the thread where it has come out.");
   cut_ = builder.signal("pull.cut", "m", "How far the thread has cut its holes through the tissue, the farthest of them.");
   back_ = builder.signal("pull.back", "m", "Thread drawn back so far, against its way: sawing.");
+  bites_ = builder.signal("pull.bites", "1", "Times that the thread goes through the tissue now.");
   in_ = builder.event("pull.went_in", "The thread went in; value: drawn in so far, m.");
   came_out_ = builder.event("pull.came_out", "Its leading end came out; value: length inside, m.");
   back_out_ = builder.event("pull.went_back", "It was drawn back out of the way it came.");
@@ -58,41 +61,51 @@ void PullThrough::reset(const CouplingStep& step) {
   state = {};
   if (params_.starts == Starts::kOutside) return;
   const Site site = this->site(step);
-  if (site.good) lie_through(site, state.passage);
+  if (site.good && lie_through(site, state.bite[0])) state.bites = 1;
+}
+
+/// The leading end can begin another bite.
+bool PullThrough::may_begin(const Site& site, const PullThroughState& state) const {
+  if (state.bites == 0) return true;
+  const Passage& last = state.bite[0];
+  return state.bites < params_.bites && last.out != 0 && last.hole[last.holes() - 1].u > kApart * site.strand.radius;
 }
 
 /// What is in a hole, in the tissue, or still in the needle that goes in, does not touch the surface.
-bool PullThrough::passes(const Site& site, const Passage& passage, const swage_contact& contact) const {
+bool PullThrough::passes(const Site& site, const PullThroughState& state, const swage_contact& contact) const {
   const double mouth = kMouth * site.strand.radius;
   const bool fresh = contact.gap < -kNewTouch * site.strand.radius && vec(contact.f_a_W).isZero(0);
   if (fresh) return true;
   const auto at = thread_.nearest(site.a, contact.p_W);
   if (!at) return true;
   const double u = site.last_leads ? site.strand.length - at->s : at->s;
-  if (passage.count == 0) return u < mouth;
-  const double to = passage.out != 0 ? passage.hole[passage.holes() - 1].u - mouth : 0;
-  return u > to && u < passage.hole[0].u + mouth;
+  if (u < mouth && may_begin(site, state)) return true;
+  return std::any_of(state.bite, state.bite + state.count(), [&](const Passage& passage) {
+    const double to = passage.out != 0 ? passage.hole[passage.holes() - 1].u - mouth : 0;
+    return u > to && u < passage.hole[0].u + mouth;
+  });
 }
 
 void PullThrough::resolve(const CouplingStep& step) {
   const Site site = this->site(step);
   if (!site.good) return discard();
-  const auto& passage = step.state<PullThroughState>().passage;
+  const auto& state = step.state<PullThroughState>();
   for (swage_contact& contact : step.contacts()) {
     contact.friction = params_.friction;
     contact.stiffness = site.law.stiffness + site.law.stiffening * std::max(0.0, -contact.gap);
     contact.restitution = 0;
-    if (passes(site, passage, contact)) contact.stiffness = contact.friction = 0;
+    if (passes(site, state, contact)) contact.stiffness = contact.friction = 0;
   }
 }
 
 uint32_t PullThrough::ties(const CouplingStep& step, std::span<swage_tie> out) {
-  const Passage& passage = step.state<PullThroughState>().passage;
-  const uint32_t n = passage.holes();
-  if (n == 0 || out.size() < n) return 0;
+  const auto& state = step.state<PullThroughState>();
+  if (state.bites == 0 || out.size() < state.holes()) return 0;
   const Site site = this->site(step);
   if (!site.good) return 0;
-  for (uint32_t i = 0; i < n; ++i) out[i] = tie_of(site, law(site), passage, i);
+  uint32_t n = 0;
+  for (int b = 0; b < state.count(); ++b)
+    for (uint32_t i = 0; i < state.bite[b].holes(); ++i) out[n++] = tie_of(site, law(site), state.bite[b], i);
   return n;
 }
 
@@ -100,38 +113,32 @@ void PullThrough::tied(const CouplingStep& step, std::span<const swage_tie> ties
   auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
   if (!site.good) return discard();
+  if (ties.size() != state.holes()) return;
   Vec3 force = Vec3::Zero();
   state.drag_along = state.lateral = 0;
-  const double before = state.passage.hole[0].rest;
-  for (uint32_t i = 0; i < ties.size() && i < state.passage.holes(); ++i) {
-    Hole& hole = state.passage.hole[i];
-    take_tie(site, law(site), ties[i], hole);
-    force -= vec(ties[i].f_a_W);
-    state.drag_along -= hole.along;
-    state.lateral = std::max(state.lateral, vec3(hole.across).norm());
-    state.cut = std::max(state.cut, hole.cut);
-  }
+  const double before = state.bite[0].hole[0].rest;
+  const swage_tie* tie = ties.data();
+  for (int b = 0; b < state.count(); ++b)
+    for (uint32_t i = 0; i < state.bite[b].holes(); ++i, ++tie) {
+      Hole& hole = state.bite[b].hole[i];
+      take_tie(site, law(site), *tie, hole);
+      force -= vec(tie->f_a_W);
+      state.drag_along -= hole.along;
+      state.lateral = std::max(state.lateral, vec3(hole.across).norm());
+      state.cut = std::max(state.cut, hole.cut);
+    }
   for (int i = 0; i < 3; ++i) state.force[i] = force[i];
-  state.back += std::max(0.0, before - state.passage.hole[0].rest);
+  state.back += std::max(0.0, before - state.bite[0].hole[0].rest);
 }
 
 void PullThrough::finish(const CouplingStep& step) {
   auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
   if (!site.good) return discard();
-  if (state.passage.count == 0) state.drag_along = state.lateral = state.force[0] = state.force[1] = state.force[2] = 0;
-  const double inside = state.passage.inside();
-  switch (follow(site, state.passage, law(site), params_.in_from)) {
-    case Change::kNone: break;
-    case Change::kWentIn: step.event(in_, state.passage.inside()); break;
-    case Change::kCameOut:  // again where the tissue springs back over the end: told once
-      if (state.told_out == 0) step.event(came_out_, state.passage.inside());
-      state.told_out = 1;
-      break;
-    case Change::kWentBack: step.event(back_out_, inside); break;
-    case Change::kIsThrough: step.event(through_, inside); break;
-  }
-  if (state.passage.count == 0) state.told_out = 0;
+  if (state.bites == 0) state.drag_along = state.lateral = state.force[0] = state.force[1] = state.force[2] = 0;
+  const bool begins = may_begin(site, state);
+  follow_bites(step, site, state);
+  if (begins) follow_end(step, site, state);
   if (state.cut > params_.cut_from && state.told == 0) {
     state.told = 1;
     step.event(cut_event_, state.cut);
@@ -139,15 +146,47 @@ void PullThrough::finish(const CouplingStep& step) {
   tell(step, site, state);
 }
 
+/// Those that the thread has left are forgotten: the last one when it was drawn back, the first when it has gone through.
+void PullThrough::follow_bites(const CouplingStep& step, const Site& site, PullThroughState& state) const {
+  for (int b = state.count() - 1; b >= 0; --b) {
+    const double inside = state.bite[b].inside();
+    const Change change = follow(site, state.bite[b], law(site), params_.in_from);
+    if (change == Change::kCameOut) {  // again where the tissue springs back over the end: told once
+      if (state.told_out == 0) step.event(came_out_, state.bite[b].inside());
+      state.told_out = 1;
+    }
+    if (change != Change::kWentBack && change != Change::kIsThrough) continue;
+    step.event(change == Change::kWentBack ? back_out_ : through_, inside);
+    std::copy(state.bite + b + 1, state.bite + state.count(), state.bite + b);
+    state.bites -= 1;
+    state.bite[state.count()] = {};
+    state.told_out = state.bites > 0 ? state.bite[0].out : 0;
+  }
+}
+
+void PullThrough::follow_end(const CouplingStep& step, const Site& site, PullThroughState& state) const {
+  Passage fresh{};
+  if (state.count() == kMostBites || follow(site, fresh, law(site), params_.in_from) != Change::kWentIn) return;
+  std::copy_backward(state.bite, state.bite + state.count(), state.bite + state.count() + 1);
+  state.bite[0] = fresh;
+  state.bites += 1;
+  state.told_out = 0;
+  step.event(in_, fresh.inside());
+}
+
+/// Of the bite nearest to the leading end; the tail, and the tension there, of the one nearest to the other.
 void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThroughState& state) const {
-  const Passage& passage = state.passage;
-  const bool in = passage.count > 0;
-  const double first = in ? passage.hole[0].u : 0, last = in && passage.out != 0 ? passage.hole[passage.holes() - 1].u : 0;
+  const bool in = state.bites > 0;
+  const Passage &newest = state.bite[0], &oldest = state.bite[in ? state.count() - 1 : 0];
+  const double first = in ? oldest.hole[0].u : 0, last = in && newest.out != 0 ? newest.hole[newest.holes() - 1].u : 0;
   const double beside = kBeside * site.strand.radius;
-  step.signal(state_, !in ? 0 : passage.out == 0 ? 1 : 2);
+  double inside = 0;
+  for (int b = 0; b < state.count(); ++b) inside += state.bite[b].inside();
+  step.signal(state_, !in ? 0 : newest.out == 0 ? 1 : 2);
+  step.signal(bites_, state.bites);
   step.signal(tail_, in ? std::max(0.0, site.strand.length - first) : 0);
   step.signal(out_, last);
-  step.signal(inside_, passage.inside());
+  step.signal(inside_, inside);
   step.signal(drag_, state.drag_along);
   step.signal(force_, vec3(state.force).norm());
   step.signal(lateral_, state.lateral);
@@ -159,11 +198,14 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
 
 /// Entry and exit, where they have been cut longer.
 uint32_t PullThrough::tears(const CouplingStep& step, std::span<swage_tear> out) {
-  const Passage& passage = step.state<PullThroughState>().passage;
+  const auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
   if (!site.good) return 0;
   uint32_t n = 0;
-  for (uint32_t i = 0; i < passage.holes(); ++i) {
+  for (uint32_t k = 0; k < Passage::kHoles * static_cast<uint32_t>(state.count()); ++k) {
+    const Passage& passage = state.bite[k / Passage::kHoles];
+    const uint32_t i = k % Passage::kHoles;
+    if (i >= passage.holes()) continue;
     const Hole& hole = passage.hole[i];
     const bool face = i == 0 || (passage.out != 0 && i + 1 == passage.holes());
     if (!face || hole.cut < site.strand.radius || n == out.size()) continue;

@@ -24,15 +24,26 @@ struct PullThroughParams {
   double saw = 0.02;           // 1
   double in_from = 0.1e-3;     // m
   double cut_from = 0.2e-3;    // m
+  int bites = 1;
 };
+
+inline constexpr int kMostBites = 4;
 
 /// The private numbers.
 struct PullThroughState {
-  Passage passage;
+  Passage bite[kMostBites];               // the one nearest to the leading end first
+  double bites;                           // of them, in the tissue
   double told;                            // 1: pull.has_cut was sent
-  double told_out;                        // 1: pull.came_out was sent of this passage
+  double told_out;                        // 1: pull.came_out was sent of the first
   double cut, back;                       // m, greatest so far of a hole; drawn back so far
   double drag_along, force[3], lateral;  // N, of the last step
+
+  int count() const { return static_cast<int>(bites); }
+  uint32_t holes() const {
+    uint32_t n = 0;
+    for (int i = 0; i < count(); ++i) n += bite[i].holes();
+    return n;
+  }
 };
 
 class PullThrough final : public Coupling<PullThroughParams>, public Ties, public Tearing {
@@ -67,6 +78,8 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
           .hidden(),
       real<&PullThroughParams::cut_from>("cut_from", "Cut from", "m", "mm", 1e-6, 10e-3,
                                          "A hole cut by more than this sends the event pull.has_cut."),
+      integer<&PullThroughParams::bites>("bites", "Bites", 1, kMostBites,
+                                         "So often at most the thread goes through the tissue at once: 1 a single stitch, more a running suture."),
   };
 
   void build(const PullThroughParams& params, CouplingBuilder& builder) override;
@@ -83,13 +96,16 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
     return {thread_, tissue_, step.a(), step.b(), params_.leads == Leads::kLast};
   }
   PassageLaw law(const Site& site) const;
-  bool passes(const Site& site, const Passage& passage, const swage_contact& contact) const;
+  bool passes(const Site& site, const PullThroughState& state, const swage_contact& contact) const;
+  void follow_end(const CouplingStep& step, const Site& site, PullThroughState& state) const;
+  void follow_bites(const CouplingStep& step, const Site& site, PullThroughState& state) const;
+  bool may_begin(const Site& site, const PullThroughState& state) const;
   void tell(const CouplingStep& step, const Site& site, const PullThroughState& state) const;
 
   PullThroughParams params_;
   StrandPeer thread_;
   Peer tissue_;
-  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_;
+  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_, bites_;
   Event in_, came_out_, back_out_, through_, cut_event_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "pierce_scene.hpp"
 #include "thread_scene.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kWall = 1e-3;   // m, thickness of the wall, of which z = 0 is the top
 constexpr double kTurned = 4.3;  // rad, after which its blunt end is beneath it
+constexpr double kRound = 3;     // s, for a full turn
 
 /// The half-circle needle of the rig turns about a centre c, down through the wall and round its rim, and is then led along `way`. 20 mm
 /// of thread come straight from its blunt end, beside the wall at the start.
@@ -23,14 +25,18 @@ struct Drawn : PierceScene {
   std::function<Vec3(double t)> way = [](double) { return Vec3(0, 0, 0); };
   std::string pull, thread = R"("memory": 0)";
   double turn_s = 1.5, length = 20e-3, turned_to = kTurned, back_to = -1;  // s, m, rad; back_to: in half a second, if it is positive
+  int rounds = 0;        // more about the same centre, through the wall again and round its rim
+  double spacing = 0;    // m, along the rim, from one to the next
 
   void start() {
     const Vec3 c(-kRadius, 0, 0.8e-3);
     const Path path = [this, c](double t) {
       const double share = std::min(1.0, t / turn_s);
       const double back = back_to > 0 ? std::clamp((t - turn_s) / 0.5, 0.0, 1.0) * (turned_to - back_to) : 0;
-      Pose X = turned(c, turned_to * share - back);
-      X.p += way(std::max(0.0, t - turn_s));
+      const double round = std::clamp((t - turn_s) / kRound, 0.0, static_cast<double>(rounds));
+      Pose X = turned(c, turned_to * share - back + 2 * std::numbers::pi * round);
+      X.p.y() += spacing * round;
+      X.p += way(std::max(0.0, t - turn_s - rounds * kRound));
       return X;
     };
     tissue = R"("level": "plane", "stiffening": 0, "size": ["4 mm", "20 mm"], "thickness": "1 mm", "backing": 0, "puncture_force": "1 mN",
@@ -142,6 +148,32 @@ TEST(PullThrough, makes_no_energy) {
   EXPECT_LT(fastest(), std::max(1e-3, before));
   EXPECT_LT(s.signal("pull.force"), 5e-3);
   EXPECT_EQ(s.troubles(), "");
+}
+
+/// Round the rim and through the wall again, 1 mm beside the first bite. A single stitch ignores that, a running one has two bites and
+/// their holes; the thread is as long as before.
+TEST(PullThrough, takes_two_bites_of_one_thread) {
+  for (const int most : {1, 4}) {
+    Drawn s;
+    s.rounds = 1, s.spacing = 1e-3, s.length = 40e-3;
+    s.duration = 8;
+    s.pull = most > 1 ? R"("bites": 4, "friction": 0.05)" : R"("friction": 0.05)";
+    s.strength = "100 MPa";
+    s.start();
+    ASSERT_NE(s.engine, nullptr);
+    s.run_until(1.5 + kRound + 0.2);
+    EXPECT_EQ(s.count("swage.pulled_off"), 0);
+    EXPECT_EQ(s.signal("pull.bites"), most > 1 ? 2 : 1);
+    EXPECT_EQ(s.count("pull.went_in"), most > 1 ? 2 : 1);
+    EXPECT_EQ(s.count("pull.came_out"), most > 1 ? 2 : 1);
+    EXPECT_EQ(s.count("pull.went_back") + s.count("pull.went_through"), 0);
+    if (most == 1) continue;
+    EXPECT_NEAR(s.signal("pull.inside"), 2 * 1.19 * kWall, 0.2 * kWall);
+    // what is neither tail, nor inside, nor out beyond the last bite runs round the rim between the bites
+    const double between = s.length - s.signal("pull.tail") - s.signal("pull.inside") - s.signal("pull.out");
+    EXPECT_GT(between, 1e-3) << "m, round the rim";
+    EXPECT_EQ(s.troubles(), "");
+  }
 }
 
 /// Led back before it has come out it leaves the tissue by the way it came; that is counted as drawn back.
