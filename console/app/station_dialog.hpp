@@ -27,7 +27,7 @@ class RulerBar : public QWidget {
   explicit RulerBar(QWidget* parent);
   void set_mm_per_pixel(double mm) { mm_per_px_ = mm, update(); }
   double length_px() const { return mm_per_px_ > 0 ? kLength_mm / mm_per_px_ : 0; }
-  QSize sizeHint() const override { return {420, 34}; }
+  QSize sizeHint() const override { return {420, 40}; }
   static constexpr double kLength_mm = 100;
 
  protected:

@@ -816,7 +816,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Residual, µm</source>
-        <translation>Abweichung, µm</translation>
+        <translation>Abw., µm</translation>
     </message>
     <message>
         <source>Measure this length</source>
@@ -828,7 +828,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Frei</translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>V</source>
