@@ -19,6 +19,7 @@
 namespace swage::console {
 namespace {
 
+constexpr int kValues_px = 460;  // a name, a number with its unit, the way back
 constexpr int kBuildDelay_ms = 300;  // after the last edit: typing does not build a scene per letter
 
 Variant begin_of(const LessonEntry& lesson, bool edits) {
@@ -43,10 +44,13 @@ VariantDialog::VariantDialog(const LessonEntry& lesson, Doors doors, const QStri
   setWindowTitle(folder.isEmpty() ? tr("Edit lesson") : tr("New lesson"));
   auto* column = new QVBoxLayout(this);
   auto* row = new QHBoxLayout;
-  auto* left = new QVBoxLayout;
+  auto* values = new QWidget(this);
+  values->setMinimumWidth(kValues_px);
+  auto* left = new QVBoxLayout(values);
+  left->setContentsMargins(0, 0, 0, 0);
   left->addWidget(make_words());
   left->addWidget(make_values(), 1);
-  row->addLayout(left, 1);
+  row->addWidget(values, 1);
   row->addWidget(make_picture(), 1);
   column->addLayout(row, 1);
   column->addWidget(make_buttons());
