@@ -197,8 +197,11 @@ void PartsPanel::refresh() {
 void PartsPanel::add(Kind kind) {
   PartDialog dialog(kind, *draft_, *catalogue_, this);
   if (dialog.exec() != QDialog::Accepted) return;
-  draft_->add_part(kind, dialog.part());
-  list_->setCurrentRow(list_->count() - 1);
+  const Json part = dialog.part();
+  const QString name = QString::fromStdString(part["name"].get<std::string>());
+  draft_->add_part(kind, part);
+  for (int i = 0; i < list_->count(); ++i)
+    if (list_->item(i)->data(Qt::UserRole).toString() == name) list_->setCurrentRow(i);
   Q_EMIT told({});
 }
 
