@@ -79,7 +79,8 @@ Card HelpDialog::lesson_keys(QWidget* parent) {
                      {tr("Shift+F5"), tr("Stop")},
                      {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
                      {tr("F10"), tr("Instructor's window: readings, cues, events")},
-                     {tr("Ctrl+N"), tr("A lesson of your own, based on the chosen one")},
+                     {tr("Ctrl+N,  Ctrl+E"), tr("A lesson of your own, based on the chosen one; edit it")},
+                     {tr("Ctrl+I,  Ctrl+Shift+E"), tr("Lessons page: import, export a lesson")},
                      {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},
                      {tr("Ctrl+Z,  Ctrl+Y"), tr("Undo, redo")},
                      {tr("F12"), tr("Show frame rate")},
@@ -126,7 +127,9 @@ Card HelpDialog::review_keys(QWidget* parent) {
                      {tr("L"), tr("Loop around the cursor")},
                      {tr("N"), tr("Note at the cursor")},
                      {tr("Ctrl+E"), tr("Save the attempt")},
-                     {tr("Ctrl+Shift+E"), tr("Save its signals")}},
+                     {tr("Ctrl+Shift+E"), tr("Save its signals")},
+                     {tr("Ctrl+R,  Ctrl+Shift+S"), tr("Save its page, its summary")},
+                     {tr("Ctrl+Shift+P"), tr("Save the plot that has the keyboard, as PNG, SVG or PDF")}},
                     parent);
 }
 

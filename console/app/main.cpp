@@ -69,6 +69,10 @@ int run(int argc, char** argv) {
                                                       std::string& error) {
     return record::read_recording(where.empty() ? record::Store::default_path() : where, id, out, error);
   };
+  services.read_export = [where = options.store_path](const std::string& file, const record::Selection& which,
+                                                   std::vector<record::Exported>& out, std::string& error) {
+    return record::read_for_export(file.empty() ? where : file, which, out, error);
+  };
   services.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
                                                    base::Problems& problems) {
     return console::open_session_player(recording, dirs, problems);

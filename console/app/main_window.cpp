@@ -15,6 +15,7 @@
 
 #include "console/app/calibration_dialog.hpp"
 #include "console/app/help_dialog.hpp"
+#include "console/models/lesson_files.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -91,6 +92,8 @@ void MainWindow::add_pages(Services& services) {
                [this](const UiTheme& ui, const CueTheme&) { people_->set_theme(ui); }, nullptr, desk_.people_edits()});
   review_ = new ReviewPage(std::move(services.read_recording), std::move(services.open_player), pages_);
   review_->set_desk(&desk_);
+  people_->set_export(services.read_export);
+  review_->set_export(std::move(services.read_export));
   review_->set_file_services(std::move(services.open_file), std::move(services.read_file));
   pages_->add({QStringLiteral("review"), tr("Review"), tr("What happened in that attempt?"), review_, true,
                [this] { review_->setFocus(); },
@@ -129,6 +132,7 @@ void MainWindow::connect_pages() {
       lessons_page_->show_lesson();
     };
   };
+  connect_lesson_files();
   connect(lessons_page_, &LessonsPage::make_variant, this, with_chosen(&RunPage::make_variant));
   connect(lessons_page_, &LessonsPage::edit_lesson, this, with_chosen(&RunPage::edit_lesson));
   connect(lessons_page_, &LessonsPage::delete_lesson, this, with_chosen(&RunPage::delete_lesson));
@@ -155,6 +159,21 @@ void MainWindow::connect_pages() {
   connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
   connect(setup_, &SetupPage::station_settings, this, &MainWindow::show_station);
   connect(setup_, &SetupPage::calibrate_sensor, this, &MainWindow::show_calibration);
+}
+
+void MainWindow::connect_lesson_files() {
+  connect(run_->control(), &RunControl::state_changed, this, [this] { lessons_page_->set_running(run_->control()->running()); });
+  connect(run_, &RunPage::started_elsewhere, this, [this] { show_page(QStringLiteral("run")); });
+  connect(lessons_page_, &LessonsPage::import_lesson, this, [this](const QString& file) {
+    const QString problem = run_->editing()->import_file(file);
+    lessons_page_->select(run_->setup()->lesson());
+    lessons_page_->show_lesson();
+    lessons_page_->tell(problem.isEmpty() ? tr("The lesson was taken in.") : tr("▲ %1").arg(problem));
+  });
+  connect(lessons_page_, &LessonsPage::export_lesson, this, [this](const QString& path, const QString& file) {
+    const QString problem = console::export_lesson(path, file);
+    lessons_page_->tell(problem.isEmpty() ? tr("Written to %1.").arg(file) : tr("▲ %1").arg(problem));
+  });
 }
 
 // as the card of the lesson's plugin says

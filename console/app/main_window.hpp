@@ -37,6 +37,7 @@ struct Services {
   FileReader read_file;
   SchoolOpener open_school = {};  // none: people and courses cannot be changed
   ExpertOpener open_expert = {};  // none: nobody guides
+  ExportReader read_export = {};   // none: exports do not say what was measured with
   StationsOpener open_stations = {};  // none: there is only this station
 };
 
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
  private:
   void add_pages(Services& services);
   void connect_pages();
+  void connect_lesson_files();
   void fill_top_bar();
   void select_lesson(const QString& path);
   QVector<LessonMetric> metrics_of(const QString& lesson_id);

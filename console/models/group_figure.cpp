@@ -47,7 +47,7 @@ GroupFigure group_figure(const std::vector<record::AttemptRow>& attempts, const 
     if (!judged(a) || !std::isfinite(metric_value(a, metric))) continue;
     used.push_back(&a);
     lessons.add(a.lesson_id, said(a.lesson_title));
-    people.add(a.person_id, QString::fromStdString(a.person_name));
+    people.add(a.person_id, person_text(QString::fromStdString(a.person_name)));
   }
   out.metric = metric_title(metric);
   out.attempts = static_cast<int>(used.size());

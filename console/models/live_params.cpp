@@ -18,7 +18,6 @@ using Json = nlohmann::ordered_json;
 struct Use {
   std::string name, plugin;
   Json params;
-  bool device = false;
 };
 
 struct Lesson {
@@ -64,19 +63,15 @@ Json find_params(const Json& uses, const std::string& name, const std::string& p
 }
 
 // The lesson comes first: what it asks for is changed more often than the shape of a jaw.
-std::vector<Use> uses(const Json& root, const snapshot::SceneCard& card) {
+std::vector<Use> uses(const Json& root, const std::vector<Use>& objects) {
   std::vector<Use> out;
   const auto lesson = root.find("lesson");
   if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
-  const Json objects = list(root, "objects"), devices = list(root, "devices");
-  for (const snapshot::CardObject& o : card.objects)
-    out.push_back({o.name, o.plugin, find_params(objects, o.name, o.plugin)});
+  out.insert(out.end(), objects.begin(), objects.end());
   const Json couplings = list(root, "couplings");
   const std::vector<std::string> names = assembly::coupling_names(root);
   for (std::size_t i = 0; i < couplings.size(); ++i)
     out.push_back({names[i], text(couplings[i], "plugin"), params_of(couplings[i])});
-  for (const snapshot::CardDevice& d : card.devices)
-    out.push_back({d.name, d.plugin, find_params(devices, d.name, d.plugin), true});
   return out;
 }
 
@@ -135,12 +130,24 @@ std::string LiveParam::json(const std::array<double, 4>& v) const {
 
 namespace {
 
+std::vector<Use> objects_of(const Json& root) {
+  std::vector<Use> out;
+  for (const Json& o : list(root, "objects")) out.push_back({text(o, "name"), text(o, "plugin"), params_of(o)});
+  return out;
+}
+
+// those that a session has: of devices the ones that were chosen
+template <class Part>
+std::vector<Use> in_session(const Json& uses, const std::vector<Part>& parts) {
+  std::vector<Use> out;
+  for (const Part& p : parts) out.push_back({p.name, p.plugin, find_params(uses, p.name, p.plugin)});
+  return out;
+}
+
 template <class Wanted>
-QVector<LiveParam> collect(const std::string& lesson_path, const snapshot::SceneCard& card,
-                           const host::Catalogue& catalogue, Wanted wanted) {
+QVector<LiveParam> collect(const Lesson& lesson, const std::vector<Use>& uses, const host::Catalogue& catalogue, Wanted wanted) {
   QVector<LiveParam> out;
-  const Lesson lesson = read(lesson_path);
-  for (const Use& use : uses(lesson.root, card)) {
+  for (const Use& use : uses) {
     const host::PluginInfo* plugin = catalogue.find(use.plugin);
     if (!plugin) continue;
     host::ParamSource source;
@@ -154,7 +161,7 @@ QVector<LiveParam> collect(const std::string& lesson_path, const snapshot::Scene
       values = host::default_values(plugin->params, plugin->bundle_dir);
     for (size_t i = 0; i < plugin->params.size(); ++i) {
       const host::Param& p = plugin->params[i];
-      if (p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE || !wanted(use, p)) continue;
+      if (p.type == SWAGE_PARAM_TEXT || p.type == SWAGE_PARAM_FILE || !wanted(p)) continue;
       LiveParam live{use.name, p, {}, plugin->bundle_dir};
       std::copy_n(values.value[i].number, 4, live.start.begin());
       out.append(live);
@@ -167,14 +174,16 @@ QVector<LiveParam> collect(const std::string& lesson_path, const snapshot::Scene
 
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue) {
-  return collect(lesson_path, card, catalogue, [](const Use&, const host::Param& p) { return p.live(); });
+  const Lesson lesson = read(lesson_path);
+  std::vector<Use> all = uses(lesson.root, in_session(list(lesson.root, "objects"), card.objects));
+  for (const Use& device : in_session(list(lesson.root, "devices"), card.devices)) all.push_back(device);
+  return collect(lesson, all, catalogue, [](const host::Param& p) { return p.live(); });
 }
 
-QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
-                                 const host::Catalogue& catalogue) {
-  const QVector<LiveParam> out =
-      collect(lesson_path, card, catalogue, [](const Use& use, const host::Param&) { return !use.device; });
-  const Json root = read(lesson_path).root;
+QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue) {
+  const Lesson lesson = read(lesson_path);
+  const Json& root = lesson.root;
+  const QVector<LiveParam> out = collect(lesson, uses(root, objects_of(root)), catalogue, [](const host::Param&) { return true; });
   const auto section = root.find("environment");
   // behind what the lesson asks for: it is the lesson's, too
   const auto objects = std::find_if(out.begin(), out.end(), [](const LiveParam& p) { return p.instance != "lesson"; });

@@ -37,8 +37,8 @@ struct LiveParam {
 /// In the order of the scene: objects, couplings, devices, lesson. Values are those of the file, else the table's.
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue);
-/// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson that is based on this one.
-QVector<LiveParam> lesson_params(const std::string& lesson_path, const snapshot::SceneCard& card,
-                                 const host::Catalogue& catalogue);
+/// All numbers, switches and choices of objects, couplings, lesson and environment, for a lesson that is based on this one. Whether
+/// the lesson can be assembled does not matter.
+QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue);
 
 }  // namespace swage::console

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/people_model.hpp"
 
+#include "console/models/words.hpp"
+
 #include <unordered_map>
 
 namespace swage::console {
@@ -63,7 +65,7 @@ QVariant PeopleModel::text(int row, int column) const {
   const Standing& s = standings_[row];
   switch (column) {
     case kName:
-      return qt(p.name);
+      return person_text(qt(p.name));
     case kGroup:
       return groups_.value(qt(p.group_id));
     case kCourse:

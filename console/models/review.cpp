@@ -120,7 +120,7 @@ std::string quoted(const std::string& text) {
 
 QString Review::headline() const {
   return QStringList({said(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
-                      qt(attempt.person_name), when_text(qt(attempt.started_utc)), mode_text(qt(attempt.mode)),
+                      person_text(qt(attempt.person_name)), when_text(qt(attempt.started_utc)), mode_text(qt(attempt.mode)),
                       QObject::tr("seed %1").arg(seed)})
       .join(QStringLiteral("  ·  "));
 }

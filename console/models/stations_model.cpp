@@ -100,7 +100,7 @@ QString StationsModel::text(const StationNow& n, int column) const {
     case kStation:
       return qt(n.station) == own_ ? tr("%1 (here)").arg(own_) : qt(n.station);
     case kWho:
-      return qt(n.person);
+      return person_text(qt(n.person));
     case kLesson:
       return said(n.lesson_title);
     case kState:

@@ -9,24 +9,76 @@
 #include <QStandardPaths>
 #include <nlohmann/json.hpp>
 
+#include "assembly/parts.hpp"
+#include "assembly/settings.hpp"
+
 namespace swage::console {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
 
-// "" or why not
+QByteArray as_text(const Json& file) {
+  return QByteArray::fromStdString(file.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+}
+
+std::string text_of(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool is_list_or_none(const Json& file, const char* key, Json::value_t type) { return !file.contains(key) || file[key].type() == type; }
+
+// A part that the file itself adds goes from there; one of the lesson below is named as removed.
+void remove_from(Json& file, const std::string& name) {
+  for (auto& [list, parts] : file["add"].items())
+    for (std::size_t i = 0; parts.is_array() && i < parts.size(); ++i)
+      if (text_of(parts[i], "name") == name) return parts.erase(i), void();
+  file["remove"].push_back(name);
+}
+
+void drop_values_of(Json& file, const std::string& name) {
+  if (!file.contains("set")) return;
+  Json kept = Json::object();
+  for (const auto& [what, value] : file["set"].items())
+    if (!what.starts_with(name + ".")) kept[what] = value;
+  file["set"] = kept;
+}
+
+void change_based(Json& file, const Variant& changed) {
+  for (const std::string& name : changed.remove) {
+    remove_from(file, name);
+    drop_values_of(file, name);
+  }
+  for (const auto& [list, parts] : changed.add.items())
+    for (const Json& part : parts) file["add"][list].push_back(part);
+  for (const char* key : {"add", "remove"})
+    if (file[key].empty()) file.erase(key);
+  for (const auto& [what, value] : changed.set) file["set"][what] = Json::parse(value, nullptr, false);
+}
+
+// A lesson that is based on nothing has its parts and values itself. Returns why not, or "".
+QString change_whole(Json& file, const Variant& changed) {
+  assembly::Places none;
+  base::Problems problems;
+  std::vector<std::string> pointers;
+  if (!changed.remove.empty()) assembly::remove_parts({changed.remove, none, ""}, file, none, problems);
+  if (!changed.add.empty()) assembly::add_parts({changed.add, none, ""}, file, none, problems);
+  for (const auto& [what, value] : changed.set) assembly::set_in(file, {what, value}, "", problems, pointers);
+  return problems.empty() ? QString() : QString::fromStdString(problems.front().message);
+}
+
+}  // namespace
+
 QString write_whole(const QString& path, const QByteArray& text) {
   QSaveFile file(path);
   if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return {};
   return QObject::tr("%1 cannot be written: %2").arg(path, file.errorString());
 }
 
-QByteArray as_text(const Json& file) {
-  return QByteArray::fromStdString(file.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
+QString lesson_drafts_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/swage/drafts");
 }
-
-}  // namespace
 
 QString own_lessons_folder() {
   return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
@@ -59,8 +111,26 @@ QByteArray variant_text(const Variant& variant, const QString& folder) {
   file["title"] = variant.title.trimmed().toStdString();
   if (!variant.summary.isEmpty()) file["summary"] = variant.summary.toStdString();
   if (!variant.goal.isEmpty()) file["goal"] = variant.goal.toStdString();
+  if (!variant.remove.empty()) file["remove"] = variant.remove;
+  if (!variant.add.empty()) file["add"] = variant.add;
   for (const auto& [what, value] : variant.set) file["set"][what] = Json::parse(value, nullptr, false);
   return as_text(file);
+}
+
+std::optional<Variant> read_variant(const QByteArray& text) {
+  const Json file = Json::parse(text.begin(), text.end(), nullptr, false, true);
+  if (!file.is_object() || text_of(file, "based_on").empty()) return std::nullopt;
+  if (!is_list_or_none(file, "set", Json::value_t::object) || !is_list_or_none(file, "add", Json::value_t::object) ||
+      !is_list_or_none(file, "remove", Json::value_t::array))
+    return std::nullopt;
+  const auto words = [&](const char* key) { return QString::fromStdString(text_of(file, key)); };
+  Variant out{words("based_on"), words("title"), words("summary"), words("goal"), {}};
+  if (file.contains("add")) out.add = file["add"];
+  const Json removed = file.value("remove", Json::array()), set = file.value("set", Json::object());
+  for (const Json& name : removed)
+    if (name.is_string()) out.remove.push_back(name.get<std::string>());
+  for (const auto& [what, value] : set.items()) out.set.append({what, value.dump()});
+  return out;
 }
 
 Saved save_variant(const Variant& variant, const QString& folder) {
@@ -84,12 +154,16 @@ QString update_variant(const QString& path, const Variant& changed) {
   if (!old.open(QIODevice::ReadOnly)) return QObject::tr("%1 cannot be read: %2").arg(path, old.errorString());
   const QByteArray text = old.readAll();
   Json file = Json::parse(text.begin(), text.end(), nullptr, false, true);
-  const bool sets = file.is_object() && (!file.contains("set") || file["set"].is_object());
-  if (!sets) return QObject::tr("%1 is no lesson that can be edited here.").arg(path);
+  const bool editable = file.is_object() && is_list_or_none(file, "set", Json::value_t::object) &&
+                        is_list_or_none(file, "add", Json::value_t::object) && is_list_or_none(file, "remove", Json::value_t::array);
+  if (!editable) return QObject::tr("%1 is no lesson that can be edited here.").arg(path);
   file["title"] = changed.title.trimmed().toStdString();
   for (const auto& [key, words] : {std::pair{"summary", changed.summary}, {"goal", changed.goal}})
     if (!words.isEmpty() || file.contains(key)) file[key] = words.toStdString();
-  for (const auto& [what, value] : changed.set) file["set"][what] = Json::parse(value, nullptr, false);
+  if (file.contains("based_on"))
+    change_based(file, changed);
+  else if (const QString problem = change_whole(file, changed); !problem.isEmpty())
+    return problem;
   return write_whole(path, as_text(file));
 }
 

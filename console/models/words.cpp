@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "record/store.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -80,6 +82,8 @@ QString clock_text(double seconds) {
   const int s = static_cast<int>(std::max(0.0, std::floor(seconds)));
   return QStringLiteral("%1:%2").arg(s / 60, 2, 10, QLatin1Char('0')).arg(s % 60, 2, 10, QLatin1Char('0'));
 }
+
+QString person_text(const QString& name) { return name == QLatin1String(record::kGuest) ? QObject::tr("Guest") : name; }
 
 QString verdict_text(const QString& outcome) {
   if (outcome == QLatin1String("passed")) return Words::tr("Passed");

@@ -18,6 +18,8 @@ QString display_unit(const QString& unit);
 double nice_end(double value);
 /// 62.4 -> "01:02".
 QString clock_text(double seconds);
+/// A person's name; "Guest", who is kept under that name in every language, as people say it here.
+QString person_text(const QString& name);
 /// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".
 QString verdict_text(const QString& outcome);
 /// "practice", "test", "demo" as words.

@@ -77,7 +77,7 @@ void Comparison::set_attempt(const Review& first, const record::AttemptRow& row,
   base::Problems problems;
   if (opener) player_ = opener(recording_, problems);
   review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr);
-  title_->setText(tr("%1, %2: %3").arg(QString::fromStdString(row.person_name), when_text(QString::fromStdString(row.started_utc)),
+  title_->setText(tr("%1, %2: %3").arg(person_text(QString::fromStdString(row.person_name)), when_text(QString::fromStdString(row.started_utc)),
                                        review_.verdict()));
   problem_->setVisible(!player_);
   if (player_) {

@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "console/models/live_params.hpp"
+#include "console/models/lesson_files.hpp"
+#include "console/models/said.hpp"
 #include "console/models/variant.hpp"
-#include "console/pages/variant_dialog.hpp"
 
 namespace swage::console {
 
@@ -16,38 +16,42 @@ LessonEditing::LessonEditing(LessonsModel* lessons, SetupPanel* setup, RunContro
 
 int LessonEditing::row() const { return control_->running() ? -1 : lessons_->row_of(setup_->lesson()); }
 
-// a lesson's card does not change while the program runs; a running session is not disturbed for it
-const snapshot::SceneCard* LessonEditing::card_of(const QString& lesson_path) {
-  const auto known = cards_.find(lesson_path);
-  if (known != cards_.end()) return known->second.get();
-  base::Problems problems;
-  return (cards_[lesson_path] = control_->preview(options_.of(lesson_path), problems)).get();
+// a scene is built beside the session that runs, if one does, and stepped by nobody
+VariantDialog::Services LessonEditing::services() {
+  const auto build = [this](const QString& path, base::Problems& problems) { return control_->preview(options_.of(path), problems); };
+  return {build, options_.catalogue(), lesson_drafts_folder(), dress_};
 }
 
 void LessonEditing::make_variant() {
   if (row() < 0) return;
   const LessonEntry base = lessons_->at(row());
-  const snapshot::SceneCard* card = card_of(base.path);
-  if (!card) return Q_EMIT changed();  // says what is wrong with it
-  VariantDialog dialog(
-      base, lesson_params(base.path.toStdString(), *card, options_.catalogue()),
-      [&](const auto& set) { return check(base.path, set); }, own_lessons_folder(), page_);
+  VariantDialog dialog(base, services(), own_lessons_folder(), page_);
   dialog.preset(live_values_(base.path));
-  if (dialog.exec() == QDialog::Accepted) setup_->select_lesson(lessons_->add_file(dialog.saved()));
+  if (dialog.exec() != QDialog::Accepted) return;
+  setup_->select_lesson(lessons_->add_file(dialog.saved()));
+  if (dialog.to_try()) Q_EMIT try_it();
 }
 
 void LessonEditing::edit() {
   if (row() < 0 || !is_own_lesson(setup_->lesson())) return;
   const LessonEntry lesson = lessons_->at(row());
-  // a lesson that cannot be built has no values to show; its words can be changed
-  const snapshot::SceneCard* card = card_of(lesson.path);
-  const auto params = card ? lesson_params(lesson.path.toStdString(), *card, options_.catalogue()) : QVector<LiveParam>();
-  VariantDialog dialog(
-      lesson, params, [&](const auto& set) { return set.isEmpty() ? QString() : check(lesson.path, set); }, page_);
-  if (card) dialog.preset(live_values_(lesson.path));
+  VariantDialog dialog(lesson, services(), {}, page_);
+  dialog.preset(live_values_(lesson.path));
   if (dialog.exec() != QDialog::Accepted) return;
   lessons_->read_again(row());
   Q_EMIT changed();
+  if (dialog.to_try()) Q_EMIT try_it();
+}
+
+QString LessonEditing::import_file(const QString& file) {
+  if (control_->running()) return tr("While a lesson runs none is imported.");
+  const LessonEntry entry = read_lesson(file);
+  if (const int known = entry.id.isEmpty() ? -1 : lessons_->row_of(entry.id); known >= 0)
+    return tr("The lesson \"%1\" is here already.").arg(said(lessons_->at(known).title));
+  const ImportPlaces places{own_lessons_folder(), lesson_drafts_folder() + QStringLiteral("/import.json"), lesson_folders()};
+  const Imported imported = import_lesson(file, places, options_.catalogue(), services().build);
+  if (imported.problem.isEmpty()) setup_->select_lesson(lessons_->add_file(imported.path));
+  return imported.problem;
 }
 
 void LessonEditing::remove() {
@@ -77,16 +81,6 @@ bool LessonEditing::asked_to_delete(const LessonEntry& lesson) {
   box.setDefaultButton(box.addButton(QMessageBox::Cancel));
   box.exec();
   return box.clickedButton() == yes;
-}
-
-QString LessonEditing::check(const QString& lesson_path, const QVector<std::pair<std::string, std::string>>& set) {
-  session::Options o = options_.of(lesson_path);
-  for (const auto& [what, value] : set) o.settings.push_back(what + "=" + value);
-  base::Problems problems;
-  if (control_->preview(o, problems)) return {};
-  for (const base::Problem& p : problems)
-    if (p.severity == base::Severity::kError) return QString::fromStdString(p.message);
-  return tr("The lesson cannot be built with these values.");
 }
 
 }  // namespace swage::console

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/lessons_page.hpp"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -85,6 +86,7 @@ QWidget* LessonsPage::make_list(LessonsModel* lessons) {
 
 QWidget* LessonsPage::make_detail() {
   Card card = make_card({}, this);
+  detail_ = card.frame;
   title_ = new QLabel(card.frame);
   title_->setObjectName(QStringLiteral("lesson_headline"));
   title_->setProperty("big", true);
@@ -105,38 +107,77 @@ QWidget* LessonsPage::make_detail() {
   scroll->setWidget(text);
   card.body->addWidget(scroll, 1);
 
-  const auto add = [&](QHBoxLayout* row, const QString& words, const QString& key, const char* name, auto&& call) {
-    auto* button = make_button(words, key, QString::fromLatin1(name), card.frame);
-    connect(button, &QPushButton::clicked, this, call);
-    row->addWidget(button);
-    return button;
-  };
+  note_ = new QLabel(card.frame);
+  note_->setObjectName(QStringLiteral("lesson_note"));
+  note_->setWordWrap(true);
+  note_->hide();
+  card.body->addWidget(note_);
   auto* row = new QHBoxLayout;
-  practise_ = add(row, tr("Practise"), QStringLiteral("Enter"), "practise_lesson",
-                  [this] { Q_EMIT run(lesson(), QStringLiteral("practice")); });
+  practise_ = add_button(row, tr("Practise"), "Enter", "practise_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("practice")); });
   practise_->setProperty("primary", true);
-  test_ = add(row, tr("Test"), {}, "test_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("test")); });
+  test_ = add_button(row, tr("Test"), "Ctrl+T", "test_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("test")); });
   row->addStretch(1);
+  card.body->addLayout(row);
+  add_own_buttons(card.body);
+  add_version_row(card.body);
+  return card.frame;
+}
+
+QPushButton* LessonsPage::add_button(QHBoxLayout* row, const QString& words, const char* key, const char* name, std::function<void()> call) {
+  const QString keys = QString::fromLatin1(key);
+  auto* button = make_button(words, keys, QString::fromLatin1(name), detail_);
+  if (keys != QLatin1String("Enter")) button->setShortcut(QKeySequence(keys));  // that is a key of the list
+  connect(button, &QPushButton::clicked, this, call);
+  row->addWidget(button);
+  return button;
+}
+
+void LessonsPage::add_own_buttons(QVBoxLayout* column) {
   auto* own = new QHBoxLayout;
-  variant_ = add(own, tr("New lesson from this…"), QStringLiteral("Ctrl+N"), "new_from_this",
-                 [this] { Q_EMIT make_variant(lesson()); });
-  variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
-  edit_ = add(own, tr("Edit…"), QStringLiteral("Ctrl+E"), "edit_this", [this] { Q_EMIT edit_lesson(lesson()); });
-  edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
-  delete_ = add(own, tr("Delete…"), {}, "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
+  variant_ = add_button(own, tr("New lesson from this…"), "Ctrl+N", "new_from_this", [this] { Q_EMIT make_variant(lesson()); });
+  edit_ = add_button(own, tr("Edit…"), "Ctrl+E", "edit_this", [this] { Q_EMIT edit_lesson(lesson()); });
+  delete_ = add_button(own, tr("Delete…"), "Ctrl+Del", "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
   own->addStretch(1);
+  auto* files = new QHBoxLayout;
+  import_ = add_button(files, tr("Import…"), "Ctrl+I", "import_lesson", [this] { ask_import(); });
+  import_->setToolTip(tr("Take in a lesson file from another station (Ctrl+I)"));
+  export_ = add_button(files, tr("Export…"), "Ctrl+Shift+E", "export_lesson", [this] { ask_export(); });
+  export_->setToolTip(tr("Write this lesson to a file for another station (Ctrl+Shift+E)"));
+  files->addStretch(1);
+  column->addLayout(own);
+  column->addLayout(files);
+}
+
+void LessonsPage::add_version_row(QVBoxLayout* column) {
   auto* released = new QHBoxLayout;
-  version_ = make_muted({}, card.frame);
+  version_ = make_muted({}, detail_);
   version_->setObjectName(QStringLiteral("lesson_version"));
   released->addWidget(version_, 1);
-  publish_ = add(released, tr("Publish"), QStringLiteral("Ctrl+P"), "publish_lesson", [this] { publish(); });
-  publish_->setShortcut(QKeySequence(QStringLiteral("Ctrl+P")));
+  publish_ = add_button(released, tr("Publish"), "Ctrl+P", "publish_lesson", [this] { publish(); });
   publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)"));
-  retire_ = add(released, tr("Retire"), {}, "retire_lesson", [this] { retire(); });
-  card.body->addLayout(row);
-  card.body->addLayout(own);
-  card.body->addLayout(released);
-  return card.frame;
+  retire_ = add_button(released, tr("Retire"), "Ctrl+R", "retire_lesson", [this] { retire(); });
+  column->addLayout(released);
+}
+
+void LessonsPage::ask_import() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Import a lesson"), {}, tr("Lessons (*.json)"));
+  if (!file.isEmpty()) Q_EMIT import_lesson(file);
+}
+
+void LessonsPage::ask_export() {
+  const QString name = slug(list_->currentIndex().data(LessonsModel::kTitle).toString()) + QStringLiteral(".json");
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export the lesson"), name, tr("Lessons (*.json)"));
+  if (!file.isEmpty()) Q_EMIT export_lesson(lesson(), file);
+}
+
+void LessonsPage::set_running(bool running) {
+  running_ = running;
+  show_lesson();
+}
+
+void LessonsPage::tell(const QString& words) {
+  note_->setText(words);
+  note_->setVisible(!words.isEmpty());
 }
 
 void LessonsPage::search(const QString& words) {
@@ -181,6 +222,7 @@ void LessonsPage::show_version(bool can) {
   if (!last_) return version_->setText(tr("Not published: attempts refer to the file as it is when they run."));
   const QString when = when_text(QString::fromStdString(last_->frozen_utc));
   retire_->setText(last_->retired_utc.empty() ? tr("Retire version %1").arg(last_->number) : tr("Offer version %1 again").arg(last_->number));
+  retire_->setShortcut(QKeySequence(QStringLiteral("Ctrl+R")));  // a new text takes the key away
   QString words = same ? tr("Published as version %1, %2.").arg(last_->number).arg(when)
                        : tr("▲ Changed since version %1 was published, %2.").arg(last_->number).arg(when);
   if (!last_->retired_utc.empty()) words += QLatin1Char(' ') + tr("It is retired.");
@@ -208,8 +250,14 @@ void LessonsPage::show_lesson() {
   const QModelIndex at = list_->currentIndex();
   const QString problem = at.data(LessonsModel::kProblem).toString();
   const bool can = at.isValid() && problem.isEmpty(), own = at.isValid() && is_own_lesson(lesson());
-  for (QPushButton* b : {practise_, test_, variant_}) b->setEnabled(can);
-  for (QPushButton* b : {edit_, delete_}) b->setVisible(own);
+  for (QPushButton* b : {practise_, test_, variant_}) b->setEnabled(can && !running_);
+  export_->setEnabled(can);
+  import_->setEnabled(!running_);
+  for (QPushButton* b : {edit_, delete_}) {
+    b->setVisible(own);
+    b->setEnabled(!running_);
+  }
+  tell(running_ ? tr("A lesson runs: until it ends none is changed or begun.") : QString());
   show_version(can);
   title_->setText(at.isValid() ? at.data().toString() : tr("Choose a lesson."));
   task_->setText(QStringList({at.data(LessonsModel::kSummary).toString(), at.data(LessonsModel::kGoal).toString()})
@@ -220,7 +268,7 @@ void LessonsPage::show_lesson() {
     return;
   }
   const Criteria asked = criteria_(lesson());
-  test_->setEnabled(!asked.show);
+  test_->setEnabled(!asked.show && !running_);
   asked_->setText(list_text(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
                   list_text(tr("Limits"), asked.limits) + list_text(tr("Points"), asked.points));
 }

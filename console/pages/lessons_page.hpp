@@ -3,6 +3,7 @@
 // The Lessons page: what can be practised, what each lesson asks for, and lessons of one's own.
 #pragma once
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -30,12 +31,19 @@ class LessonsPage : public QWidget {
   void show_lesson();
   /// Through which lessons are published; without it none can be. It outlives the page.
   void set_desk(SchoolDesk* desk);
+  /// While an attempt runs no lesson is made, changed or begun.
+  void set_running(bool running);
+  /// A sentence below the lesson, until another is chosen; "" for none.
+  void tell(const QString& words);
 
  public Q_SLOTS:
   /// Freezes the chosen lesson as it is now: courses and attempts can refer to exactly that.
   void publish();
   /// The version of the chosen lesson that was published last is no longer offered, or is again.
   void retire();
+  /// Asks for a lesson file, or for a place to write one to.
+  void ask_import();
+  void ask_export();
 
  Q_SIGNALS:
   /// "practice" or "test".
@@ -43,20 +51,27 @@ class LessonsPage : public QWidget {
   void make_variant(const QString& path);
   void edit_lesson(const QString& path);
   void delete_lesson(const QString& path);
+  void import_lesson(const QString& file);
+  void export_lesson(const QString& path, const QString& file);
 
  private:
   QWidget* make_list(LessonsModel* lessons);
   QWidget* make_detail();
   void search(const QString& words);
   void show_version(bool can);
+  void add_own_buttons(QVBoxLayout* column);
+  void add_version_row(QVBoxLayout* column);
+  QPushButton* add_button(QHBoxLayout* row, const QString& words, const char* key, const char* name, std::function<void()> call);
 
   CriteriaReader criteria_;
   QSortFilterProxyModel* found_;
   QListView* list_ = nullptr;
+  QWidget* detail_ = nullptr;
   QLabel *none_ = nullptr, *title_ = nullptr, *task_ = nullptr, *asked_ = nullptr;
   QPushButton *practise_ = nullptr, *test_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr, *publish_ = nullptr,
-              *retire_ = nullptr;
-  QLabel* version_ = nullptr;
+              *retire_ = nullptr, *import_ = nullptr, *export_ = nullptr;
+  QLabel *version_ = nullptr, *note_ = nullptr;
+  bool running_ = false;
   SchoolDesk* desk_ = nullptr;
   std::optional<record::LessonVersion> last_;  // of the chosen lesson
 };

@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <QSaveFile>
 
-#include "console/models/exports.hpp"
 #include "console/pages/people_dialogs.hpp"
 #include "console/pages/people_page.hpp"
 #include "console/report/person_report.hpp"
@@ -192,9 +191,21 @@ QString PeoplePage::write_report_to(const QString& file) {
   const int row = people_->row_of(chosen());
   if (row < 0) return tr("Nobody is chosen.");
   const record::Person& p = people_->at(row);
+  const QVector<record::AttemptRow> shown = person_->attempts()->attempts();
   return write_report({QString::fromStdString(p.name), QString::fromStdString(p.code), person_->lesson_title(), people_->standing(row),
-                       person_->chart()->series(), person_->bars()->bars(), person_->attempts()->attempts()},
+                       person_->chart()->series(), person_->bars()->bars(), shown,
+                       shown.isEmpty() ? std::vector<record::Exported>() : exported(shown.front().lesson_id)},
                       file);
+}
+
+// of the chosen person; "": at all lessons
+std::vector<record::Exported> PeoplePage::exported(const std::string& lesson_id) {
+  std::vector<record::Exported> out;
+  std::string error;
+  const int row = people_->row_of(chosen());
+  if (row < 0 || !exported_) return out;
+  if (!exported_({}, {people_->at(row).id, lesson_id, {}}, out, error)) problem_->setText(tr("▲ %1").arg(QString::fromStdString(error)));
+  return out;
 }
 
 void PeoplePage::report_person() {
@@ -217,13 +228,17 @@ void PeoplePage::export_person() {
                                                     export_file(QStringLiteral("attempts"), QStringLiteral(".csv")),
                                                     tr("Table (*.csv)"));
   if (name.isEmpty()) return;
-  const std::vector<record::AttemptRow> own = attempts_of({p.id}, "");
-  QSaveFile file(name);
-  const QByteArray text = QByteArray::fromStdString(attempts_csv(own));
-  const bool ok = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
-  if (ok && desk_->school()) desk_->school()->log_export({p.id}, "csv", name.toStdString());
-  problem_->setText(ok ? tr("Saved to: %1").arg(name) : tr("▲ %1 cannot be written: %2.").arg(name, file.errorString()));
+  const QString why = write_attempts_to(name);
+  if (why.isEmpty() && desk_->school()) desk_->school()->log_export({p.id}, "csv", name.toStdString());
+  problem_->setText(why.isEmpty() ? tr("Saved to: %1").arg(name) : tr("▲ %1").arg(why));
   problem_->show();
+}
+
+QString PeoplePage::write_attempts_to(const QString& name) {
+  QSaveFile file(name);
+  const QByteArray text = QByteArray::fromStdString(record::csv_long(exported({})));
+  const bool ok = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
+  return ok ? QString() : tr("%1 cannot be written: %2.").arg(name, file.errorString());
 }
 
 }  // namespace swage::console

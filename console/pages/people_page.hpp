@@ -15,6 +15,7 @@
 
 #include "console/link/school_desk.hpp"
 #include "console/link/store_link.hpp"
+#include "console/models/made_with.hpp"
 #include "console/models/people_model.hpp"
 #include "console/pages/person_panel.hpp"
 
@@ -25,6 +26,8 @@ class PeoplePage : public QWidget {
  public:
   /// Both outlive the page.
   PeoplePage(StoreLink* link, SchoolDesk* desk, QWidget* parent = nullptr);
+  /// How attempts are read for an export.
+  void set_export(ExportReader reader) { exported_ = std::move(reader); }
   void set_theme(const UiTheme& theme) { person_->set_theme(theme); }
   PeopleModel* people() { return people_; }
   PersonPanel* person() { return person_; }
@@ -44,6 +47,8 @@ class PeoplePage : public QWidget {
   void export_person();
   /// One page about the chosen person and lesson. "" or what went wrong.
   QString write_report_to(const QString& file);
+  /// All attempts of the chosen person as a table. "" or what went wrong.
+  QString write_attempts_to(const QString& file);
   void report_person();
   void void_attempt();
   void give_attempt();
@@ -70,6 +75,9 @@ class PeoplePage : public QWidget {
   QHash<QString, QString> courses_of(const std::vector<record::Person>& people);
   void choose(const QString& id);
 
+  std::vector<record::Exported> exported(const std::string& lesson_id);
+
+  ExportReader exported_;
   StoreLink* link_;
   SchoolDesk* desk_;
   QTimer watch_;  // what other programs write

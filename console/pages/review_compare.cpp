@@ -30,7 +30,7 @@ class AttemptChooser : public QDialog {
     for (const record::AttemptRow& a : attempts) {
       if (a.id == but) continue;
       auto* entry = new QListWidgetItem(
-          ReviewPage::tr("%1, %2: %3").arg(QString::fromStdString(a.person_name), when_text(QString::fromStdString(a.started_utc)),
+          ReviewPage::tr("%1, %2: %3").arg(person_text(QString::fromStdString(a.person_name)), when_text(QString::fromStdString(a.started_utc)),
                                            verdict_text(QString::fromStdString(a.is_void ? "void" : a.outcome))),
           list_);
       entry->setData(Qt::UserRole, QString::fromStdString(a.id));

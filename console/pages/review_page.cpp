@@ -157,14 +157,14 @@ QWidget* ReviewPage::make_head() {
                   tr("Save a page about the attempt"),
                   QStringLiteral("_report.pdf"),
                   tr("One page to print: result, metrics, worst moments, traces, notes"),
-                  {},
+                  QKeySequence(Qt::CTRL | Qt::Key_R),
                   &ReviewPage::write_report},
                  {tr("Export summary (CSV)"),
                   QStringLiteral("save_summary"),
                   tr("Save metrics and events"),
                   QStringLiteral("_summary.csv"),
                   tr("Facts, metrics and events"),
-                  {},
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                   &ReviewPage::write_summary}};
   for (const auto& e : exports) {
     auto* button = make_button(e.text, {}, e.name, box);
@@ -223,6 +223,7 @@ void ReviewPage::set_file_services(FileOpener open, FileReader read) {
 bool ReviewPage::open(std::shared_ptr<record::Store> store, const QString& id) {
   store_ = std::move(store);
   from_store_ = true;
+  file_.clear();
   return show_attempt(id, reader_);
 }
 
@@ -231,6 +232,7 @@ bool ReviewPage::open_file(const QString& file) {
   std::string error;
   store_.reset();
   from_store_ = false;
+  file_ = path;
   if (open_file_) store_ = open_file_(path, error);
   const std::vector<record::AttemptRow> attempts = store_ ? store_->attempts("") : std::vector<record::AttemptRow>();
   if (attempts.size() != 1) {

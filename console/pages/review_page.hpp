@@ -20,6 +20,7 @@
 
 #include "console/link/player.hpp"
 #include "console/link/school_desk.hpp"
+#include "console/models/made_with.hpp"
 #include "console/models/reading.hpp"
 #include "console/models/review.hpp"
 #include "console/models/worst_moments.hpp"
@@ -43,6 +44,8 @@ class ReviewPage : public QWidget {
   bool open(std::shared_ptr<record::Store> store, const QString& attempt_id);
   /// The same out of a file that holds one.
   void set_file_services(FileOpener open, FileReader read);
+  /// How an attempt is read for an export.
+  void set_export(ExportReader reader) { exported_ = std::move(reader); }
   bool open_file(const QString& file);
   /// Writes the attempt as the file's ending says: .swage (everything), .csv (signals), or the summary. "" or what went wrong.
   QString write_swage(const QString& file);
@@ -115,6 +118,10 @@ class ReviewPage : public QWidget {
   PlayerOpener opener_;
   bool show_attempt(const QString& attempt_id, const RecordingReader& reader);
 
+  std::vector<record::Exported> exported() const;  // the attempt shown; none where it cannot be read
+
+  ExportReader exported_;
+  std::string file_;  // that it came from, "" for the store
   FileOpener open_file_;
   FileReader read_file_;
   std::shared_ptr<record::Store> store_;

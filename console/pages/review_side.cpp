@@ -156,14 +156,31 @@ QString ReviewPage::write_swage(const QString& file) {
   return ok ? QString() : tr("%1 cannot be written: %2").arg(file, QString::fromStdString(error));
 }
 
-QString ReviewPage::write_signals(const QString& file) { return write_file(file, signals_csv(recording_)); }
+std::vector<record::Exported> ReviewPage::exported() const {
+  std::vector<record::Exported> out;
+  std::string unread;
+  if (!exported_ || !exported_(file_, {{}, {}, review_.attempt.id}, out, unread)) out.clear();
+  return out;
+}
 
-QString ReviewPage::write_summary(const QString& file) { return write_file(file, summary_csv(review_)); }
+// numbers alone; what they were measured with stands beside them
+QString ReviewPage::write_signals(const QString& file) {
+  QString problem = write_file(file, signals_csv(recording_));
+  for (const record::Exported& about : exported())
+    if (problem.isEmpty()) problem = write_file(file + QStringLiteral(".about.json"), record::about_json(about) + "\n");
+  return problem;
+}
+
+QString ReviewPage::write_summary(const QString& file) {
+  std::string text = summary_csv(review_);
+  for (const record::Exported& about : exported()) text += made_with_csv(about);
+  return write_file(file, text);
+}
 
 QString ReviewPage::write_report(const QString& file) {
   std::vector<record::Note> notes;
   if (from_store_ && desk_ && desk_->school()) notes = desk_->school()->notes(review_.attempt.id);
-  return write_attempt_report({review_, recording_, worst_moments_, entry_track(recording_), notes}, file);
+  return write_attempt_report({review_, recording_, worst_moments_, entry_track(recording_), notes, exported()}, file);
 }
 
 void ReviewPage::save(const QString& title, const QString& ending,

@@ -69,6 +69,12 @@ void RunPage::connect_setup() {
     problem_->setText(words);
     problem_->show();
   });
+  connect(editing_, &LessonEditing::try_it, this, [this] {
+    setup_->set_mode(QStringLiteral("practice"));
+    start();
+    Q_EMIT started_elsewhere();
+  });
+  editing_->set_dress([this](SceneView& view) { view.set_themes(ui_theme_, cue_theme_); });
   editing_->set_live_values([this](const QString& lesson) {
     return shown_lesson_ == lesson ? now_->form()->changed_values() : QVector<LiveForm::Change>();
   });

@@ -73,6 +73,7 @@ class RunPage : public QWidget {
   record::Display display() const;
   ResultPanel* result() { return result_; }
   EventLog* events() { return events_; }
+  LessonEditing* editing() { return editing_; }
   CueLegend* legend() { return legend_; }
   Speaker& speaker() { return speaker_; }
   /// Loudness of the cues, 0 to 1, and whether they sound at all.
@@ -96,6 +97,8 @@ class RunPage : public QWidget {
   bool instructor_shown() const { return instructor_ && instructor_->isVisible(); }
 
  Q_SIGNALS:
+  /// An attempt was begun from another page: this one is to be shown.
+  void started_elsewhere();
   void attempt_over();
   void show_progress();
   void review(const QString& attempt_id);

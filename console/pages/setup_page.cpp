@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
+#include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
@@ -123,7 +124,7 @@ void SetupPage::set_devices(const std::vector<const host::PluginInfo*>& devices)
 }
 
 void SetupPage::show_binding(const Binding& binding, const QString& person) {
-  whose_->setText(tr("Of %1, at this computer").arg(person));
+  whose_->setText(tr("Of %1, at this computer").arg(person_text(person)));
   pose_->setCurrentIndex(std::max(0, pose_->findData(QString::fromStdString(binding.pose))));
   jaws_->setCurrentIndex(std::max(0, jaws_->findData(QString::fromStdString(binding.jaws))));
   clutch_->setCurrentIndex(std::max(0, clutch_->findData(binding.clutch)));

@@ -9,7 +9,9 @@
 #include "console/models/instrument.hpp"
 #include "console/models/said.hpp"
 #include "console/models/variant.hpp"
+#include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "record/store.hpp"
 
 namespace swage::console {
 namespace {
@@ -153,18 +155,18 @@ QWidget* SetupPanel::make_mode() {
 
 QString SetupPanel::person() const {
   const QString name = person_->currentText().trimmed();
-  return name.isEmpty() ? QStringLiteral("Guest") : name;
+  return name.isEmpty() || name == tr("Guest") ? QString::fromLatin1(record::kGuest) : name;
 }
 
 void SetupPanel::set_people(const QStringList& names, const QString& current) {
   {
     const QSignalBlocker quiet(person_);
     person_->clear();
-    person_->addItem(QStringLiteral("Guest"));
+    person_->addItem(tr("Guest"));
     for (const QString& name : names) {
-      if (name != QLatin1String("Guest")) person_->addItem(name);
+      if (name != QLatin1String(record::kGuest)) person_->addItem(name);
     }
-    person_->setCurrentText(current.isEmpty() ? QStringLiteral("Guest") : current);
+    person_->setCurrentText(current.isEmpty() ? tr("Guest") : person_text(current));
   }
   Q_EMIT person_chosen();
 }

@@ -1,44 +1,81 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/pages/variant_dialog.hpp"
 
+#include <QAction>
+#include <QFile>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "console/models/live_params.hpp"
 #include "console/models/said.hpp"
+#include "console/pages/parts_panel.hpp"
+#include "console/view3d/scene_view.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
+namespace {
 
-VariantDialog::VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check, QWidget* parent)
-    : VariantDialog(lesson, params, std::move(check), {}, parent) {}
+constexpr int kValues_px = 460;  // a name, a number with its unit, the way back
+constexpr int kBuildDelay_ms = 300;  // after the last edit: typing does not build a scene per letter
 
-VariantDialog::VariantDialog(const LessonEntry& lesson, const QVector<LiveParam>& params, Check check,
-                             const QString& folder, QWidget* parent)
-    : QDialog(parent), lesson_(lesson), folder_(folder), check_(std::move(check)) {
+Variant begin_of(const LessonEntry& lesson, bool edits) {
+  if (edits) return {lesson.path, lesson.title, lesson.summary, lesson.goal, {}};
+  return {lesson.path, VariantDialog::tr("%1, adapted").arg(said(lesson.title)), said(lesson.summary), said(lesson.goal), {}};
+}
+
+QString draft_file(const LessonEntry& lesson, bool edits, const QString& folder) {
+  return folder + (edits ? QStringLiteral("/edit_") : QStringLiteral("/new_")) + slug(lesson.id + QLatin1Char(' ') + lesson.path.section(QLatin1Char('/'), -1)) +
+         QStringLiteral(".json");
+}
+
+}  // namespace
+
+VariantDialog::VariantDialog(const LessonEntry& lesson, Services services, const QString& folder, QWidget* parent)
+    : QDialog(parent),
+      lesson_(lesson),
+      services_(std::move(services)),
+      folder_(folder),
+      draft_(begin_of(lesson, folder.isEmpty()), draft_file(lesson, folder.isEmpty(), services_.drafts)) {
   setObjectName(QStringLiteral("variant"));
   setWindowTitle(folder.isEmpty() ? tr("Edit lesson") : tr("New lesson"));
   auto* column = new QVBoxLayout(this);
-  column->addWidget(make_words(lesson));
-  column->addWidget(make_values(params), 1);
+  auto* row = new QHBoxLayout;
+  auto* values = new QWidget(this);
+  values->setMinimumWidth(kValues_px);
+  auto* left = new QVBoxLayout(values);
+  left->setContentsMargins(0, 0, 0, 0);
+  left->addWidget(make_words());
+  left->addWidget(make_values(), 1);
+  row->addWidget(values, 1);
+  row->addWidget(make_picture(), 1);
+  column->addLayout(row, 1);
   column->addWidget(make_buttons());
-  resize(560, 760);
-  update_state();
+  add_undo();
+  resize(QSize(1180, 760).boundedTo(screen()->availableGeometry().size() - QSize(20, 60)));
+  build_timer_.setSingleShot(true);
+  build_timer_.setInterval(kBuildDelay_ms);
+  connect(&build_timer_, &QTimer::timeout, this, &VariantDialog::build);
+  connect(&draft_, &LessonDraft::edited, this, &VariantDialog::show_edit);
+  if (draft_.taken_up()) told_ = tr("Your unfinished changes are here again; undo takes them back.");
+  show_edit(true, true);
   title_->setFocus();
   title_->selectAll();
 }
 
-QWidget* VariantDialog::make_words(const LessonEntry& base) {
-  const bool edits = folder_.isEmpty();
-  Card card = make_card(edits ? tr("Lesson of your own") : tr("Based on %1").arg(said(base.title)), this);
+VariantDialog::~VariantDialog() = default;
+
+QWidget* VariantDialog::make_words() {
+  Card card = make_card(folder_.isEmpty() ? tr("Lesson of your own") : tr("Based on %1").arg(said(lesson_.title)), this);
   auto* form = new QFormLayout;
-  title_ = new QLineEdit(edits ? base.title : tr("%1, adapted").arg(said(base.title)), card.frame);
+  title_ = new QLineEdit(card.frame);
   title_->setObjectName(QStringLiteral("variant_title"));
-  summary_ = new QLineEdit(edits ? base.summary : said(base.summary), card.frame);
+  summary_ = new QLineEdit(card.frame);
   summary_->setObjectName(QStringLiteral("variant_summary"));
-  summary_->setCursorPosition(0);
-  goal_ = new QPlainTextEdit(edits ? base.goal : said(base.goal), card.frame);
+  goal_ = new QPlainTextEdit(card.frame);
   goal_->setObjectName(QStringLiteral("variant_goal"));
   goal_->setTabChangesFocus(true);
   goal_->setFixedHeight(64);
@@ -46,13 +83,25 @@ QWidget* VariantDialog::make_words(const LessonEntry& base) {
   form->addRow(tr("Tas&k"), summary_);
   form->addRow(tr("&Learning goal"), goal_);
   card.body->addLayout(form);
-  for (const QLineEdit* line : {title_, summary_})
-    connect(line, &QLineEdit::textChanged, this, &VariantDialog::update_state);
-  connect(goal_, &QPlainTextEdit::textChanged, this, &VariantDialog::update_state);
+  show_words();
+  connect(title_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_title);
+  connect(summary_, &QLineEdit::textChanged, &draft_, &LessonDraft::set_summary);
+  connect(goal_, &QPlainTextEdit::textChanged, &draft_, [this] { draft_.set_goal(goal_->toPlainText()); });
+  // undo is the lesson's, in every field
+  for (QWidget* field : std::initializer_list<QWidget*>{title_, summary_, goal_}) field->installEventFilter(this);
   return card.frame;
 }
 
-QWidget* VariantDialog::make_values(const QVector<LiveParam>& params) {
+bool VariantDialog::eventFilter(QObject* watched, QEvent* event) {
+  const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (key) {
+    const auto* pressed = static_cast<QKeyEvent*>(event);
+    if (pressed->matches(QKeySequence::Undo) || pressed->matches(QKeySequence::Redo)) return event->ignore(), true;
+  }
+  return QDialog::eventFilter(watched, event);
+}
+
+QWidget* VariantDialog::make_values() {
   Card card = make_card(tr("Values"), this);
   find_ = new QLineEdit(card.frame);
   find_->setObjectName(QStringLiteral("variant_find"));
@@ -64,7 +113,6 @@ QWidget* VariantDialog::make_values(const QVector<LiveParam>& params) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   form_ = new LiveForm(scroll, LiveForm::Of::kVariant);
-  form_->set_params(params);
   form_->set_running(true);
   scroll->setWidget(form_);
   scroll->viewport()->setAutoFillBackground(false);
@@ -79,8 +127,30 @@ QWidget* VariantDialog::make_values(const QVector<LiveParam>& params) {
     none_->setText(tr("No value is called \"%1\".").arg(text));
     none_->setVisible(!any && !text.isEmpty());
   });
-  connect(form_, &LiveForm::changed, this, &VariantDialog::update_state);
+  connect(form_, &LiveForm::changed, this, [this](const QString& part, const QString& json) {
+    draft_.set_values(form_->changes(), part + json.section(QLatin1Char(':'), 0, 0));
+  });
   return card.frame;
+}
+
+QWidget* VariantDialog::make_picture() {
+  auto* side = new QWidget(this);
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(0, 0, 0, 0);
+  Card card = make_card(tr("The scene as it would begin"), side);
+  view_ = new SceneView(card.frame);
+  view_->setObjectName(QStringLiteral("variant_view"));
+  view_->setMinimumSize(320, 220);
+  if (services_.dress) services_.dress(*view_);
+  card.body->addWidget(view_, 1);
+  parts_ = new PartsPanel(&draft_, &services_.catalogue, side);
+  connect(parts_, &PartsPanel::told, this, [this](const QString& words) {
+    told_ = words;
+    update_state();
+  });
+  column->addWidget(card.frame, 3);
+  column->addWidget(parts_, 2);
+  return side;
 }
 
 QWidget* VariantDialog::make_buttons() {
@@ -91,56 +161,143 @@ QWidget* VariantDialog::make_buttons() {
   problem_->setObjectName(QStringLiteral("variant_problem"));
   problem_->setWordWrap(true);
   auto* cancel = make_button(tr("Cancel"), QStringLiteral("Esc"), QStringLiteral("variant_cancel"), bar);
+  try_ = make_button(tr("Save and try it"), QStringLiteral("Ctrl+T"), QStringLiteral("variant_try"), bar);
+  try_->setShortcut(QKeySequence(QStringLiteral("Ctrl+T")));
   save_ = make_button(tr("Save"), QStringLiteral("Ctrl+S"), QStringLiteral("variant_save"), bar);
   save_->setProperty("primary", true);
   save_->setDefault(true);
   save_->setShortcut(QKeySequence::Save);
   row->addWidget(problem_, 1);
-  row->addWidget(cancel);
-  row->addWidget(save_);
+  for (QPushButton* b : {cancel, try_, save_}) row->addWidget(b);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-  connect(save_, &QPushButton::clicked, this, &VariantDialog::save);
+  connect(save_, &QPushButton::clicked, this, [this] {
+    to_try_ = false;
+    save();
+  });
+  connect(try_, &QPushButton::clicked, this, [this] {
+    to_try_ = true;
+    save();
+  });
   return bar;
 }
 
+void VariantDialog::add_undo() {
+  for (const bool undo : {true, false}) {
+    QAction* action = undo ? draft_.edits()->createUndoAction(this) : draft_.edits()->createRedoAction(this);
+    action->setObjectName(undo ? QStringLiteral("variant_undo") : QStringLiteral("variant_redo"));
+    action->setShortcuts(undo ? QKeySequence::Undo : QKeySequence::Redo);
+    if (const QKeySequence usual(Qt::CTRL | Qt::Key_Y); !undo && !action->shortcuts().contains(usual))
+      action->setShortcuts(action->shortcuts() + QList<QKeySequence>{usual});
+    addAction(action);
+  }
+}
+
 void VariantDialog::preset(const QVector<LiveForm::Change>& values) {
+  if (draft_.taken_up()) return;  // what was being done goes on
   preset_ = form_->preset(values);
+  draft_.set_values(form_->changes(), QStringLiteral("preset"));
+  update_state();
+}
+
+void VariantDialog::show_edit(bool structure, bool by_undo) {
+  if (!save_) return;
+  QString problem = draft_.write();
+  if (structure && problem.isEmpty()) {
+    const QString starts = draft_.file() + QStringLiteral(".parts");
+    problem = draft_.write_parts(starts);
+    form_->set_params(lesson_params(starts.toStdString(), services_.catalogue));
+    QFile::remove(starts);
+    form_->find(find_->text());
+    parts_->refresh();
+  }
+  if (by_undo || structure) {
+    show_words();
+    show_values();
+  }
+  fault_ = problem;
+  update_state();
+  build_timer_.start();
+}
+
+void VariantDialog::show_words() {
+  const Variant now = draft_.now();
+  for (const auto& [line, text] : {std::pair{title_, now.title}, {summary_, now.summary}}) {
+    if (line->text() == text) continue;
+    const QSignalBlocker quiet(line);
+    line->setText(text);
+    line->setCursorPosition(0);
+  }
+  if (goal_->toPlainText() == now.goal) return;
+  const QSignalBlocker quiet(goal_);
+  goal_->setPlainText(now.goal);
+}
+
+void VariantDialog::show_values() {
+  QVector<LiveForm::Change> values;
+  for (const LiveParam& p : lesson_params(draft_.file().toStdString(), services_.catalogue)) values.append({p.instance, p.param.id, p.start});
+  form_->preset(values);
+}
+
+void VariantDialog::build() {
+  build_timer_.stop();
+  base::Problems problems;
+  const std::unique_ptr<snapshot::SceneCard> card = services_.build(draft_.file(), problems);
+  fault_.clear();
+  if (card) {
+    view_->set_card(*card);
+    return update_state();
+  }
+  for (const base::Problem& p : problems)
+    if (p.severity == base::Severity::kError && fault_.isEmpty()) fault_ = said(p.message);
+  if (fault_.isEmpty()) fault_ = tr("The lesson cannot be built with these values.");
   update_state();
 }
 
 void VariantDialog::update_state() {
   if (!save_) return;
-  const auto changes = form_->changes().size();
-  const bool edits = folder_.isEmpty(), named = !title_->text().trimmed().isEmpty();
-  const bool words = edits && (title_->text() != lesson_.title || summary_->text() != lesson_.summary ||
-                               goal_->toPlainText() != lesson_.goal);
-  save_->setEnabled((changes > 0 || words) && named);  // a copy that changes nothing is no lesson
+  const auto changes = draft_.now().set.size();
+  const bool named = !title_->text().trimmed().isEmpty(), parts = draft_.parts_changed();
+  const bool words = folder_.isEmpty() && draft_.words_changed();
+  const bool can = (changes > 0 || words || parts) && named;  // a copy that changes nothing is no lesson
+  save_->setEnabled(can);
+  try_->setEnabled(can);
   QString text = !named         ? tr("A lesson has a title.")
                  : changes == 1 ? tr("One value is changed.")
                  : changes > 1  ? tr("%1 values are changed.").arg(changes)
+                 : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
                                 : tr("No value is changed yet.");
   if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("The last attempt's are kept.");
-  problem_->setText(text);
+  if (!told_.isEmpty()) text += QLatin1Char(' ') + told_;
+  problem_->setText(fault_.isEmpty() ? text : tr("▲ %1").arg(fault_));
 }
 
-QString VariantDialog::write(const QVector<std::pair<std::string, std::string>>& set) {
-  const Variant variant{lesson_.path, title_->text(), summary_->text(), goal_->toPlainText(), set};
+QString VariantDialog::write() {
+  Variant changed = draft_.now();
+  changed.base = lesson_.path;
   if (folder_.isEmpty()) {
     saved_ = lesson_.path;
-    return update_variant(lesson_.path, variant);
+    return update_variant(lesson_.path, changed);
   }
-  const Saved saved = save_variant(variant, folder_);
+  const Saved saved = save_variant(changed, folder_);
   saved_ = saved.path;
   return saved.problem;
 }
 
 void VariantDialog::save() {
-  const auto set = form_->changes();
-  QString problem = check_(set);
-  if (problem.isEmpty()) problem = write(set);
+  build();
+  QString problem = fault_;
+  if (problem.isEmpty()) problem = write();
   if (problem.isEmpty()) return accept();
-  problem_->setText(problem);
+  fault_ = problem;
+  update_state();
+}
+
+// saved or cancelled, either way the edit is over
+void VariantDialog::done(int result) {
+  build_timer_.stop();
+  draft_.end();
+  QDialog::done(result);
 }
 
 }  // namespace swage::console

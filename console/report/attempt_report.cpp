@@ -5,12 +5,12 @@
 #include <QLocale>
 
 #include "console/models/attempts_model.hpp"
+#include "console/models/made_with.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/report/sheet.hpp"
 #include "console/widgets/timeline.hpp"
 #include "console/widgets/track_plot.hpp"
-#include "record/display.hpp"
 
 namespace swage::console {
 namespace {
@@ -65,28 +65,20 @@ void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
 }
 
 // What the numbers were made with.
-QString made_with(const AttemptReport& r) {
-  const record::AttemptRow& a = r.review.attempt;
+QString made_with_line(const AttemptReport& r) {
   QStringList plugins;
   for (const auto& [id, version] : r.recording.info.plugins)
     if (const QString one = qt(id + " " + version); !plugins.contains(one)) plugins += one;
-  QStringList out = {Words::tr("Lesson version %1").arg(a.lesson_digest.empty() ? QStringLiteral("–") : qt(a.lesson_digest.substr(0, 12))),
-                     is_hand(a) ? Words::tr("recorded hand") : Words::tr("input: %1").arg(qt(a.device)),
-                     Words::tr("seed %1").arg(r.review.seed)};
-  out += a.remark.empty() ? Words::tr("timing: no fault") : remark_text(qt(a.remark));
-  QStringList sensors;
-  for (const record::FileInfo& f : r.recording.info.files)
-    if (f.name.starts_with(record::kCalibrationFile)) sensors += qt(f.name).section(QLatin1Char(':'), 2);
-  out += sensors.isEmpty() ? Words::tr("no calibrated sensor") : Words::tr("calibration: %1").arg(sensors.join(QStringLiteral(", ")));
-  return out.join(QStringLiteral(" · ")) + QStringLiteral("\n") + plugins.join(QStringLiteral(", "));
+  return (made_with(r.about) + QStringList{Words::tr("seed %1").arg(r.review.seed)}).join(QStringLiteral(" · ")) + QStringLiteral("\n") +
+         plugins.join(QStringLiteral(", "));
 }
 
 void draw(Sheet& sheet, const AttemptReport& r) {
   const record::AttemptRow& a = r.review.attempt;
   sheet.text(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
-  const QString who = a.person_code.empty() || a.person_code == a.person_name
-                          ? qt(a.person_name)
-                          : Words::tr("%1 (%2)").arg(qt(a.person_name), qt(a.person_code));
+  const QString name = person_text(qt(a.person_name));
+  const QString who =
+      a.person_code.empty() || a.person_code == a.person_name ? name : Words::tr("%1 (%2)").arg(name, qt(a.person_code));
   sheet.text(QStringList({who, when_text(qt(a.started_utc)), mode_text(qt(a.mode)), seconds(a.simulated_s)}).join(QStringLiteral(" · ")), 10,
              false, kGrey);
   sheet.text(r.review.verdict(), 13, true);
@@ -97,7 +89,7 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   add_moments(sheet, r);
   sheet.gap(8);
   add_plots(sheet, r, UiTheme::stock(QStringLiteral("light")));
-  sheet.text(made_with(r), 8, false, kGrey);
+  sheet.text(made_with_line(r), 8, false, kGrey);
   sheet.text(Words::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, kGrey);
 }
 

@@ -11,6 +11,7 @@
 #include "console/models/insertion.hpp"
 #include "console/models/review.hpp"
 #include "console/models/worst_moments.hpp"
+#include "record/export.hpp"
 #include "record/school.hpp"
 
 namespace swage::console {
@@ -21,6 +22,7 @@ struct AttemptReport {
   QVector<WorstMoment> worst;
   std::optional<EntryTrack> track;
   std::vector<record::Note> notes;
+  std::vector<record::Exported> about;  // the attempt as exports say it; none where that could not be read
 };
 
 /// "" or what went wrong. The page says the person's code and name as the store shows them.

@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "console/models/made_with.hpp"
 #include "console/models/words.hpp"
 #include "console/report/sheet.hpp"
 #include "console/widgets/band_bars.hpp"
@@ -37,7 +38,7 @@ void add_attempts(Sheet& sheet, const PersonReport& r) {
 
 void draw(Sheet& sheet, const PersonReport& r) {
   const UiTheme theme = UiTheme::stock(QStringLiteral("light"));
-  sheet.text(r.name.isEmpty() ? r.code : Words::tr("%1 (%2)").arg(r.name, r.code), 18, true);
+  sheet.text(r.name.isEmpty() ? r.code : Words::tr("%1 (%2)").arg(person_text(r.name), r.code), 18, true);
   sheet.text(Words::tr("%1, %2").arg(r.lesson, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, QColor(80, 80, 80));
   QString stands = Words::tr("%1 of %2 attempts passed.").arg(r.standing.passed).arg(r.standing.attempts);
   if (const QString words = attention_words(r.standing); !words.isEmpty()) stands += Words::tr(" Now: %1.").arg(words);
@@ -61,6 +62,7 @@ void draw(Sheet& sheet, const PersonReport& r) {
   sheet.gap(12);
   sheet.text(Words::tr("Instructor's note: ______________________________________________"), 10);
   sheet.gap(6);
+  sheet.text(made_with(r.about).join(QStringLiteral(" · ")), 8, false, QColor(80, 80, 80));
   sheet.text(Words::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, QColor(80, 80, 80));
 }
 

@@ -9,6 +9,7 @@
 #include "console/models/attempts_model.hpp"
 #include "console/models/metric_bars.hpp"
 #include "console/models/standing.hpp"
+#include "record/export.hpp"
 
 namespace swage::console {
 
@@ -18,6 +19,7 @@ struct PersonReport {
   MetricSeries series;
   QVector<MetricBar> bars;
   QVector<record::AttemptRow> attempts;  // of the lesson, newest first
+  std::vector<record::Exported> about;   // the same as exports say them
 };
 
 /// An A4 page that prints in grey. "" or what went wrong.

@@ -311,6 +311,90 @@
         <source>One after the other (shutter glasses)</source>
         <translation>Abwechselnd (Shutterbrille)</translation>
     </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>And one more.</source>
+        <translation>Und noch einer.</translation>
+    </message>
+    <message>
+        <source>And %1 more.</source>
+        <translation>Und %1 weitere.</translation>
+    </message>
+    <message>
+        <source>There is a lesson called &quot;%1&quot; among your own already; delete or rename it first.</source>
+        <translation>Unter den eigenen Lektionen gibt es schon eine namens „%1“; diese zuerst löschen oder umbenennen.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>recorded hand</source>
+        <translation>aufgezeichnete Hand</translation>
+    </message>
+    <message>
+        <source>device with forces</source>
+        <translation>Gerät mit Kräften</translation>
+    </message>
+    <message>
+        <source>device without forces</source>
+        <translation>Gerät ohne Kräfte</translation>
+    </message>
+    <message>
+        <source>timing: no fault</source>
+        <translation>Zeitverhalten: fehlerfrei</translation>
+    </message>
+    <message>
+        <source>timing: %L1 late and %L2 lost of %L3 steps</source>
+        <translation>Zeitverhalten: %L1 späte und %L2 verlorene von %L3 Schritten</translation>
+    </message>
+    <message>
+        <source>, no forces for %L1 s</source>
+        <translation>, %L1 s ohne Kräfte</translation>
+    </message>
+    <message>
+        <source>solver: not recorded</source>
+        <translation>Löser: nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>solver: no fault</source>
+        <translation>Löser: fehlerfrei</translation>
+    </message>
+    <message>
+        <source>solver: %1</source>
+        <translation>Löser: %1</translation>
+    </message>
+    <message>
+        <source>no calibrated sensor</source>
+        <translation>kein kalibrierter Sensor</translation>
+    </message>
+    <message>
+        <source>lesson version %1</source>
+        <translation>Lektionsversion %1</translation>
+    </message>
+    <message>
+        <source>metrics by %1</source>
+        <translation>Kennzahlen von %1</translation>
+    </message>
+    <message>
+        <source>input: %1</source>
+        <translation>Eingabe: %1</translation>
+    </message>
+    <message>
+        <source>calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>Guest</source>
+        <translation>Gast</translation>
+    </message>
 </context>
 <context>
     <name>ScenePainter</name>
@@ -364,18 +448,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Notizen</translation>
     </message>
     <message>
-        <source>Lesson version %1</source>
-        <translation>Lektion, Fassung %1</translation>
-    </message>
-    <message>
-        <source>recorded hand</source>
-        <translation>aufgezeichnete Hand</translation>
-    </message>
-    <message>
-        <source>input: %1</source>
-        <translation>Eingabe: %1</translation>
-    </message>
-    <message>
         <source>seed %1</source>
         <translation>Startwert %1</translation>
     </message>
@@ -390,18 +462,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Swage %1. For teaching, not for certification.</source>
         <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
-    </message>
-    <message>
-        <source>timing: no fault</source>
-        <translation>Zeitverhalten: fehlerfrei</translation>
-    </message>
-    <message>
-        <source>no calibrated sensor</source>
-        <translation>kein kalibrierter Sensor</translation>
-    </message>
-    <message>
-        <source>calibration: %1</source>
-        <translation>Kalibrierung: %1</translation>
     </message>
 </context>
 <context>
@@ -1551,14 +1611,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Fenster der Ausbilder: Anzeigen, Hinweise, Ereignisse</translation>
     </message>
     <message>
-        <source>Ctrl+N</source>
-        <translation>Strg+N</translation>
-    </message>
-    <message>
-        <source>A lesson of your own, based on the chosen one</source>
-        <translation>Eine eigene Lektion nach der gewählten</translation>
-    </message>
-    <message>
         <source>Ctrl+1, 2, 3 ...</source>
         <translation>Strg+1, 2, 3 ...</translation>
     </message>
@@ -1854,12 +1906,79 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>Ctrl+N,  Ctrl+E</source>
+        <translation>Strg+N,  Strg+E</translation>
+    </message>
+    <message>
+        <source>A lesson of your own, based on the chosen one; edit it</source>
+        <translation>Eine eigene Lektion nach der gewählten; sie bearbeiten</translation>
+    </message>
+    <message>
+        <source>Ctrl+I,  Ctrl+Shift+E</source>
+        <translation>Strg+I,  Strg+Umschalt+E</translation>
+    </message>
+    <message>
+        <source>Lessons page: import, export a lesson</source>
+        <translation>Seite Lektionen: eine Lektion importieren, exportieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+R,  Ctrl+Shift+S</source>
+        <translation>Strg+R,  Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>Save its page, its summary</source>
+        <translation>Seine Seite, seine Zusammenfassung speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Strg+Umschalt+P</translation>
+    </message>
+    <message>
+        <source>Save the plot that has the keyboard, as PNG, SVG or PDF</source>
+        <translation>Das Diagramm mit dem Tastaturfokus speichern: PNG, SVG, PDF</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
     <message>
         <source>Swage: instructor</source>
         <translation>Swage: Ausbilder</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::LessonDraft</name>
+    <message>
+        <source>Changes from before</source>
+        <translation>Änderungen von vorher</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Titel</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>Learning goal</source>
+        <translation>Lernziel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
 </context>
 <context>
@@ -1885,8 +2004,12 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>The lesson cannot be built with these values.</source>
-        <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
+        <source>While a lesson runs none is imported.</source>
+        <translation>Während eine Lektion läuft, wird keine importiert.</translation>
+    </message>
+    <message>
+        <source>The lesson &quot;%1&quot; is here already.</source>
+        <translation>Die Lektion „%1“ ist schon hier.</translation>
     </message>
 </context>
 <context>
@@ -1990,6 +2113,38 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Take in a lesson file from another station (Ctrl+I)</source>
+        <translation>Die Lektionsdatei eines anderen Platzes aufnehmen (Strg+I)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export…</translation>
+    </message>
+    <message>
+        <source>Write this lesson to a file for another station (Ctrl+Shift+E)</source>
+        <translation>Diese Lektion für einen anderen Platz in eine Datei schreiben (Strg+Umschalt+E)</translation>
+    </message>
+    <message>
+        <source>Import a lesson</source>
+        <translation>Eine Lektion importieren</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lektionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the lesson</source>
+        <translation>Die Lektion exportieren</translation>
+    </message>
+    <message>
+        <source>A lesson runs: until it ends none is changed or begun.</source>
+        <translation>Eine Lektion läuft: bis sie endet, wird keine geändert oder begonnen.</translation>
     </message>
 </context>
 <context>
@@ -2185,6 +2340,18 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Guide</source>
         <translation>Führung</translation>
     </message>
+    <message>
+        <source>The lesson was taken in.</source>
+        <translation>Die Lektion wurde aufgenommen.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::MessageStrip</name>
@@ -2375,6 +2542,120 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
 </context>
 <context>
+    <name>swage::console::PartDialog</name>
+    <message>
+        <source>Add an object</source>
+        <translation>Objekt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a coupling</source>
+        <translation>Kopplung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a device</source>
+        <translation>Gerät hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>&amp;Was</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Place, %1</source>
+        <translation>Ort, %1</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Ort</translation>
+    </message>
+    <message>
+        <source>Nothing: it stands or falls by itself</source>
+        <translation>Nichts: es steht oder fällt von selbst</translation>
+    </message>
+    <message>
+        <source>Led &amp;by</source>
+        <translation>Geführt &amp;von</translation>
+    </message>
+    <message>
+        <source>B&amp;etween</source>
+        <translation>&amp;Zwischen</translation>
+    </message>
+    <message>
+        <source>a&amp;nd</source>
+        <translation>&amp;und</translation>
+    </message>
+    <message>
+        <source>Nothing of that kind is installed.</source>
+        <translation>Nichts dieser Art ist installiert.</translation>
+    </message>
+    <message>
+        <source>A part has a name: lower-case letters, digits and _.</source>
+        <translation>Ein Teil hat einen Namen: Kleinbuchstaben, Ziffern und _.</translation>
+    </message>
+    <message>
+        <source>There is a part called &quot;%1&quot; already.</source>
+        <translation>Es gibt schon ein Teil namens „%1“.</translation>
+    </message>
+    <message>
+        <source>A coupling binds two objects.</source>
+        <translation>Eine Kopplung verbindet zwei Objekte.</translation>
+    </message>
+</context>
+<context>
+    <name>swage::console::PartsPanel</name>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Object…</source>
+        <translation>Objekt…</translation>
+    </message>
+    <message>
+        <source>Coupling…</source>
+        <translation>Kopplung…</translation>
+    </message>
+    <message>
+        <source>Device…</source>
+        <translation>Gerät…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>What bound it went with it: %1.</source>
+        <translation>Was es verband, ging mit: %1.</translation>
+    </message>
+</context>
+<context>
     <name>swage::console::PeopleModel</name>
     <message>
         <source>%1 of %2</source>
@@ -2555,10 +2836,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
-        <source>▲ %1 cannot be written: %2.</source>
-        <translation>▲ %1 kann nicht geschrieben werden: %2.</translation>
-    </message>
-    <message>
         <source>People</source>
         <translation>Personen</translation>
     </message>
@@ -2593,6 +2870,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>No one here yet. Attempts appear here after the first lesson; without a name they are kept for Guest, and can be given a name later.</source>
         <translation>Noch niemand hier. Versuche erscheinen nach der ersten Lektion; ohne Namen werden sie für den Gast aufgehoben und können später einen Namen bekommen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: %2.</translation>
     </message>
 </context>
 <context>
@@ -4454,6 +4735,30 @@ Alle 2 s wird es wieder versucht.</translation>
     <message>
         <source>The last attempt&apos;s are kept.</source>
         <translation>Die des letzten Versuchs bleiben.</translation>
+    </message>
+    <message>
+        <source>Your unfinished changes are here again; undo takes them back.</source>
+        <translation>Die nicht beendeten Änderungen sind wieder da; Rückgängig nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>The scene as it would begin</source>
+        <translation>Die Szene, wie sie beginnen würde</translation>
+    </message>
+    <message>
+        <source>Save and try it</source>
+        <translation>Speichern und ausprobieren</translation>
+    </message>
+    <message>
+        <source>The lesson cannot be built with these values.</source>
+        <translation>Die Lektion lässt sich mit diesen Werten nicht bauen.</translation>
+    </message>
+    <message>
+        <source>Parts are changed.</source>
+        <translation>Teile sind geändert.</translation>
+    </message>
+    <message>
+        <source>▲ %1</source>
+        <translation>▲ %1</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,9 @@
 #include "console/widgets/plot_file.hpp"
 
 #include <QAction>
+#include <QEvent>
 #include <QFileDialog>
+#include <QFocusFrame>
 #include <QMessageBox>
 #include <QPageSize>
 #include <QPainter>
@@ -22,6 +24,22 @@ void draw(QWidget& plot, QPaintDevice& to, double scale) {
   p.scale(scale, scale);
   plot.render(&p, {}, {}, QWidget::DrawChildren);
 }
+
+/// A frame around a plot that has the keyboard.
+class PlotFocus : public QObject {
+ public:
+  explicit PlotFocus(QWidget* plot) : QObject(plot), frame_(new QFocusFrame(plot)) { plot->installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::FocusIn) frame_->setWidget(static_cast<QWidget*>(watched));
+    if (event->type() == QEvent::FocusOut) frame_->setWidget(nullptr);
+    return false;
+  }
+
+ private:
+  QFocusFrame* frame_;
+};
 
 }  // namespace
 
@@ -62,6 +80,11 @@ void offer_picture(QWidget* plot, const QString& name) {
   action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+P")));
   action->setShortcutContext(Qt::WidgetShortcut);
   plot->addAction(action);
+  // the key needs the keyboard's focus there, and a person needs to see it
+  if (plot->focusPolicy() == Qt::NoFocus) {
+    plot->setFocusPolicy(Qt::StrongFocus);
+    new PlotFocus(plot);
+  }
   plot->setContextMenuPolicy(Qt::ActionsContextMenu);
   QObject::connect(action, &QAction::triggered, plot, [plot, name] {
     const QString file = QFileDialog::getSaveFileName(plot, QObject::tr("Save picture"), name + QStringLiteral(".png"),

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/parts.hpp"
 #include "assembly/sentences.hpp"
 #include "assembly/source_map.hpp"
 #include "base/text.hpp"
@@ -198,8 +199,12 @@ class Chain {
         good =
             error(link, "",
                   say::kNotOwn(key));
+    // what is added can be set, in the place of what was removed, too
+    if (link.json.contains("remove")) good = remove_parts({link.json["remove"], link.places, "/remove"}, whole.json, whole.places, problems_) && good;
+    if (link.json.contains("add")) good = add_parts({link.json["add"], link.places, "/add"}, whole.json, whole.places, problems_) && good;
     for (const auto& [key, value] : link.json.items()) {
       const std::string pointer = "/" + pointer_step(key);
+      if (key == "remove" || key == "add") continue;
       if (key == "set")
         good = set_all(link, value, whole) && good;
       else if (key.starts_with("x-") || std::find(std::begin(kOwn), std::end(kOwn), key) != std::end(kOwn)) {

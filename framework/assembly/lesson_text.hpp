@@ -3,6 +3,7 @@
 // The text of a lesson: that of a file, or of one that is another lesson with some values of its own,
 //
 //     { "format": "swage-lesson/1", "based_on": "110_insertion.json", "id": "...", "title": "...",
+//       "remove": ["tray"], "add": { "objects": [ ... ], "couplings": [ ... ], "devices": [ ... ] },
 //       "set": { "needle.arc": "2/8", "tissue.form": "left slope" } }
 //
 // and of either with values set from outside. What comes out is whole: it is assembled and recorded, so that an attempt says by
@@ -28,8 +29,8 @@ struct LessonText {
   Places places;                // where each value is written
 };
 
-/// Follows "based_on" (relative to the file that says it), at most eight times; then what each file sets, the given one last,
-/// then `settings`. False and problems, with places in the file that is wrong: no such file, not JSON, in a circle, nothing of
+/// Follows "based_on" (relative to the file that says it), at most eight times; then what each file removes, adds and sets,
+/// the given one last, then `settings`. False and problems, with places in the file that is wrong: no such file, not JSON, in a circle, nothing of
 /// that name to set. A file is then told about as far as it goes.
 bool read_lesson_text(const std::string& path, std::span<const Setting> settings, LessonText& out,
                       base::Problems& problems);

@@ -24,6 +24,26 @@ void Places::move(const std::string& pointer, const std::string& place) {
   moved_[pointer] = place;
 }
 
+void Places::close_gap(const std::string& list, std::size_t at, std::size_t count) {
+  const auto element = [&](std::size_t i) { return list + "/" + std::to_string(i); };
+  move(element(at), "");
+  moved_.erase(element(at));
+  for (std::size_t i = at + 1; i < count; ++i) {
+    const std::string from = element(i), to = element(i - 1);
+    std::map<std::string, std::string> places = below(from);
+    move(from, "");
+    moved_.erase(from);
+    for (const auto& [pointer, place] : places) moved_[to + pointer.substr(from.size())] = place;
+  }
+}
+
+std::map<std::string, std::string> Places::below(const std::string& pointer) const {
+  std::map<std::string, std::string> places{{pointer, where(pointer)}};
+  for (auto it = line_of_.lower_bound(pointer + "/"); it != line_of_.lower_bound(pointer + "0"); ++it) places[it->first] = where(it->first);
+  for (auto it = moved_.lower_bound(pointer + "/"); it != moved_.lower_bound(pointer + "0"); ++it) places[it->first] = it->second;
+  return places;
+}
+
 std::string Places::where(const std::string& pointer) const {
   const std::string path = path_.empty() ? "lesson" : path_;
   if (pointer.empty()) return path;

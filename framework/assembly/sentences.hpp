@@ -32,8 +32,11 @@ inline constexpr auto kBadBase = "\"{}\" is no lesson to be based on. {}"_senten
 inline constexpr auto kNothingToSetIn = "It is not a JSON object, so nothing can be set in it."_sentence;
 inline constexpr auto kNotOwn = "\"{}\" is missing: a lesson has its own, whatever it is based on."_sentence;
 inline constexpr auto kFromBase =
-    "\"{}\" comes from the lesson that this one is based on. To change a value write \"set\": { \"needle.arc\": \"2/8\" }; to add or "
-    "leave out something write the whole lesson."_sentence;
+    "\"{}\" comes from the lesson that this one is based on. To change a value write \"set\": { \"needle.arc\": \"2/8\" }; to add "
+    "or leave out a part write \"add\" or \"remove\"; for all else write the whole lesson."_sentence;
+inline constexpr auto kRemoveIsNoList = "\"remove\" is a list of parts' names [ \"floor\", ... ]."_sentence;
+inline constexpr auto kAddIsNoObject = "\"add\" is an object of lists { \"objects\": [ ... ], \"couplings\": [ ... ], \"devices\": [ ... ] }."_sentence;
+inline constexpr auto kNobodyToRemove = "There is no \"{}\" to remove.{} There is: {}."_sentence;  // second: "did you mean"
 inline constexpr auto kSetIsNoObject = "\"set\" is an object { \"needle.arc\": \"2/8\", ... }."_sentence;
 inline constexpr auto kNoPart = "\"{}\" is no value of a part; it looks like \"needle.arc\"."_sentence;
 inline constexpr auto kNoParams = "\"{}\" cannot be set: the lesson that this one is based on has no \"params\": { ... } there."_sentence;

@@ -209,15 +209,17 @@ std::string lesson_schema(const std::vector<PluginInfo>& plugins) {
                    {"couplings", list(coupling)},
                    {"lesson", use_schema(plugins, SWAGE_KIND_LESSON, Json::object(), {})},
                    {"based_on", text},
+                   {"remove", list(text)},
+                   {"add", closed({{"objects", list(object)}, {"couplings", list(coupling)}, {"devices", list(device_schema(plugins, name))}}, {})},
                    {"set", {{"type", "object"}, {"propertyNames", {{"pattern", "^[a-z][a-z0-9_]*\\."}}}}}},
                   {"format", "id", "title"}));
-  // whole, or another lesson with values of its own
+  // whole, or another lesson with parts and values of its own
   const Json parts = {"devices", "objects", "couplings", "lesson", "requires"};
   Json none = Json::object();
   for (const Json& part : parts) none[part.get<std::string>()] = false;
   s["if"] = {{"required", {"based_on"}}};
   s["then"] = {{"properties", none}};
-  s["else"] = {{"required", {"objects", "lesson"}}, {"properties", {{"set", false}}}};
+  s["else"] = {{"required", {"objects", "lesson"}}, {"properties", {{"set", false}, {"add", false}, {"remove", false}}}};
   Json& definitions = s["definitions"] = Json::object();
   for (const PluginInfo& plugin : plugins) definitions[plugin.id] = params_object(plugin);
   return s.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

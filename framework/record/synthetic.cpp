@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -21,7 +22,7 @@
 namespace swage::record {
 namespace {
 
-constexpr double kNoise = 0.15;     // relative, of one attempt about the person's curve
+constexpr double kNoise = 0.15;     // relative, of the novice's share of one attempt about the person's curve
 constexpr uint32_t kADay = 10;      // attempts of a sitting
 constexpr uint32_t kTestFrom = 6;   // attempts of a lesson before the first in Test; then every second is one
 constexpr int64_t kDay = 86400;     // s
@@ -31,7 +32,7 @@ constexpr const char* kExperts = "Experts";  // as the console knows them
 struct Model {
   Recording expert_recording;
   AttemptRow expert;
-  std::vector<AttemptRow> novices;
+  std::vector<AttemptRow> novices, failed;
   std::string expert_id;
 };
 
@@ -60,13 +61,33 @@ const MetricValue* find(const AttemptRow& a, const std::string& id) {
   return found == a.metrics.end() ? nullptr : &*found;
 }
 
-// A value between the expert's and a novice's, `novice` of the way, with noise. Counts stay whole, and nothing changes its sign.
-double draw(double expert, double start, double novice, base::Xoshiro256& random) {
-  const bool whole = expert == std::round(expert) && start == std::round(start);
-  const double mean = expert + novice * (start - expert), width = std::max(std::abs(mean), 0.2 * std::abs(start - expert));
-  double value = mean + kNoise * width * normal(random);
-  if (expert >= 0 && start >= 0) value = std::max(0.0, value);
-  return whole ? std::round(value) : value;
+/// Real attempts and how much each counts; the weights make 1.
+using Mix = std::vector<std::pair<const AttemptRow*, double>>;
+
+// Counts stay whole. A value that one of the attempts has not is none here.
+template <class Value>
+double mean(const Mix& mix, Value value) {
+  double out = 0;
+  bool whole = true;
+  for (const auto& [attempt, weight] : mix) {
+    const double v = value(*attempt);
+    out += weight * v;
+    whole = whole && v == std::round(v);
+  }
+  return whole ? std::round(out) : out;
+}
+
+double metric(const AttemptRow& a, const std::string& id) {
+  const MetricValue* m = find(a, id);
+  return m != nullptr ? m->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Of several attempts, with random weights that make `share` together.
+void add_mix(Mix& mix, const std::vector<AttemptRow>& attempts, double share, base::Xoshiro256& random) {
+  const std::size_t first = mix.size();
+  double sum = 0;
+  for (const AttemptRow& a : attempts) sum += mix.emplace_back(&a, -std::log(1 - random.uniform())).second;
+  for (std::size_t i = first; i < mix.size(); ++i) mix[i].second *= share / sum;
 }
 
 class Writer {
@@ -148,7 +169,7 @@ class Writer {
     info.mode = test ? "test" : "practice";
     info.device = "swage.synthetic";
     info.synthetic = true;
-    info.seed = random_();
+    info.seed = 1 + random_() % 999999;  // as a person draws one: six digits at most
     if (!recorded) info.files.clear();
     // a person's hand is what this stands for; the mark says that none was there
     for (HandInfo& h : info.hands) h.flags &= ~uint32_t{SWAGE_DEVICE_SCRIPTED};
@@ -168,19 +189,23 @@ class Writer {
   }
 
   AttemptEnd drawn_end(const Model& m, double novice) {
-    const AttemptRow& start = m.novices[random_() % m.novices.size()];
     AttemptEnd end;
-    end.score = std::clamp(draw(m.expert.score, start.score, novice, random_), 0.0, 100.0);
-    end.simulated_s = std::max(1.0, draw(m.expert.simulated_s, start.simulated_s, novice, random_));
     // a novice misses half of them
-    end.outcome = random_.uniform() < 0.55 * novice ? judge::Outcome::kFailed : judge::Outcome::kPassed;
-    end.reason = end.outcome == judge::Outcome::kPassed ? m.expert.reason : "synthetic";
-    if (end.outcome == judge::Outcome::kFailed) end.score *= 0.5;
-    for (const judge::Name& name : m.expert_recording.info.script.metrics) {
-      const MetricValue *e = find(m.expert, name.id), *s = find(start, name.id);
-      end.metric.push_back(e != nullptr ? draw(e->value, s != nullptr ? s->value : e->value, novice, random_)
-                                        : std::numeric_limits<double>::quiet_NaN());
+    const bool failed = !m.failed.empty() && random_.uniform() < 0.55 * novice;
+    const double share = std::clamp(novice * (1 + kNoise * normal(random_)), 0.0, 1.0);
+    Mix mix;
+    if (failed) {
+      add_mix(mix, m.failed, 1, random_);
+    } else {
+      mix.emplace_back(&m.expert, 1 - share);
+      add_mix(mix, m.novices, share, random_);
     }
+    end.outcome = failed ? judge::Outcome::kFailed : judge::Outcome::kPassed;
+    end.reason = failed ? m.failed[0].reason : m.expert.reason;
+    end.score = mean(mix, [](const AttemptRow& a) { return a.score; });
+    end.simulated_s = mean(mix, [](const AttemptRow& a) { return a.simulated_s; });
+    for (const judge::Name& name : m.expert_recording.info.script.metrics)
+      end.metric.push_back(mean(mix, [&](const AttemptRow& a) { return metric(a, name.id); }));
     end.health.executed = static_cast<uint64_t>(end.simulated_s * 1000);
     return end;
   }
@@ -251,6 +276,7 @@ bool read_models(const SyntheticSchool& what, std::vector<Model>& out, std::stri
     m.expert_id = lesson.expert;
     if (!store->attempt(lesson.expert, m.expert) || !read_recording(what.from, lesson.expert, m.expert_recording, error)) return false;
     for (const std::string& id : lesson.novices) store->attempt(id, m.novices.emplace_back());
+    for (const std::string& id : lesson.failed) store->attempt(id, m.failed.emplace_back());
     if (m.novices.empty()) return error = "A synthetic lesson needs a novice.", false;
     out.push_back(std::move(m));
   }

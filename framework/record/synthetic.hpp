@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A school that never was, for trying pages and for tests of speed: people, days, and attempts whose numbers are drawn between those
-// of really run novice and expert hands, with a learning effect. Every attempt is marked synthetic. [main]
+// of really run novice and expert hands, with a learning effect: each is a mean of real ones with weights of its own, so that what holds
+// between the metrics of every real attempt, as a mean force below its peak, holds here. Every attempt is marked synthetic. [main]
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@ namespace swage::record {
 /// Attempts of one lesson that scripted hands have really made, in the store `SyntheticSchool::from`.
 struct SyntheticLesson {
   std::string expert;                // attempt id
-  std::vector<std::string> novices;  // at least one
+  std::vector<std::string> novices;  // at least one; passed
+  std::vector<std::string> failed = {};  // of novices that did not pass; none: nobody fails
 };
 
 struct SyntheticSchool {

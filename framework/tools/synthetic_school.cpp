@@ -17,8 +17,15 @@ namespace {
 
 constexpr uint64_t kNovices = 3;  // seeds of the novice hand: their spread is that of the drawn beginners
 
-// The attempt's id, "" once told.
-std::string play(const SyntheticOptions& o, const std::string& lesson, const std::string& hand, uint64_t seed, const std::string& store) {
+constexpr double kTooShort = 0.6;  // of the time that a novice needs: in that nobody passes
+
+struct Played {
+  std::string id;  // "" once told
+  double simulated_s = 0;
+};
+
+Played play(const SyntheticOptions& o, const std::string& lesson, const std::string& hand, uint64_t seed, const std::string& store,
+            double max_time_s = 0) {
   session::Options options;
   options.lesson_path = lesson;
   options.plugin_dirs = o.plugin_dirs;
@@ -28,12 +35,14 @@ std::string play(const SyntheticOptions& o, const std::string& lesson, const std
   options.mode = "test";
   options.pace = session::Pace::kFastest;
   options.settings = {"seed=" + std::to_string(seed)};
+  if (max_time_s > 0) options.settings.push_back("lesson.max_time=" + std::to_string(max_time_s));
   base::Problems problems;
   const auto session = session::Session::open(options, problems);
-  if (!session || base::failed(problems)) return tell(problems), "";
+  if (!session || base::failed(problems)) return tell(problems), Played();
   session->start();
   session->wait();
-  return session->result().attempt_id;
+  const session::Result result = session->result();
+  return {result.attempt_id, result.simulated_s};
 }
 
 }  // namespace
@@ -54,8 +63,12 @@ int make_synthetic_school(const SyntheticOptions& o) {
   for (const std::string& lesson : lessons) {
     progress("hands play " + lesson);
     record::SyntheticLesson played;
-    played.expert = play(o, lesson, "expert", 1, school.from);
-    for (uint64_t seed = 1; seed <= kNovices; ++seed) played.novices.push_back(play(o, lesson, "novice", seed, school.from));
+    played.expert = play(o, lesson, "expert", 1, school.from).id;
+    for (uint64_t seed = 1; seed <= kNovices; ++seed) {
+      const Played passed = play(o, lesson, "novice", seed, school.from);
+      played.novices.push_back(passed.id);
+      played.failed.push_back(play(o, lesson, "novice", seed, school.from, kTooShort * passed.simulated_s).id);
+    }
     progress("");
     for (const std::string& id : played.novices)
       if (id.empty() || played.expert.empty()) return problem(lesson + ": its hands could not play it.");

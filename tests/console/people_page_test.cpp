@@ -2,10 +2,15 @@
 //
 // The page of people in the whole window: empty, without a store, with attempts.
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
+
+#include <algorithm>
+#include <cstdio>
 
 #include "window_fixture.hpp"
 
@@ -169,6 +174,72 @@ TEST_F(PeoplePages, AReportIsOnePage) {
   EXPECT_TRUE(text.startsWith("%PDF"));
   EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 1);
   EXPECT_TRUE(window->people_page()->write_report_to(QStringLiteral("/nowhere/r.pdf")).contains("/nowhere"));
+}
+
+// What is written says what was measured with; names stay here.
+TEST_F(PeoplePages, AttemptsLeaveWithVersionsAndHealth) {
+  attempts = sample_attempts();
+  open();
+  click("page_people");
+  window->people_page()->select_person("Arun P.");
+  record::Selection asked;
+  window->people_page()->set_export([&](const std::string&, const record::Selection& which, std::vector<record::Exported>& out, std::string&) {
+    asked = which;
+    record::Exported& e = out.emplace_back();
+    e.attempt = attempts[0];
+    e.attempt.person_code = "4F2AK";
+    e.metric_version = "swage.lesson.grasp 1.2.0";
+    e.health = {{"solver.not_converged", "1", 3}};
+    return true;
+  });
+  const QString file = dir.filePath("own.csv");
+  ASSERT_EQ(window->people_page()->write_attempts_to(file), QString());
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray text = written.readAll();
+  EXPECT_EQ(asked.person_id, attempts[0].person_id);
+  for (const char* said : {"metric_version", "lesson_version", "calibration", "swage.lesson.grasp 1.2.0", "health.solver.not_converged,3,1", "4F2AK"})
+    EXPECT_TRUE(text.contains(said)) << said;
+  EXPECT_FALSE(text.contains("Arun"));
+}
+
+double percentile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// Paints a table at each of its places, a page apart; ms for each.
+std::vector<double> scroll_times(QTableView* table) {
+  std::vector<double> ms;
+  QScrollBar* bar = table->verticalScrollBar();
+  for (int i = 0; i <= 400; ++i) {
+    QElapsedTimer clock;
+    clock.start();
+    bar->setValue(bar->minimum() + i * (bar->maximum() - bar->minimum()) / 400);
+    table->viewport()->repaint();
+    ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+  }
+  return ms;
+}
+
+// a picture in 33 ms, thirty a second, is what people call smooth; here nothing else draws
+TEST_F(PeoplePages, FiveThousandAttemptsScrollSmoothly) {
+  const record::AttemptRow one = sample_attempts().front();
+  for (int i = 0; i < 5000; ++i) {
+    record::AttemptRow& a = attempts.emplace_back(one);
+    a.id = "n" + std::to_string(i);
+    a.outcome = i % 3 == 0 ? "failed" : "passed";
+  }
+  open();
+  click("page_people");
+  window->people_page()->select_person(QString::fromStdString(one.person_name));
+  child<QTabWidget>("person_tabs")->setCurrentIndex(1);
+  auto* table = child<QTableView>("attempts");
+  ASSERT_EQ(table->model()->rowCount(), 5000);
+  ASSERT_TRUE(eventually([&] { return table->isVisible() && table->verticalScrollBar()->maximum() > 0; }));
+  const std::vector<double> ms = scroll_times(table);
+  std::printf("scrolling 5000 attempts, 401 pictures: median %.2f, p99 %.2f, worst %.2f ms\n", percentile(ms, 0.5), percentile(ms, 0.99), percentile(ms, 1));
+  EXPECT_LT(percentile(ms, 0.99), 33) << "ms";
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "console/link/school_desk.hpp"
 #include "console/models/course_words.hpp"
-#include "console/models/exports.hpp"
+#include "console/models/made_with.hpp"
 #include "console/models/metric_bars.hpp"
 #include "fake_store.hpp"
 
@@ -220,16 +220,38 @@ TEST(Curves, AreFittedFromEightAttemptsOn) {
   EXPECT_TRUE(series.fit.contains("95 %")) << series.fit.toStdString();
 }
 
-TEST(Exports, SayTheCodeAndNeverTheName) {
-  std::vector<record::AttemptRow> all = test::sample_attempts();
-  all[0].person_code = "4F2AK";
-  all[0].lesson_title = "Grasp, the \"needle\"";
-  all[0].void_reason = "Light, \"off\"";
-  const std::string csv = attempts_csv({all[0]});
-  EXPECT_EQ(csv.find("Arun"), std::string::npos);
-  EXPECT_NE(csv.find("4F2AK,a0,"), std::string::npos) << csv;
-  EXPECT_NE(csv.find("\"Light, \"\"off\"\"\""), std::string::npos) << csv;
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + static_cast<long>(all[0].metrics.size()));
+record::Exported exported(const char* digest, double late, double dropped_contacts) {
+  record::Exported e;
+  e.attempt.lesson_digest = digest;
+  e.metric_version = "swage.lesson.grasp 1.2.0";
+  e.input = "position";
+  e.calibration = R"([{"sensor":"jaw sensor 7","day":"2026-11-20T08:00:00Z"}])";
+  e.health = {{"steps.executed", "1", 1000}, {"steps.late", "1", late}, {"solver.not_converged", "1", 0},
+              {"solver.dropped_contacts", "1", dropped_contacts}};
+  return e;
+}
+
+TEST(MadeWith, SaysVersionsInputTimingSolverAndCalibration) {
+  EXPECT_EQ(made_with({}), QStringList());
+  const QStringList sound = made_with({exported("0123456789abcdef", 0, 0)});
+  EXPECT_EQ(sound, (QStringList{"lesson version 0123456789ab", "metrics by swage.lesson.grasp 1.2.0", "input: device without forces",
+                                "timing: no fault", "solver: no fault", "calibration: jaw sensor 7 2026-11-20"}));
+  const QStringList both = made_with({exported("0123456789abcdef", 0, 0), exported("fedcba9876543210", 3, 2)});
+  EXPECT_EQ(both[0], "lesson version 0123456789ab, fedcba987654");
+  EXPECT_EQ(both[3], "timing: 3 late and 0 lost of 2000 steps");
+  EXPECT_EQ(both[4], "solver: 2 contacts dropped for lack of room");
+  record::Exported old = exported("", 0, 0);
+  old.health.clear();
+  old.calibration = "[]";
+  EXPECT_EQ(made_with({old})[4], "solver: not recorded");
+  EXPECT_EQ(made_with({old})[5], "calibration: no calibrated sensor");
+}
+
+TEST(MadeWith, ATableHasEachCount) {
+  const std::string csv = made_with_csv(exported("0123", 3, 2));
+  EXPECT_NE(csv.find("made_with,lesson_version,,,,0123\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("made_with,metric_version,,,,swage.lesson.grasp 1.2.0\n"), std::string::npos);
+  EXPECT_NE(csv.find("health,solver.dropped_contacts,,2,1,\n"), std::string::npos);
 }
 
 // U4: random edits, then undo of all and redo of all

@@ -3,13 +3,18 @@
 // A lesson of one's own: what is changed in the form is what the file sets, and nothing is written that could not be practised.
 #include <gtest/gtest.h>
 
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QListWidget>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "assembly/lesson_text.hpp"
 #include "console/models/variant.hpp"
+#include "console/pages/parts_panel.hpp"
 #include "console/pages/variant_dialog.hpp"
 #include "console/widgets/live_form.hpp"
 
@@ -30,9 +35,30 @@ QByteArray read(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-const QVector<LiveParam> kParams = {length("needle", "size", "Size", 5e-3),
-                                    length("needle", "wire", "Wire", 1e-4),
-                                    length("tissue", "thickness", "Thickness", 3e-3)};
+host::Param param(const char* id, const char* label, double default_m) {
+  host::Param p = length("", id, label, 0).param;
+  p.dimension = 1;
+  p.default_number[0] = default_m;
+  p.default_text = std::to_string(default_m);
+  return p;
+}
+
+host::PluginInfo plugin(int32_t kind, const char* id, host::ParamTable params = {}) {
+  host::PluginInfo out;
+  out.kind = kind, out.id = id, out.name = id, out.version = "1.0.0";
+  out.params = std::move(params);
+  return out;
+}
+
+host::Catalogue catalogue() {
+  host::Catalogue out;
+  out.add(plugin(SWAGE_KIND_OBJECT, "x.needle", {param("size", "Size", 5e-3), param("wire", "Wire", 1e-4)}));
+  out.add(plugin(SWAGE_KIND_OBJECT, "x.tissue", {param("thickness", "Thickness", 3e-3)}));
+  out.add(plugin(SWAGE_KIND_COUPLING, "x.pierce"));
+  out.add(plugin(SWAGE_KIND_DEVICE, "x.mouse"));
+  out.add(plugin(SWAGE_KIND_LESSON, "x.lesson"));
+  return out;
+}
 
 TEST(Variants, ATitleMakesAName) {
   EXPECT_EQ(slug("Stiff wall, 2/8"), "stiff_wall_2_8");
@@ -99,6 +125,39 @@ TEST(OwnLessons, AreEditedInPlaceAndKeepTheirIdAndAllElse) {
   EXPECT_EQ(read(broken.fileName()), "{ \"set\": 3 }") << "what cannot be edited stays as it was";
 }
 
+TEST(OwnLessons, PartsAreEditedInPlace) {
+  QTemporaryDir dir;
+  const auto write = [&](const char* text) {
+    QFile file(dir.filePath("mine.json"));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  };
+  const auto json = [&] { return nlohmann::json::parse(read(dir.filePath("mine.json")).toStdString()); };
+  Variant changed{"", "Mine", "", "", {}};
+  changed.remove = {"tray", "ring"};
+  changed.add["objects"] = {{{"name", "pad"}, {"plugin", "x"}}};
+  // one of its own parts, and one of the lesson below
+  QString path = write(R"({ "format": "swage-lesson/1", "based_on": "b.json", "id": "own.mine", "title": "Mine",
+    "add": { "objects": [ { "name": "ring", "plugin": "x" } ] }, "set": { "ring.size": 1, "needle.size": 2 } })");
+  ASSERT_EQ(update_variant(path, changed), "");
+  EXPECT_EQ(json()["remove"], nlohmann::json({"tray"}));
+  EXPECT_EQ(json()["add"]["objects"].size(), 1u);
+  EXPECT_EQ(json()["add"]["objects"][0]["name"], "pad");
+  EXPECT_EQ(json()["set"], nlohmann::json({{"needle.size", 2}})) << "values go with their part";
+  // a lesson that is based on nothing
+  path = write(R"({ "format": "swage-lesson/1", "id": "own.mine", "title": "Mine",
+    "objects": [ { "name": "tray", "plugin": "x" }, { "name": "ring", "plugin": "x" }, { "name": "needle", "plugin": "x" } ] })");
+  changed.set = {{"needle.size", "3"}};
+  ASSERT_EQ(update_variant(path, changed), "");
+  EXPECT_EQ(json()["objects"].size(), 2u);
+  EXPECT_EQ(json()["objects"][0]["params"]["size"], 3);
+  EXPECT_EQ(json()["objects"][1]["name"], "pad");
+  EXPECT_FALSE(json().contains("add") || json().contains("remove") || json().contains("set"));
+  changed.remove = {"nobody"};
+  EXPECT_NE(update_variant(path, changed), "");
+}
+
 TEST(OwnLessons, TellWhatIsBasedOnThem) {
   QTemporaryDir dir;
   const QString own = dir.filePath("own");
@@ -116,14 +175,36 @@ class VariantDialogs : public ::testing::Test {
     base.goal = "To learn.";
     QFile file(base.path);
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(R"({ "format": "swage-lesson/1", "id": "base", "title": "Base", "lesson": { "plugin": "p" },
-      "objects": [ { "name": "needle", "plugin": "n" }, { "name": "tissue", "plugin": "t" } ] })");
+    file.write(R"({ "format": "swage-lesson/1", "id": "base", "title": "Base", "lesson": { "plugin": "x.lesson" },
+      "objects": [ { "name": "needle", "plugin": "x.needle" }, { "name": "tissue", "plugin": "x.tissue" } ],
+      "couplings": [ { "plugin": "x.pierce", "between": ["needle", "tissue"] } ] })");
     file.close();
-    dialog = std::make_unique<VariantDialog>(
-        base, kParams, [this](const auto& set) { return checked = set, problem; }, dir.filePath("own"),
-        nullptr);
+    open();
+  }
+  void open() {
+    dialog.reset();
+    dialog = std::make_unique<VariantDialog>(base, doors(), dir.filePath("own"), nullptr);
     dialog->show();
   }
+  VariantDialog::Doors doors() {
+    const auto build = [this](const QString& path, base::Problems& problems) -> std::unique_ptr<snapshot::SceneCard> {
+      ++built;
+      assembly::LessonText whole;
+      if (assembly::read_lesson_text(path.toStdString(), {}, whole, problems)) checked = whole.json;
+      if (problem.isEmpty()) return std::make_unique<snapshot::SceneCard>();
+      problems.push_back({base::Severity::kError, "x.json:1", problem.toStdString()});
+      return nullptr;
+    };
+    return {build, catalogue(), dir.filePath("drafts")};
+  }
+  QStringList drafts() const { return QDir(dir.filePath("drafts")).entryList(QDir::Files); }
+  QStringList parts() {
+    QStringList names;
+    for (const LessonPart& part : dialog->draft().parts()) names += part.name;
+    return names;
+  }
+  void undo() { child<QAction>("variant_undo")->trigger(); }
+  void redo() { child<QAction>("variant_redo")->trigger(); }
   template <class W>
   W* child(const char* name) {
     return dialog->findChild<W*>(QString::fromLatin1(name));
@@ -134,7 +215,8 @@ class VariantDialogs : public ::testing::Test {
   QTemporaryDir dir;
   LessonEntry base;
   QString problem;
-  QVector<std::pair<std::string, std::string>> checked;
+  nlohmann::ordered_json checked;  // the lesson that was built last
+  int built = 0;
   std::unique_ptr<VariantDialog> dialog;
 };
 
@@ -147,8 +229,7 @@ TEST_F(VariantDialogs, WriteWhatWasChangedAndItReadsBack) {
   save();
   EXPECT_EQ(dialog->result(), QDialog::Accepted);
   ASSERT_EQ(dialog->saved(), dir.filePath("own/thin_wall.json"));
-  ASSERT_EQ(checked.size(), 1);
-  EXPECT_EQ(checked[0].first, "tissue.thickness");
+  EXPECT_EQ(checked["objects"][1]["params"]["thickness"], "1.5 mm");
   assembly::LessonText whole;
   base::Problems problems;
   ASSERT_TRUE(assembly::read_lesson_text(dialog->saved().toStdString(), {}, whole, problems));
@@ -164,8 +245,7 @@ TEST_F(VariantDialogs, StartWithWhatAnAttemptWasAdjustedTo) {
   EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 2);
   EXPECT_EQ(child<QLabel>("variant_problem")->text(), "One value is changed. The last attempt's are kept.");
   save();
-  ASSERT_EQ(checked.size(), 1);
-  EXPECT_EQ(checked[0].first, "tissue.thickness");
+  EXPECT_EQ(checked["objects"][1]["params"]["thickness"], "2 mm");
 }
 
 TEST_F(VariantDialogs, SayWhenNothingIsCalledSo) {
@@ -181,7 +261,7 @@ TEST_F(VariantDialogs, EditALessonOfOnesOwn) {
   set("live_needle_size_0", 4);
   save();
   const LessonEntry own = read_lesson(dialog->saved());
-  VariantDialog edits(own, kParams, [](const auto&) { return QString(); }, nullptr);
+  VariantDialog edits(own, doors(), {}, nullptr);
   edits.show();
   auto* save_button = edits.findChild<QPushButton*>("variant_save");
   EXPECT_FALSE(save_button->isEnabled()) << "nothing is changed yet";
@@ -198,7 +278,7 @@ TEST_F(VariantDialogs, WriteNothingThatCannotBePractised) {
   set("live_needle_wire_0", 0.2);
   save();
   EXPECT_TRUE(dialog->isVisible());
-  EXPECT_EQ(child<QLabel>("variant_problem")->text(), problem);
+  EXPECT_EQ(child<QLabel>("variant_problem")->text(), "▲ " + problem);
   EXPECT_FALSE(QFile::exists(dir.filePath("own")));
 }
 
@@ -209,6 +289,107 @@ TEST_F(VariantDialogs, WriteNothingWhenTheyAreLeft) {
   QTest::keyClick(dialog.get(), Qt::Key_Escape);
   EXPECT_EQ(dialog->result(), QDialog::Rejected);
   EXPECT_FALSE(QFile::exists(dir.filePath("own")));
+  EXPECT_EQ(drafts(), QStringList()) << "the draft goes, too";
+}
+
+TEST_F(VariantDialogs, EveryEditIsUndoneAndDoneAgain) {
+  child<QLineEdit>("variant_title")->setText("Thin");
+  child<QLineEdit>("variant_title")->setText("Thin wall");
+  set("live_tissue_thickness_0", 1.5);
+  dialog->draft().remove_part("tissue");
+  EXPECT_EQ(parts(), QStringList{"needle"}) << "what bound it went with it";
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0"), nullptr);
+  undo();
+  EXPECT_EQ(parts(), (QStringList{"needle", "tissue", "pierce"}));
+  ASSERT_NE(child<QDoubleSpinBox>("live_tissue_thickness_0"), nullptr);
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 1.5) << "its values come back with it";
+  undo();
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 3);
+  EXPECT_TRUE(child<QLineEdit>("variant_title")->text() == "Thin wall");
+  undo();
+  EXPECT_EQ(child<QLineEdit>("variant_title")->text(), "Base, adapted") << "typing one field is one edit";
+  EXPECT_FALSE(child<QPushButton>("variant_save")->isEnabled());
+  for (int i = 0; i < 3; ++i) redo();
+  EXPECT_EQ(parts(), QStringList{"needle"});
+  save();
+  assembly::LessonText whole;
+  base::Problems problems;
+  ASSERT_TRUE(assembly::read_lesson_text(dialog->saved().toStdString(), {}, whole, problems));
+  EXPECT_EQ(whole.json["objects"].size(), 1u);
+  EXPECT_TRUE(whole.json["couplings"].empty());
+}
+
+TEST_F(VariantDialogs, KeysOfUndoAreTheLessonsInEveryField) {
+  set("live_tissue_thickness_0", 1.5);
+  auto* title = child<QLineEdit>("variant_title");
+  dialog->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
+  title->setFocus();
+  title->selectAll();
+  QTest::keyClicks(title, "x");
+  QTest::keySequence(title, QKeySequence::Undo);
+  QTest::keySequence(title, QKeySequence::Undo);
+  EXPECT_EQ(title->text(), "Base, adapted");
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 3);
+}
+
+TEST_F(VariantDialogs, APartIsAddedWithItsValues) {
+  dialog->draft().add_part(LessonPart::Kind::kObject, {{"name", "needle_2"}, {"plugin", "x.needle"}});
+  ASSERT_NE(child<QDoubleSpinBox>("live_needle_2_size_0"), nullptr);
+  EXPECT_EQ(child<QDoubleSpinBox>("live_needle_2_size_0")->value(), 5);
+  set("live_needle_2_size_0", 4);
+  EXPECT_EQ(child<QListWidget>("parts")->count(), 4);
+  save();
+  EXPECT_EQ(checked["objects"][2]["name"], "needle_2");
+  EXPECT_EQ(checked["objects"][2]["params"]["size"], "4 mm");
+}
+
+TEST_F(VariantDialogs, APartThatBreaksTheLessonIsSaidAndNotWritten) {
+  problem = "The lesson has no needle.";
+  dialog->draft().remove_part("needle");
+  QTRY_COMPARE(child<QLabel>("variant_problem")->text(), "▲ " + problem);
+  save();
+  EXPECT_FALSE(QFile::exists(dir.filePath("own")));
+}
+
+TEST_F(VariantDialogs, TheSceneIsBuiltAgainALittleAfterTheLastEdit) {
+  QTRY_COMPARE(built, 1);
+  for (const double mm : {1.5, 1.6, 1.7}) set("live_tissue_thickness_0", mm);
+  EXPECT_EQ(built, 1) << "not per edit";
+  QTRY_COMPARE(built, 2);
+  EXPECT_EQ(checked["objects"][1]["params"]["thickness"], "1.7 mm");
+}
+
+// U5
+TEST_F(VariantDialogs, WhatWasNotEndedIsTakenUpAgain) {
+  set("live_tissue_thickness_0", 1.5);
+  dialog->draft().remove_part("needle");
+  dialog.reset();  // as when the program is killed: nobody saved or cancelled
+  ASSERT_EQ(drafts().size(), 1);
+  open();
+  EXPECT_EQ(parts(), QStringList{"tissue"});
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 1.5);
+  EXPECT_TRUE(child<QLabel>("variant_problem")->text().contains("unfinished"));
+  undo();
+  EXPECT_EQ(parts().size(), 3);
+  EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 3);
+}
+
+TEST_F(VariantDialogs, AFormAsksWhatAPartIs) {
+  const host::Catalogue known = catalogue();
+  PartDialog coupling(LessonPart::Kind::kCoupling, dialog->draft(), known, nullptr);
+  EXPECT_EQ(coupling.part(), nlohmann::ordered_json::parse(R"({"name":"pierce_2","plugin":"x.pierce","between":["needle","tissue"]})"));
+  coupling.findChild<QComboBox*>("part_b")->setCurrentIndex(0);
+  EXPECT_FALSE(coupling.findChild<QPushButton*>("part_add")->isEnabled()) << "nothing is bound to itself";
+  PartDialog object(LessonPart::Kind::kObject, dialog->draft(), known, nullptr);
+  EXPECT_EQ(object.findChild<QLineEdit*>("part_name")->text(), "needle_2");
+  object.findChild<QLineEdit*>("part_name")->setText("tissue");
+  EXPECT_FALSE(object.findChild<QPushButton*>("part_add")->isEnabled()) << "the name is taken";
+  object.findChild<QLineEdit*>("part_name")->setText("other");
+  object.findChild<QDoubleSpinBox*>("part_at_2")->setValue(2.5);
+  EXPECT_EQ(object.part()["pose"]["p"][2], "2.5 mm");
+  PartDialog device(LessonPart::Kind::kDevice, dialog->draft(), known, nullptr);
+  EXPECT_EQ(device.part(), nlohmann::ordered_json::parse(R"({"name":"mouse","plugin":"x.mouse"})"));
 }
 
 TEST_F(VariantDialogs, WantATitle) {

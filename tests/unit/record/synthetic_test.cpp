@@ -15,7 +15,8 @@ namespace {
 using testing::HasSubstr;
 
 // an attempt of a hand with these numbers
-std::string hand(const std::string& store, double score, double seconds, double tries, double time) {
+std::string hand(const std::string& store, double score, double seconds, double tries, double time,
+                 const std::string& failed_for = "") {
   base::Problems problems;
   AttemptInfo info = make_info();
   info.mode = "test";
@@ -27,6 +28,7 @@ std::string hand(const std::string& store, double score, double seconds, double 
   end.simulated_s = seconds;
   end.metric[0] = tries;
   end.metric[1] = time;
+  if (!failed_for.empty()) end.outcome = judge::Outcome::kFailed, end.reason = failed_for;
   recorder->finish(end);
   return recorder->attempt_id();
 }
@@ -78,6 +80,24 @@ TEST_F(Synthetic, IsMarkedInEveryAttemptAndWhole) {
   EXPECT_EQ(with_recording, 4);
   EXPECT_FALSE(write_synthetic_school(path_, school_, error_));
   EXPECT_THAT(error_, HasSubstr("holds a synthetic school already"));
+}
+
+TEST_F(Synthetic, WhatHoldsInEveryRealAttemptHoldsInEachDrawnOne) {
+  // the first metric is never above the second, and only a failed attempt has it below 1
+  const auto real = [&](double score, double mean, double peak, const char* failed_for = "") {
+    return hand(school_.from, score, 10, mean, peak, failed_for);
+  };
+  school_.lessons = {{real(98, 1.2, 1.21), {real(60, 4.4, 4.4), real(50, 6.1, 6.15)}, {real(0, 0.5, 0.5, "failed.late"), real(0, 0.3, 0.31, "failed.late")}}};
+  ASSERT_TRUE(write_synthetic_school(path_, school_, error_)) << error_;
+  int failed = 0;
+  for (const AttemptRow& a : Store::open(path_, error_)->attempts("")) {
+    EXPECT_LE(a.metrics[0].value, a.metrics[1].value + 1e-12) << "a mean above its peak";
+    EXPECT_EQ(a.outcome == "failed", a.metrics[0].value < 1) << a.outcome << " " << a.metrics[0].value;
+    EXPECT_EQ(a.reason == "failed.late", a.outcome == "failed");
+    EXPECT_TRUE(a.outcome != "failed" || a.score == 0);
+    failed += a.outcome == "failed";
+  }
+  EXPECT_GT(failed, 20);
 }
 
 TEST_F(Synthetic, LearnsAndItsExpertsDoNotNeedTo) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/lesson_files.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QObject>
+#include <QRegularExpression>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "assembly/lesson_text.hpp"
+#include "console/models/said.hpp"
+#include "console/models/variant.hpp"
+
+namespace swage::console {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Every file that a plugin of the lesson is given by a parameter of type FILE.
+void collect_files(const Json& value, const host::Catalogue& catalogue, std::set<std::string>& out) {
+  if (value.is_array() || value.is_object())
+    for (const Json& below : value) collect_files(below, catalogue, out);
+  if (!value.is_object() || !value.contains("plugin") || !value["plugin"].is_string()) return;
+  const host::PluginInfo* plugin = catalogue.find(value["plugin"].get<std::string>());
+  if (plugin == nullptr || !value.contains("params") || !value["params"].is_object()) return;
+  for (const host::Param& p : plugin->params)
+    if (p.type == SWAGE_PARAM_FILE && value["params"].contains(p.id) && value["params"][p.id].is_string())
+      out.insert(value["params"][p.id].get<std::string>());
+}
+
+// Beside the lesson, else beside those that are here, else in the folder of that name next to them.
+QString find_file(const QString& name, const QString& beside, const QStringList& series) {
+  const QString in_folder = QStringLiteral("../") + name.section(QLatin1Char('/'), -2);
+  QStringList candidates{QDir(beside).absoluteFilePath(name)};
+  for (const QString& folder : series) candidates += {QDir(folder).absoluteFilePath(name), QDir(folder).absoluteFilePath(in_folder)};
+  for (const QString& path : candidates)
+    if (QFileInfo(path).isFile()) return QFileInfo(path).canonicalFilePath();
+  return {};
+}
+
+std::string as_json(const QString& text) { return Json(text.toStdString()).dump(); }
+
+// The text keeps its lines, so that a fault is told where the file has it.
+std::string with_files_in_full(const assembly::LessonText& lesson, const QString& beside, const QStringList& series,
+                               const host::Catalogue& catalogue) {
+  std::set<std::string> files;
+  collect_files(lesson.json, catalogue, files);
+  QString text = QString::fromStdString(lesson.text);
+  for (const std::string& file : files) {
+    const QString name = QString::fromStdString(file), found = find_file(name, beside, series);
+    if (!found.isEmpty()) text.replace(QString::fromStdString(as_json(name)), QString::fromStdString(as_json(found)));
+  }
+  return text.toStdString();
+}
+
+}  // namespace
+
+QString problem_words(const base::Problems& problems, const QString& file) {
+  QStringList words;
+  for (const base::Problem& p : problems) {
+    if (p.severity != base::Severity::kError) continue;
+    const auto line = QRegularExpression(QStringLiteral(":(\\d+)(?: #|$)")).match(QString::fromStdString(p.where));
+    const QString name = QFileInfo(file).fileName();
+    words += line.hasMatch() ? QObject::tr("%1, line %2: %3").arg(name, line.captured(1), said(p.message))
+                             : QObject::tr("%1: %2").arg(name, said(p.message));
+  }
+  if (words.isEmpty()) return {};
+  const auto more = words.size() - 1;
+  return more == 0 ? words.front() : words.front() + QLatin1Char(' ') + (more == 1 ? QObject::tr("And one more.") : QObject::tr("And %1 more.").arg(more));
+}
+
+QString export_lesson(const QString& lesson_path, const QString& file) {
+  assembly::LessonText lesson;
+  base::Problems problems;
+  if (!assembly::read_lesson_text(lesson_path.toStdString(), {}, lesson, problems) || base::failed(problems))
+    return problem_words(problems, lesson_path);
+  return write_whole(file, QByteArray::fromStdString(lesson.text));
+}
+
+Imported import_lesson(const QString& file, const ImportPlaces& places, const host::Catalogue& catalogue, const LessonBuilder& build) {
+  assembly::LessonText lesson;
+  base::Problems problems;
+  if (!assembly::read_lesson_text(file.toStdString(), {}, lesson, problems) || base::failed(problems))
+    return {{}, problem_words(problems, file)};
+  const QString beside = QFileInfo(QString::fromStdString(lesson.beside)).absolutePath();
+  const QByteArray text = QByteArray::fromStdString(with_files_in_full(lesson, beside, places.series, catalogue));
+  if (!QDir().mkpath(QFileInfo(places.draft).absolutePath()) || !QDir().mkpath(places.own))
+    return {{}, QObject::tr("The folder %1 cannot be made.").arg(places.own)};
+  if (const QString problem = write_whole(places.draft, text); !problem.isEmpty()) return {{}, problem};
+  const bool can = build(places.draft, problems) != nullptr;
+  QFile::remove(places.draft);
+  if (!can) return {{}, problem_words(problems, file)};
+  const QString title = QString::fromStdString(lesson.json.value("title", std::string()));
+  const QString path = places.own + QLatin1Char('/') + slug(title) + QStringLiteral(".json");
+  if (QFileInfo::exists(path)) return {{}, QObject::tr("There is a lesson called \"%1\" among your own already; delete or rename it first.").arg(title)};
+  const QString problem = write_whole(path, text);
+  return problem.isEmpty() ? Imported{path, {}} : Imported{{}, problem};
+}
+
+}  // namespace swage::console
