@@ -30,11 +30,6 @@ LiveParam length(const char* instance, const char* id, const char* label, double
   return live;
 }
 
-QByteArray read(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 host::Param param(const char* id, const char* label, double default_m) {
   host::Param p = length("", id, label, 0).param;
   p.dimension = 1;
