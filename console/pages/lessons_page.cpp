@@ -116,6 +116,8 @@ QWidget* LessonsPage::make_detail() {
   practise_ = add_button(row, tr("Practise"), "Enter", "practise_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("practice")); });
   practise_->setProperty("primary", true);
   test_ = add_button(row, tr("Test"), "Ctrl+T", "test_lesson", [this] { Q_EMIT run(lesson(), QStringLiteral("test")); });
+  test_->setText(tr("Test"));
+  test_->setShortcut(QKeySequence(QStringLiteral("Ctrl+T")));
   row->addStretch(1);
   card.body->addLayout(row);
   add_own_buttons(card.body);
@@ -137,11 +139,18 @@ void LessonsPage::add_own_buttons(QVBoxLayout* column) {
   variant_ = add_button(own, tr("New lesson from this…"), "Ctrl+N", "new_from_this", [this] { Q_EMIT make_variant(lesson()); });
   edit_ = add_button(own, tr("Edit…"), "Ctrl+E", "edit_this", [this] { Q_EMIT edit_lesson(lesson()); });
   delete_ = add_button(own, tr("Delete…"), "Ctrl+Del", "delete_this", [this] { Q_EMIT delete_lesson(lesson()); });
+  // words alone: with all its keys the page would be wider than a remembered layout; the tips tell the keys
+  delete_->setText(tr("Delete…"));
+  delete_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Del")));
   own->addStretch(1);
   auto* files = new QHBoxLayout;
   import_ = add_button(files, tr("Import…"), "Ctrl+I", "import_lesson", [this] { ask_import(); });
+  import_->setText(tr("Import…"));
+  import_->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
   import_->setToolTip(tr("Take in a lesson file from another station (Ctrl+I)"));
   export_ = add_button(files, tr("Export…"), "Ctrl+Shift+E", "export_lesson", [this] { ask_export(); });
+  export_->setText(tr("Export…"));
+  export_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+E")));
   export_->setToolTip(tr("Write this lesson to a file for another station (Ctrl+Shift+E)"));
   files->addStretch(1);
   column->addLayout(own);
