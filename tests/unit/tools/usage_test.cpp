@@ -21,7 +21,7 @@ TEST_F(Usage, VerbsAreNamed) {
   expect_refused({"runn", "x.json"},
                  "swage has no verb \"runn\". Did you mean \"run\"? It has: run, study, replay,");
   expect_refused({"attempts"}, "Say what attempts shall do. It has: list, import, backup, restore, salvage, export, send, void, name, note.");
-  expect_refused({"calibrate"}, "Say what calibrate shall do. It has: displacement, force, tip, poses, check, show.");
+  expect_refused({"calibrate"}, "Say what calibrate shall do. It has: displacement, force, tip, poses, zero, check, show.");
   expect_refused({"attempts", "exprot"}, "attempts has no verb \"exprot\". Did you mean \"export\"?");
 }
 
