@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QRegularExpressionValidator>
 #include <QShortcut>
 #include <algorithm>
@@ -93,7 +94,9 @@ void PartDialog::add_place() {
     row->addWidget(at, 1);
     at_ += at;
   }
-  form_->addRow(tr("&Place"), row);
+  auto* label = new QLabel(tr("&Place"), this);
+  label->setBuddy(at_.first());  // else its mnemonic is written out
+  form_->addRow(label, row);
   follows_ = new QComboBox(this);
   follows_->setObjectName(QStringLiteral("part_follows"));
   follows_->addItem(tr("Nothing: it stands or falls by itself"));

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -287,6 +288,9 @@ TEST_F(VariantDialogs, AFormAsksWhatAPartIs) {
   EXPECT_EQ(object.part()["pose"]["p"][2], "2.5 mm");
   PartDialog device(LessonPart::Kind::kDevice, dialog->draft(), known, nullptr);
   EXPECT_EQ(device.part(), nlohmann::ordered_json::parse(R"({"name":"mouse","plugin":"x.mouse"})"));
+  for (const PartDialog* form : {&coupling, &object, &device})
+    for (const QLabel* label : form->findChildren<QLabel*>())
+      EXPECT_TRUE(label->buddy() != nullptr || !label->text().contains('&')) << label->text().toStdString() << ": its key is written out";
 }
 
 TEST_F(VariantDialogs, WantATitle) {
