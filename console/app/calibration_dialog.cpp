@@ -49,6 +49,7 @@ QWidget* CalibrationDialog::make_sensor() {
   port_->setObjectName(QStringLiteral("calibration_port"));
   port_->setAccessibleName(tr("Port"));
   port_->setEditable(true);
+  port_->lineEdit()->setPlaceholderText(tr("No sensor is plugged in; or type its port"));
   for (const std::string& port : sensor::serial_adapters()) port_->addItem(QString::fromStdString(port));
   rate_ = new QComboBox(card.frame);
   rate_->setAccessibleName(tr("Bits per second"));
@@ -80,9 +81,9 @@ QWidget* CalibrationDialog::make_points(const UiTheme& theme) {
   connect(table_, &QTableWidget::itemChanged, this, &CalibrationDialog::read_lengths);
   left->addWidget(table_, 1);
   auto* buttons = new QHBoxLayout;
-  measure_ = make_button(tr("Measure this length"), {}, QStringLiteral("calibration_measure"), card.frame);
+  measure_ = make_measuring(tr("Measure this length"), "calibration_measure", card.frame);
   measure_->setToolTip(tr("Draw the sensor to the length of the chosen line, hold it still, press; the next line follows"));
-  connect(measure_, &QPushButton::clicked, this, [this] { measure(table_->currentRow()); });
+  connect(measure_, &QPushButton::clicked, this, [this] { measure(table_->currentRow(), measure_); });
   clear_ = make_button(tr("Clear"), {}, QStringLiteral("calibration_clear"), card.frame);
   connect(clear_, &QPushButton::clicked, this, [this] {
     for (auto& r : draft_.rows()) r.volts.reset();
@@ -115,11 +116,18 @@ QWidget* CalibrationDialog::make_poses() {
   const QString words[] = {tr("Open: let the handle go"), tr("Just closed: the jaws meet"), tr("Squeezed: as far as it goes")};
   const char* const names[] = {"calibration_open", "calibration_closed", "calibration_squeezed"};
   for (int i = 0; i < 3; ++i) {
-    pose_[i] = make_button(words[i], {}, QString::fromLatin1(names[i]), card.frame);
-    connect(pose_[i], &QPushButton::clicked, this, [this, i] { measure(kPose + i); });
+    pose_[i] = make_measuring(words[i], names[i], card.frame);
+    connect(pose_[i], &QPushButton::clicked, this, [this, i] { measure(kPose + i, i < 2 ? pose_[i + 1] : keep_); });
     row->addWidget(pose_[i]);
   }
   card.body->addLayout(row);
+  auto* only = new QLabel(tr("Or, where a session says that the handle does not rest where it was open: its zero alone, 5 s."), card.frame);
+  only->setWordWrap(true);
+  card.body->addSpacing(12);
+  card.body->addWidget(only);
+  zero_ = make_measuring(tr("Set the zero: let the handle go"), "calibration_zero", card.frame);
+  connect(zero_, &QPushButton::clicked, this, [this] { measure(kZero, keep_); });
+  card.body->addWidget(zero_);
   card.body->addStretch(1);
   return card.frame;
 }
@@ -151,6 +159,13 @@ QWidget* CalibrationDialog::make_end() {
   return box;
 }
 
+// In this window a click may take the keyboard: nobody leads an instrument meanwhile, and the next point is one key away.
+QPushButton* CalibrationDialog::make_measuring(const QString& text, const char* name, QWidget* parent) {
+  QPushButton* button = make_button(text, {}, QString::fromLatin1(name), parent);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
 void CalibrationDialog::say(const QString& text, bool bad) { said_->setText(bad ? QStringLiteral("▲ ") + text : text); }
 
 void CalibrationDialog::connect_sensor() {
@@ -178,6 +193,7 @@ void CalibrationDialog::poll() {
     // a sensor with a bench behind it needs only its poses
     if (draft_.in_use().valid() && !draft_.fit().valid()) steps_->setCurrentIndex(1);
     show_points();
+    next_ = steps_->currentIndex() == 1 ? pose_[0] : measure_;
   } else if (!named_ && sensor::now_s() > asked_s_ + kPatience_s) {
     timer_.stop();
     bench_.close();
@@ -192,13 +208,17 @@ void CalibrationDialog::poll() {
   const bool ready = named_ && bench_.plugged() && measuring_ < 0;
   measure_->setEnabled(ready);
   for (QPushButton* pose : pose_) pose->setEnabled(ready && draft_.in_use().valid());
+  zero_->setEnabled(ready && draft_.may_zero());
   measure_force_->setEnabled(ready && draft_.in_use().valid());
   show_tip();
+  if (measuring_ < 0)
+    if (QWidget* next = std::exchange(next_, nullptr); next != nullptr && next->isEnabled() && next->isVisible()) next->setFocus();
 }
 
-void CalibrationDialog::measure(int what) {
+void CalibrationDialog::measure(int what, QWidget* then) {
   if (!named_ || measuring_ >= 0 || what < 0) return;
   measuring_ = what;
+  next_ = then;
   measure_->setEnabled(false);
   say(tr("Hold it still…"), false);
   bench_.begin(sensor::now_s(), seconds_);
@@ -209,7 +229,9 @@ void CalibrationDialog::measured() {
   double volts = 0;
   if (const std::string why = bench_.mean(volts); !why.empty()) return say(QString::fromStdString(why), true);
   say({}, false);
-  if (what == kCheck) {
+  if (what == kZero) {
+    draft_.zero_volts = volts, draft_.zero_gauge_N = bench_.gauge();
+  } else if (what == kCheck) {
     draft_.check_volts = volts;
   } else if (what >= kForce) {
     draft_.force_rows[static_cast<size_t>(what - kForce)].volts = volts;
@@ -272,6 +294,7 @@ void CalibrationDialog::show_points() {
     measure_force_->setEnabled(false);
     check_->setEnabled(false);
     for (QPushButton* pose : pose_) pose->setEnabled(false);
+    zero_->setEnabled(false);
   }
 }
 
@@ -279,7 +302,10 @@ void CalibrationDialog::show_poses() {
   const char* const marks[] = {"○", "●"};
   const QString words[] = {tr("Open: let the handle go"), tr("Just closed: the jaws meet"), tr("Squeezed: as far as it goes")};
   for (size_t i = 0; i < 3; ++i)
-    pose_[i]->setText(QString::fromUtf8(marks[draft_.pose_volts[i] ? 1 : 0]) + QLatin1Char(' ') + words[i]);
+    pose_[i]->setText(QString::fromUtf8(marks[draft_.pose_volts[i] ? 1 : 0]) + QLatin1Char(' ') + words[i] +
+                      (draft_.pose_volts[i] ? tr(": %1 mm").arg(number(1e3 * draft_.in_use().length(*draft_.pose_volts[i]), 2)) : QString()));
+  zero_->setText(QString::fromUtf8(marks[draft_.zero_volts ? 1 : 0]) + QLatin1Char(' ') + tr("Set the zero: let the handle go") +
+                 (draft_.zero_volts ? tr(": %1 mm").arg(number(1e3 * draft_.in_use().length(*draft_.zero_volts), 2)) : QString()));
 }
 
 void CalibrationDialog::keep() {
@@ -289,7 +315,9 @@ void CalibrationDialog::keep() {
   std::string wrong = draft_.finish(sensor::today(), c);
   const std::string path = sensor::calibration_path(draft_.serial);
   if (wrong.empty()) wrong = sensor::save_calibration(path, c);
-  if (!wrong.empty()) return say(QString::fromStdString(wrong), true);
+  if (!wrong.empty()) say(QString::fromStdString(wrong), true);
+  if (draft_.by.empty()) by_->setFocus();
+  if (!wrong.empty()) return;
   say(c.poses.known() ? tr("Kept, valid until %1.").arg(QString::fromStdString(c.expires))
                       : tr("Kept, valid until %1. It is used once the three poses are measured.").arg(QString::fromStdString(c.expires)),
       false);

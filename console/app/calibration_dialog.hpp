@@ -39,7 +39,9 @@ class CalibrationDialog : public QDialog {
   QWidget* make_forces();
   QWidget* make_end();
   void connect_sensor();
-  void measure(int what);  // a row; kPose and on: open, closed, squeezed; kForce and on: a row of forces; kCheck
+  /// A row; kPose and on: open, closed, squeezed; kForce and on: a row of forces; kCheck; kZero. `then`: where the keyboard goes.
+  void measure(int what, QWidget* then);
+  QPushButton* make_measuring(const QString& text, const char* name, QWidget* parent);
   void poll();
   void measured();
   void read_lengths();
@@ -51,13 +53,14 @@ class CalibrationDialog : public QDialog {
   void keep();
   void say(const QString& text, bool bad);
 
-  static constexpr int kPose = 100, kForce = 200, kCheck = 300;
+  static constexpr int kPose = 100, kForce = 200, kCheck = 300, kZero = 400;
   sensor::Bench bench_;
   sensor::Draft draft_;
   QTimer timer_;
   double seconds_ = 0.5;
   double asked_s_ = 0;  // when the port was opened
   int measuring_ = -1;
+  QWidget* next_ = nullptr;  // gets the keyboard when the measurement is over
   bool named_ = false, filling_ = false;
   QComboBox *port_, *rate_;
   QLineEdit* by_;
@@ -66,7 +69,7 @@ class CalibrationDialog : public QDialog {
   QTabWidget* steps_;
   QTableWidget *table_, *force_table_;
   FitPlot* plot_;
-  QPushButton *connect_, *measure_, *clear_, *keep_, *pose_[3], *measure_force_, *check_;
+  QPushButton *connect_, *measure_, *clear_, *keep_, *pose_[3], *zero_, *measure_force_, *check_;
 };
 
 /// What is stored of jaw sensors, one sentence each, with what is wrong with it.

@@ -40,11 +40,11 @@ QWidget* CalibrationDialog::make_forces() {
   connect(force_table_, &QTableWidget::itemChanged, this, &CalibrationDialog::read_forces);
   card.body->addWidget(force_table_, 1);
   auto* row = new QHBoxLayout;
-  measure_force_ = make_button(tr("Measure this force"), {}, QStringLiteral("calibration_measure_force"), card.frame);
-  connect(measure_force_, &QPushButton::clicked, this, [this] { measure(kForce + force_table_->currentRow()); });
-  check_ = make_button(tr("Check at %1 N").arg(QString::number(sensor::kCheckForce)), {}, QStringLiteral("calibration_check"), card.frame);
+  measure_force_ = make_measuring(tr("Measure this force"), "calibration_measure_force", card.frame);
+  connect(measure_force_, &QPushButton::clicked, this, [this] { measure(kForce + force_table_->currentRow(), force_table_); });
+  check_ = make_measuring(tr("Check at %1 N").arg(QString::number(sensor::kCheckForce)), "calibration_check", card.frame);
   check_->setToolTip(tr("A real needle between the tips on the gauge: squeeze until it shows this force, hold still, press"));
-  connect(check_, &QPushButton::clicked, this, [this] { measure(kCheck); });
+  connect(check_, &QPushButton::clicked, this, [this] { measure(kCheck, check_); });
   tip_ = new QLabel(card.frame);
   tip_->setObjectName(QStringLiteral("calibration_tip"));
   row->addWidget(measure_force_);

@@ -51,35 +51,35 @@ int run(int argc, char** argv) {
   const QTemporaryDir own;
   if (!launch.screenshot.isEmpty()) launch.settings_file = own.filePath(QStringLiteral("settings.ini"));
 
-  console::Doors doors;
-  doors.open_session = &session::Session::open;
-  doors.open_expert = &console::open_session_expert;
+  console::Services services;
+  services.open_session = &session::Session::open;
+  services.open_expert = &console::open_session_expert;
   if (launch.options.store_path != ":none:") {
-    doors.open_store = [where = launch.options.store_path](std::string& error) {
+    services.open_store = [where = launch.options.store_path](std::string& error) {
       return record::Store::open_as_allowed(where, error);
     };
-    doors.open_school = [where = launch.options.store_path](std::string& error) {
+    services.open_school = [where = launch.options.store_path](std::string& error) {
       return record::School::open(where, error);
     };
   }
   if (record::is_postgres(launch.options.store_path))
-    doors.open_stations = [where = launch.options.store_path](std::string& error) { return record::Stations::open(where, error); };
+    services.open_stations = [where = launch.options.store_path](std::string& error) { return record::Stations::open(where, error); };
   const session::Options& options = launch.options;
-  doors.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
+  services.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
                                                       std::string& error) {
     return record::read_recording(where.empty() ? record::Store::default_path() : where, id, out, error);
   };
-  doors.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
+  services.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
                                                    base::Problems& problems) {
     return console::open_session_player(recording, dirs, problems);
   };
-  doors.open_file = [](const std::string& file, std::string& error) {
+  services.open_file = [](const std::string& file, std::string& error) {
     return record::Store::open_to_read(file, error);
   };
-  doors.read_file = [](const std::string& file, const std::string& id, record::Recording& out, std::string& error) {
+  services.read_file = [](const std::string& file, const std::string& id, record::Recording& out, std::string& error) {
     return record::read_recording(file, id, out, error);
   };
-  console::MainWindow window(std::move(doors), launch);
+  console::MainWindow window(std::move(services), launch);
   const console::EndSignals signals([&window] { window.leave(); });
   window.show();
   if (!launch.screenshot.isEmpty()) {

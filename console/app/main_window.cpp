@@ -34,11 +34,11 @@ QByteArray layout_key(const QSplitter& splitter) { return "layout/" + splitter.o
 
 }  // namespace
 
-MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
+MainWindow::MainWindow(Services services, const Launch& launch, QWidget* parent)
     : QMainWindow(parent),
       settings_(launch.settings_file.isEmpty() ? Settings() : Settings(launch.settings_file)),
-      store_(std::move(doors.open_store)),
-      desk_(std::move(doors.open_school)),
+      store_(std::move(services.open_store)),
+      desk_(std::move(services.open_school)),
       stations_(new StationLink(this)) {
   setWindowTitle(tr("Swage"));
   lessons_.set_folders(launch.lesson_folders);
@@ -53,7 +53,7 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
   column->addWidget(messages_);
   column->addWidget(strip_);
   setCentralWidget(middle);
-  add_pages(doors);
+  add_pages(services);
   connect_pages();
   fill_top_bar();
   add_actions();
@@ -62,15 +62,15 @@ MainWindow::MainWindow(Doors doors, const Launch& launch, QWidget* parent)
           ? tr("Picture: %1").arg(run_->view()->gl().renderer.section(QLatin1Char('('), 0, 0).trimmed())
           : tr("▲ No OpenGL"));
   restore(launch);
-  start_stations(std::move(doors.open_stations), launch.station);
+  start_stations(std::move(services.open_stations), launch.station);
 }
 
 MainWindow::~MainWindow() = default;
 
 // Their order is that of the buttons and of Ctrl+1, Ctrl+2...
-void MainWindow::add_pages(Doors& doors) {
-  run_ = new RunPage(std::move(doors.open_session), &lessons_, strip_, pages_);
-  run_->set_expert(std::move(doors.open_expert));
+void MainWindow::add_pages(Services& services) {
+  run_ = new RunPage(std::move(services.open_session), &lessons_, strip_, pages_);
+  run_->set_expert(std::move(services.open_expert));
   pages_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, {},
                [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
   lessons_page_ = new LessonsPage(
@@ -89,9 +89,9 @@ void MainWindow::add_pages(Doors& doors) {
                  people_->focus_people();
                },
                [this](const UiTheme& ui, const CueTheme&) { people_->set_theme(ui); }, nullptr, desk_.people_edits()});
-  review_ = new ReviewPage(std::move(doors.read_recording), std::move(doors.open_player), pages_);
+  review_ = new ReviewPage(std::move(services.read_recording), std::move(services.open_player), pages_);
   review_->set_desk(&desk_);
-  review_->set_file_doors(std::move(doors.open_file), std::move(doors.read_file));
+  review_->set_file_services(std::move(services.open_file), std::move(services.read_file));
   pages_->add({QStringLiteral("review"), tr("Review"), tr("What happened in that attempt?"), review_, true,
                [this] { review_->setFocus(); },
                [this](const UiTheme& ui, const CueTheme& cues) { review_->set_themes(ui, cues); }, review_->view(),

@@ -28,7 +28,7 @@ namespace swage::console {
 class StationDialog;
 
 /// The window's ways into the framework; tests put doubles behind them.
-struct Doors {
+struct Services {
   SessionOpener open_session;
   StoreOpener open_store;  // none: nothing is kept
   RecordingReader read_recording;
@@ -43,7 +43,7 @@ struct Doors {
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  MainWindow(Doors doors, const Launch& launch, QWidget* parent = nullptr);
+  MainWindow(Services services, const Launch& launch, QWidget* parent = nullptr);
   ~MainWindow() override;
 
   RunPage* run_page() { return run_; }
@@ -83,7 +83,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  void add_pages(Doors& doors);
+  void add_pages(Services& services);
   void connect_pages();
   void fill_top_bar();
   void select_lesson(const QString& path);

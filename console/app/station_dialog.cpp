@@ -26,7 +26,7 @@ void RulerBar::paintEvent(QPaintEvent*) {
   const double end = 1 + length_px(), y = 12;
   p.drawLine(QPointF(1, y), QPointF(end, y));
   for (int cm = 0; cm <= 10; ++cm) p.drawLine(QPointF(1 + 0.1 * cm * length_px(), y - (cm % 5 == 0 ? 9 : 5)), QPointF(1 + 0.1 * cm * length_px(), y));
-  p.drawText(QRectF(0, y + 2, std::max(end, 200.0), 20), Qt::AlignLeft | Qt::AlignTop, tr("100 mm: hold a ruler to it"));
+  p.drawText(QRectF(0, y + 2, std::max(end, 200.0), 26), Qt::AlignLeft | Qt::AlignTop, tr("100 mm: hold a ruler to it"));
 }
 
 StationDialog::StationDialog(const Station& station, bool mirrored, ArmMaker make_arm, QWidget* parent)

@@ -22,11 +22,12 @@ namespace swage::console {
 
 /// A bar that is as long as its words say, when the size of the screen is right: a ruler tells.
 class RulerBar : public QWidget {
+  Q_OBJECT
  public:
   explicit RulerBar(QWidget* parent);
   void set_mm_per_pixel(double mm) { mm_per_px_ = mm, update(); }
   double length_px() const { return mm_per_px_ > 0 ? kLength_mm / mm_per_px_ : 0; }
-  QSize sizeHint() const override { return {420, 34}; }
+  QSize sizeHint() const override { return {420, 40}; }
   static constexpr double kLength_mm = 100;
 
  protected:

@@ -51,12 +51,17 @@ QString quantity_text(double value, const QString& unit) {
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
     return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
            QStringLiteral("µm");
+  // what a thread bears at rest is told in millinewtons
+  if (unit == QLatin1String("N") && value != 0 && std::abs(value) < 0.01)
+    return QLocale().toString(1e3 * value, 'f', 2) + QChar(0x202f) + QStringLiteral("mN");
   const double shown = value * display_factor(unit);
   const QString suffix = display_unit(unit);
   // counts without decimals, everything else with three digits that mean something
   const bool whole = suffix.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
   const double size = std::abs(shown);
-  const int decimals = whole ? 0 : size >= 100 ? 0 : size >= 10 ? 1 : 2;
+  int decimals = whole ? 0 : size >= 100 ? 0 : size >= 10 ? 1 : 2;
+  // a small share of one has two digits that mean something, too
+  if (suffix.isEmpty() && !whole && size < 0.1) decimals = std::min(6, 1 - static_cast<int>(std::floor(std::log10(size))));
   const QString number = QLocale().toString(shown, 'f', decimals);
   if (suffix.isEmpty()) return number;
   return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;

@@ -3,7 +3,7 @@
 // The instructor's own window: readings, cues and events of the attempt, also in a test, where the trainee's page shows none.
 #pragma once
 
-#include <QTableView>
+#include <QAbstractItemModel>
 #include <QWidget>
 
 #include "console/pages/now_panel.hpp"
@@ -29,8 +29,5 @@ class InstructorWindow : public QWidget {
   NowPanel* now_;
   CueLegend* legend_;
 };
-
-/// The list of events as the page and this window show it.
-QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent);
 
 }  // namespace swage::console

@@ -215,7 +215,7 @@ void ReviewPage::show_problem(const QString& text) {
     findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(false);
 }
 
-void ReviewPage::set_file_doors(FileOpener open, FileReader read) {
+void ReviewPage::set_file_services(FileOpener open, FileReader read) {
   open_file_ = std::move(open);
   read_file_ = std::move(read);
 }

@@ -42,7 +42,7 @@ class ReviewPage : public QWidget {
   /// Shows an attempt of the store. False: the page says why.
   bool open(std::shared_ptr<record::Store> store, const QString& attempt_id);
   /// The same out of a file that holds one.
-  void set_file_doors(FileOpener open, FileReader read);
+  void set_file_services(FileOpener open, FileReader read);
   bool open_file(const QString& file);
   /// Writes the attempt as the file's ending says: .swage (everything), .csv (signals), or the summary. "" or what went wrong.
   QString write_swage(const QString& file);

@@ -8,13 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "console/pages/event_table.hpp"
 #include "console/pages/run_page.hpp"
 #include "console/widgets/parts.hpp"
 
 namespace swage::console {
 namespace {
 
-constexpr int kBottom_px = 140;  // four events, or eight cues in two columns
+constexpr int kBottom_px = 140;  // three events, or ten cues in two columns; higher where a lesson has more
 // On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
 constexpr int kNarrow_px = 1180, kLow_px = 700;
 constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
@@ -93,16 +94,18 @@ void RunPage::fill_view_menu(QMenu* menu) const {
 // what happened, and what the cues mean
 QWidget* RunPage::make_bottom() {
   auto* box = bottom_ = new QWidget(this);
-  box->setFixedHeight(kBottom_px);
+  box->setMinimumHeight(kBottom_px);
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // as high as the legend asks for
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);
   event_table_ = make_event_table(shown_events_, box);
   event_table_->setObjectName(QStringLiteral("events"));
   event_table_->setAccessibleName(tr("What happened in this attempt"));
+  event_table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   row->addWidget(event_table_, 5);
   legend_ = new CueLegend(box);
-  row->addWidget(legend_, 5);
+  row->addWidget(legend_, 9);
   return box;
 }
 

@@ -816,7 +816,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Residual, µm</source>
-        <translation>Abweichung, µm</translation>
+        <translation>Abw., µm</translation>
     </message>
     <message>
         <source>Measure this length</source>
@@ -828,7 +828,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>Frei</translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>V</source>
@@ -989,6 +989,22 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>%1 Now %2 N; checked: %3 N for %4 N</source>
         <translation>%1 Jetzt %2 N; geprüft: %3 N für %4 N</translation>
+    </message>
+    <message>
+        <source>No sensor is plugged in; or type its port</source>
+        <translation>Kein Sensor steckt; oder seinen Port eintippen</translation>
+    </message>
+    <message>
+        <source>Or, where a session says that the handle does not rest where it was open: its zero alone, 5 s.</source>
+        <translation>Oder, wo eine Sitzung sagt, dass der Griff nicht dort ruht, wo er offen war: nur seine Null, 5 s.</translation>
+    </message>
+    <message>
+        <source>Set the zero: let the handle go</source>
+        <translation>Null setzen: den Griff loslassen</translation>
+    </message>
+    <message>
+        <source>: %1 mm</source>
+        <translation>: %1 mm</translation>
     </message>
 </context>
 <context>

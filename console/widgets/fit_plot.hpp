@@ -10,6 +10,7 @@ namespace swage::console {
 
 /// A straight line through measured points, and below it what is left of each: filled dots were used, crosses were left out.
 class FitPlot : public QWidget {
+  Q_OBJECT
  public:
   struct Point {
     double x = 0, y = 0, residual = 0;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hand/hand.hpp"
+#include "nodes/nodes.hpp"
 
 namespace swage::gamepad {
 
@@ -23,6 +24,15 @@ double now_s() {
   timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// A pad that is plugged in and may not be read, "" when there is none.
+std::string closed_pad() {
+  constexpr uint16_t kSony = 0x054c, kNintendo = 0x057e;  // whose pads SDL reads by hidraw
+  for (const nodes::Tells kind : {nodes::Tells::kPad, nodes::Tells::kJoystick})
+    if (std::string pad = nodes::closed_input(kind); !pad.empty()) return pad;
+  const std::string pad = nodes::closed_of_maker(kSony);
+  return pad.empty() ? nodes::closed_of_maker(kNintendo) : pad;
 }
 
 }  // namespace
@@ -62,11 +72,11 @@ void Gamepad::open() {
   std::string others;
   for (int i = 0; i < sdl_->NumJoysticks(); ++i)
     if (sdl_->IsGameController(i) != 0) others += std::string(others.empty() ? "" : ", ") + sdl_->GameControllerNameForIndex(i);
-  if (others.empty())
-    refuse("There is no game pad. Plug one in; if it is, add yourself to the group input (sudo adduser $USER input), and for pads that "
-           "are read by hidraw install the package steam-devices.");
-  else
-    refuse("There is no game pad \"" + params().pad + "\". There is: " + others + ".");
+  if (!others.empty()) return refuse("There is no game pad \"" + params().pad + "\". There is: " + others + ".");
+  if (const std::string pad = closed_pad(); !pad.empty())
+    return refuse(pad + " is there and may not be read. Install the udev rule 70-swage.device.gamepad.rules, or add yourself to the group "
+                  "input (sudo adduser $USER input) and log in again.");
+  refuse("There is no game pad. Plug one in, or pair it by Bluetooth.");
 }
 
 void Gamepad::close() {

@@ -13,6 +13,7 @@
 namespace swage::inverse3 {
 namespace {
 
+constexpr double kLow = 0.2;      // charge of which a person is told
 constexpr double kPatience = 3;   // s for the service to answer at the start
 constexpr double kRetry = 0.5;    // s between two tries to reach it again
 constexpr double kUnanswered = 0.1;  // s after which a message without an answer is sent anew; normal are 0.1 to 1 ms
@@ -59,7 +60,7 @@ std::string Inverse3::reach() {
   for (const double until = now_s() + kPatience; now_s() < until; nap()) {
     if (socket_.progress() == WebSocket::State::kClosed)
       return "The Inverse Service does not answer at " + where + ": " + socket_.trouble() +
-             " Install and start it (from docs.haply.co; sudo systemctl enable --now haply-inverse-service).";
+             " Install it from docs.haply.co and start it (sudo systemctl enable --now haply-inverse-service).";
     while (socket_.receive(text)) {
       const Message m = read_message(text, params().arm, params().grip);
       greeted |= m.readable;
@@ -76,6 +77,7 @@ std::string Inverse3::reach() {
 
 void Inverse3::open() {
   arm_ = params().arm;
+  battery_told_ = false;
   grip_known_ = grip_there_ = fresh_ = asked_ = false;
   now_ = {};
   closure_ = 0;
@@ -117,6 +119,10 @@ void Inverse3::hear(const std::string& text, double now) {
   if (now_.handedness.empty()) now_.handedness = hand;
   grip_there_ = m.grip.has_value();
   if (m.grip) grip_ = *m.grip;
+  if (m.grip && grip_.battery.value_or(1) <= kLow && !battery_told_) {
+    battery_told_ = true;
+    warn("The battery of the stylus is low. Charge the VerseGrip after this attempt.");
+  }
   grip_known_ |= grip_there_;
   heard_s_ = now;
   fresh_ = true;

@@ -68,6 +68,7 @@ class Inverse3 final : public TellingDevice<Inverse3Params> {
   bool asked_ = false;   // a message is out that was not answered
   bool fresh_ = false;   // the arm was heard since the last sample
   bool grip_known_ = false, grip_there_ = false;
+  bool battery_told_ = false;
   Arm now_;
   Grip grip_;
   double closure_ = 0, last_s_ = 0, heard_s_ = 0, tried_s_ = 0, asked_s_ = 0;

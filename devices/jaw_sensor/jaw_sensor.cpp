@@ -21,6 +21,9 @@ namespace {
 
 // s in which a sensor has to say something: boards that restart when their port is opened need two
 constexpr double kPatience = 4;
+// a handle that keeps still for so long within the first seconds is looked at: is it open where it should be?
+constexpr double kRestLooked = 5, kRestStill = 0.5;  // s
+constexpr double kStill = 20e-6;                     // m, ten times the sensor's resolution
 
 }  // namespace
 
@@ -50,8 +53,7 @@ bool JawSensor::choose_port(sensor::LinkSettings& settings) {
   }
   std::string list;
   for (const std::string& one : all) list += " " + one;
-  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port; a port that may not be "
-                       "opened needs the group dialout (sudo adduser $USER dialout)."
+  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."
                      : "There are several serial adapters; name the port of the sensor, one of:" + list);
   return false;
 }
@@ -87,6 +89,22 @@ void JawSensor::open() {
   serial_ = link_.info("serial");
   connection_ = link_.connections();
   calibrate();
+  still_since_ = now_s();
+  rest_until_ = in_use_.empty() ? 0 : still_since_ + kRestLooked;
+  still_low_ = 1, still_high_ = -1;
+}
+
+// once, at the start of a session, as long as its calibration says where open is
+void JawSensor::watch_rest(double now) {
+  if (now > rest_until_ || !measured_) return;
+  still_low_ = std::min(still_low_, length_), still_high_ = std::max(still_high_, length_);
+  if (still_high_ - still_low_ > kStill) {
+    still_low_ = still_high_ = length_;
+    still_since_ = now;
+  }
+  if (now - still_since_ < kRestStill) return;
+  rest_until_ = 0;
+  if (const std::string trouble = sensor::rest_trouble(poses_, length_, gauge_ ? raw_force_ - gauge_zero_ : 0); !trouble.empty()) warn(trouble);
 }
 
 void JawSensor::calibrate() {
@@ -121,6 +139,8 @@ void JawSensor::use(const Calibration& calibration) {
   displacement_ = calibration.displacement;
   force_known_ = params().force == Force::kTravel && !calibration.force.empty();
   tip_known_ = !calibration.tip.empty();
+  poses_ = calibration.poses;
+  gauge_zero_ = calibration.gauge_zero;
   handle_.set(calibration, params().meets, {params().held, params().held_at});
 }
 
@@ -144,7 +164,7 @@ bool JawSensor::is_the_one() {
 void JawSensor::take(const Measurement& m) {
   if (m.kind == Reading::kGrip) {
     gauge_ = (m.status & sensor::kNoMeasurement) == 0;
-    if (gauge_) force_ = std::max(0.0, m.value);
+    if (gauge_) raw_force_ = m.value, force_ = std::max(0.0, m.value - gauge_zero_);
     return;
   }
   // no sensor of this kind gives more than 20 V
@@ -175,6 +195,7 @@ void JawSensor::exchange(const swage_command&, swage_sample& sample) {
   sample.sequence += 1;
   sample.time_s = std::max(sample.time_s, when);
   sample.valid = 0;
+  watch_rest(now_s());
   if (!measured_) return;
   const sensor::Handle::Grip grip = handle_.at(length_);
   sample.closure = grip.closure;

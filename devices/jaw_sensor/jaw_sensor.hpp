@@ -103,6 +103,7 @@ class JawSensor final : public TellingDevice<JawSensorParams, CalibratedDevice<J
   void use(const sensor::Calibration& calibration);
   void take(const sensor::Measurement& measurement);
   bool is_the_one();
+  void watch_rest(double now);
 
   sensor::LinkSettings settings_;
   sensor::SensorLink link_;
@@ -113,8 +114,12 @@ class JawSensor final : public TellingDevice<JawSensorParams, CalibratedDevice<J
   bool given_ = false, force_known_ = false, tip_known_ = false;
   std::string serial_;  // with which the lesson began
   uint32_t connection_ = 0;
+  sensor::Poses poses_;
+  double gauge_zero_ = 0;                          // N
+  double rest_until_ = 0, still_since_ = 0;        // s; until when a handle that rests is looked at
+  double still_low_ = 0, still_high_ = 0;          // m
   bool warned_ = false, filled_ = false, measured_ = false, gauge_ = false;
-  double volts_ = 0, length_ = 0, force_ = 0, last_s_ = 0;  // V, m, N, s
+  double volts_ = 0, length_ = 0, force_ = 0, raw_force_ = 0, last_s_ = 0;  // V, m, N, N, s
 };
 
 }  // namespace swage::jaw_sensor

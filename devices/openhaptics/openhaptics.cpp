@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "nodes/nodes.hpp"
+
 namespace swage::openhaptics {
 namespace {
 
@@ -63,7 +65,12 @@ unsigned Openhaptics::init(std::string& why) {
 bool Openhaptics::reach(std::string& why) {
   device_ = init(why);
   if (device_ == kBadHandle) {
-    why = "The arm does not answer: " + why + ". Switch it on, see that its maker's setup finds it, and that you may use its port.";
+    constexpr uint16_t k3dSystems = 0x2988;
+    if (const std::string arm = nodes::closed_of_maker(k3dSystems); !arm.empty())
+      why = arm + " is there and may not be opened. Install the udev rule 70-swage.device.openhaptics.rules, or for a serial port add yourself "
+            "to the group dialout (sudo adduser $USER dialout) and log in again.";
+    else
+      why = "The arm does not answer: " + why + ". Switch it on, see that its maker's setup finds it, and that you may use its port.";
     return false;
   }
   const unsigned calibration = hd_->CheckCalibration();

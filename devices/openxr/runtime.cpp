@@ -48,7 +48,9 @@ bool Runtime::connect(std::string& why) {
   wanted.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
   XrSystemId system = XR_NULL_SYSTEM_ID;
   if (const XrResult result = xr_.GetSystem(instance_, &wanted, &system); result != XR_SUCCESS) {
-    why = name_ + " sees no headset (result " + std::to_string(result) + "). Switch it on and plug it in; controllers are tracked by it.";
+    why = name_ + " sees no headset (result " + std::to_string(result) +
+          "). Switch it on and plug it in; controllers are tracked by it. The package xr-hardware has the udev rules of many "
+          "(sudo apt install xr-hardware).";
     return false;
   }
   XrSessionCreateInfo session{};

@@ -28,8 +28,9 @@ std::string Bench::open(const std::string& port, int bits_per_s) {
 void Bench::listen(double now_s) {
   Measurement m;
   while (link_.next(now_s, m)) {
-    if (m.kind != Reading::kJaw) continue;
     const bool good = (m.status & kNoMeasurement) == 0;
+    if (m.kind == Reading::kGrip && measuring_ && good) sum_gauge_ += m.value, ++n_gauge_;
+    if (m.kind != Reading::kJaw) continue;
     volts_ = good ? std::optional(m.value) : std::nullopt;
     if (!measuring_) continue;
     beyond_ |= !good;
@@ -46,7 +47,7 @@ void Bench::begin(double now_s, double seconds) {
   measuring_ = true;
   beyond_ = false;
   until_s_ = now_s + seconds;
-  sum_ = 0, n_ = 0;
+  sum_ = sum_gauge_ = 0, n_ = n_gauge_ = 0;
 }
 
 std::string Bench::mean(double& volts) const {
@@ -138,6 +139,11 @@ std::optional<TipCheck> Draft::tip_check(double volts, const std::string& today)
   return TipCheck{kCheckForce, c.tip.value(c.force.value(travel) - c.force.value(0)), today};
 }
 
+bool Draft::may_zero() const {
+  const bool any_pose = std::any_of(pose_volts.begin(), pose_volts.end(), [](const auto& v) { return v.has_value(); });
+  return stored_ && stored_->poses.known() && !any_length() && !any_pose;
+}
+
 std::string Draft::finish(const std::string& today, Calibration& out) const {
   if (by.empty()) return "Say who calibrates.";
   if (!in_use().valid()) return "There is no fit yet.";
@@ -157,7 +163,11 @@ std::string Draft::finish(const std::string& today, Calibration& out) const {
     c.poses = {d.length(*pose_volts[0]), d.length(*pose_volts[1]), d.length(*pose_volts[2])};
     if (std::string wrong = check_poses(c.poses, fit_.valid() ? Poses{} : before); !wrong.empty()) return wrong;
     if (std::string wrong = check_geometry(c.geometry, c.poses); !wrong.empty()) return wrong;
-    c.poses_date = today;
+    c.poses_date = today, c.zero_date.clear();
+  } else if (zero_volts && may_zero()) {
+    if (std::string wrong = set_zero(c.displacement.length(*zero_volts), c.poses); !wrong.empty()) return wrong;
+    c.zero_date = today;
+    c.gauge_zero = zero_gauge_N.value_or(c.gauge_zero);
   }
   if (std::string wrong = forces(c); !wrong.empty()) return wrong;
   if (check_volts)

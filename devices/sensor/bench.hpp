@@ -33,6 +33,8 @@ class Bench {
   bool measuring() const { return measuring_; }
   /// Once it is over: "" and the mean, or why there is none, as a sentence.
   std::string mean(double& volts) const;
+  /// Of a gauge on the handle over the same time, N; nothing without one.
+  std::optional<double> gauge() const { return n_gauge_ > 0 ? std::optional(sum_gauge_ / n_gauge_) : std::nullopt; }
 
  private:
   SensorLink link_;
@@ -40,7 +42,8 @@ class Bench {
   std::optional<double> volts_;
   bool measuring_ = false, beyond_ = false;
   double until_s_ = 0, sum_ = 0, low_ = 0, high_ = 0;
-  int n_ = 0;
+  double sum_gauge_ = 0;
+  int n_ = 0, n_gauge_ = 0;
 };
 
 /// A calibration while it is made: rows of a bench, the fit of those that are measured, the three poses of a session.
@@ -60,6 +63,7 @@ class Draft {
   std::string serial, name, by;
   int valid_days = 365;
   std::array<std::optional<double>, 3> pose_volts;  // open, just closed, squeezed
+  std::optional<double> zero_volts, zero_gauge_N;  // of a handle that is let go, where the stored poses stay; of its gauge
   /// One force of the handle, typed, with the volts at which it was; and, where a gauge was between the tips, the force there.
   struct ForceRow {
     std::optional<double> handle_N, tip_N, volts;
@@ -79,6 +83,8 @@ class Draft {
   std::optional<TipCheck> tip_check(double volts, const std::string& today) const;
   /// What is stored of this sensor is where a new one begins: geometry and table of forces stay, and poses tell another handle apart.
   std::string begin_from(const std::string& path);
+  /// The stored poses may be given a new zero: they are there, and neither a length nor a pose has been measured since.
+  bool may_zero() const;
   /// Everything that is known now, as it would be kept; "" or why it cannot be.
   std::string finish(const std::string& today, Calibration& out) const;
 

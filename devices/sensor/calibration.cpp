@@ -158,6 +158,32 @@ std::string check_poses(const Poses& p, const Poses& stored) {
   return "";
 }
 
+double closed_share(const Poses& p, double length) { return (p.open - length) / (p.open - p.closed); }
+
+std::string set_zero(double length, Poses& p) {
+  if (!p.known()) return "There are no poses yet whose zero could be set. First: swage calibrate poses.";
+  const double off = length - p.open;
+  if (!(std::abs(closed_share(p, length)) <= kMostZeroShare))
+    return "The handle rests " + mm(std::abs(off)) + " from where it was open, more than a fifth of its way (" + mm(std::abs(p.open - p.closed)) +
+           "). Is it let go? Otherwise measure all three poses.";
+  p.open += off, p.closed += off, p.squeezed += off;
+  return "";
+}
+
+std::string rest_trouble(const Poses& p, double length, double gauge) {
+  const double share = closed_share(p, length);
+  if (share > kMostZeroShare) return "";
+  char text[320];
+  if (std::abs(share) > kZeroShare)
+    std::snprintf(text, sizeof text, "The handle reads %.2f mm %s than open (%.0f %% of its way).", 1e3 * std::abs(length - p.open),
+                  share > 0 ? "less" : "more", 1e2 * std::abs(share));
+  else if (std::abs(gauge) > kZeroForce)
+    std::snprintf(text, sizeof text, "The gauge on the handle reads %.2f N while the handle is open.", gauge);
+  else
+    return "";
+  return text + std::string(" If nobody holds it, set its zero: swage calibrate zero, or Setup, Jaw sensors, Calibrate, Poses.");
+}
+
 std::string check_geometry(const Geometry& g, const Poses& p) {
   if (!g.known()) return "";
   const double open = g.gap + p.open - p.closed, squeezed = g.gap + p.squeezed - p.closed;

@@ -73,6 +73,16 @@ struct Poses {
 
 /// "" or why these cannot be the three poses. `stored`: those of before, from which a span may differ by a fifth.
 std::string check_poses(const Poses& poses, const Poses& stored);
+/// How far a handle at this length is closed, as a share of the way from open to just closed; below 0 it is more open than open.
+double closed_share(const Poses& poses, double length_m);
+inline constexpr double kZeroShare = 0.03;      // within which a handle that is let go counts as open: 0.1 mm of a way of 3 mm
+inline constexpr double kMostZeroShare = 0.2;   // beyond which no drift lies: a hand holds it, or it was mounted anew
+/// Moves all three poses so that a handle which is let go at this length is open. "" or why it is too far off.
+std::string set_zero(double length_m, Poses& poses);
+inline constexpr double kZeroForce = 0.1;  // N at the handle that a gauge may tell while nobody presses
+/// What a handle that keeps still in the first seconds of a session is off, as a sentence with what to do; "" while it is good, or in a hand.
+/// `gauge_N`: beyond its zero, 0 without a gauge.
+std::string rest_trouble(const Poses& poses, double length_m, double gauge_N);
 /// "" or why this cannot be the needleholder.
 std::string check_geometry(const Geometry& geometry, const Poses& poses);
 
@@ -97,7 +107,8 @@ struct Calibration {
   TipCheck check;
   Geometry geometry;
   Poses poses;
-  std::string poses_date;
+  std::string poses_date, zero_date;  // when the poses were measured, and when only their zero was set since then
+  double gauge_zero = 0;              // N that a gauge on the handle tells while nobody presses
 };
 
 /// A table of forces as people measure it: 5 to 11 points. "" or what is wrong, as a sentence.

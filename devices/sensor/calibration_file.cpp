@@ -81,7 +81,7 @@ void read_displacement(const Json& in, Displacement& out) {
 
 void read(const Json& in, Calibration& out) {
   static const std::vector<std::string> kKeys = {"format", "serial",       "name",  "date",     "by",
-                                                 "expires", "displacement", "force", "tip", "check", "geometry", "poses"};
+                                                 "expires", "displacement", "force", "tip", "check", "geometry", "poses", "gauge_zero"};
   if (!in.is_object() || text(in, "format") != kFormat) throw Wrong{std::string("format is \"") + kFormat + "\""};
   for (const auto& [key, value] : in.items())
     if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) throw Wrong{key + " is not known"};
@@ -96,13 +96,14 @@ void read(const Json& in, Calibration& out) {
     rows(in[key], key, 2, [&, p = &points](const Json& r) { p->push_back({r[0].get<double>(), r[1].get<double>()}); });
     if (std::string wrong = curve->set(points); !wrong.empty()) throw Wrong{std::string(key) + ": " + wrong};
   }
+  if (in.contains("gauge_zero")) out.gauge_zero = number(in, "", "gauge_zero");
   if (const Json* c = part(in, "check", {"wanted", "measured", "date"}))
     out.check = {number(*c, "check/", "wanted"), number(*c, "check/", "measured"), text(*c, "date")};
   if (const Json* g = part(in, "geometry", {"a", "b", "gap"}))
     out.geometry = {number(*g, "geometry/", "a"), number(*g, "geometry/", "b"), number(*g, "geometry/", "gap")};
-  if (const Json* p = part(in, "poses", {"open", "closed", "squeezed", "date"})) {
+  if (const Json* p = part(in, "poses", {"open", "closed", "squeezed", "date", "zero_date"})) {
     out.poses = {number(*p, "poses/", "open"), number(*p, "poses/", "closed"), number(*p, "poses/", "squeezed")};
-    out.poses_date = text(*p, "date");
+    out.poses_date = text(*p, "date"), out.zero_date = text(*p, "zero_date");
     if (std::string wrong = check_poses(out.poses, {}); !wrong.empty()) throw Wrong{"poses: " + wrong};
     if (std::string wrong = check_geometry(out.geometry, out.poses); !wrong.empty()) throw Wrong{"geometry: " + wrong};
   }
@@ -120,6 +121,8 @@ Json written(const Calibration& c) {
   if (c.geometry.known()) out["geometry"] = {{"a", c.geometry.a}, {"b", c.geometry.b}, {"gap", c.geometry.gap}};
   if (c.poses.known())
     out["poses"] = {{"open", c.poses.open}, {"closed", c.poses.closed}, {"squeezed", c.poses.squeezed}, {"date", c.poses_date}};
+  if (c.gauge_zero != 0) out["gauge_zero"] = c.gauge_zero;
+  if (c.poses.known() && !c.zero_date.empty()) out["poses"]["zero_date"] = c.zero_date;
   return out;
 }
 

@@ -13,6 +13,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "nodes/nodes.hpp"
+
 namespace swage::sensor {
 
 namespace {
@@ -27,7 +29,8 @@ constexpr Rate kRates[] = {{9600, B9600},     {19200, B19200},   {38400, B38400}
 std::string why_not(const std::string& path, int error) {
   if (error == ENOENT) return path + " is not there. Is the sensor plugged in? Its lasting name is below /dev/serial/by-id.";
   if (error == EACCES)
-    return path + " may not be opened. Add yourself to the group dialout (sudo adduser $USER dialout) and log in again.";
+    return path + " may not be opened. Install the udev rule 70-swage.device.jaw_sensor.rules, or add yourself to the group dialout (sudo adduser $USER "
+                  "dialout) and log in again.";
   if (error == EBUSY) return path + " is in use by another program. Close that one, or remove the package modemmanager or brltty.";
   return path + " cannot be opened: " + std::strerror(error) + ".";
 }
@@ -110,7 +113,7 @@ bool SerialPort::write(std::string_view bytes) {
 std::vector<std::string> serial_adapters() {
   std::vector<std::string> out;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/serial/by-id", ignored)) out.push_back(entry.path().string());
+  for (const auto& entry : std::filesystem::directory_iterator(nodes::place("/dev/serial/by-id"), ignored)) out.push_back(entry.path().string());
   std::sort(out.begin(), out.end());
   return out;
 }

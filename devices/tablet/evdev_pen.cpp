@@ -12,6 +12,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "nodes/nodes.hpp"
+
 namespace swage::tablet {
 
 namespace {
@@ -50,8 +52,7 @@ int try_open(const std::string& path, OpenPen& out) {
 }
 
 constexpr const char* kRights =
-    " Add yourself to the group input (sudo adduser $USER input) and log in again, or give the tablet to who sits there with a udev rule: "
-    "SUBSYSTEM==\"input\", ENV{ID_INPUT_TABLET}==\"1\", TAG+=\"uaccess\".";
+    " Install the udev rule 70-swage.device.tablet.rules, or add yourself to the group input (sudo adduser $USER input) and log in again.";
 
 }  // namespace
 
@@ -65,19 +66,17 @@ std::string open_pen(const std::string& path, const std::string& like, OpenPen& 
   }
   std::vector<std::string> nodes;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator("/dev/input", ignored))
+  for (const auto& entry : std::filesystem::directory_iterator(nodes::place("/dev/input"), ignored))
     if (entry.path().filename().string().starts_with("event")) nodes.push_back(entry.path().string());
   std::sort(nodes.begin(), nodes.end());
-  bool forbidden = false;
   for (const std::string& node : nodes) {
     const int found = try_open(node, out);
-    forbidden |= found < 0 && errno == EACCES;
     if (found != 1) continue;
     if (out.name.find(like) != std::string::npos) return "";
     ::close(out.file);
     out = {};
   }
-  if (forbidden) return std::string("There is no pen tablet that may be read.") + kRights;
+  if (const std::string pen = nodes::closed_input(nodes::Tells::kPen); !pen.empty()) return pen + " is there and may not be read." + kRights;
   return "There is no pen tablet" + (like.empty() ? std::string() : " \"" + like + "\"") + ". Plug one in; the kernel's drivers (wacom, hid-uclogic) need no package.";
 }
 

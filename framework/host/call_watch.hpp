@@ -11,8 +11,8 @@ namespace swage::host {
 
 class CallWatch {
  public:
-  /// s that one call may take. Normal: under 0.1 (a mesh that is read). Less, and a slow disk is accused; more, and a person waits
-  /// longer for a sentence. Looks are counted, not the clock: a machine that was held up accuses nobody.
+  /// s that one call may take. Normal: under 0.1 (a mesh that is read). Less, and a slow disk is blamed; more, and a person waits
+  /// longer for a sentence. Looks are counted, not the clock: a machine that was held up blames nobody.
   static constexpr double kLimit = 10;
 
   /// Called with the call that does not come back ("hang", on the watch's thread) or that ends the program ("exit", on its own),

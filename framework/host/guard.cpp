@@ -63,10 +63,10 @@ void begin_step(Watch& watch, uint64_t step) {
 
 }  // namespace
 
-void quarantine(Instance& instance, Misdeed misdeed, Call call, uint64_t step) noexcept {
-  Misdeed none = Misdeed::kNone;
-  if (!instance.misdeed.compare_exchange_strong(none, misdeed, std::memory_order_relaxed)) return;
-  instance.misdeed_call.store(call, std::memory_order_relaxed);
+void quarantine(Instance& instance, FaultKind fault, Call call, uint64_t step) noexcept {
+  FaultKind none = FaultKind::kNone;
+  if (!instance.fault.compare_exchange_strong(none, fault, std::memory_order_relaxed)) return;
+  instance.fault_call.store(call, std::memory_order_relaxed);
   instance.quarantine_step.store(step, std::memory_order_relaxed);
   instance.quarantined.store(1, std::memory_order_release);
 }
@@ -90,7 +90,7 @@ bool accept(Instance& instance, Call call, uint64_t step, const double* data, st
   // no comparison holds for what is not a number
   const auto sound = [&](double x) { return std::abs(x) <= limit; };
   if (std::all_of(data, data + n, sound)) return true;
-  quarantine(instance, finite(data, n) ? Misdeed::kTooLarge : Misdeed::kNotFinite, call, step);
+  quarantine(instance, finite(data, n) ? FaultKind::kTooLarge : FaultKind::kNotFinite, call, step);
   return false;
 }
 
@@ -106,7 +106,7 @@ void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept {
   begin.wall = base::wall_ns();
 }
 
-Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept {
+FaultKind stop_watch(Watch& watch, const Clocks& begin) noexcept {
   const int64_t spent = base::wall_ns() - begin.wall;
   watch.wall_ns += spent;
   if (spent > watch.worst_wall_ns.load(std::memory_order_relaxed))
@@ -119,11 +119,11 @@ Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept {
     // who waits by itself answers for the time; who is held up by the machine does not
     if (!watch.may_wait && waits() > begin.waits) watch.waited_ns += std::max<int64_t>(0, spent - cpu);
   }
-  if (watch.wall_ns <= watch.budget_ns) return Misdeed::kNone;
+  if (watch.wall_ns <= watch.budget_ns) return FaultKind::kNone;
 
   // over the budget by the wall clock: suspicion; by its own time: guilt
   watch.investigate_until = watch.step + kWindow;
-  if (!watch.investigated) return Misdeed::kNone;
+  if (!watch.investigated) return FaultKind::kNone;
   const int64_t own = watch.cpu_ns + watch.waited_ns;
   const bool guilty = own > watch.budget_ns;
   if (guilty) watch.excess_ns += own - std::max(own_before, watch.budget_ns);
@@ -135,10 +135,10 @@ Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept {
   }
   const int count = late_count(watch);
   if (count >= kBadge) watch.badge.store(1, std::memory_order_relaxed);
-  if (!guilty) return Misdeed::kNone;
-  if (watch.excess_ns > kMostExcess) return Misdeed::kStalled;
-  if (count < kQuarantine) return Misdeed::kNone;
-  return watch.waited_ns > watch.cpu_ns ? Misdeed::kWaited : Misdeed::kLate;
+  if (!guilty) return FaultKind::kNone;
+  if (watch.excess_ns > kMostExcess) return FaultKind::kStalled;
+  if (count < kQuarantine) return FaultKind::kNone;
+  return watch.waited_ns > watch.cpu_ns ? FaultKind::kWaited : FaultKind::kLate;
 }
 
 const char* radix() noexcept { return nl_langinfo(RADIXCHAR); }

@@ -49,8 +49,8 @@ struct LastCall {
 };
 extern thread_local constinit LastCall last_call;
 
-/// Puts the instance in quarantine; the first misdeed stays. [any] wait-free
-void quarantine(Instance& instance, Misdeed misdeed, Call call, uint64_t step) noexcept;
+/// Puts the instance in quarantine; the first fault stays. [any] wait-free
+void quarantine(Instance& instance, FaultKind fault, Call call, uint64_t step) noexcept;
 
 /// True when all n numbers are finite.
 inline bool finite(const double* data, std::size_t n) noexcept {
@@ -77,7 +77,7 @@ struct Clocks {
 };
 void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept;
 /// kNone, or what the lateness of the last 100 steps amounts to.
-Misdeed stop_watch(Watch& watch, const Clocks& begin) noexcept;
+FaultKind stop_watch(Watch& watch, const Clocks& begin) noexcept;
 
 /// Where the decimal point of the thread's language stands: it moves when somebody calls setlocale.
 const char* radix() noexcept;
@@ -103,7 +103,7 @@ class MainCall {
 /// floating-point mode or of the program's language, which is restored.
 template <class F>
 swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
-                       Misdeed* changed = nullptr) noexcept {
+                       FaultKind* changed = nullptr) noexcept {
   const FpuMode mode = fpu_mode();
   const char* const point = radix();
   // whoever looks into a crash or a hang finds the culprit here
@@ -124,14 +124,14 @@ swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
     result = SWAGE_FAULT;
   }
   last_call.instance.store(nullptr, std::memory_order_release);
-  Misdeed what = Misdeed::kNone;
+  FaultKind what = FaultKind::kNone;
   if (radix() != point || !main_call.locale_kept()) {
     restore_locale();
-    what = Misdeed::kLocale;
+    what = FaultKind::kLocale;
   }
   if (fpu_mode() != mode) {
     set_fpu_mode(mode);
-    what = Misdeed::kFpuMode;
+    what = FaultKind::kFpuMode;
   }
   if (changed != nullptr) *changed = what;
   return result;
@@ -148,15 +148,15 @@ bool guarded(Instance& instance, Call call, uint64_t step, F&& f) noexcept {
   const bool timed = instance.watch.budget_ns > 0;
   detail::Clocks begin;
   if (timed) detail::start_watch(instance.watch, step, begin);
-  Misdeed changed = Misdeed::kNone;
+  FaultKind changed = FaultKind::kNone;
   const swage_result result = detail::contained(instance, call, step, f, &changed);
-  const Misdeed late = timed ? detail::stop_watch(instance.watch, begin) : Misdeed::kNone;
+  const FaultKind late = timed ? detail::stop_watch(instance.watch, begin) : FaultKind::kNone;
 
-  if (changed != Misdeed::kNone) {
+  if (changed != FaultKind::kNone) {
     quarantine(instance, changed, call, step);
   } else if (result < 0) {
-    quarantine(instance, result == SWAGE_FAULT ? Misdeed::kFault : Misdeed::kError, call, step);
-  } else if (late != Misdeed::kNone) {
+    quarantine(instance, result == SWAGE_FAULT ? FaultKind::kFault : FaultKind::kError, call, step);
+  } else if (late != FaultKind::kNone) {
     quarantine(instance, late, call, step);
   } else {
     return result != SWAGE_DISCARD;

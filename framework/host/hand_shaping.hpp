@@ -24,7 +24,7 @@ struct HandFilters {
 enum class Law : int32_t {
   kProportional,  // f
   kNullZone,      // max(0, f - from): nothing is felt below `from`, and it begins softly
-  kThreshold,     // f above `from`, else 0: it begins with a knock
+  kThreshold,     // f above `from`, else 0: the force begins with a step
   kQuadratic,     // f^2 / from: as it is at `from`, less below, more above
   kTable          // straight between points; beyond the last as in its last piece
 };

@@ -23,7 +23,7 @@ constexpr std::array kCalls = {
 
 static_assert(kCalls.size() == static_cast<std::size_t>(Call::kDescribe) + 1, "each call has its word");
 
-constexpr std::array kMisdeeds = {"nothing",
+constexpr std::array kFaults = {"nothing",
                                   "returned an error",
                                   "threw an exception",
                                   "wrote a number that is not finite",
@@ -34,15 +34,15 @@ constexpr std::array kMisdeeds = {"nothing",
                                   "held the steps up for a quarter of a second",
                                   "changed the language of the program (setlocale)",
                                   "wrote into another object's part of the scene"};
-static_assert(kMisdeeds.size() == static_cast<std::size_t>(Misdeed::kMeddled) + 1, "each misdeed has its words");
+static_assert(kFaults.size() == static_cast<std::size_t>(FaultKind::kMeddled) + 1, "each fault has its words");
 
 }  // namespace
 
-const char* text(Misdeed misdeed) { return kMisdeeds.at(static_cast<std::size_t>(misdeed)); }
+const char* text(FaultKind fault) { return kFaults.at(static_cast<std::size_t>(fault)); }
 const char* text(Call call) { return kCalls.at(static_cast<std::size_t>(call)); }
 
 std::string quarantine_text(const Instance& instance) {
-  return say::kQuarantine(instance.name, instance.plugin_id, instance.plugin_version, text(instance.misdeed.load()), text(instance.misdeed_call.load()), instance.quarantine_step.load());
+  return say::kQuarantine(instance.name, instance.plugin_id, instance.plugin_version, text(instance.fault.load()), text(instance.fault_call.load()), instance.quarantine_step.load());
 }
 
 std::unique_ptr<Instance> Instance::create(const PluginInfo& plugin, const Library& library,
@@ -81,7 +81,7 @@ bool Instance::configure(ParamValues given, Builder& builder, std::string& error
   swage_result result = SWAGE_OK;
   const bool kept = guarded(*this, Call::kConfigure, 0, [&] {
     result = raw->configure(raw, &all, builder.abi());
-    // a refusal is no misdeed: it comes with reasons
+    // a refusal is no fault: it comes with reasons
     return result == SWAGE_ERROR ? SWAGE_OK : result;
   });
   if (!kept && quarantined.load() != 0) error = quarantine_text(*this);

@@ -21,7 +21,7 @@ class Library;
 struct PluginInfo;
 
 /// Why an instance is in quarantine.
-enum class Misdeed : uint32_t {
+enum class FaultKind : uint32_t {
   kNone,
   kError,
   kFault,
@@ -73,7 +73,7 @@ constexpr bool on_main(Call call) {
   return (call >= Call::kCreate && call <= Call::kBind) || call >= Call::kLoad;
 }
 
-const char* text(Misdeed misdeed);  // "returned an error", ...
+const char* text(FaultKind fault);  // "returned an error", ...
 const char* text(Call call);        // "forces", ...
 
 /// Time keeping of the guard; written by the thread that calls the instance.
@@ -130,8 +130,8 @@ class Instance {
   // --- guard: written on [rt], read anywhere
   std::atomic<uint32_t> quarantined{0};
   std::atomic<uint64_t> quarantine_step{0};
-  std::atomic<Misdeed> misdeed{Misdeed::kNone};
-  std::atomic<Call> misdeed_call{Call::kNone};
+  std::atomic<FaultKind> fault{FaultKind::kNone};
+  std::atomic<Call> fault_call{Call::kNone};
   Watch watch;
 
  private:

@@ -81,7 +81,7 @@ const Library* Library::load(const std::string& path, std::string& error) {
 }
 
 // a library has no instance yet: what is told about its loading names the file
-void Library::call(Call what, Misdeed& changed, swage_result& result, const std::function<void()>& work) const {
+void Library::call(Call what, FaultKind& changed, swage_result& result, const std::function<void()>& work) const {
   Instance loading;
   loading.name = std::filesystem::path(path_).filename().string();
   loading.plugin_id = loading.name.substr(0, loading.name.rfind('.'));
@@ -92,7 +92,7 @@ bool Library::open(std::string& error) {
   // a library linked with -ffast-math changes the arithmetic of this thread while it loads
   const int64_t begin = base::cpu_ns();
   void* handle = nullptr;
-  Misdeed changed = Misdeed::kNone;
+  FaultKind changed = FaultKind::kNone;
   swage_result loaded_well = SWAGE_OK;
   call(Call::kLoad, changed, loaded_well, [&] { handle = dlopen(path_.c_str(), RTLD_NOW | RTLD_LOCAL); });
   if (handle == nullptr) {
@@ -100,8 +100,8 @@ bool Library::open(std::string& error) {
     return false;
   }
   mapped_ = true;
-  if (changed != Misdeed::kNone) {
-    error = changed == Misdeed::kLocale
+  if (changed != FaultKind::kNone) {
+    error = changed == FaultKind::kLocale
                 ? say::kLoadLocale() : say::kLoadRounding();
     return false;
   }
@@ -121,7 +121,7 @@ bool Library::open(std::string& error) {
 
 bool Library::start(std::string& error) {
   swage_result result = SWAGE_ERROR;
-  Misdeed changed = Misdeed::kNone;
+  FaultKind changed = FaultKind::kNone;
   if (entry_->struct_size >= sizeof(swage_entry) && entry_->get_factory != nullptr) {
     swage_result contained = SWAGE_OK;
     call(Call::kInit, changed, contained, [&] {
@@ -131,9 +131,9 @@ bool Library::start(std::string& error) {
     });
     if (contained < 0) result = contained;
   }
-  if (changed == Misdeed::kLocale) {
+  if (changed == FaultKind::kLocale) {
     error = say::kInitLocale();
-  } else if (changed != Misdeed::kNone) {
+  } else if (changed != FaultKind::kNone) {
     error = say::kInitRounding();
   } else if (entry_->struct_size < sizeof(swage_entry) || entry_->get_factory == nullptr) {
     error = say::kIncomplete(SWAGE_ENTRY_SYMBOL);

@@ -31,7 +31,7 @@ class Library {
 
  private:
   Library() = default;
-  void call(Call what, Misdeed& changed, swage_result& result, const std::function<void()>& work) const;
+  void call(Call what, FaultKind& changed, swage_result& result, const std::function<void()>& work) const;
   bool open(std::string& error);   // into memory, and whether it speaks our language
   bool start(std::string& error);  // init and factories
   std::string path_, bundle_dir_;

@@ -120,12 +120,12 @@ bool describe(const Library& library, std::vector<PluginInfo>& out, std::string&
   Instance described;
   described.name = described.plugin_id = library.path();
   bool good = false;
-  Misdeed changed = Misdeed::kNone;
+  FaultKind changed = FaultKind::kNone;
   const swage_result result = detail::contained(
       described, Call::kDescribe, 0, [&] { good = read_descriptors(library, out, error); }, &changed);
   if (result < 0) error = say::kDescribeThrew();
-  if (result >= 0 && changed != Misdeed::kNone) error = say::kDescribeDid(text(changed));
-  return good && result >= 0 && changed == Misdeed::kNone;
+  if (result >= 0 && changed != FaultKind::kNone) error = say::kDescribeDid(text(changed));
+  return good && result >= 0 && changed == FaultKind::kNone;
 }
 
 std::vector<std::string> plugin_faults(const PluginInfo& plugin) {

@@ -100,7 +100,7 @@ bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::stri
 }
 
 // what attempts carry since version 2
-bool read_luggage(Database& db, const std::string& id, AttemptInfo& info, std::string& error) {
+bool read_attachments(Database& db, const std::string& id, AttemptInfo& info, std::string& error) {
   if (schema_version(db) < 2) return true;
   for (const Row& r : db.rows(
            "SELECT name, choice, plugin, version, params, flags FROM hand WHERE attempt_id = ? ORDER BY seq",
@@ -235,7 +235,7 @@ bool read(const std::string& store_or_file, const std::string& attempt_id, Recor
   out = Recording();
   error.clear();
   return has_no_giants(*db, id, error) && read_info(*db, id, out.info, error) &&
-         read_luggage(*db, id, out.info, error) && read_streams(*db, id, out, keep, error) &&
+         read_attachments(*db, id, out.info, error) && read_streams(*db, id, out, keep, error) &&
          read_events(*db, id, out, error);
 }
 

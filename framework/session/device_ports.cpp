@@ -173,7 +173,7 @@ double IoPort::lost_s() const noexcept {
 }
 
 void IoPort::send(const step::ToolForce& force) noexcept {
-  wanted_.publish({knocked(force), base::wall_ns()});
+  wanted_.publish({with_cue_force(force), base::wall_ns()});
 }
 
 swage_vec3 IoPort::force() const noexcept {

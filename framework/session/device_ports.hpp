@@ -33,7 +33,7 @@ class Port : public step::DevicePort {
   void arm() noexcept { arm_.fetch_add(1, std::memory_order_relaxed); }  // forces may flow, after a fade-in
   void disarm() noexcept { disarm_.fetch_add(1, std::memory_order_relaxed); }
   /// What a cue adds to the next force that is sent, N along the device's y. [rt]
-  void knock(double force) noexcept { knock_ = force; }
+  void set_cue_force(double force) noexcept { cue_force_ = force; }
   ForceFault fault() const noexcept { return guard_.fault(); }
   host::DeviceSlot& slot() const noexcept { return slot_; }
   virtual swage_vec3 force() const noexcept = 0;         // N, last given
@@ -44,8 +44,8 @@ class Port : public step::DevicePort {
  protected:
   /// Limits for this device: never above what it says it bears.
   static ForceLimits limits(const host::DeviceSlot& slot);
-  step::ToolForce knocked(step::ToolForce force) const noexcept {
-    force.force.y += knock_;
+  step::ToolForce with_cue_force(step::ToolForce force) const noexcept {
+    force.force.y += cue_force_;
     return force;
   }
   void follow_orders() noexcept;  // takes arm and disarm over; on the thread that uses the guard
@@ -57,7 +57,7 @@ class Port : public step::DevicePort {
  private:
   std::atomic<uint32_t> arm_{0}, disarm_{0};
   uint32_t arm_seen_ = 0, disarm_seen_ = 0;
-  double knock_ = 0;  // N, of the step's thread
+  double cue_force_ = 0;  // N, of the step's thread
 };
 
 /// A device with a thread of its own: exchange() may block. Samples and wanted forces cross in mailboxes.
@@ -113,7 +113,7 @@ class StepPort final : public Port {
   StepPort(host::DeviceSlot& slot, double dt, bool forces);
   void look(uint64_t step, const swage_sight& sight) noexcept override { step::show(slot_, step, sight); }
   void read(uint64_t step, double time_s, swage_sample& sample) noexcept override;
-  void send(const step::ToolForce& force) noexcept override { wanted_ = knocked(force); }
+  void send(const step::ToolForce& force) noexcept override { wanted_ = with_cue_force(force); }
   swage_vec3 force() const noexcept override { return given_; }
   void told(double* out) const noexcept override { std::copy_n(told_, signals_.count(), out); }
 

@@ -76,7 +76,7 @@ bool Loop::tick(const RtThread::Tick& tick, const LoopStats& stats) noexcept {
   listen(tick);
   take_pointer();
   engine_.step();
-  knock();
+  send_cue_force();
   feel();
   keep(stats);
   const Ending now = judge();
@@ -164,9 +164,9 @@ void Loop::take_pointer() noexcept {
 }
 
 // a cue that has come on is felt with the forces of the next step
-void Loop::knock() noexcept {
+void Loop::send_cue_force() noexcept {
   const double force = cue_force_.tick(engine_.verdict(), rig_.world.dt);
-  for (Port* port : ports_) port->knock(force);
+  for (Port* port : ports_) port->set_cue_force(force);
 }
 
 void Loop::feel() noexcept {

@@ -68,7 +68,7 @@ class Loop {
   void listen(const RtThread::Tick& tick) noexcept;
   void take_command(const step::Command& command) noexcept;
   void take_pointer() noexcept;
-  void knock() noexcept;
+  void send_cue_force() noexcept;
   void watch_hands() noexcept;
   void tell(judge::HostEvent event, double value) noexcept;
   uint32_t listen_to_devices(double* signal, uint32_t n) const noexcept;

@@ -38,7 +38,7 @@ constexpr double kBudget = 20e-3;  // s
 // how long before the call a person's mark lies: what was worth marking has just been seen
 constexpr double kMarkBack = 2.0;  // s
 // bytes of files that an attempt carries along; hands on file have some thousand, meshes some million
-constexpr std::size_t kMostLuggage = std::size_t{16} << 20;
+constexpr std::size_t kMostAttached = std::size_t{16} << 20;
 
 std::string lost_text(const host::Instance& device, const char* call, double limit_s) {
   return "The device (" + device.plugin_id + " " + device.plugin_version + ") has not come back from " + call + "() for " +
@@ -47,7 +47,7 @@ std::string lost_text(const host::Instance& device, const char* call, double lim
 }
 
 // what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
-void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& problems) {
+void add_attachments(const host::Rig& rig, record::AttemptInfo& info, Problems& problems) {
   for (const host::DeviceSlot& slot : rig.devices) {
     const host::Instance& i = *slot.instance;
     info.hands.push_back(
@@ -56,7 +56,7 @@ void add_luggage(const host::Rig& rig, record::AttemptInfo& info, Problems& prob
   std::size_t total = 0;
   for (const host::GivenFile& file : rig.files) {
     std::string bytes, why;
-    const bool read = toolkit::read_file(file.path, kMostLuggage - total, bytes, why);
+    const bool read = toolkit::read_file(file.path, kMostAttached - total, bytes, why);
     total += bytes.size();
     if (!read)
       problems.push_back({Severity::kWarning, file.path,
@@ -248,7 +248,7 @@ void Run::open_record(Problems& problems) {
     info.devices.push_back(slot.instance->name);
     if (info.device.empty()) info.device = slot.instance->plugin_id;
   }
-  add_luggage(*rig_, info, problems);
+  add_attachments(*rig_, info, problems);
   for (const host::DeviceSlot& slot : rig_->devices)
     if (std::string text = calibration_of(*slot.instance); !text.empty())
       info.files.push_back({record::kCalibrationFile + slot.instance->name, std::move(text)});

@@ -31,7 +31,7 @@ void Watchdog::run() {
   prctl(PR_SET_TIMERSLACK, 1UL);
   uint64_t seen = beats_();
   int64_t silent_ms = 0;
-  bool accused = false;
+  bool reported = false;
   while (!stop_.load(std::memory_order_relaxed)) {
     base::sleep_until_ns(base::wall_ns() + settings_.look_ms * 1'000'000);
 
@@ -43,8 +43,8 @@ void Watchdog::run() {
     const bool stalled = silent_ms >= settings_.stalled_ms;
     if (stalled && !this->stalled()) stalls_.fetch_add(1, std::memory_order_relaxed);
     stalled_.store(stalled, std::memory_order_relaxed);
-    if (silent_ms >= settings_.hung_ms && !accused) {
-      accused = true;
+    if (silent_ms >= settings_.hung_ms && !reported) {
+      reported = true;
       hung_();
     }
   }

@@ -198,7 +198,7 @@ void Couplings::call(uint32_t coupling, host::Call call, const contact::ContactS
     std::fill_n(step.state, step.n_state, 0.0);
   if (!given || !resolving) return;
   if (!std::all_of(contacts.begin(), contacts.end(), sensible)) {
-    host::quarantine(instance, host::Misdeed::kNotFinite, call, now);
+    host::quarantine(instance, host::FaultKind::kNotFinite, call, now);
     return;
   }
   for (uint32_t i = 0; i < range.count; ++i) {

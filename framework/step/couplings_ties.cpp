@@ -76,7 +76,7 @@ void Couplings::ask_ties(uint32_t coupling) noexcept {
   bool good = n <= room;
   for (uint32_t i = 0; good && i < n; ++i) good = sensible(shown[i], a.count, b.count);
   if (!good) {
-    host::quarantine(instance, host::Misdeed::kNotFinite, host::Call::kTies, now);
+    host::quarantine(instance, host::FaultKind::kNotFinite, host::Call::kTies, now);
     return;
   }
   for (uint32_t i = 0; i < n; ++i) tie_.push_back(tie_of(shown[i], a, b));

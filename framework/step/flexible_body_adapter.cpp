@@ -72,6 +72,8 @@ void FlexibleBodyAdapter::apply_impulses(std::span<const swage_contact_point> po
 
 bool FlexibleBodyAdapter::linearise(uint32_t stiffer, double* stiffness, double* gradient) noexcept {
   host::Instance& instance = *slot_.instance;
+  // the host asks again, up to SWAGE_BAND_STIFFER times, where it cannot factor the answer: each time with the budget of a step
+  if (stiffer > 0) instance.watch.renew();
   const bool given = host::guarded(instance, host::Call::kCompliance, view_.step, [&] {
     return band_->linearise(instance.raw, &view_, stiffer, stiffness, gradient);
   });

@@ -115,7 +115,7 @@ void Judging::ask_lesson() noexcept {
     std::fill_n(state, slot.state.count, 0.0);
   for (const judge::Event& e : referee_.events()) events_.emit_own(e.event, e.value);
   if (referee_.mistakes() > 0)
-    host::quarantine(instance, host::Misdeed::kError, host::Call::kObserve, world.step);
+    host::quarantine(instance, host::FaultKind::kError, host::Call::kObserve, world.step);
 }
 
 }  // namespace swage::step

@@ -40,7 +40,7 @@ void WriteGuard::check(host::Instance& instance, host::Call call) noexcept {
   wrote |= put_back(world_.particle_v_W, particle_v_W_);
   wrote |= put_back(world_.hinge_angle, hinge_angle_);
   wrote |= put_back(world_.hinge_rate, hinge_rate_);
-  if (wrote) host::quarantine(instance, host::Misdeed::kMeddled, call, world_.step);
+  if (wrote) host::quarantine(instance, host::FaultKind::kMeddled, call, world_.step);
 }
 
 }  // namespace swage::step

@@ -142,7 +142,8 @@ class Rod {
   bool linearise(const RodState& s, const RodLoad& load);
   const double* change() const { return change_.data(); }
   /// The same for one who solves for contacts himself: the columns of its matrix (kStride numbers each, 0 on the diagonal of what is
-  /// held) and its gradient. `stiffer` 1, 2 ..: for as long as it cannot be factored, as a rod that is not stable is made so.
+  /// held) and its gradient. `stiffer` 1, 2 ..: for as long as it cannot be factored, as a rod that is not stable is made so; of
+  /// the same state and load then.
   void linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient);
   /// After that: goes from `s` by a change of all unknowns.
   void go(const RodState& s, const double* change, RodState& to);
@@ -209,6 +210,7 @@ class Rod {
   void add_springs(const RodLoad& load);
   void system(const RodState& s, const RodLoad& load, bool hessian);
   void stiffened_system(const RodState& s, const RodLoad& load, int stiffer);
+  void shift_diagonal(int stiffer);
   bool factor(const RodState& s, const RodLoad& load);
   void slow_turns(const RodState& s);
   bool solve(const RodState& s, const RodLoad& load);
@@ -230,7 +232,9 @@ class Rod {
   // of the present step
   Matrix A_;
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
+  std::vector<double> diagonal_;  // of A_, before it was made larger
   bool slow_ = false;
+  int way_ = -1;     // of making it definite, in which linearise() left A_; -1: it did not
   double g_ = 0;     // s, of the backward Euler step that it is
   double m_hh_ = 0;  // 1/s2, 1 / g^2
 };

@@ -26,6 +26,7 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   A_ = Matrix(unknowns());
   x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_)), pushed_.resize(3 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
+  diagonal_.resize(at(unknowns()));
   stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
 }
 

@@ -80,6 +80,7 @@ inline void Rod::add_springs(const RodLoad& load) {
 
 /// Gradient of the step's potential and, when asked for, its Hessian.
 [[gnu::flatten]] inline void Rod::system(const RodState& s, const RodLoad& load, bool hessian) {
+  way_ = -1;
   differentiate(s, gradient_.data(), hessian ? &A_ : nullptr);
   const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
                                                    section_.radius / section_.mass
@@ -140,12 +141,18 @@ inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int st
     for (double& T : tension_) T = std::abs(T);
   system(s, load, true);
   slow_turns(s);
+  for (int k = 0; k < unknowns(); ++k) diagonal_[at(k)] = A_.at(k, k);
+  shift_diagonal(stiffer);
+}
+
+/// The ways from the third on: more on the diagonal of all displacements.
+inline void Rod::shift_diagonal(int stiffer) {
   if (stiffer < 3) return;
   double largest = 0;
-  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) largest = std::max(largest, A_.at(k, k));
+  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) largest = std::max(largest, diagonal_[at(k)]);
   double shift = 1e-9 * largest;  // N/m
   for (int i = 3; i < stiffer; ++i) shift *= 30;
-  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) A_.at(k, k) += shift;
+  for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) A_.at(k, k) = diagonal_[at(k)] + shift;
 }
 
 /// Rotations that hardly anything holds back: the rod that bends the way it remembers turns all of its edges together. They stiffen
@@ -313,9 +320,14 @@ inline bool Rod::linearise(const RodState& s, const RodLoad& load) {
 }
 
 inline void Rod::linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient) {
-  begin_linear(s);
-  slow_ = false;
-  stiffened_system(s, load, stiffer);
+  if (stiffer < 3 || way_ != stiffer - 1) {
+    begin_linear(s);
+    slow_ = false;
+    stiffened_system(s, load, stiffer);
+  } else {
+    shift_diagonal(stiffer);  // the rest is that of the way before, which was asked for last
+  }
+  way_ = stiffer;
   std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);
   for (int k = 0; k < unknowns(); ++k) {
     gradient[k] = gradient_[at(k)];

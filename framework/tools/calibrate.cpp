@@ -29,6 +29,7 @@ class Bench {
   }
   std::string serial() const { return bench_.serial(); }
   std::string name() const { return bench_.name(); }
+  std::optional<double> gauge() const { return bench_.gauge(); }
 
   /// Mean volts from now on. "" or why not.
   std::string mean(double seconds, double& volts) {
@@ -268,7 +269,25 @@ int calibrate_poses(const CalibrateOptions& o) {
   if (!wrong.empty()) {
     return not_kept(wrong);
   }
-  c.poses_date = sensor::today();
+  c.poses_date = sensor::today(), c.zero_date.clear();
+  return keep(path, c);
+}
+
+int calibrate_zero(const CalibrateOptions& o) {
+  Bench bench;
+  Calibration c;
+  std::string path, nothing;
+  if (const std::string why = bench.open(o); !why.empty()) return problem(why);
+  if (const std::string why = begin(o, bench.serial(), "", c, path); !why.empty()) return problem(why);
+  double volts = 0;
+  if (!ask("Let the handle go and press Enter (let go).", nothing)) return problem("Nobody answers; nothing is kept.");
+  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + " Nothing is kept.");
+  const double before = c.poses.open;
+  if (const std::string wrong = sensor::set_zero(c.displacement.length(volts), c.poses); !wrong.empty()) return not_kept(wrong);
+  std::printf("  all poses moved by %.3f mm\n", 1e3 * (c.poses.open - before));
+  c.zero_date = sensor::today();
+  c.gauge_zero = bench.gauge().value_or(c.gauge_zero);
+  if (bench.gauge()) std::printf("  the gauge reads %.2f N, which is nothing from now on\n", *bench.gauge());
   return keep(path, c);
 }
 
@@ -287,7 +306,7 @@ int calibrate_show(const CalibrateOptions& o) {
     list.push_back({{"serial", c.serial}, {"name", c.name}, {"date", c.date}, {"by", c.by}, {"expires", c.expires},
                     {"worst", number(c.displacement.worst)}, {"force_points", c.force.points().size()}, {"tip_points", c.tip.points().size()},
                     {"check_date", c.check.date}, {"check_share", number(c.check.known() ? c.check.measured / c.check.wanted - 1 : 0)},
-                    {"poses_date", c.poses_date}, {"trouble", trouble}, {"file", path}});
+                    {"poses_date", c.poses_date}, {"zero_date", c.zero_date}, {"trouble", trouble}, {"file", path}});
     if (o.json) continue;
     std::printf("%s (%s): %s by %s, until %s; worst residual %.1f um; %zu points of force, %zu at the tips; %s; poses %s\n", printable(c.serial).c_str(),
                 printable(c.name).c_str(), c.date.c_str(), printable(c.by).c_str(), c.expires.c_str(), 1e6 * c.displacement.worst,

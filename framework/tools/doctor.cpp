@@ -34,6 +34,7 @@ struct Finding {
   std::string name;
   State state = State::kGood;
   std::string text, remedy;
+  std::string command = {};  // what to type, where one command is the remedy
 };
 
 // asked of a thread of its own, so that this one stays what it is
@@ -127,7 +128,7 @@ std::vector<Finding> plugins(const DoctorOptions& o) {
     out.push_back({"plugin " + s.id, State::kPoor, s.path + " (" + s.version + ") is hidden by " + s.by,
                    "Take one of the two out of its folder."});
   for (const DeviceState& d : ask_devices(catalogue))
-    out.push_back({"device " + d.id, d.ready ? State::kGood : State::kPoor, d.text, d.remedy});
+    out.push_back({"device " + d.id, d.ready ? State::kGood : State::kPoor, d.text, d.remedy, d.command});
   return out;
 }
 
@@ -201,10 +202,11 @@ int doctor(const DoctorOptions& o) {
   auto list = nlohmann::ordered_json::array();
   for (const Finding& f : findings) {
     bad |= f.state == State::kBad;
-    list.push_back({{"name", f.name}, {"state", text(f.state)}, {"text", f.text}, {"remedy", f.remedy}});
+    list.push_back({{"name", f.name}, {"state", text(f.state)}, {"text", f.text}, {"remedy", f.remedy}, {"command", f.command}});
     if (o.json) continue;
     std::printf("%-4s  %-12s %s\n", text(f.state), printable(f.name).c_str(), printable(f.text).c_str());
-    if (!f.remedy.empty()) std::printf("      %-12s %s\n", "", f.remedy.c_str());
+    if (!f.remedy.empty()) std::printf("      %-12s %s\n", "", printable(f.remedy).c_str());
+    if (f.remedy.find(f.command) == std::string::npos) std::printf("      %-12s %s\n", "", printable(f.command).c_str());
   }
   if (o.json) print(list);
   return bad ? kProblem : kPassed;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/doctor_devices.hpp"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "host/child.hpp"
 #include "host/guard.hpp"
+#include "tools/places.hpp"
 #include "tools/test_scene.hpp"
 
 namespace swage::tools {
@@ -12,10 +14,13 @@ namespace {
 
 constexpr double kLimit = 12;  // s: a session waits ten for a device to open
 
-// "" for a device that needs no hardware, else what it says, as JSON
+namespace fs = std::filesystem;
+
+// "" for a device that cannot be asked, else what it says, as JSON
 std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) {
   const TestScene scene(info, catalogue);
-  if (!scene.skipped().empty() || !scene.on_thread()) return "";
+  if (!scene.on_thread()) return nlohmann::json{{"ready", true}, {"said", "It needs no hardware of its own."}}.dump();
+  if (!scene.skipped().empty()) return "";
   Stepped made;
   std::string why;
   if (!scene.make({}, made, why)) return nlohmann::json{{"ready", false}, {"said", why}}.dump();
@@ -34,6 +39,24 @@ void split(const std::string& said, DeviceState& out) {
   const std::size_t end = said.find(". ");
   out.text = said.substr(0, end);
   out.remedy = end == std::string::npos ? "Its page in the documentation says how it is set up." : said.substr(end + 2);
+}
+
+// a rule that comes with the plugin, or with Swage
+std::string rule_file(const host::PluginInfo& info, const std::string& name) {
+  std::error_code ignored;
+  if (const fs::path beside = fs::path(info.bundle_dir) / name; fs::exists(beside, ignored)) return beside.string();
+  std::vector<std::string> searched;
+  const fs::path with_swage = fs::path(data_folder("udev", searched)) / name;
+  return fs::exists(with_swage, ignored) ? with_swage.string() : "";
+}
+
+std::string command_for(const host::PluginInfo& info, const std::string& said) {
+  const std::string name = "70-" + info.id + ".rules";
+  if (said.find(name) != std::string::npos)
+    if (const std::string file = rule_file(info, name); !file.empty())
+      return "sudo install -m 644 '" + file + "' /etc/udev/rules.d/ && sudo udevadm control --reload && sudo udevadm trigger";
+  const std::size_t begin = said.find("(sudo "), end = said.find(')', begin);
+  return begin == std::string::npos || end == std::string::npos ? "" : said.substr(begin + 1, end - begin - 1);
 }
 
 }  // namespace
@@ -55,6 +78,7 @@ std::vector<DeviceState> ask_devices(const host::Catalogue& catalogue) {
     const std::string said = answer.value("said", "");
     if (!state.ready) {
       split(said.empty() ? "It could not be opened" : said, state);
+      state.command = command_for(*info, said);
       continue;
     }
     state.text = said.empty() ? "ready" : "ready. " + said;

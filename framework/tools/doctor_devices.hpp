@@ -14,9 +14,11 @@ struct DeviceState {
   std::string id;
   bool ready = false;        // it opened
   std::string text, remedy;  // remedy: "" when it is ready
+  std::string command;       // what to type, as far as one command mends it
 };
 
-/// Every device that is asked on a thread of its own, with its defaults.
+/// Every device, with its defaults. The command is that which installs the plugin's udev rule, where it asks for it by the name
+/// "70-<id>.rules" (beside the plugin, or in share/swage/udev); else what it says in parentheses from "sudo" on.
 std::vector<DeviceState> ask_devices(const host::Catalogue& catalogue);
 
 }  // namespace swage::tools

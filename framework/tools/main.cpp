@@ -292,6 +292,8 @@ void add_calibrate(CLI::App& app, Arguments& a) {
   poses->add_option("--gap", o.gap_mm, "mm between the swivels when the jaws just meet");
   poses->add_flag("--another-needleholder", o.force_anyway, "The ways may differ from those of before");
   sensor(poses);
+  CLI::App* zero = verb->add_subcommand("zero", "The handle let go: what it reads there is nothing; 5 s, when a session says so");
+  sensor(zero);
   CLI::App* check = verb->add_subcommand("check", "A force at the tips, on a gauge with a real needle");
   check->add_option("--tip-force", o.tip_N, "N that the gauge shows")->check(CLI::Range(0.05, 10.0))->capture_default_str();
   check->add_option("--ratio", o.ratio, "N at the tips per N at the handle, where no table tells it")->check(CLI::Range(0.001, 10.0))->capture_default_str();
@@ -303,6 +305,7 @@ void add_calibrate(CLI::App& app, Arguments& a) {
   common(tip, calibrate_tip);
   common(check, calibrate_check);
   common(poses, calibrate_poses);
+  common(zero, calibrate_zero);
   common(show, calibrate_show);
 }
 

@@ -39,6 +39,8 @@ int calibrate_tip(const CalibrateOptions&);
 int calibrate_check(const CalibrateOptions&);
 /// Open, just closed, squeezed: with the sensor.
 int calibrate_poses(const CalibrateOptions&);
+/// The handle let go: the stored poses move to where it rests, and a gauge reads nothing there.
+int calibrate_zero(const CalibrateOptions&);
 /// What is stored.
 int calibrate_show(const CalibrateOptions&);
 

@@ -12,7 +12,7 @@
 #include "base/rng.hpp"
 #include "assembly/lesson_file.hpp"
 #include "tools/extension_tests.hpp"
-#include "tools/onlooker.hpp"
+#include "tools/fuzz_harness.hpp"
 #include "tools/print.hpp"
 #include "tools/test_scene.hpp"
 
@@ -349,11 +349,11 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
       {6, "moved", "the scene 0.1 m away: the same motion", moved, kObject},
       {6, "range", "every parameter at its ends and 200 random sets: an error that is told, or a good run",
        range, host::kAllKinds},
-      {6, "nonsense",
+      {6, "fuzz_values",
        "2000 steps of a world in which nothing belongs together: behaves, remembers nothing, forgets",
-       nonsense, kCoupling | kLesson},
+       fuzz_values, kCoupling | kLesson},
       {8, "time", "processor time of a step", time, host::kAllKinds},
-      {9, "fuzz", "5000 steps led by a hand that sends nonsense", fuzz, kObject | kCoupling | kLesson},
+      {9, "fuzz", "5000 steps led by a hand that sends random values", fuzz, kObject | kCoupling | kLesson},
   };
   std::vector<host::ValidateTest> out;
   for (const Entry& e : kTests)

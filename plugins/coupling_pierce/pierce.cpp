@@ -245,7 +245,7 @@ void Pierce::enter(const CouplingStep& step, PierceState& state, const Site& sit
   Track& track = state.track[t];
   const uint32_t wound = wound_at(state, site.local(entry), to_O * n, to_O * back, site.radius);
   open_track(site, track, entry, s_in);
-  share_out(site, spots(site, track), track);
+  share_out(site, needle_points(site, track), track);
   track.entry = wound;
   track.age = state.entries += 1;
   state.newest = t;
@@ -304,7 +304,7 @@ void Pierce::close(PierceState& state, Track& track, int end) const {
 
 /// A track after the step: crossings, wounds, exits, its end.
 void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& site, Track& track) const {
-  Spots at = spots(site, track);
+  NeedlePoints at = needle_points(site, track);
   follow(site, at, track);
   const auto entry_at = static_cast<uint32_t>(track.entry);
   Wound& entry = state.wound[entry_at];
@@ -316,17 +316,17 @@ void Pierce::go_on(const CouplingStep& step, PierceState& state, const Site& sit
     step.event(back_out_, track.deepest);
     return;
   }
-  if (through(track.s_in)) tear(step, state, site, entry_at, place, track.hold[0].p);
+  if (through(track.s_in)) tear(step, state, site, entry_at, place, track.support[0].p);
   come_out(step, state, site, track);
   if (track.exit >= 0) {
     const auto exit_at = static_cast<uint32_t>(track.exit);
     Wound& exit = state.wound[exit_at];
     exit.depth = std::max(exit.depth, track.cut);
     track.s_out = crossing(site, exit, track.s_out, place);
-    const Hold& last = track.hold[static_cast<uint32_t>(track.count) - 1];
+    const Support& last = track.support[static_cast<uint32_t>(track.count) - 1];
     if (through(track.s_out)) tear(step, state, site, exit_at, place, last.p);
   }
-  hold_end(site, at, track);
+  support_end(site, at, track);
   if (!share_out(site, at, track)) {
     close(state, track, PierceState::kPointClears);
     step.event(cut_out_, entry.reach / entry.radius);

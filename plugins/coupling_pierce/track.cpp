@@ -15,20 +15,20 @@ namespace {
 constexpr double kStick = Track::kStick;
 // The point builds up its cutting force over this share of the wire's radius: 2.5 um.
 constexpr double kFront = 0.05;
-// First distance between holds, in wire radii: 0.2 mm. Doubled whenever the track has grown full.
+// First distance between supports, in wire radii: 0.2 mm. Doubled whenever the track has grown full.
 constexpr double kSpacing = 4;
 // Lever at the end of which what keeps the needle from rolling acts, in wire radii: 0.5 mm. Longer, it bears less across the needle.
 constexpr double kLever = 10;
-// What cancels where holds became one rubs on while the needle slides by this, in wire radii: 0.2 mm, the first spacing. Shorter: the
+// What cancels where supports became one rubs on while the needle slides by this, in wire radii: 0.2 mm, the first spacing. Shorter: the
 // force falls within a step when a track is thinned out. Longer: it remembers where it bore when it is elsewhere.
 constexpr double kEven = 4;
-// Share of the way by which the place of a hold follows what the tissue gave in each step. All of it: in tissue displaced by several times
-// `spread` the place that bears and the way that it gives swing to and fro from step to step. Little: a hold is looked for where it was.
+// Share of the way by which the place of a support follows what the tissue gave in each step. All of it: in tissue displaced by several times
+// `spread` the place that bears and the way that it gives swing to and fro from step to step. Little: a support is looked for where it was.
 constexpr double kFollow = 0.4;
 // And it is behind by no more than this, in wire radii: 10 um. A needle that is let go springs by half a millimetre within a step.
 constexpr double kLag = 0.2;
 // A crossing this near to the place last looked at is that place.
-constexpr double kThere = 1e-10;
+constexpr double kConverged = 1e-10;
 // A needle this flat (sine of its angle to the plane) has no crossing to speak of.
 constexpr double kFlat = 0.05;
 
@@ -38,7 +38,7 @@ void put(double* to, const Vec3& a) {
 
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 
-uint32_t holds(const Track& track) { return static_cast<uint32_t>(track.count); }
+uint32_t supports(const Track& track) { return static_cast<uint32_t>(track.count); }
 
 }  // namespace
 
@@ -76,10 +76,10 @@ double Site::inside(Vec3& normal_W) const {
   return edge;
 }
 
-Spot spot(const Site& site, const Hold& hold) {
-  Spot out;
+NeedlePoint needle_at(const Site& site, const Support& support) {
+  NeedlePoint out;
   // near where the tissue is now: seen from where it is when nothing pulls, a needle that is curved leads elsewhere
-  const Vec3 p_O = vec3(hold.p) + vec3(hold.given), p_W = site.world(p_O.data());
+  const Vec3 p_O = vec3(support.p) + vec3(support.given), p_W = site.world(p_O.data());
   const auto place = site.needle.nearest(site.a, raw(p_W));
   if (!place) return out;
   out.p_W = vec(place->p_W);
@@ -88,7 +88,7 @@ Spot spot(const Site& site, const Hold& hold) {
   out.body = place->body;
   // beyond its ends the needle is as long as it goes straight on
   if (out.s <= 0 || out.s >= 1) out.s -= out.advance_W.dot(p_W - out.p_W) / site.length;
-  out.gone = out.s * site.length + out.advance_W.dot(toolkit::rotated(site.X_WO.q, vec3(hold.given)));
+  out.gone = out.s * site.length + out.advance_W.dot(toolkit::rotated(site.X_WO.q, vec3(support.given)));
   return out;
 }
 
@@ -105,7 +105,7 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
     const double off = (vec(at->p_W) - o).dot(n), slope = vec(at->tangent_W).dot(n);
     if (std::abs(slope) < kFlat) return s;
     const double next = std::clamp(s - off / (slope * site.length), 0.0, 1.0);
-    if (std::abs(next - s) <= kThere) return next;
+    if (std::abs(next - s) <= kConverged) return next;
     s = next;
   }
   return s;
@@ -119,51 +119,51 @@ void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in
   track.spacing = kSpacing * site.radius;
   // of what is in nothing is cut yet: the point goes on through it until no more than cutting is left of its force
   track.progress = track.deepest = track.shared = s_in * site.length;
-  put(track.hold[0].p, site.local(entry_W));
+  put(track.support[0].p, site.local(entry_W));
   set_front(site, track);
   // a blunt point that goes in at a small force has its middle outside still: its bristle is at rest there, and not at the surface
-  track.hold[0].rest = s_in > 0 ? s_in : spot(site, track.hold[0]).s;
+  track.support[0].rest = s_in > 0 ? s_in : needle_at(site, track.support[0]).s;
   track.count = 1;
   // what is in already is held where it is
-  while (track.spacing * (Track::kHolds - 2) < s_in * site.length) track.spacing *= 2;
+  while (track.spacing * (Track::kSupports - 2) < s_in * site.length) track.spacing *= 2;
   for (uint32_t i = 1; i * track.spacing < s_in * site.length; ++i) {
     const double s = s_in - i * track.spacing / site.length;
     const auto place = site.needle.place(site.a, s);
     if (!place) return;
-    Hold& hold = track.hold[holds(track)];
-    put(hold.p, site.local(vec(place->p_W)));
-    hold.rest = s;
-    hold.at = i * track.spacing;
+    Support& support = track.support[supports(track)];
+    put(support.p, site.local(vec(place->p_W)));
+    support.rest = s;
+    support.at = i * track.spacing;
     track.count += 1;
   }
 }
 
 double progress(const Site& site, const Track& track) {
-  const Hold& last = track.hold[holds(track) - 1];
-  return last.at + spot(site, last).gone;
+  const Support& last = track.support[supports(track) - 1];
+  return last.at + needle_at(site, last).gone;
 }
 
-Spots spots(const Site& site, const Track& track) {
-  Spots at;
-  for (uint32_t i = 0; i < holds(track); ++i) at.hold[i] = spot(site, track.hold[i]);
+NeedlePoints needle_points(const Site& site, const Track& track) {
+  NeedlePoints at;
+  for (uint32_t i = 0; i < supports(track); ++i) at.support[i] = needle_at(site, track.support[i]);
   return at;
 }
 
 namespace {
 
-swage_tie hold_tie(const Site& site, const Hold& hold, const Spot& at) {
+swage_tie support_tie(const Site& site, const Support& support, const NeedlePoint& at) {
   swage_tie tie{};
-  const Vec3 way = at.p_W - site.world(hold.p), across = way - at.advance_W.dot(way) * at.advance_W;
+  const Vec3 way = at.p_W - site.world(support.p), across = way - at.advance_W.dot(way) * at.advance_W;
   tie.body_a = at.body;
   tie.body_b = site.body;
   tie.p_W = raw(at.p_W);
   tie.axis_W = raw(at.advance_W);
-  tie.offset_W = raw(Vec3(across + (at.gone - hold.rest * site.length) * at.advance_W));
-  tie.stiffness_across = site.law.side_stiffness * hold.share;
+  tie.offset_W = raw(Vec3(across + (at.gone - support.rest * site.length) * at.advance_W));
+  tie.stiffness_across = site.law.side_stiffness * support.share;
   tie.stiffness_along = kStick * tie.stiffness_across;
-  tie.strength = site.law.failure_stress * 2 * site.radius * hold.share;
+  tie.strength = site.law.failure_stress * 2 * site.radius * support.share;
   tie.drag_forth = tie.drag_back =
-      site.law.drag * hold.share + site.law.friction * (vec3(hold.across).norm() + hold.rub);
+      site.law.drag * support.share + site.law.friction * (vec3(support.across).norm() + support.rub);
   return tie;
 }
 
@@ -221,12 +221,12 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
                    uint32_t* of) {
   uint32_t n = 0;
   double stiffness = 0, drag = 0, progress = 0;
-  for (uint32_t i = 0; i < holds(track); ++i) {
-    const Hold& hold = track.hold[i];
-    const Spot at = spot(site, hold);
-    progress = hold.at + at.gone;  // the last one's counts
-    if (!(hold.share > 0)) continue;
-    out[n] = hold_tie(site, hold, at);
+  for (uint32_t i = 0; i < supports(track); ++i) {
+    const Support& support = track.support[i];
+    const NeedlePoint at = needle_at(site, support);
+    progress = support.at + at.gone;  // the last one's counts
+    if (!(support.share > 0)) continue;
+    out[n] = support_tie(site, support, at);
     stiffness += out[n].stiffness_along, drag += out[n].drag_back;
     if (i == 0) out[n].drag_forth += reaction;
     of[n++] = i;
@@ -242,18 +242,18 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
   return n;
 }
 
-/// Where the tissue is now: at the needle, but for what the hold is stretched.
-void settle(const Site& site, Hold& hold) {
-  const double k = site.law.side_stiffness * hold.share;
+/// Where the tissue is now: at the needle, but for what the support is stretched.
+void settle(const Site& site, Support& support) {
+  const double k = site.law.side_stiffness * support.share;
   if (!(k > 0)) return;
-  const double s = hold.rest - hold.along / (kStick * k) / site.length, on = std::clamp(s, 0.0, 1.0);
+  const double s = support.rest - support.along / (kStick * k) / site.length, on = std::clamp(s, 0.0, 1.0);
   const auto place = site.needle.place(site.a, on);
   if (!place) return;
   const Vec3 p_W = vec(place->p_W) + (s - on) * site.length * vec(place->tangent_W);
-  const Vec3 gives = site.local(p_W) + vec3(hold.across) / k - vec3(hold.p);
-  const Vec3 behind = gives - vec3(hold.given);
+  const Vec3 gives = site.local(p_W) + vec3(support.across) / k - vec3(support.p);
+  const Vec3 behind = gives - vec3(support.given);
   const double lag = std::min((1 - kFollow) * behind.norm(), kLag * site.radius);
-  put(hold.given, lag > 0 ? Vec3(gives - lag * behind.normalized()) : gives);
+  put(support.given, lag > 0 ? Vec3(gives - lag * behind.normalized()) : gives);
 }
 
 double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of) {
@@ -277,15 +277,15 @@ double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t o
     }
     return 0;
   }
-  Hold& hold = track.hold[of];
+  Support& support = track.support[of];
   const Vec3 torn = slid - along * axis_W;
-  hold.rest += along / site.length;
-  put(hold.p, site.local(site.world(hold.p) + torn));
-  put(hold.across, site.X_WO.q.conjugate() * (f - axis_W.dot(f) * axis_W));
-  hold.along = axis_W.dot(f);
-  settle(site, hold);
-  hold.rub *= std::exp(-std::abs(along) / (kEven * site.radius));
-  return torn.norm() * hold.share;
+  support.rest += along / site.length;
+  put(support.p, site.local(site.world(support.p) + torn));
+  put(support.across, site.X_WO.q.conjugate() * (f - axis_W.dot(f) * axis_W));
+  support.along = axis_W.dot(f);
+  settle(site, support);
+  support.rub *= std::exp(-std::abs(along) / (kEven * site.radius));
+  return torn.norm() * support.share;
 }
 
 }  // namespace swage::coupling_pierce

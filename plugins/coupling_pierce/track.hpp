@@ -18,7 +18,7 @@ namespace swage::coupling_pierce {
 using toolkit::Pose;
 
 /// A place of the tissue that holds the needle.
-struct Hold {
+struct Support {
   double p[3];              // m, O, where it is when nothing pulls at the tissue
   double rest;              // s at which its bristle is at rest
   double at;                // m, along the track from the entry
@@ -29,12 +29,12 @@ struct Hold {
 };
 
 struct Track {
-  static constexpr uint32_t kHolds = 4;
-  // Stiffness of a hold's bristle over that across the needle: it breaks away after drag / (4 side_stiffness), 1 um by default.
+  static constexpr uint32_t kSupports = 4;
+  // Stiffness of a support's bristle over that across the needle: it breaks away after drag / (4 side_stiffness), 1 um by default.
   static constexpr double kStick = 4;
-  static constexpr uint32_t kTies = kHolds + 2;  // and the point, and what keeps it from rolling
-  static constexpr uint32_t kOfPoint = kHolds,
-                            kOfRoll = kHolds + 1;  // whose a tie is: of a hold, or of these
+  static constexpr uint32_t kTies = kSupports + 2;  // and the point, and what keeps it from rolling
+  static constexpr uint32_t kOfPoint = kSupports,
+                            kOfRoll = kSupports + 1;  // whose a tie is: of a support, or of these
   // where the point is: inside, held by a face from inside, out again
   static constexpr double kInside = 0, kBreaking = 1, kOut = 2;
 
@@ -46,19 +46,19 @@ struct Track {
   double progress;     // m along the track, of the point
   double deepest;      // m, the farthest progress so far
   double below;        // m, the deepest of the point below the entry surface
-  double spacing;      // m between holds
-  double thins;        // 1: every other hold is on its way to nothing
-  double shared;       // m, the progress when its length was last divided among the holds
+  double spacing;      // m between supports
+  double thins;        // 1: every other support is on its way to nothing
+  double shared;       // m, the progress when its length was last divided among the supports
   double roll;         // N m, about its advance, that kept it from rolling in the last step
-  double count;        // of holds
+  double count;        // of supports
   double entry, exit;  // index of the wound; exit: -1 before
   double passed;       // 1: the swage went in
   double peak_exit;    // N
   double age;          // number of the entry, to tell the newer
-  Hold hold[kHolds];
+  Support support[kSupports];
 };
 
-/// What a call needs to know about the two objects.
+/// A contact site: what a call needs to know about the two objects.
 struct Site {
   Site(const Peer& a, const Peer& b, const Step& step_a, const Step& step_b);
   bool good = false;
@@ -77,8 +77,8 @@ struct Site {
   double inside(Vec3& normal_W) const;
 };
 
-/// The needle at a hold.
-struct Spot {
+/// The needle at a support.
+struct NeedlePoint {
   Vec3 p_W = Vec3::Zero();         // m, of the needle
   Vec3 advance_W = Vec3::UnitX();  // unit, the way of its point
   double s = 0;                    // goes on below 0 and above 1 beyond its ends
@@ -86,14 +86,14 @@ struct Spot {
   uint32_t body = 0;
 };
 
-Spot spot(const Site& site, const Hold& hold);
+NeedlePoint needle_at(const Site& site, const Support& support);
 /// Whether the needle crosses a surface at s, and is not only near it.
 inline bool through(double s) { return s > 0 && s < 1; }
-/// The same at all holds of a track; those that it no longer has are left as they are.
-struct Spots {
-  Spot hold[Track::kHolds];
+/// The same at all supports of a track; those that it no longer has are left as they are.
+struct NeedlePoints {
+  NeedlePoint support[Track::kSupports];
 };
-Spots spots(const Site& site, const Track& track);
+NeedlePoints needle_points(const Site& site, const Track& track);
 /// s at which the needle crosses the plane of a wound, near s0, and the needle there.
 double crossing(const Site& site, const Wound& wound, double s0, swage_piercing_place& place);
 /// The same for a plane through o with the normal n, in W.
@@ -101,21 +101,21 @@ double crossing(const Site& site, const Vec3& o, const Vec3& n, double s0, swage
 
 /// The track of a needle that has just gone in at `entry_W`, crossed there at s_in.
 void open_track(const Site& site, Track& track, const Vec3& entry_W, double s_in);
-/// Where the point is along it; drops holds that it has left behind.
-void follow(const Site& site, const Spots& at, Track& track);
-/// Divides the inserted length among the holds. At the end of a step: where the needle is predicted to be says nothing yet. False when
+/// Where the point is along it; drops supports that it has left behind.
+void follow(const Site& site, const NeedlePoints& at, Track& track);
+/// Divides the inserted length among the supports. At the end of a step: where the needle is predicted to be says nothing yet. False when
 /// none is left in the tissue: the tear has come to its rim.
-bool share_out(const Site& site, const Spots& at, Track& track);
-/// When the needle's blunt end has left the last hold, that is laid again between the end and the exit: what is in is held until it is out.
-void hold_end(const Site& site, Spots& at, Track& track);
+bool share_out(const Site& site, const NeedlePoints& at, Track& track);
+/// When the needle's blunt end has left the last support, that is laid again between the end and the exit: what is in is held until it is out.
+void support_end(const Site& site, NeedlePoints& at, Track& track);
 /// Whether its blunt end, which went in, is out at the exit.
 bool is_through(const Site& site, const Track& track);
-/// New holds where the point went on; the last one laid again where it went back.
-void lengthen(const Site& site, const Spots& at, Track& track);
+/// New supports where the point went on; the last one laid again where it went back.
+void lengthen(const Site& site, const NeedlePoints& at, Track& track);
 /// The cut ends where the point is, but for what the tissue gives ahead of it.
 void set_front(const Site& site, Track& track);
 /// Writes its ties to `out` (up to kTies): `reaction`: N on top of the entry's drag; `exit_force`: N that a face bears from inside.
-/// Entry k of `of` is the hold of tie k, or kOfPoint, kOfRoll. Changes nothing.
+/// Entry k of `of` is the support of tie k, or kOfPoint, kOfRoll. Changes nothing.
 uint32_t make_ties(const Site& site, const Track& track, double reaction, double exit_force, swage_tie* out,
                    uint32_t* of);
 /// Takes what the solve gave one tie. Returns the area that it gave way sideways [m2].

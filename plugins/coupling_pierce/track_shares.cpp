@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The length of a track divided among its holds, which come, go and are thinned out, without a change of what they bear.
+// The length of a track divided among its supports, which come, go and are thinned out, without a change of what they bear.
 #include <algorithm>
 #include <cmath>
 
@@ -16,15 +16,15 @@ namespace {
 
 // Stiffness of the bristle over that across the needle, as in make_ties.
 constexpr double kStick = Track::kStick;
-// A hold stands for no less than this, in wire radii: at the start there is a point and no length.
+// A support stands for no less than this, in wire radii: at the start there is a point and no length.
 constexpr double kLeast = 1;
-// With so little a hold begins, in wire radii: a hundredth of what it will have.
-constexpr double kSprout = 0.02;
+// With so little a support begins, in wire radii: a hundredth of what it will have.
+constexpr double kFirstShare = 0.02;
 // What is in by less than this, in wire radii, is held at its entry alone.
 constexpr double kOne = 2;
 // So far outside of the tissue, in wire radii, the blunt end is surely out: a wire's radius.
 constexpr double kBeyond = 1;
-// Borders between holds move by no more than this times the way of the point: what passes from one place of the tissue to another does so
+// Borders between supports move by no more than this times the way of the point: what passes from one place of the tissue to another does so
 // while the needle goes on by its length, and not at once, which the tissue would answer with a leap. Below 2 a track is not thinned
 // out before it is full again.
 constexpr double kPasses = 4;
@@ -33,49 +33,49 @@ void put(double* to, const Vec3& a) {
   for (int i = 0; i < 3; ++i) to[i] = a[i];
 }
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
-uint32_t holds(const Track& track) { return static_cast<uint32_t>(track.count); }
+uint32_t supports(const Track& track) { return static_cast<uint32_t>(track.count); }
 
-/// How far a hold is stretched beyond what the tissue gives: across [m, O] and along the needle's advance [m].
+/// How far a support is stretched beyond what the tissue gives: across [m, O] and along the needle's advance [m].
 struct Stretch {
   Vec3 across_O = Vec3::Zero();
   double along = 0;
 };
 
-Stretch stretch(const Site& site, const Hold& hold) {
-  const double k = site.law.side_stiffness * hold.share;
+Stretch stretch(const Site& site, const Support& support) {
+  const double k = site.law.side_stiffness * support.share;
   if (!(k > 0)) return {};
-  return {-vec3(hold.across) / k, -hold.along / (kStick * k)};
+  return {-vec3(support.across) / k, -support.along / (kStick * k)};
 }
 
 /// Moves where it is at rest so that it is stretched by `to` and no more by what it is.
-void stretch_to(const Site& site, Hold& hold, const Stretch& is, const Stretch& to) {
-  put(hold.p, vec3(hold.p) + is.across_O - to.across_O);
-  hold.rest += (is.along - to.along) / site.length;
+void stretch_to(const Site& site, Support& support, const Stretch& is, const Stretch& to) {
+  put(support.p, vec3(support.p) + is.across_O - to.across_O);
+  support.rest += (is.along - to.along) / site.length;
 }
 
-/// Force [N] that a hold bears, and the sum of what bears on it from opposite sides and cancels.
+/// Force [N] that a support bears, and the sum of what bears on it from opposite sides and cancels.
 struct Load {
   Vec3 across_O = Vec3::Zero();
   double along = 0, rub = 0;
 };
 
-/// A hold stands for another length and bears another force: it is stretched by what that takes. What only grows longer keeps its
+/// A support stands for another length and bears another force: it is stretched by what that takes. What only grows longer keeps its
 /// force and is stretched less, as what is added begins unstretched.
-void set_load(const Site& site, Hold& hold, double share, const Load& load) {
-  const Stretch is = stretch(site, hold);
-  hold.share = share;
-  put(hold.across, load.across_O);
-  hold.along = load.along, hold.rub = load.rub;
-  if (share > 0) stretch_to(site, hold, is, stretch(site, hold));
+void set_load(const Site& site, Support& support, double share, const Load& load) {
+  const Stretch is = stretch(site, support);
+  support.share = share;
+  put(support.across, load.across_O);
+  support.along = load.along, support.rub = load.rub;
+  if (share > 0) stretch_to(site, support, is, stretch(site, support));
 }
 
-Load load_of(const Hold& hold) { return {vec3(hold.across), hold.along, hold.rub}; }
-/// What a part of the length of a hold bears, where the needle leads along `to`: it is bent on the way there.
+Load load_of(const Support& support) { return {vec3(support.across), support.along, support.rub}; }
+/// What a part of the length of a support bears, where the needle leads along `to`: it is bent on the way there.
 Load part_of(const Load& load, double part, const Quat& turn_O) {
   return {part * (turn_O * load.across_O), part * load.along, part * load.rub};
 }
-/// Turns what is across the needle at one hold so that it is across it at another.
-Quat turn_between(const Site& site, const Spot& from, const Spot& to) {
+/// Turns what is across the needle at one support so that it is across it at another.
+Quat turn_between(const Site& site, const NeedlePoint& from, const NeedlePoint& to) {
   const Quat to_O = site.X_WO.q.conjugate();
   return Quat::FromTwoVectors(to_O * from.advance_W, to_O * to.advance_W);
 }
@@ -86,80 +86,80 @@ Load sum_of(const Load& a, const Load& b) {
   return sum;
 }
 
-/// A new hold, a wire's radius behind the point, so that the point does not leave it at once. The tissue is displaced there as at the hold
+/// A new support, a wire's radius behind the point, so that the point does not leave it at once. The tissue is displaced there as at the support
 /// before. Next to none of the length yet: what it takes over from that one in the next step brings its stretch along, and what is cut from
 /// then on begins unstretched.
-void sprout(const Site& site, const Track& track, Hold& hold) {
+void begin_support(const Site& site, const Track& track, Support& support) {
   const double s = site.radius / site.length;
   const auto place = site.needle.place(site.a, s);
   if (!place) return;
-  const Hold& before = track.hold[holds(track) - 1];
-  hold = {};
-  put(hold.given, vec3(before.given));
-  put(hold.p, site.local(vec(place->p_W)) - vec3(hold.given));
-  hold.rest = s;
-  hold.at = track.progress - spot(site, hold).gone;
-  hold.share = kSprout * site.radius;
+  const Support& before = track.support[supports(track) - 1];
+  support = {};
+  put(support.given, vec3(before.given));
+  put(support.p, site.local(vec(place->p_W)) - vec3(support.given));
+  support.rest = s;
+  support.at = track.progress - needle_at(site, support).gone;
+  support.share = kFirstShare * site.radius;
 }
 
-/// Lays a hold again at s, stretched as it is.
-void lay_again(const Site& site, const Track& track, double s, Hold& hold) {
+/// Lays a support again at s, stretched as it is.
+void lay_again(const Site& site, const Track& track, double s, Support& support) {
   const auto place = site.needle.place(site.a, s);
   if (!place) return;
   const Vec3 advance = -vec(place->tangent_W);
-  const Stretch is = stretch(site, hold);
+  const Stretch is = stretch(site, support);
   const Vec3 across = toolkit::rotated(site.X_WO.q, is.across_O);
-  put(hold.p, site.local(vec(place->p_W) - (across - advance.dot(across) * advance)) - vec3(hold.given));
-  hold.rest = s - is.along / site.length;
-  hold.at = track.progress - spot(site, hold).gone;
+  put(support.p, site.local(vec(place->p_W) - (across - advance.dot(across) * advance)) - vec3(support.given));
+  support.rest = s - is.along / site.length;
+  support.at = track.progress - needle_at(site, support).gone;
 }
 
-/// Every other hold goes, once it stands for next to nothing. Those that stay bear what all bore, with the mean of their stretches, which
+/// Every other support goes, once it stands for next to nothing. Those that stay bear what all bore, with the mean of their stretches, which
 /// stores no more than they did.
-void thin_out(const Site& site, const Spots& at, Track& track) {
-  Hold merged[Track::kHolds / 2];
-  for (uint32_t i = 0; i < Track::kHolds / 2; ++i) {
+void thin_out(const Site& site, const NeedlePoints& at, Track& track) {
+  Support merged[Track::kSupports / 2];
+  for (uint32_t i = 0; i < Track::kSupports / 2; ++i) {
     const uint32_t here = 2 * i;
-    Hold& kept = merged[i] = track.hold[here];
+    Support& kept = merged[i] = track.support[here];
     double share = kept.share;
     Load load = load_of(kept);
     for (const uint32_t gone : {here - 1, here + 1}) {
-      if (gone >= Track::kHolds) continue;
-      const Hold& hold = track.hold[gone];
+      if (gone >= Track::kSupports) continue;
+      const Support& support = track.support[gone];
       // the last one has no neighbour beyond it
-      const double part = gone + 1 < Track::kHolds ? 0.5 : 1;
-      share += part * hold.share;
-      load = sum_of(load, part_of(load_of(hold), part, turn_between(site, at.hold[gone], at.hold[here])));
+      const double part = gone + 1 < Track::kSupports ? 0.5 : 1;
+      share += part * support.share;
+      load = sum_of(load, part_of(load_of(support), part, turn_between(site, at.support[gone], at.support[here])));
     }
     set_load(site, kept, share, load);
   }
-  std::copy_n(merged, Track::kHolds / 2, track.hold);
-  track.count = Track::kHolds / 2;
+  std::copy_n(merged, Track::kSupports / 2, track.support);
+  track.count = Track::kSupports / 2;
   track.spacing *= 2;
   track.thins = 0;
 }
 
-/// The length that a hold stands for by its neighbours' places [m]; 0: the needle or the tissue has left it.
+/// The length that a support stands for by its neighbours' places [m]; 0: the needle or the tissue has left it.
 struct Share {
   double length = 0;
   bool gone = false;
 };
 
-/// Length that passes from one hold to its neighbour takes what it bears along, so that a track bears the same whoever stands for it;
+/// Length that passes from one support to its neighbour takes what it bears along, so that a track bears the same whoever stands for it;
 /// what comes in at the point begins unstretched, what goes out there is let go. It stores no more than before: f^2 / (2 k l) is convex in
 /// f and l together and grows with both alike, so of a sum it is no more than the sum; the tissue, as it is, stores the same.
 class Passing {
  public:
-  Passing(const Site& site, const Spots& at, Track& track, const Share* to)
-      : site_(site), at_(at), track_(track), to_(to), count_(holds(track)) {
+  Passing(const Site& site, const NeedlePoints& at, Track& track, const Share* to)
+      : site_(site), at_(at), track_(track), to_(to), count_(supports(track)) {
     double surplus = 0;
     for (uint32_t i = 0; i < count_; ++i) {
-      has_[i] = track.hold[i].share, load_[i] = load_of(track.hold[i]);
-      surplus = to[i].gone ? 0 : surplus + track.hold[i].share - to[i].length;
+      has_[i] = track.support[i].share, load_[i] = load_of(track.support[i]);
+      surplus = to[i].gone ? 0 : surplus + track.support[i].share - to[i].length;
       surplus_[i] = surplus;
     }
   }
-  /// Towards the point first and then away from it, so that what passes through a hold without length goes on.
+  /// Towards the point first and then away from it, so that what passes through a support without length goes on.
   void operator()() {
     for (uint32_t i = 0; i < count_; ++i)
       if (surplus_[i] > 0) pass(i, last(i) ? i : i + 1, surplus_[i]);
@@ -167,7 +167,7 @@ class Passing {
       if (surplus_[i] < 0 && !last(i)) pass(i + 1, i, -surplus_[i]);
     for (uint32_t i = 0; i < count_; ++i) {
       const bool gone = to_[i].gone;
-      set_load(site_, track_.hold[i], gone ? 0 : to_[i].length, gone ? Load{} : load_[i]);
+      set_load(site_, track_.support[i], gone ? 0 : to_[i].length, gone ? Load{} : load_[i]);
     }
   }
 
@@ -177,7 +177,7 @@ class Passing {
   void pass(uint32_t from, uint32_t into, double length) {
     if (to_[from].gone || !(has_[from] > 0)) return;
     const double part = std::min(1.0, length / has_[from]);
-    const Quat turn = from == into ? Quat::Identity() : turn_between(site_, at_.hold[from], at_.hold[into]);
+    const Quat turn = from == into ? Quat::Identity() : turn_between(site_, at_.support[from], at_.support[into]);
     const Load given = part_of(load_[from], part, turn);
     load_[from] = part_of(load_[from], 1 - part, Quat::Identity());
     has_[from] -= length;
@@ -187,24 +187,24 @@ class Passing {
   }
 
   const Site& site_;
-  const Spots& at_;
+  const NeedlePoints& at_;
   Track& track_;
   const Share* to_;
   uint32_t count_;
-  double surplus_[Track::kHolds], has_[Track::kHolds];  // m, that the holds as far as this have too much; of each now
-  Load load_[Track::kHolds];
+  double surplus_[Track::kSupports], has_[Track::kSupports];  // m, that the supports as far as this have too much; of each now
+  Load load_[Track::kSupports];
 };
 
-/// Borders go towards where they belong by at most `most` [m]; the last hold has what is left.
+/// Borders go towards where they belong by at most `most` [m]; the last support has what is left.
 void limit(const Track& track, double most, Share* to) {
-  const uint32_t count = holds(track);
+  const uint32_t count = supports(track);
   double surplus = 0, before = 0;
   for (uint32_t i = 0; i < count; ++i) {
     if (to[i].gone) {
       surplus = before = 0;
       continue;
     }
-    surplus += track.hold[i].share - to[i].length;
+    surplus += track.support[i].share - to[i].length;
     const bool last = i + 1 == count || to[i + 1].gone;
     const double shift = last ? 0 : surplus - std::clamp(surplus, -most, most);
     to[i].length += shift - before;
@@ -220,14 +220,14 @@ void limit(const Track& track, double most, Share* to) {
 
 }  // namespace
 
-void follow(const Site& site, const Spots& at, Track& track) {
-  // holds that the point has left: the way stays cut, and is laid anew when it comes back
-  const auto last = [&] { return holds(track) - 1; };
-  const auto deep = [&] { return track.hold[last()].at + at.hold[last()].gone; };
-  while (at.hold[last()].s < 0 && (last() > 1 || (last() == 1 && deep() < kOne * site.radius))) {
-    const Hold& left = track.hold[last()];
-    Hold& before = track.hold[last() - 1];
-    const Load load = part_of(load_of(left), 1, turn_between(site, at.hold[last()], at.hold[last() - 1]));
+void follow(const Site& site, const NeedlePoints& at, Track& track) {
+  // supports that the point has left: the way stays cut, and is laid anew when it comes back
+  const auto last = [&] { return supports(track) - 1; };
+  const auto deep = [&] { return track.support[last()].at + at.support[last()].gone; };
+  while (at.support[last()].s < 0 && (last() > 1 || (last() == 1 && deep() < kOne * site.radius))) {
+    const Support& left = track.support[last()];
+    Support& before = track.support[last() - 1];
+    const Load load = part_of(load_of(left), 1, turn_between(site, at.support[last()], at.support[last() - 1]));
     set_load(site, before, before.share + left.share, sum_of(load_of(before), load));
     track.count -= 1;
   }
@@ -236,42 +236,42 @@ void follow(const Site& site, const Spots& at, Track& track) {
   track.below = std::max(track.below, site.point_in.depth);
 }
 
-bool share_out(const Site& site, const Spots& spots, Track& track) {
-  const uint32_t count = holds(track);
-  const auto at = [&](uint32_t i) { return spots.hold[i].s; };
+bool share_out(const Site& site, const NeedlePoints& points, Track& track) {
+  const uint32_t count = supports(track);
+  const auto at = [&](uint32_t i) { return points.support[i].s; };
   const double tip = track.out == Track::kOut ? track.s_out : 0;
   double upper = track.s_in;
   bool held = false;
-  Share share[Track::kHolds];
+  Share share[Track::kSupports];
   for (uint32_t i = 0; i < count; ++i) {
-    // while it is thinned out every other hold is on its way to nothing
+    // while it is thinned out every other support is on its way to nothing
     const bool goes = track.thins != 0 && i % 2 == 1;
     const uint32_t next = i + (track.thins != 0 ? 2 : 1);
     const double lower = goes ? upper : next < count ? std::clamp(0.5 * (at(i) + at(next)), tip, upper) : tip;
     share[i].length = std::max(0.0, upper - lower) * site.length;
     upper = lower;
     if (i == 0 && track.s_in < 1) share[i].length = std::max(share[i].length, kLeast * site.radius);
-    const auto place = site.tissue.inside(site.b, raw(site.world(track.hold[i].p)));
+    const auto place = site.tissue.inside(site.b, raw(site.world(track.support[i].p)));
     const bool beyond = place && place->edge < 0;  // torn as far as the rim
     share[i].gone = at(i) >= 1 || beyond;          // or the needle has left it
     held = held || !beyond;
   }
   const bool fresh =
-      std::all_of(track.hold, track.hold + count, [](const Hold& hold) { return hold.share == 0; });
+      std::all_of(track.support, track.support + count, [](const Support& support) { return support.share == 0; });
   limit(track, fresh ? HUGE_VAL : kPasses * std::abs(track.progress - track.shared), share);
   track.shared = track.progress;
-  Passing(site, spots, track, share)();
+  Passing(site, points, track, share)();
   return held;
 }
 
-void hold_end(const Site& site, Spots& at, Track& track) {
-  const uint32_t last = holds(track) - 1;
+void support_end(const Site& site, NeedlePoints& at, Track& track) {
+  const uint32_t last = supports(track) - 1;
   if (track.out != Track::kOut || track.passed == 0) return;
-  // no hold is on its way to nothing where the others are left behind
+  // no support is on its way to nothing where the others are left behind
   track.thins = 0;
-  if (at.hold[last].s < 1 || track.s_out >= 1) return;
-  lay_again(site, track, 0.5 * (track.s_out + 1), track.hold[last]);
-  at.hold[last] = spot(site, track.hold[last]);
+  if (at.support[last].s < 1 || track.s_out >= 1) return;
+  lay_again(site, track, 0.5 * (track.s_out + 1), track.support[last]);
+  at.support[last] = needle_at(site, track.support[last]);
 }
 
 bool is_through(const Site& site, const Track& track) {
@@ -284,23 +284,23 @@ bool is_through(const Site& site, const Track& track) {
   return in && std::min({in->depth, -in->beyond, in->edge}) < -kBeyond * site.radius;
 }
 
-void lengthen(const Site& site, const Spots& at, Track& track) {
-  const Spot& end = at.hold[holds(track) - 1];
-  Hold& last = track.hold[holds(track) - 1];
+void lengthen(const Site& site, const NeedlePoints& at, Track& track) {
+  const NeedlePoint& end = at.support[supports(track) - 1];
+  Support& last = track.support[supports(track) - 1];
   // by its entry alone what is in would hang as from a hinge
-  if (holds(track) > 1 && end.s < 0) return lay_again(site, track, 0.5 * track.progress / site.length, last);
-  if (holds(track) < Track::kHolds) track.thins = 0;
+  if (supports(track) > 1 && end.s < 0) return lay_again(site, track, 0.5 * track.progress / site.length, last);
+  if (supports(track) < Track::kSupports) track.thins = 0;
   if (track.thins != 0) {
-    const double least = kSprout * site.radius;
-    if (std::max(track.hold[1].share, track.hold[3].share) <= least) thin_out(site, at, track);
+    const double least = kFirstShare * site.radius;
+    if (std::max(track.support[1].share, track.support[3].share) <= least) thin_out(site, at, track);
     return;
   }
   if (track.out != Track::kInside || track.progress - last.at < track.spacing) return;
-  if (holds(track) == Track::kHolds) {
+  if (supports(track) == Track::kSupports) {
     track.thins = 1;
     return;
   }
-  sprout(site, track, track.hold[holds(track)]);
+  begin_support(site, track, track.support[supports(track)]);
   track.count += 1;
 }
 

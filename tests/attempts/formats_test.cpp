@@ -28,7 +28,7 @@ TEST_P(Formats, IsReadBitForBit) {
   EXPECT_EQ(recording.info.person, "Ada");
   EXPECT_EQ(recording.info.plugins, make_info().plugins);
   // hands and files are carried since version 2
-  EXPECT_TRUE(same_luggage(recording.info, GetParam() >= 2 ? make_info() : AttemptInfo()));
+  EXPECT_TRUE(same_attachments(recording.info, GetParam() >= 2 ? make_info() : AttemptInfo()));
   ASSERT_EQ(recording.commands.size(), 1u);
   EXPECT_EQ(recording.commands[0].number[3], 1e-300);
   EXPECT_EQ(recording.events.size(), 3u);

@@ -141,15 +141,15 @@ TEST(BadPlugins, NoParametersIsNoFault) {
 }
 
 TEST(BadPlugins, WhatAStepCanDoWrong) {
-  const auto expected = [](const std::string& name, Misdeed misdeed) {
-    return say::kQuarantine("trial", "org.example.bad." + name, "1.0.0", text(misdeed), "forces", 10);
+  const auto expected = [](const std::string& name, FaultKind fault) {
+    return say::kQuarantine("trial", "org.example.bad." + name, "1.0.0", text(fault), "forces", 10);
   };
-  EXPECT_EQ(quarantine_of("org.example.bad.throws"), expected("throws", Misdeed::kFault));
-  EXPECT_EQ(quarantine_of("org.example.bad.nan"), expected("nan", Misdeed::kNotFinite));
-  EXPECT_EQ(quarantine_of("org.example.bad.huge"), expected("huge", Misdeed::kTooLarge));
+  EXPECT_EQ(quarantine_of("org.example.bad.throws"), expected("throws", FaultKind::kFault));
+  EXPECT_EQ(quarantine_of("org.example.bad.nan"), expected("nan", FaultKind::kNotFinite));
+  EXPECT_EQ(quarantine_of("org.example.bad.huge"), expected("huge", FaultKind::kTooLarge));
 #if defined(__x86_64__)
   const FpuMode before = fpu_mode();
-  EXPECT_EQ(quarantine_of("org.example.bad.sets_fpu"), expected("sets_fpu", Misdeed::kFpuMode));
+  EXPECT_EQ(quarantine_of("org.example.bad.sets_fpu"), expected("sets_fpu", FaultKind::kFpuMode));
   EXPECT_EQ(fpu_mode(), before);
 #endif
 }
@@ -161,7 +161,7 @@ TEST(BadPlugins, TheSlowOneIsLateByItsOwnTime) {
   const uint64_t last = slow->run(60);
   EXPECT_THAT(last, testing::AnyOf(29u, 30u));
   EXPECT_EQ(quarantine_text(*slow->instance()),
-            say::kQuarantine("trial", "org.example.bad.slow", "1.0.0", text(Misdeed::kLate), "forces", last));
+            say::kQuarantine("trial", "org.example.bad.slow", "1.0.0", text(FaultKind::kLate), "forces", last));
 }
 
 TEST(BadPlugins, TextInTheStepIsABreach) {

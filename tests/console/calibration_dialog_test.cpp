@@ -153,6 +153,65 @@ TEST_F(CalibrationTest, ASessionNeedsPosesAloneAndForcesAreCheckedOnAGauge) {
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_tip").startsWith(QStringLiteral("▲")); }));
 }
 
+// At a bench one hand is at the sensor: the space bar measures point after point and pose after pose, and never types into the port.
+TEST_F(CalibrationTest, TheSpaceBarMeasuresPointAfterPoint) {
+  auto sensor = plug();
+  CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), QStringLiteral("Mei"));
+  dialog.set_seconds(0.1);
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+  auto* port = in<QComboBox>(dialog, "calibration_port");
+  port->setEditText(QString::fromStdString(folder_ / "port"));
+  port->setFocus();
+  QTest::keyClick(port, Qt::Key_Return);
+  const auto strike = [&](double mm, const char* button) {
+    ASSERT_TRUE(eventually([&] { return dialog.focusWidget() == in<QPushButton>(dialog, button) && dialog.focusWidget()->isEnabled(); })) << button << " at " << mm;
+    length_mm_ = mm;
+    QTest::qWait(50);
+    QTest::keyClick(dialog.focusWidget(), Qt::Key_Space);
+  };
+  for (int i = 0; i < sensor::Draft::kRows; ++i) strike(0.5 * i, "calibration_measure");
+  ASSERT_TRUE(eventually([&] { return dialog.draft().rows().back().volts.has_value(); }));
+  for (int i = 0; i < sensor::Draft::kRows; ++i) EXPECT_NEAR(dialog.draft().rows()[static_cast<size_t>(i)].volts.value_or(9), volts(0.5 * i), 1e-3) << i;
+  in<QTabWidget>(dialog, "calibration_steps")->setCurrentIndex(1);
+  in<QPushButton>(dialog, "calibration_open")->setFocus();
+  strike(5, "calibration_open");
+  strike(3, "calibration_closed");
+  strike(2, "calibration_squeezed");
+  ASSERT_TRUE(eventually([&] { return dialog.focusWidget() == in<QPushButton>(dialog, "calibration_keep"); }));
+  QTest::keyClick(dialog.focusWidget(), Qt::Key_Space);
+  EXPECT_EQ(sensor::calibration_files().size(), 1u) << said(dialog, "calibration_said").toStdString();
+  EXPECT_EQ(port->currentText().toStdString(), folder_ / "port");
+}
+
+// A session says that the handle does not rest where it was open: one button, and everything else stays.
+TEST_F(CalibrationTest, TheZeroAloneIsSet) {
+  sensor::Calibration stored;
+  stored.serial = "B7", stored.by = "Ada", stored.date = sensor::today(), stored.expires = sensor::days_after(stored.date, 90);
+  stored.displacement = {1e-3, 3e-3, 20e-6, 10e-6, {}};
+  stored.poses = {5e-3, 3e-3, 2e-3}, stored.poses_date = "2026-11-01";
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("B7"), stored), "");
+  auto sensor = plug();
+  CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("light")), QStringLiteral("Mei"));
+  dialog.set_seconds(0.1);
+  connect_to(dialog);
+  ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
+  measure(dialog, "calibration_zero", 4.5);  // a quarter of the way: a hand is at it
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("more than a fifth of its way"))) << said(dialog, "calibration_said").toStdString();
+  in<QLabel>(dialog, "calibration_said")->clear();
+  measure(dialog, "calibration_zero", 5.2);
+  in<QPushButton>(dialog, "calibration_keep")->click();
+  sensor::Calibration kept;
+  ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), kept), "");
+  EXPECT_NEAR(kept.poses.open, 5.2e-3, 10e-6);
+  EXPECT_NEAR(kept.poses.squeezed, 2.2e-3, 10e-6);
+  EXPECT_EQ(kept.poses_date, "2026-11-01");
+  EXPECT_EQ(kept.zero_date, sensor::today());
+  measure(dialog, "calibration_open", 5.2);
+  EXPECT_FALSE(in<QPushButton>(dialog, "calibration_zero")->isEnabled()) << "who measures poses sets them all";
+}
+
 // U15: nothing is written before "Keep", wherever somebody closes the window; and what was kept before is as it was.
 TEST_F(CalibrationTest, ClosingItAtAnyStepWritesNothing) {
   auto sensor = plug();

@@ -40,6 +40,10 @@ TEST(Words, SayUnitsAndVerdicts) {
   EXPECT_EQ(quantity_text(0.2, "rad"), QString("11.5°"));
   EXPECT_EQ(quantity_text(3, "1"), "3");
   EXPECT_EQ(quantity_text(0.25, "1"), "0.25");
+  EXPECT_EQ(quantity_text(0.00035, "N"), QString("0.35") + QChar(0x202f) + "mN");
+  EXPECT_EQ(quantity_text(0.012, "N"), QString("0.01") + QChar(0x202f) + "N");
+  EXPECT_EQ(quantity_text(0.00013, "1"), "0.00013");
+  EXPECT_EQ(quantity_text(1e-12, "1"), "0") << "a count, but for rounding";
   EXPECT_EQ(quantity_text(std::nan(""), "N"), "–");
   EXPECT_EQ(human_id("grasp.peak_force"), "Grasp peak force");
   EXPECT_EQ(clock_text(62.9), "01:02");

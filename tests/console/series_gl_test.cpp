@@ -17,7 +17,8 @@ using console::StereoLayout;
 
 constexpr QSize kView_px(480, 400);
 constexpr int kSteps = 2000;        // 2 s: most hands are at their needle
-constexpr int kSearch_px = 45;      // shifts that are tried, either way
+constexpr int kSearch_px = 80;      // shifts that are tried, either way
+constexpr double kDepth = 0.04, kSame = 0.02;  // shares of the middle: what two eyes see differently at least, and one eye at most
 constexpr float kNearer_mm = 200;   // convergence: the scene, framed at 250 mm, lies behind the screen
 constexpr float kFurther_mm = 320;  // and before it
 
@@ -29,22 +30,31 @@ std::vector<std::string> series() {
   return out;
 }
 
-/// The shift to the right by which the middle of `to` is most like that of `from`, px.
-int shift(const QImage& from, const QImage& to) {
+/// Two pictures, laid over each other where their middles are most alike.
+struct Match {
+  int shift = 0;        // px, of the second to the right
+  double differs = 0;   // share of the middle that is seen otherwise all the same
+};
+
+Match match(const QImage& from, const QImage& to) {
+  constexpr int kOtherwise = 12;  // of 255
   const int w = from.width(), h = from.height();
   std::vector<int> a, b;
   for (const auto& [image, grey] : {std::pair{&from, &a}, {&to, &b}})
     for (int y = 0; y < h; ++y)
       for (int x = 0; x < w; ++x) grey->push_back(qGray(image->pixel(x, y)));
-  int best = 0;
+  Match best;
   long least = -1;
   for (int s = -kSearch_px; s <= kSearch_px; ++s) {
-    long sum = 0;
+    long sum = 0, other = 0;
     for (int y = h / 4; y < 3 * h / 4; ++y)
-      for (int x = w / 4; x < 3 * w / 4; ++x) sum += std::abs(a[static_cast<size_t>(y * w + x)] - b[static_cast<size_t>(y * w + x + s)]);
+      for (int x = w / 4; x < 3 * w / 4; ++x) {
+        const int d = std::abs(a[static_cast<size_t>(y * w + x)] - b[static_cast<size_t>(y * w + x + s)]);
+        sum += d, other += d > kOtherwise;
+      }
     if (least >= 0 && sum >= least) continue;
     least = sum;
-    best = s;
+    best = {s, static_cast<double>(other) / (0.25 * w * h)};
   }
   return best;
 }
@@ -65,19 +75,22 @@ class Series : public testing::TestWithParam<std::string> {
     QPainter(&out).drawImage(0, 0, view.image());
     return out;
   }
-  /// By how much a point in the middle lies further right for the right eye than for the left, px.
-  double parallax(float convergence_mm) {
-    console::StereoRig rig;
-    rig.convergence_mm = convergence_mm;
-    const auto eye = console::two_eyes(view.camera(), rig, console::shape_of(kView_px));
-    const QVector3D middle = view.camera().focus();
-    return eye[1].project(middle, kView_px).x() - eye[0].project(middle, kView_px).x();
+  /// By how much an eye's picture moves to the right when its convergence goes from near to far, px.
+  double moves(std::size_t eye) {
+    double x[2];
+    for (const bool far : {false, true}) {
+      console::StereoRig rig;
+      rig.convergence_mm = far ? kFurther_mm : kNearer_mm;
+      x[far] = static_cast<double>(console::two_eyes(view.camera(), rig, console::shape_of(kView_px))[eye].project(view.camera().focus(), kView_px).x());
+    }
+    return x[1] - x[0];
   }
   console::SceneView view;
 };
 
-// A pair of pictures is right where each eye sees the scene, where they differ by as much as the eyes are apart, and to the right side:
-// what lies behind the screen is further right for the right eye, what lies before it further left (off-axis frusta, eye.hpp).
+// A pair of pictures is right where each eye sees the scene; where each picture moves with the convergence as its eye does, as a whole
+// (off-axis frusta, eye.hpp); where things at other depths differ however the two are laid over each other; and where exchanged eyes are
+// just that.
 TEST_P(Series, IsSeenByOneEyeAndByTwo) {
   if (!view.gl().ok) GTEST_SKIP() << "no OpenGL: " << view.gl().why.toStdString();
   session::Options options;
@@ -99,18 +112,27 @@ TEST_P(Series, IsSeenByOneEyeAndByTwo) {
   const auto filled = [](const QImage& image) { return count(image, [](const QColor& c) { return c.lightness() > 20; }); };
   const int enough = kView_px.width() * kView_px.height() / 20;
   EXPECT_GT(filled(seen(StereoLayout::kOneEye, 250)), enough);
-  for (const float convergence : {kNearer_mm, kFurther_mm}) {
-    const QImage left = seen(StereoLayout::kLeftEye, convergence), right = seen(StereoLayout::kRightEye, convergence);
-    EXPECT_GT(filled(left), enough);
-    EXPECT_GT(filled(right), enough);
-    const double wanted = parallax(convergence);
-    ASSERT_GT(std::abs(wanted), 10) << "px: more than what is nearer or further can undo";
-    ASSERT_EQ(wanted > 0, convergence < 250);
-    EXPECT_NEAR(shift(left, right) / wanted, 1, 0.5) << shift(left, right) << " px of " << wanted;
+  const StereoLayout eyes[] = {StereoLayout::kLeftEye, StereoLayout::kRightEye};
+  QImage near[2];
+  for (const std::size_t i : {0U, 1U}) {
+    near[i] = seen(eyes[i], kNearer_mm);
+    const QImage far = seen(eyes[i], kFurther_mm);
+    EXPECT_GT(filled(near[i]), enough);
+    EXPECT_GT(filled(far), enough);
+    const Match moved = match(near[i], far);
+    ASSERT_GT(std::abs(moves(i)), 10);
+    EXPECT_NEAR(moved.shift, moves(i), 1) << "eye " << i;
+    EXPECT_LT(moved.differs, kSame) << "eye " << i;
   }
-  // eyes that are exchanged are found out
-  const QImage left = seen(StereoLayout::kLeftEye, kNearer_mm, true), right = seen(StereoLayout::kRightEye, kNearer_mm, true);
-  EXPECT_LT(shift(left, right), -5);
+  EXPECT_LT(moves(0) * moves(1), 0);
+  const Match depth = match(near[0], near[1]);
+  std::printf("eyes move by %.1f and %.1f px; %.1f %% of the middle differ by depth\n", moves(0), moves(1), 100 * depth.differs);
+  EXPECT_GT(depth.differs, kDepth);
+  for (const std::size_t i : {0U, 1U}) {
+    const Match exchanged = match(near[1 - i], seen(eyes[i], kNearer_mm, true));
+    EXPECT_EQ(exchanged.shift, 0);
+    EXPECT_LT(exchanged.differs, kSame);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Lessons, Series, testing::ValuesIn(series()),

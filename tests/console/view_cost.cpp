@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a picture costs the processor: view_cost lesson.json [pictures]
+// How well the scene is seen on this machine: view_cost [lesson.json [seconds]]
 //
-// The expert's attempt is shown picture by picture, each way of showing it in turn, and the time that all threads of this process spent is
-// divided by the pictures. Where OpenGL is software the drawing is in it; a busy machine changes it little, unlike pictures per second.
+// The expert's attempt is shown in each way of seeing, while a hand moves the mouse. Told are pictures per second, how long the picture stood that
+// stood longest but for one in a hundred, the time from a movement to the first picture painted that can show it (what the screen takes is not
+// in it), and the time that all threads of this process spent on a picture. The table is that of resources/charts/seeing.md.
 #include <QApplication>
 #include <QTest>
+#include <QTimer>
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "console/app/application.hpp"
@@ -22,16 +25,16 @@ using console::StereoLayout;
 
 namespace {
 
-constexpr int kSnapshots = 40;         // shown in turn
-constexpr int kStepsApart = 33;        // 30 pictures a second
+constexpr int kSnapshots = 40;         // shown in turn, there and back
+constexpr int kStepsApart = 16;        // as many as the display of a session leaves out
 constexpr int kFirstStep = 1500;       // the tool is at its work
-constexpr int kWarm = 8;               // pictures before the clock starts
-constexpr QSize kEye_px(1920, 1080);
+constexpr double kWarm_s = 1;          // before the clock starts
+constexpr QSize kEye_px(1920, 1080), kSmall_px(1280, 800);
 constexpr int kPatience_ms = 120000;  // a processor that draws and is busy takes seconds for a picture
 
-double cpu_s() {
+double seconds_of(clockid_t clock) {
   timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
@@ -43,22 +46,49 @@ struct Way {
   Mirror mirror = Mirror::kNone;
 };
 
-const Way kWays[] = {{"one eye", kEye_px, StereoLayout::kOneEye, false},
-                     {"side by side, both in 1920 x 1080", kEye_px, StereoLayout::kSideBySide},
-                     {"side by side, 1920 x 1080 each", {2 * kEye_px.width(), kEye_px.height()}, StereoLayout::kSideBySide},
-                     {"over and under, 1920 x 1080 each", {kEye_px.width(), 2 * kEye_px.height()}, StereoLayout::kOverUnder},
-                     {"lines, 1920 x 1080 each", kEye_px, StereoLayout::kLines},
-                     {"chess board, 1920 x 1080 each", kEye_px, StereoLayout::kChecker},
-                     {"anaglyph, 1920 x 1080 each", kEye_px, StereoLayout::kAnaglyph},
-                     {"side by side, mirrored, both in 1920 x 1080", kEye_px, StereoLayout::kSideBySide, true, false, false, Mirror::kUpDown},
-                     {"microscope, one eye", kEye_px, StereoLayout::kOneEye, true, true},
-                     {"microscope, one eye, depth of field", kEye_px, StereoLayout::kOneEye, true, true, true},
-                     {"microscope, one eye, 1280 x 720", {1280, 720}, StereoLayout::kOneEye, true, true},
-                     {"microscope, one eye, 1280 x 720, depth of field", {1280, 720}, StereoLayout::kOneEye, true, true, true}};
+/// Every way of seeing for eyes of one size.
+std::vector<Way> ways(const QSize& eye) {
+  const QSize wide(2 * eye.width(), eye.height()), high(eye.width(), 2 * eye.height());
+  return {{"one picture, as the instructor's", eye, StereoLayout::kOneEye, false},
+          {"one eye", eye, StereoLayout::kOneEye},
+          {"side by side, both in one", eye, StereoLayout::kSideBySide},
+          {"side by side", wide, StereoLayout::kSideBySide},
+          {"over and under", high, StereoLayout::kOverUnder},
+          {"lines", eye, StereoLayout::kLines},
+          {"chess board", eye, StereoLayout::kChecker},
+          {"anaglyph", eye, StereoLayout::kAnaglyph},
+          {"anaglyph, grey", eye, StereoLayout::kAnaglyphGrey},
+          {"anaglyph, least ghosts", eye, StereoLayout::kAnaglyphLeast},
+          {"one after the other, without the driver's part", eye, StereoLayout::kShutter},
+          {"side by side, mirrored", wide, StereoLayout::kSideBySide, true, false, false, Mirror::kUpDown},
+          {"one eye, microscope", eye, StereoLayout::kOneEye, true, true},
+          {"one eye, microscope, depth of field", eye, StereoLayout::kOneEye, true, true, true},
+          {"side by side, microscope", wide, StereoLayout::kSideBySide, true, true}};
+}
 
 using Snapshots = std::vector<std::unique_ptr<snapshot::Snapshot>>;
 
-double cost_s(const Way& way, const snapshot::SceneCard& card, const Snapshots& shots, int pictures) {
+struct Seen {
+  double per_s = 0, longest_s = 0;         // pictures; the gap that 99 of 100 did not exceed
+  double hand_s = 0, hand_longest_s = 0;   // from a movement to its picture, half of them and 99 of 100
+  double cpu_s = 0;                        // per picture
+};
+
+/// Shows and moves for so long.
+void play(console::SceneView& view, const Snapshots& shots, double seconds) {
+  std::size_t next = 0;
+  QTimer display;
+  display.setTimerType(Qt::PreciseTimer);
+  QObject::connect(&display, &QTimer::timeout, [&] {
+    const std::size_t round = next++ % (2 * shots.size());
+    view.show_snapshot(*shots[round < shots.size() ? round : 2 * shots.size() - 1 - round]);
+    if (next % 4 == 0) QTest::mouseMove(&view, view.rect().center() + QPoint(static_cast<int>(next / 4 % 40), 0));
+  });
+  display.start(16);
+  QTest::qWait(static_cast<int>(1e3 * seconds));
+}
+
+bool measure(const Way& way, const snapshot::SceneCard& card, const Snapshots& shots, double seconds, Seen& out) {
   console::SceneView view;
   view.set_themes(console::UiTheme::stock(QStringLiteral("dark")), console::CueTheme::stock(QStringLiteral("thesis")));
   if (way.stereo) {
@@ -68,20 +98,30 @@ double cost_s(const Way& way, const snapshot::SceneCard& card, const Snapshots& 
     look.microscope = {way.microscope, 10, way.blur};
     view.set_stereo(look);
   }
+  view.set_eyes_sink([](const QImage&, const QImage&) {});
   view.resize(way.window);
   view.show();
   view.set_card(card);
+  view.set_instrument(true);
   view.show_snapshot(*shots.front());
-  if (!QTest::qWaitFor([&] { return view.ready() && view.resting(); }, kPatience_ms)) return -1;
-  double start = 0;
-  for (int i = 0; i < kWarm + pictures; ++i) {
-    if (i == kWarm) start = cpu_s();
-    const uint64_t before = view.drawn();
-    // the first is on the screen already, and what is alike is not drawn again
-    view.show_snapshot(*shots[static_cast<size_t>(i + 1) % shots.size()]);
-    if (!QTest::qWaitFor([&] { return view.drawn() > before; }, kPatience_ms)) return -1;
-  }
-  return (cpu_s() - start) / pictures;
+  if (!QTest::qWaitFor([&] { return view.ready() && view.resting(); }, kPatience_ms)) return false;
+  QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
+  play(view, shots, kWarm_s);
+  const uint64_t before = view.drawn();
+  const double cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID), wall = seconds_of(CLOCK_MONOTONIC);
+  play(view, shots, seconds);
+  const auto drawn = static_cast<double>(view.drawn() - before);
+  if (drawn < 1) return false;
+  out = {drawn / (seconds_of(CLOCK_MONOTONIC) - wall), view.frames().share(0.99), view.latency().share(0.5), view.latency().share(0.99),
+         (seconds_of(CLOCK_PROCESS_CPUTIME_ID) - cpu) / drawn};
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
+  return true;
+}
+
+void tell(const Way& way, const Seen& s) {
+  std::printf("| %s | %d x %d | %.1f | %.0f | %.0f | %.0f | %.1f |\n", way.name, way.window.width(), way.window.height(), s.per_s, 1e3 * s.longest_s,
+              1e3 * s.hand_s, 1e3 * s.hand_longest_s, 1e3 * s.cpu_s);
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -107,12 +147,20 @@ int main(int argc, char** argv) {
     shots.push_back(std::make_unique<snapshot::Snapshot>());
     expert->fill(*shots.back());
   }
-  const int pictures = args.value(2, QStringLiteral("60")).toInt();
-  std::printf("processor time of a picture, ms, mean of %d\n", pictures);
-  for (const Way& way : kWays) {
-    const double s = cost_s(way, expert->card(), shots, pictures);
-    std::printf("%-50s %8.1f\n", way.name, 1e3 * s);
-    std::fflush(stdout);
-  }
+  const double seconds = args.value(2, QStringLiteral("4")).toDouble();
+  const console::GlProbe gl = console::SceneView().gl();
+  if (!gl.ok) return std::fprintf(stderr, "%s\n", qUtf8Printable(gl.why)), 1;
+  std::printf("%s; %u processors; lesson %s; %g s each\n\n", qUtf8Printable(gl.renderer), std::thread::hardware_concurrency(),
+              qUtf8Printable(QString::fromStdString(options.lesson_path).section(QLatin1Char('/'), -1)), seconds);
+  std::printf("| seen | window px | pictures/s | longest but one in a hundred ms | hand to picture ms | of 99 in a hundred ms | processor ms |\n");
+  std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const QSize& eye : {kEye_px, kSmall_px})
+    for (const Way& way : ways(eye)) {
+      Seen seen;
+      if (measure(way, expert->card(), shots, seconds, seen))
+        tell(way, seen);
+      else
+        std::printf("| %s | %d x %d | none came | | | | |\n", way.name, way.window.width(), way.window.height());
+    }
   return 0;
 }

@@ -21,12 +21,12 @@ namespace swage::test {
 class WindowTest : public testing::Test {
  protected:
   void open() {
-    console::Doors doors;
-    doors.open_session = [this](const session::Options& o, base::Problems& p) {
+    console::Services services;
+    services.open_session = [this](const session::Options& o, base::Problems& p) {
       return open_fake(o, p, script, log);
     };
     if (with_store) {
-      doors.open_store = [this](std::string&) {
+      services.open_store = [this](std::string&) {
         auto store = std::make_unique<FakeStore>(attempts);
         store->to_recover = to_recover;
         store->events_of_any = fake_events();
@@ -35,25 +35,25 @@ class WindowTest : public testing::Test {
       };
     }
     if (with_school) {
-      doors.open_store = [this](std::string& error) { return record::Store::open(school_file(), error); };
-      doors.open_school = [this](std::string& error) { return record::School::open(school_file(), error); };
+      services.open_store = [this](std::string& error) { return record::Store::open(school_file(), error); };
+      services.open_school = [this](std::string& error) { return record::School::open(school_file(), error); };
     }
-    doors.open_stations = open_stations;
-    doors.open_file = [](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
+    services.open_stations = open_stations;
+    services.open_file = [](const std::string& file, std::string& error) -> std::unique_ptr<record::Store> {
       if (file.find("damaged") != std::string::npos) error = file + " is damaged and cannot be read.";
       if (!error.empty()) return nullptr;
       return std::make_unique<FakeStore>(std::vector<record::AttemptRow>{sample_attempts().back()});
     };
-    doors.read_file = [this](const std::string&, const std::string&, record::Recording& out, std::string&) {
+    services.read_file = [this](const std::string&, const std::string&, record::Recording& out, std::string&) {
       out = fake_recording(recorded_steps);
       return true;
     };
-    doors.read_recording = [this](const std::string&, record::Recording& out, std::string& error) {
+    services.read_recording = [this](const std::string&, record::Recording& out, std::string& error) {
       out = fake_recording(recorded_steps);
       error = "Its file is damaged.";
       return recorded_steps > 0;
     };
-    doors.open_player = [this](const record::Recording& r,
+    services.open_player = [this](const record::Recording& r,
                                base::Problems& problems) -> std::unique_ptr<console::Player> {
       if (!plugin_missing.empty()) {
         problems.push_back({base::Severity::kError, "lesson.json", plugin_missing});
@@ -65,7 +65,7 @@ class WindowTest : public testing::Test {
       return player;
     };
     if (with_expert) {
-      doors.open_expert = [this](const session::Options& o, base::Problems& problems) -> std::unique_ptr<console::Player> {
+      services.open_expert = [this](const session::Options& o, base::Problems& problems) -> std::unique_ptr<console::Player> {
         ++experts;
         expert_options = o;
         if (!no_expert.empty()) {
@@ -79,7 +79,7 @@ class WindowTest : public testing::Test {
     launch.settings_file = dir.filePath("settings.ini");
     launch.lesson_folders = {QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")};
     if (!first_start) launch.size = QSize(1440, 900);
-    window = std::make_unique<console::MainWindow>(std::move(doors), launch);
+    window = std::make_unique<console::MainWindow>(std::move(services), launch);
     window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatience_ms));
     // a bare X server has no window manager that would do it

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lesson 110 played by its expert, with a hand that takes forces as an arm would.
+// A lesson, 110 unless another is named, played by one of its hands that takes forces as an arm would.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "assembly/assemble.hpp"
@@ -21,17 +22,17 @@ using toolkit::Vec3;
 
 inline constexpr double kMostForce = 3.3;  // N, of a Touch
 
-/// Lesson 110 with a hand that is led like the expert's and takes forces.
+/// The lesson with a hand that is led like its own and takes forces.
 struct ArmIn110 {
-  explicit ArmIn110(const host::Reaction& reaction) {
+  explicit ArmIn110(const host::Reaction& reaction, const std::string& lesson = "110_insertion", const std::string& hand = "expert") {
     assembly::LessonFile file;
     base::Problems problems;
-    EXPECT_TRUE(assembly::read_lesson_file(SWAGE_SOURCE_DIR "/lessons/series/110_insertion.json", file, problems));
+    EXPECT_TRUE(assembly::read_lesson_file(SWAGE_SOURCE_DIR "/lessons/series/" + lesson + ".json", file, problems));
     scale = file.devices[0].force_scale;
     host::Catalogue::Options options;
     options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
     options.use_environment = false;
-    rig = assembly::assemble(file, host::Catalogue(options), assembly::Overrides{"expert", ""}, problems);
+    rig = assembly::assemble(file, host::Catalogue(options), assembly::Overrides{hand, ""}, problems);
     if (!rig) return;
     host::DeviceSlot& slot = rig->devices[0];
     led() = slot.device->exchange;
@@ -44,6 +45,7 @@ struct ArmIn110 {
     table.max_force = kMostForce;
     slot.device = &table;
     slot.force_scale = scale;
+    slot.coupling = file.devices[0].coupling;
     slot.reaction = reaction;
     slot.device->open(slot.instance->raw);
     port = std::make_unique<StepPort>(slot, rig->world.dt, true);

@@ -307,6 +307,7 @@ TEST(CalibrationFile, ComesBackAsItWas) {
   Calibration c = holder_calibration();
   ASSERT_EQ(set_tip({{1, 0.2}, {5, 1}}, c.tip), "");
   c.check = {0.6, 0.58, "2026-11-24"};
+  c.zero_date = "2026-11-25", c.gauge_zero = 0.25;
   ASSERT_EQ(save_calibration(folder / "deeper/a.json", c), "");
   Calibration back;
   ASSERT_EQ(load_calibration(folder / "deeper/a.json", back), "");
@@ -324,6 +325,8 @@ TEST(CalibrationFile, ComesBackAsItWas) {
   EXPECT_EQ(back.check.date, "2026-11-24");
   EXPECT_EQ(back.geometry.gap, c.geometry.gap);
   EXPECT_EQ(back.poses.squeezed, c.poses.squeezed);
+  EXPECT_EQ(back.zero_date, "2026-11-25");
+  EXPECT_EQ(back.gauge_zero, 0.25);
 }
 
 TEST(CalibrationFile, EachFaultHasItsSentence) {

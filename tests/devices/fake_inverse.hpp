@@ -58,6 +58,7 @@ class FakeInverse {
   }
 
   // what the test moves; metres and newtons in Haply's axes: x right, y forward, z up
+  std::atomic<double> battery{0.5};  // share
   std::atomic<double> x{0}, y{0}, z{0}, vx{0}, qw{1}, qx{0}, qy{0}, qz{0};
   std::atomic<uint32_t> buttons{0};
   std::atomic<bool> arm{true}, grip{true}, newer{true}, answers{true};
@@ -85,7 +86,7 @@ class FakeInverse {
       out["wireless_verse_grip"].push_back({{"device_id", "61576"},
                                             {"state",
                                              {{"orientation", {{"w", qw.load()}, {"x", qx.load()}, {"y", qy.load()}, {"z", qz.load()}}},
-                                              {"battery_level", 0.5},
+                                              {"battery_level", battery.load()},
                                               {"buttons", {{"a", (down & 1) != 0}, {"b", (down & 2) != 0}, {"c", (down & 4) != 0}}}}}});
     }
     return out;

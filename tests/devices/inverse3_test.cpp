@@ -234,6 +234,31 @@ TEST_F(Haply, AStylusThatFallsSilentTakesThePoseWithIt) {
   stop(bare);
 }
 
+TEST_F(Haply, TheBatteryOfTheStylusIsToldAndALowOneIsSaidOnce) {
+  FakeInverse service;
+  Bench bench;
+  start(bench, service);
+  const auto* signals = bench.get<swage_device_signals>(SWAGE_EXT_DEVICE_SIGNALS);
+  ASSERT_NE(signals, nullptr);
+  ASSERT_EQ(signals->count, 1u);
+  EXPECT_STREQ(signals->signal[0].id, "stylus.battery");
+  double told = 0;
+  const auto tells = [&](double wanted) {
+    until(bench, [&] { return signals->read(bench.raw, &told) == SWAGE_OK && (std::isnan(wanted) ? std::isnan(told) : told == wanted); });
+  };
+  tells(0.5);
+  EXPECT_EQ(bench.host.reports.size(), 1u) << "the note at its start";
+  service.battery = 0.15;
+  tells(0.15);
+  service.battery = 0.14;
+  tells(0.14);
+  ASSERT_EQ(bench.host.reports.size(), 2u);
+  EXPECT_THAT(bench.host.reports[1], HasSubstr("The battery of the stylus is low"));
+  service.grip = false;
+  tells(std::nan(""));
+  stop(bench);
+}
+
 TEST_F(Haply, AnAnswerThatNeverCameIsAskedForAgain) {
   FakeInverse service;
   Bench bench;

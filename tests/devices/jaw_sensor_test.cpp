@@ -176,6 +176,33 @@ TEST_F(Driver, TheStoredCalibrationOfTheSensorIsUsedAndTold) {
   EXPECT_NEAR(bench.sample.grip_force, 2.0, 1e-3) << "1 mm of further travel: 2.2 N less the 0.2 N that close the jaws";
 }
 
+// At the start of a session, and once: a handle that rests beside its place, or a gauge that reads a force there.
+TEST_F(Driver, AHandleThatDoesNotRestWhereItWasOpenIsToldOnce) {
+  options_.grip = true;
+  sensor::Calibration c;
+  c.serial = "SIM1", c.date = c.poses_date = sensor::today(), c.by = "Ada", c.expires = "2099-01-01";
+  c.displacement.slope = 1e-3, c.poses = {4e-3, 1e-3, -1e-3}, c.gauge_zero = 0.3;
+  ASSERT_EQ(sensor::save_calibration(sensor::calibration_path("SIM1"), c), "");
+  const auto told = [&](double volts, double newtons) {
+    volts_ = volts, newtons_ = newtons;
+    auto sensor = plug();
+    Bench bench;
+    bench.set("force", 1);
+    EXPECT_TRUE(start(bench)) << said(bench);
+    for (const double until = now_s() + 1; now_s() < until;) ask(bench, 0.1);
+    ask_for(bench, 200);
+    int times = 0;
+    for (const std::string& r : bench.host.reports) times += r.find("set its zero") != std::string::npos;
+    EXPECT_LE(times, 1);
+    return times == 1 ? said(bench) : "";
+  };
+  EXPECT_EQ(told(4, 0.3), "");
+  EXPECT_THAT(told(3.7, 0.3), HasSubstr("The handle reads 0.30 mm less than open (10 % of its way)"));
+  EXPECT_THAT(told(4.4, 0.3), HasSubstr("0.40 mm more than open"));
+  EXPECT_THAT(told(4, 0.8), HasSubstr("The gauge on the handle reads 0.50 N while the handle is open"));
+  EXPECT_EQ(told(1, 5), "") << "a hand holds it";
+}
+
 TEST_F(Driver, WrongBytesAndLostMessagesAreCountedAndNeverBelieved) {
   options_.faults.corrupt_each = 7;
   options_.faults.lose_each = 11;

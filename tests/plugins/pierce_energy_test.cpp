@@ -41,7 +41,7 @@ TEST(PierceEnergy, GrazingAngles) {
 double stored_by(const coupling_pierce::Track& track, double side_stiffness) {
   double sum = 0;
   for (uint32_t i = 0; i < static_cast<uint32_t>(track.count); ++i) {
-    const coupling_pierce::Hold& hold = track.hold[i];
+    const coupling_pierce::Support& hold = track.support[i];
     const double k = side_stiffness * hold.share, across = toolkit::Vec3(hold.across).squaredNorm();
     if (k > 0) sum += 0.5 * (across + hold.along * hold.along / coupling_pierce::Track::kStick) / k;
   }

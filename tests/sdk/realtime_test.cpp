@@ -63,7 +63,7 @@ TEST(Realtime, no_call_of_an_object_allocates) {
   bench.raw->get_extension(bench.raw, SWAGE_TRAIT_GRIPPER);
   EXPECT_EQ(allocations, before);
 
-  // nor does telling of a misdeed
+  // nor does telling of a fault
   bench.raw->configure(bench.raw, nullptr, &bench.declared.raw);
   bench.raw->activate(bench.raw, 1e-3);
   EXPECT_EQ(allocations, before);

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <mutex>
@@ -26,7 +27,7 @@ struct Fake {
   std::string wrong;  // what the caller did that it must not do
   std::atomic<unsigned> calibration{0x5000};
   std::atomic<int> buttons{0}, inkwell{0}, initiated{0}, calibrated{0}, busy{0}, slow_ms{0};
-  std::atomic<bool> plugged{true}, running{false};
+  std::atomic<bool> plugged{std::getenv("SWAGE_FAKE_HD_ABSENT") == nullptr}, running{false};
   std::atomic<double> x_mm{0}, force_x{0}, force_y{0}, force_z{0}, most{0}, jump{0};
   std::atomic<unsigned long> ticks{0};
   bool open = false, in_frame = false, scheduled = false;

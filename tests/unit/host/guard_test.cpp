@@ -48,10 +48,10 @@ TEST(Guard, MapsResults) {
   EXPECT_FALSE(guarded(discards, Call::kForces, 1, [] { return swage_result{SWAGE_DISCARD}; }));
   EXPECT_EQ(discards.quarantined, 0u);
   EXPECT_FALSE(guarded(errs, Call::kForces, 5, [] { return swage_result{SWAGE_ERROR}; }));
-  EXPECT_EQ(errs.misdeed, Misdeed::kError);
+  EXPECT_EQ(errs.fault, FaultKind::kError);
   EXPECT_EQ(errs.quarantine_step, 5u);
   EXPECT_FALSE(guarded(faults, Call::kForces, 5, [] { return swage_result{SWAGE_FAULT}; }));
-  EXPECT_EQ(faults.misdeed, Misdeed::kFault);
+  EXPECT_EQ(faults.fault, FaultKind::kFault);
 }
 
 TEST(Guard, StopsExceptionsAndRemembersTheFirstMisdeed) {
@@ -60,7 +60,7 @@ TEST(Guard, StopsExceptionsAndRemembersTheFirstMisdeed) {
   i.plugin_id = "org.example.needle";
   i.plugin_version = "1.0.0";
   EXPECT_FALSE(guarded(i, Call::kForces, 12, []() -> swage_result { throw std::runtime_error("no"); }));
-  quarantine(i, Misdeed::kLate, Call::kFinish, 13);
+  quarantine(i, FaultKind::kLate, Call::kFinish, 13);
   EXPECT_EQ(
       quarantine_text(i),
       "needle (org.example.needle 1.0.0) threw an exception in forces() at step 12 and is in quarantine.");
@@ -76,7 +76,7 @@ TEST(Guard, RestoresTheFloatingPointMode) {
   EXPECT_FALSE(guarded(i, Call::kForces, 3, [] {
     set_fpu_mode({fpu_mode().mxcsr | 0x8040u, fpu_mode().x87});
   }));
-  EXPECT_EQ(i.misdeed, Misdeed::kFpuMode);
+  EXPECT_EQ(i.fault, FaultKind::kFpuMode);
   EXPECT_EQ(fpu_mode(), before);
   volatile double tiny = 1e-310;
   EXPECT_GT(tiny * 0.5, 0.0) << "subnormal numbers live";
@@ -88,7 +88,7 @@ TEST(Guard, AcceptsOnlyFiniteNumbersWithinTheLimit) {
   Instance i;
   EXPECT_TRUE(accept(i, Call::kForces, 1, data, 5, 3));
   EXPECT_FALSE(accept(i, Call::kForces, 1, data, 5, 2.5));
-  EXPECT_EQ(i.misdeed, Misdeed::kTooLarge);
+  EXPECT_EQ(i.fault, FaultKind::kTooLarge);
   for (const double bad :
        {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
     for (int at = 0; at < 5; ++at) {
@@ -97,7 +97,7 @@ TEST(Guard, AcceptsOnlyFiniteNumbersWithinTheLimit) {
       Instance j;
       EXPECT_FALSE(finite(spoilt, 5));
       EXPECT_FALSE(accept(j, Call::kForces, 1, spoilt, 5, 1e9));
-      EXPECT_EQ(j.misdeed, Misdeed::kNotFinite);
+      EXPECT_EQ(j.fault, FaultKind::kNotFinite);
     }
   EXPECT_TRUE(finite(nullptr, 0));
 }
@@ -133,7 +133,7 @@ TEST(Guard, QuarantinesWhoIsLateByItsOwnTime) {
   // the first overrun only raises the suspicion; the 5th and the 20th measured one count
   EXPECT_EQ(badge_at, 6u);
   EXPECT_EQ(quarantined_at, 21u);
-  EXPECT_EQ(i.misdeed, Misdeed::kLate);
+  EXPECT_EQ(i.fault, FaultKind::kLate);
 }
 
 TEST(Guard, TimeIsCountedPerStepOverAllCalls) {
@@ -156,7 +156,7 @@ TEST(Guard, EachPartOfADividedStepHasTheBudgetOfAStep) {
       guarded(late, Call::kForces, step, [] { work_ns(3'000'000); });
     }
   EXPECT_EQ(good.watch.late_steps, 0u);
-  EXPECT_EQ(late.misdeed, Misdeed::kLate);
+  EXPECT_EQ(late.fault, FaultKind::kLate);
   EXPECT_EQ(late.watch.late_steps, 20u) << "a step counts once, however many of its parts are over the line";
 }
 
@@ -189,13 +189,13 @@ TEST(Guard, WhoeverSleepsOrWaitsIsQuarantined) {
   Instance i;
   i.watch.budget_ns = 200'000;
   for (uint64_t step = 1; step <= 30; ++step) guarded(i, Call::kForces, step, [] { sleep_ns(2'000'000); });
-  EXPECT_EQ(i.misdeed, Misdeed::kWaited);
+  EXPECT_EQ(i.fault, FaultKind::kWaited);
   EXPECT_EQ(i.quarantine_step, 21u);
 
   Instance long_one;
   long_one.watch.budget_ns = 200'000;
   for (uint64_t step = 1; step <= 4; ++step) guarded(long_one, Call::kForces, step, [] { sleep_ns(130'000'000); });
-  EXPECT_EQ(long_one.misdeed, Misdeed::kStalled) << "a quarter of a second is enough";
+  EXPECT_EQ(long_one.fault, FaultKind::kStalled) << "a quarter of a second is enough";
   EXPECT_EQ(long_one.quarantine_step, 3u);
 }
 
@@ -212,7 +212,7 @@ TEST(Guard, TheLanguageOfTheProgramStays) {
   for (const Call call : {Call::kConfigure, Call::kForces}) {
     Instance i;
     EXPECT_FALSE(guarded(i, call, 3, [] { ASSERT_NE(std::setlocale(LC_ALL, "C.UTF-8"), nullptr); }));
-    EXPECT_EQ(i.misdeed, Misdeed::kLocale) << text(call);
+    EXPECT_EQ(i.fault, FaultKind::kLocale) << text(call);
     EXPECT_EQ(before, std::setlocale(LC_ALL, nullptr));
   }
 }

@@ -78,7 +78,7 @@ StepRecord make_step(uint64_t seed, uint64_t step) {
   return record;
 }
 
-bool same_luggage(const AttemptInfo& a, const AttemptInfo& b) {
+bool same_attachments(const AttemptInfo& a, const AttemptInfo& b) {
   const auto hand = [](const HandInfo& x, const HandInfo& y) {
     return x.name == y.name && x.choice == y.choice && x.plugin == y.plugin && x.version == y.version &&
            x.params == y.params && x.flags == y.flags;

@@ -29,7 +29,7 @@ AttemptInfo make_info(uint64_t seed = 7, const std::string& person = "Ada");
 /// Every bit pattern is allowed in a sample: NaN with a payload, minus zero, subnormal numbers.
 StepRecord make_step(uint64_t seed, uint64_t step);
 /// The same hands and the same files, byte for byte.
-bool same_luggage(const AttemptInfo&, const AttemptInfo&);
+bool same_attachments(const AttemptInfo&, const AttemptInfo&);
 AttemptEnd make_end();
 
 /// Records `steps` steps with an event every 100 and a command every 300; returns the attempt's id.

@@ -17,7 +17,7 @@ void expect_there(const std::string& store, const std::string& id, uint64_t step
   Recording recording;
   ASSERT_TRUE(read_recording(store, id, recording, error)) << error;
   expect_exact(recording, steps, seed);
-  EXPECT_TRUE(same_luggage(recording.info, make_info()));
+  EXPECT_TRUE(same_attachments(recording.info, make_info()));
   AttemptRow row;
   const auto opened = Store::open(store, error);
   ASSERT_TRUE(opened->attempt(id, row));

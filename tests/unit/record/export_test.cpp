@@ -228,7 +228,7 @@ TEST_F(Export, TheDisplayAndTheCalibrationStandInEveryExport) {
   ASSERT_TRUE(Store::open(path_, error_)->export_attempt(id, file, error_)) << error_;
   ASSERT_TRUE(read_recording(file, "", back, error_)) << error_;
   EXPECT_EQ(back.info.display, info.display);
-  EXPECT_TRUE(same_luggage(back.info, info)) << "the display is no file of the lesson";
+  EXPECT_TRUE(same_attachments(back.info, info)) << "the display is no file of the lesson";
 }
 
 TEST_F(Export, StatementsKeepTheRulesOfXapi) {

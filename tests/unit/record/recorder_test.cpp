@@ -28,7 +28,7 @@ TEST(Recorder, EveryBitComesBack) {
   EXPECT_EQ(recording.info.descriptor_text, wrote.descriptor_text);
   EXPECT_EQ(recording.info.plugins, wrote.plugins);
   EXPECT_EQ(recording.info.devices, wrote.devices);
-  EXPECT_TRUE(same_luggage(recording.info, wrote));
+  EXPECT_TRUE(same_attachments(recording.info, wrote));
   EXPECT_EQ(recording.info.seed, wrote.seed);
   EXPECT_EQ(recording.info.dt, wrote.dt);
   ASSERT_EQ(recording.info.script.signals.size(), 2u);

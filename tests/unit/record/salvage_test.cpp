@@ -28,7 +28,7 @@ struct Two {
     Recording recording;
     ASSERT_TRUE(read_recording(path, id, recording, error)) << error;
     expect_exact(recording, steps, seed);
-    EXPECT_TRUE(same_luggage(recording.info, make_info()));
+    EXPECT_TRUE(same_attachments(recording.info, make_info()));
     AttemptRow row;
     const auto store = Store::open(path, error);
     ASSERT_TRUE(store && store->attempt(id, row)) << error;

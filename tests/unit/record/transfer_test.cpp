@@ -48,7 +48,7 @@ TEST(Transfer, OneFileHoldsEverythingOfOneAttempt) {
   Recording recording;
   ASSERT_TRUE(read_recording(e.file, "", recording, e.error)) << e.error;
   expect_exact(recording, 1130);
-  EXPECT_TRUE(same_luggage(recording.info, make_info()));
+  EXPECT_TRUE(same_attachments(recording.info, make_info()));
   EXPECT_EQ(recording.commands.size(), 4u);
   const auto db = open_for_reading(e.file, e.error);
   EXPECT_EQ(db->rows("SELECT pseudonym FROM person").size(), 1u) << "nobody else's name leaves the store";

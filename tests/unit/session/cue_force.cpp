@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kDt = 1e-3;
 constexpr uint32_t kGood = 0, kWrong = 1;
-const CuePulse kTwoKnocks{"grasp.good", 2, 160, 0.1, 0.03};
-const CuePulse kOneKnock{"grasp.wrong", 1, 60, 0.2, 0.06};
+const CuePulse kTwoPulses{"grasp.good", 2, 160, 0.1, 0.03};
+const CuePulse kOnePulse{"grasp.wrong", 1, 60, 0.2, 0.06};
 
 judge::Script script() {
   judge::Script out;
@@ -41,11 +41,11 @@ double strongest(CueForce& cue, const judge::Verdict& verdict, int steps) {
 }
 
 TEST(PulseForce, IsATrainThatBeginsAndEndsAtNothing) {
-  const double end = length(kTwoKnocks);
+  const double end = length(kTwoPulses);
   EXPECT_DOUBLE_EQ(end, 0.12);
   double most = 0;
   for (double t = 0; t < end; t += 1e-5) {
-    const double f = pulse_force(kTwoKnocks, t);
+    const double f = pulse_force(kTwoPulses, t);
     most = std::max(most, std::abs(f));
     const bool pause = std::fmod(t, 0.06) >= 0.03;
     if (pause) {
@@ -53,23 +53,23 @@ TEST(PulseForce, IsATrainThatBeginsAndEndsAtNothing) {
     }
   }
   EXPECT_NEAR(most, 0.1, 0.01);
-  EXPECT_EQ(pulse_force(kTwoKnocks, 0), 0);
-  EXPECT_EQ(pulse_force(kTwoKnocks, end), 0);
-  EXPECT_EQ(pulse_force(kTwoKnocks, -1), 0);
-  // the two knocks are alike
-  EXPECT_NEAR(pulse_force(kTwoKnocks, 0.011), pulse_force(kTwoKnocks, 0.071), 1e-12);
+  EXPECT_EQ(pulse_force(kTwoPulses, 0), 0);
+  EXPECT_EQ(pulse_force(kTwoPulses, end), 0);
+  EXPECT_EQ(pulse_force(kTwoPulses, -1), 0);
+  // the two pulses are alike
+  EXPECT_NEAR(pulse_force(kTwoPulses, 0.011), pulse_force(kTwoPulses, 0.071), 1e-12);
 }
 
 TEST(PulseForce, GrowsNoFasterThanAGuardLetsThrough) {
   // |dF/dt| <= peak (2 pi f + pi / length); the guard's slew is 300 N/s
-  const double bound = kTwoKnocks.peak * (2 * M_PI * kTwoKnocks.frequency + M_PI / kTwoKnocks.length);
+  const double bound = kTwoPulses.peak * (2 * M_PI * kTwoPulses.frequency + M_PI / kTwoPulses.length);
   EXPECT_LT(bound, ForceLimits().slew);
-  for (double t = 0; t < length(kTwoKnocks); t += 1e-5)
-    EXPECT_LE(std::abs(pulse_force(kTwoKnocks, t + 1e-5) - pulse_force(kTwoKnocks, t)), bound * 1e-5 * 1.001);
+  for (double t = 0; t < length(kTwoPulses); t += 1e-5)
+    EXPECT_LE(std::abs(pulse_force(kTwoPulses, t + 1e-5) - pulse_force(kTwoPulses, t)), bound * 1e-5 * 1.001);
 }
 
 TEST(CueForce, PlaysACueOnceWhenItComesOn) {
-  CueForce cue(script(), {true, true}, {kTwoKnocks, kOneKnock}, 2);
+  CueForce cue(script(), {true, true}, {kTwoPulses, kOnePulse}, 2);
   judge::Verdict v = nothing();
   EXPECT_EQ(strongest(cue, v, 50), 0);
   v.object_cue[1] = kGood;
@@ -82,7 +82,7 @@ TEST(CueForce, PlaysACueOnceWhenItComesOn) {
 }
 
 TEST(CueForce, ACueThatFlickersIsNoRattle) {
-  CueForce cue(script(), {true, true}, {kTwoKnocks, kOneKnock}, 2);
+  CueForce cue(script(), {true, true}, {kTwoPulses, kOnePulse}, 2);
   judge::Verdict v = nothing();
   double last = 0, jump = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -104,7 +104,7 @@ TEST(CueForce, ACueThatFlickersIsNoRattle) {
 }
 
 TEST(CueForce, WhatTheLessonDoesNotLetFeelIsNotFelt) {
-  CueForce none(script(), {false, false}, {kTwoKnocks, kOneKnock}, 2), unknown(script(), {true, true}, {}, 2);
+  CueForce none(script(), {false, false}, {kTwoPulses, kOnePulse}, 2), unknown(script(), {true, true}, {}, 2);
   judge::Verdict v = nothing();
   v.object_cue[0] = kGood;
   EXPECT_EQ(strongest(none, v, 200), 0);
@@ -115,11 +115,11 @@ TEST(CueForce, ReachesTheHandThroughTheGuard) {
   FakeDevice device(SWAGE_DEVICE_FORCE | SWAGE_DEVICE_LOCKSTEP, 0.05);  // bears half of the pulse
   host::DeviceSlot slot = device.slot();
   StepPort port(slot, kDt, true);
-  CueForce cue(script(), {true, true}, {kTwoKnocks}, 2);
+  CueForce cue(script(), {true, true}, {kTwoPulses}, 2);
   swage_sample sample{};
   const auto steps = [&](const judge::Verdict& verdict, int count) {
     for (int i = 0; i < count; ++i) {
-      port.knock(cue.tick(verdict, kDt));
+      port.set_cue_force(cue.tick(verdict, kDt));
       port.read(0, 0, sample);
       port.send({});
     }

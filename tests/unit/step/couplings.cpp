@@ -106,7 +106,7 @@ TEST(Couplings, ALawWithoutSenseCostsTheCoupling) {
       return swage_result{SWAGE_OK};
     };
     s.run(kTouch + 20);
-    EXPECT_EQ(s.rig.couplings[0].instance->misdeed_call.load(), host::Call::kResolve) << fault;
+    EXPECT_EQ(s.rig.couplings[0].instance->fault_call.load(), host::Call::kResolve) << fault;
   }
 }
 

@@ -115,7 +115,7 @@ TEST(Engine, ALessonThatMisusesItsWordsIsQuarantined) {
     return swage_result{SWAGE_OK};
   };
   s.run(1);
-  EXPECT_EQ(s.rig.lesson.instance->misdeed_call.load(), host::Call::kObserve);
+  EXPECT_EQ(s.rig.lesson.instance->fault_call.load(), host::Call::kObserve);
 }
 
 TEST(Engine, CommandsComeTrueInTheNextStep) {

@@ -187,7 +187,7 @@ TEST(Hands, ASampleThatIsNotANumberCostsTheDevice) {
   s.run(2);
   stand(s.device_, at(std::numeric_limits<double>::quiet_NaN(), 0, 0));
   s.run(2);
-  EXPECT_EQ(s.rig.devices[0].instance->misdeed.load(), host::Misdeed::kNotFinite);
+  EXPECT_EQ(s.rig.devices[0].instance->fault.load(), host::FaultKind::kNotFinite);
   EXPECT_EQ(s.tool().p.x, 1e-4);
   EXPECT_TRUE(s.engine().hand_gone());
 }

@@ -71,7 +71,7 @@ TEST(Objects, NonsenseIsQuarantinedAndStandsStill) {
     s.run(5);
     EXPECT_EQ(s.ball().p.x, x);
     EXPECT_EQ(s.rig.world.V_WB[1].v.x, 0);
-    EXPECT_EQ(instance(s, 1).misdeed_call.load(), host::Call::kForces);
+    EXPECT_EQ(instance(s, 1).fault_call.load(), host::Call::kForces);
     EXPECT_EQ(instance(s, 1).quarantine_step.load(), 5u);
     EXPECT_EQ(instance(s, 0).quarantined.load(), 0u);
     EXPECT_EQ(s.engine().quarantined(), 1u);
@@ -108,7 +108,7 @@ TEST(Objects, AThrowIsStoppedAndCounted) {
   FakeScene s;
   s.ball_.finish = [](const swage_object_step*) -> swage_result { throw 7; };
   s.run(3);
-  EXPECT_EQ(instance(s, 1).misdeed.load(), host::Misdeed::kFault);
+  EXPECT_EQ(instance(s, 1).fault.load(), host::FaultKind::kFault);
   EXPECT_EQ(instance(s, 1).quarantine_step.load(), 0u);
 }
 
@@ -119,7 +119,7 @@ TEST(Objects, SignalsMustBeNumbers) {
     return swage_result{SWAGE_OK};
   };
   s.run(1);
-  EXPECT_EQ(instance(s, 1).misdeed_call.load(), host::Call::kFinish);
+  EXPECT_EQ(instance(s, 1).fault_call.load(), host::Call::kFinish);
   EXPECT_EQ(s.rig.world.signal[1], 0);
 }
 
@@ -138,7 +138,7 @@ TEST(Objects, OwnMechanicsAreLookedAt) {
   s.run(3);
   EXPECT_NEAR(s.ball().p.x, 3e-6, 1e-18);
   EXPECT_EQ(s.ball().p.y, 0);
-  EXPECT_EQ(instance(s, 1).misdeed_call.load(), host::Call::kAdvance);
+  EXPECT_EQ(instance(s, 1).fault_call.load(), host::Call::kAdvance);
 }
 
 TEST(Objects, ResetPutsOneBack) {

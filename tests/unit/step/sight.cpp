@@ -32,7 +32,7 @@ TEST(Sight, IsForLookingOnly) {
   s.run(3);
   EXPECT_EQ(looks, 4u);
   EXPECT_EQ(s.ball().p.z, 5e-3);
-  EXPECT_EQ(s.rig.devices[0].instance->misdeed.load(), host::Misdeed::kMeddled);
+  EXPECT_EQ(s.rig.devices[0].instance->fault.load(), host::FaultKind::kMeddled);
   EXPECT_EQ(s.rig.devices[0].instance->quarantine_step.load(), 3u);
   EXPECT_EQ(s.rig.objects[1].instance->quarantined.load(), 0u);
 }
@@ -54,7 +54,7 @@ TEST(Sight, RememberedArraysAreNoLicence) {
   };
   s.run(2);
   EXPECT_EQ(s.ball().p.z, 5e-3);
-  EXPECT_EQ(s.rig.devices[0].instance->misdeed.load(), host::Misdeed::kMeddled);
+  EXPECT_EQ(s.rig.devices[0].instance->fault.load(), host::FaultKind::kMeddled);
 }
 
 }  // namespace

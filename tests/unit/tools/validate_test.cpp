@@ -29,19 +29,19 @@ TEST_F(Validate, LessonsAndCouplingsAreTestedToo) {
     const Said said = swage({"validate", stock(id), "--strictness", "9", "--json"});
     EXPECT_EQ(said.code, 0) << said.out << said.err;
     const nlohmann::json tests = said.json()[0]["tests"];
-    bool nonsense = false;
+    bool fuzzed = false;
     for (const auto& test : tests) {
-      nonsense |= test["test"] == "nonsense" && test["result"] == "success";
+      fuzzed |= test["test"] == "fuzz_values" && test["result"] == "success";
       const bool hands_off = test["test"] == "fuzz" && test["text"] == "No hand leads anything here.";
       EXPECT_TRUE(test["result"] != "skipped" || hands_off) << id << ": " << test.dump();
     }
-    EXPECT_TRUE(nonsense) << said.out;
+    EXPECT_TRUE(fuzzed) << said.out;
   }
 }
 
-TEST_F(Validate, NonsenseFindsWhatItAsksFor) {
+TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   const auto expect = [&](const std::string& plugin, const std::string& text) {
-    const Said said = swage({"validate", bad(plugin), "--only", "nonsense", "--strictness", "9"});
+    const Said said = swage({"validate", bad(plugin), "--only", "fuzz_values", "--strictness", "9"});
     EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
     EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
   };
@@ -73,6 +73,22 @@ TEST_F(Validate, ATestEndsAtTheLimitThatIsAskedFor) {
   const Said said = swage({"validate", bad("hangs_in_step"), "--only", "stepping", "--limit", "0.5"});
   EXPECT_EQ(said.code, 1) << said.out << said.err;
   EXPECT_THAT(said.out, HasSubstr("It was not done within 0.5 s"));
+}
+
+// what is not known is no number and good; what is infinite is a fault of the driver
+TEST_F(Validate, WhatADeviceTellsOfItselfIsAskedFor) {
+  const auto validate = [&](const std::string& told) {
+    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_tells/org.example.bad.tells." + told;
+    return swage({"validate", bundle, "--only", "driver", "--strictness", "10"});
+  };
+  for (const char* told : {"number", "unknown"}) {
+    const Said said = validate(told);
+    EXPECT_EQ(said.code, 0) << told << said.out << said.err;
+    EXPECT_THAT(said.out, testing::ContainsRegex("driver +success +[0-9]+ measurements")) << told;
+  }
+  const Said said = validate("infinity");
+  EXPECT_EQ(said.code, 1) << said.out << said.err;
+  EXPECT_THAT(said.out, HasSubstr("What it tells of itself is infinite."));
 }
 
 // a solver that lies has finite numbers: nobody notices while it runs, so that it is asked

@@ -72,7 +72,7 @@ struct Access {
   }
 };
 
-/// Tells the host about a misdeed: a record from anywhere, and words where words are allowed.
+/// Tells the host about a fault: a record from anywhere, and words where words are allowed.
 template <class T>
 void tell(const Holder<T>& holder, const Entry& entry, int32_t code, double b, const char* what) noexcept {
   const swage_host* host = holder.host;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/onlooker.hpp"
+#include "tools/fuzz_harness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +33,10 @@ swage_quat turn(base::Xoshiro256& random) {
 
 // --- a lesson: looks at everything, and says only what it has declared
 
-class Lesson final : public Onlooker {
+class Lesson final : public FuzzHarness {
  public:
   Lesson(std::unique_ptr<Stepped> scene, uint64_t seed)
-      : Onlooker(std::move(scene), instance_of(*scene), seed), slot_(rig().lesson) {
+      : FuzzHarness(std::move(scene), instance_of(*scene), seed), slot_(rig().lesson) {
     verdict_.struct_size = sizeof verdict_;
     verdict_.host_data = this;
     verdict_.cue = [](const swage_verdict* v, uint32_t object, uint32_t cue) {
@@ -58,8 +58,8 @@ class Lesson final : public Onlooker {
     };
     verdict_.finish = [](const swage_verdict* v, int32_t passed, double score, uint32_t reason) {
       self(v).say("reason", reason, self(v).slot_.event.count, score, true);
-      if (!(score >= 0 && score <= 100)) self(v).accuse(format("gave a score of %g; it goes from 0 to 100", score));
-      if (passed == 0 && reason == SWAGE_NONE) self(v).accuse("failed an attempt without a reason");
+      if (!(score >= 0 && score <= 100)) self(v).report_fault(format("gave a score of %g; it goes from 0 to 100", score));
+      if (passed == 0 && reason == SWAGE_NONE) self(v).report_fault("failed an attempt without a reason");
     };
   }
 
@@ -85,8 +85,8 @@ class Lesson final : public Onlooker {
   void say(const char* what, uint32_t index, uint32_t count, double value, bool may_be_none) {
     said_.add(uint64_t{index}).add(value);
     if (index >= count && !(may_be_none && index == SWAGE_NONE))
-      accuse(format("said %s %u; it has declared %u", what, index, count));
-    if (!std::isfinite(value)) accuse(format("said a number that is not finite for %s %u", what, index));
+      report_fault(format("said %s %u; it has declared %u", what, index, count));
+    if (!std::isfinite(value)) report_fault(format("said a number that is not finite for %s %u", what, index));
   }
 
   host::LessonSlot& slot_;
@@ -95,10 +95,10 @@ class Lesson final : public Onlooker {
 
 // --- a coupling: sees two objects and their contacts, changes the law of contact, tells events
 
-class Coupling final : public Onlooker {
+class Coupling final : public FuzzHarness {
  public:
   Coupling(std::unique_ptr<Stepped> scene, uint64_t seed)
-      : Onlooker(std::move(scene), instance_of(*scene), seed), slot_(rig().couplings.back()) {
+      : FuzzHarness(std::move(scene), instance_of(*scene), seed), slot_(rig().couplings.back()) {
     contact_.reserve(kContacts[std::size(kContacts) - 1]);
     step_.struct_size = sizeof step_;
     step_.dt_s = world_.dt;
@@ -109,7 +109,7 @@ class Coupling final : public Onlooker {
       auto& self = *static_cast<Coupling*>(s->host_data);
       self.said_.add(uint64_t{event}).add(value);
       if (event >= self.slot_.event.count)
-        self.accuse(format("said event %u; it has declared %u", event, self.slot_.event.count));
+        self.report_fault(format("said event %u; it has declared %u", event, self.slot_.event.count));
     };
   }
 
@@ -128,7 +128,7 @@ class Coupling final : public Onlooker {
     for (const swage_contact& c : contact_) {
       said_.add(c.friction).add(c.stiffness).add(c.restitution);
       if (!poisoned && resolved && !sensible(c))
-        accuse(format("left a contact with friction %g, stiffness %g N/m, restitution %g", c.friction, c.stiffness,
+        report_fault(format("left a contact with friction %g, stiffness %g N/m, restitution %g", c.friction, c.stiffness,
                       c.restitution));
     }
     for (swage_contact& c : contact_) push(c, random, poisoned);
@@ -136,7 +136,7 @@ class Coupling final : public Onlooker {
     call(host::Call::kFinish, [&] { return slot_.coupling->finish(slot_.instance->raw, &step_); });
     for (uint32_t i = 0; i < step_.n_signal; ++i) {
       said_.add(step_.signal[i]);
-      if (!poisoned && !std::isfinite(step_.signal[i])) accuse("wrote a signal that is not finite");
+      if (!poisoned && !std::isfinite(step_.signal[i])) report_fault("wrote a signal that is not finite");
     }
     draw(poisoned);
     said_.add(step_.state, step_.n_state * sizeof(double));
@@ -152,7 +152,7 @@ class Coupling final : public Onlooker {
     uint32_t n = 0;
     const bool given =
         call(host::Call::kTies, [&] { return slot_.ties->ties(slot_.instance->raw, &step_, kRoom, tie.data(), &n); });
-    if (n > kRoom) accuse(format("gave %u ties where there is room for %u", n, kRoom));
+    if (n > kRoom) report_fault(format("gave %u ties where there is room for %u", n, kRoom));
     n = given ? std::min(n, kRoom) : 0;
     for (uint32_t i = 0; i < n && !poisoned; ++i) check(tie[i]);
     for (uint32_t i = 0; i < n; ++i) {
@@ -170,10 +170,10 @@ class Coupling final : public Onlooker {
       return index == SWAGE_NONE || index < rig().objects[object].body.count;
     };
     if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3))
-      accuse("gave a tie with a place or axis that is none");
-    if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) accuse("gave a tie to a body that is not there");
+      report_fault("gave a tie with a place or axis that is none");
+    if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) report_fault("gave a tie to a body that is not there");
     for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back})
-      if (!(x >= 0)) accuse(format("gave a tie with a stiffness or strength of %g", x));
+      if (!(x >= 0)) report_fault(format("gave a tie with a stiffness or strength of %g", x));
   }
 
   // what it draws: torn places, and what is known of them
@@ -183,17 +183,17 @@ class Coupling final : public Onlooker {
     if (slot_.tears != nullptr) {
       std::vector<swage_tear> tear(kRoom + 1);
       call(host::Call::kTears, [&] { return slot_.tears->tears(slot_.instance->raw, &step_, kRoom, tear.data(), &n); });
-      if (n > kRoom) accuse(format("gave %u tears where there is room for %u", n, kRoom));
+      if (n > kRoom) report_fault(format("gave %u tears where there is room for %u", n, kRoom));
       for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-        if (!host::finite(&tear[i].a_W.x, 10)) accuse("gave a tear that is no number");
+        if (!host::finite(&tear[i].a_W.x, 10)) report_fault("gave a tear that is no number");
     }
     if (slot_.wounds == nullptr) return;
     std::vector<swage_wound> wound(kRoom + 1);
     n = 0;
     call(host::Call::kWounds, [&] { return slot_.wounds->wounds(slot_.instance->raw, &step_, kRoom, wound.data(), &n); });
-    if (n > kRoom) accuse(format("gave %u wounds where there is room for %u", n, kRoom));
+    if (n > kRoom) report_fault(format("gave %u wounds where there is room for %u", n, kRoom));
     for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-      if (!host::finite(&wound[i].p_W.x, 8)) accuse("gave a wound that is no number");
+      if (!host::finite(&wound[i].p_W.x, 8)) report_fault("gave a wound that is no number");
   }
   static bool sensible(const swage_contact& c) {
     return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
@@ -251,7 +251,7 @@ class Coupling final : public Onlooker {
 
 }  // namespace
 
-Onlooker::Onlooker(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed)
+FuzzHarness::FuzzHarness(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed)
     : world_(scene->rig->world),
       scene_(std::move(scene)),
       instance_(instance),
@@ -259,23 +259,23 @@ Onlooker::Onlooker(std::unique_ptr<Stepped>&& scene, host::Instance& instance, u
       start_{world_, scene_->rig->world.random} {}
 
 template <class F>
-bool Onlooker::call(host::Call which, F&& f) {
+bool FuzzHarness::call(host::Call which, F&& f) {
   const host::ScopedRole rt(SWAGE_THREAD_RT);
   const uint64_t before = host::thread_allocations();
   const bool kept = host::guarded(instance_, which, world_.step, f);
   allocations_ += host::thread_allocations() - before;
   if (fault_.empty() && instance_.quarantined.load() != 0) fault_ = host::quarantine_text(instance_);
   if (const uint32_t n = instance_.services->role_breaches(); n > 0)
-    accuse(format("called the host %u times from the step with what belongs on the main thread", n));
+    report_fault(format("called the host %u times from the step with what belongs on the main thread", n));
   return kept;
 }
 
-void Onlooker::accuse(const std::string& what) {
+void FuzzHarness::report_fault(const std::string& what) {
   if (fault_.empty())
     fault_ = instance_.plugin_id + " " + what + format(" in step %llu.", static_cast<unsigned long long>(world_.step));
 }
 
-double Onlooker::wild(base::Xoshiro256& random) {
+double FuzzHarness::wild(base::Xoshiro256& random) {
   switch (random() % 8) {
     case 0:
       return 0;
@@ -290,7 +290,7 @@ double Onlooker::wild(base::Xoshiro256& random) {
   }
 }
 
-void Onlooker::reset() {
+void FuzzHarness::reset() {
   restore(start_);
   std::fill(world_.plugin_state.begin(), world_.plugin_state.end(), 0.0);
   std::fill(world_.signal.begin(), world_.signal.end(), 0.0);
@@ -299,12 +299,12 @@ void Onlooker::reset() {
   on_reset();
 }
 
-void Onlooker::restore(const Image& image) {
+void FuzzHarness::restore(const Image& image) {
   world_ = image.world;
   rig().world.random = image.random;
 }
 
-void Onlooker::step(uint64_t number, bool poisoned) {
+void FuzzHarness::step(uint64_t number, bool poisoned) {
   base::Xoshiro256 random(seed_ * 1'000'003 + number);
   world_.step = number;
   show(random);
@@ -315,7 +315,7 @@ void Onlooker::step(uint64_t number, bool poisoned) {
 }
 
 // a world in which nothing belongs together; what the objects remember stays as they left it
-void Onlooker::show(base::Xoshiro256& random) {
+void FuzzHarness::show(base::Xoshiro256& random) {
   for (std::size_t i = 0; i < world_.X_WB.size(); ++i) {
     world_.X_WB[i] = {{wild(random), wild(random), wild(random)}, turn(random)};
     world_.V_WB[i] = {{wild(random), wild(random), wild(random)}, {wild(random), wild(random), wild(random)}};
@@ -328,7 +328,7 @@ void Onlooker::show(base::Xoshiro256& random) {
     view_.push_back(scene::view(world_, {o.body, o.particle, o.shape, o.hinge, o.state, o.signal}, &input_));
 }
 
-std::unique_ptr<Onlooker> make_onlooker(const TestScene& scene, uint64_t seed, std::string& error) {
+std::unique_ptr<FuzzHarness> make_fuzz_harness(const TestScene& scene, uint64_t seed, std::string& error) {
   auto stepped = std::make_unique<Stepped>();
   if (!scene.make({}, *stepped, error)) return nullptr;
   if (error = stepped->run(10); !error.empty()) return nullptr;
@@ -343,33 +343,33 @@ namespace {
 constexpr uint64_t kSteps = 2000, kFrom = 500, kElsewhere = 100'000;
 
 // the hashes of steps from..to; ends early at a fault
-std::vector<uint64_t> look(Onlooker& onlooker, uint64_t from, uint64_t to) {
+std::vector<uint64_t> look(FuzzHarness& harness, uint64_t from, uint64_t to) {
   std::vector<uint64_t> hashes;
-  for (uint64_t i = from; i < to && onlooker.fault().empty(); ++i) {
-    onlooker.step(i);
-    hashes.push_back(onlooker.hash());
+  for (uint64_t i = from; i < to && harness.fault().empty(); ++i) {
+    harness.step(i);
+    hashes.push_back(harness.hash());
   }
   return hashes;
 }
 
 // goes aside to other steps and comes back; then the same steps again
-bool rewinds(Onlooker& onlooker, const std::vector<uint64_t>& first) {
-  onlooker.reset();
-  look(onlooker, 0, kFrom);
-  const Onlooker::Image image = onlooker.save();
-  look(onlooker, kElsewhere, kElsewhere + 300);
-  onlooker.restore(image);
-  return look(onlooker, kFrom, kSteps) == std::vector<uint64_t>(first.begin() + kFrom, first.end());
+bool rewinds(FuzzHarness& harness, const std::vector<uint64_t>& first) {
+  harness.reset();
+  look(harness, 0, kFrom);
+  const FuzzHarness::Image image = harness.save();
+  look(harness, kElsewhere, kElsewhere + 300);
+  harness.restore(image);
+  return look(harness, kFrom, kSteps) == std::vector<uint64_t>(first.begin() + kFrom, first.end());
 }
 
 }  // namespace
 
-host::Finding nonsense(const TestScene& scene, uint64_t seed) {
+host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
   const auto failed = [seed](const std::string& text) {
     return host::Finding{host::Mark::kFailed, text + format(" Seed: %llu.", static_cast<unsigned long long>(seed))};
   };
   std::string error;
-  const auto one = make_onlooker(scene, seed, error), other = make_onlooker(scene, seed, error);
+  const auto one = make_fuzz_harness(scene, seed, error), other = make_fuzz_harness(scene, seed, error);
   if (!one || !other) return failed(error);
   one->reset();
   const std::vector<uint64_t> first = look(*one, 0, kSteps);

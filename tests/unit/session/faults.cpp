@@ -27,10 +27,10 @@ std::string told(const Problems& problems) {
 }
 
 // a bad ball beside a good one, both free in space
-class Misdeeds : public ::testing::Test {
+class Faults : public ::testing::Test {
  protected:
-  Misdeeds() {
-    char name[] = "/tmp/swage-misdeeds-XXXXXX";
+  Faults() {
+    char name[] = "/tmp/swage-faults-XXXXXX";
     folder = mkdtemp(name);
     setenv("XDG_STATE_HOME", folder.c_str(), 1);
     setenv("XDG_DATA_HOME", folder.c_str(), 1);
@@ -44,7 +44,7 @@ class Misdeeds : public ::testing::Test {
     options.pace = Pace::kFastest;
     options.max_time_s = 0.2;
   }
-  ~Misdeeds() override { fs::remove_all(folder); }
+  ~Faults() override { fs::remove_all(folder); }
 
   void use(const std::string& id, const std::string& from) {
     fs::create_directory_symlink(from + "/" + id, folder + "/plugins/" + id);
@@ -53,7 +53,7 @@ class Misdeeds : public ::testing::Test {
     const std::string id = "org.example.bad." + fault;
     use(id, BAD_PLUGINS_DIR);
     std::ofstream(options.lesson_path)
-        << R"({ "format": "swage-lesson/1", "id": "test.misdeeds", "title": "Misdeeds",
+        << R"({ "format": "swage-lesson/1", "id": "test.faults", "title": "Faults",
       "objects": [ { "name": "good", "plugin": "org.example.ball" },
                    { "name": "bad", "plugin": ")"
         << id << R"(", "pose": { "p": [0.1, 0, 0] } } ],
@@ -101,7 +101,7 @@ class Misdeeds : public ::testing::Test {
   Options options;
 };
 
-TEST_F(Misdeeds, NonsenseVoidsTheAttemptAndNamesTheCulprit) {
+TEST_F(Faults, NonsenseVoidsTheAttemptAndNamesTheCulprit) {
   for (const char* fault : {"nan", "throws", "huge", "sets_fpu"}) {
     with(fault);
     const Result result = run();
@@ -115,7 +115,7 @@ TEST_F(Misdeeds, NonsenseVoidsTheAttemptAndNamesTheCulprit) {
   }
 }
 
-TEST_F(Misdeeds, AGoodPluginIsNotAccused) {
+TEST_F(Faults, AGoodPluginIsNotAccused) {
   with_good_lesson();
   const Result result = run();
   EXPECT_EQ(result.outcome, judge::Outcome::kAborted);
@@ -124,7 +124,7 @@ TEST_F(Misdeeds, AGoodPluginIsNotAccused) {
 }
 
 // In real time the scene goes on without the culprit, so that everybody sees what is left.
-TEST_F(Misdeeds, TheOthersKeepRunning) {
+TEST_F(Faults, TheOthersKeepRunning) {
   with("nan");
   options.pace = Pace::kRealtime;
   const Result result = run();
@@ -133,7 +133,7 @@ TEST_F(Misdeeds, TheOthersKeepRunning) {
 }
 
 // two milliseconds of its own processor time in each of one
-TEST_F(Misdeeds, AlwaysLateIsQuarantinedInRealTimeAlone) {
+TEST_F(Faults, AlwaysLateIsQuarantinedInRealTimeAlone) {
   with("slow");
   options.pace = Pace::kRealtime;
   const Result clocked = run();
@@ -146,7 +146,7 @@ TEST_F(Misdeeds, AlwaysLateIsQuarantinedInRealTimeAlone) {
   EXPECT_EQ(run().outcome, judge::Outcome::kAborted);  // without a clock nobody is late
 }
 
-TEST_F(Misdeeds, ACrashIsRememberedAndTheRecordIsSafe) {
+TEST_F(Faults, ACrashIsRememberedAndTheRecordIsSafe) {
   with("crashes_in_step");
   std::string said;
   const int status = run_in_child(said);
@@ -165,7 +165,7 @@ TEST_F(Misdeeds, ACrashIsRememberedAndTheRecordIsSafe) {
   EXPECT_EQ(told(problems).find("safe mode"), std::string::npos);  // once
 }
 
-TEST_F(Misdeeds, AHangEndsTheProgramWithTheAttemptSaved) {
+TEST_F(Faults, AHangEndsTheProgramWithTheAttemptSaved) {
   with("hangs_in_step");
   options.pace = Pace::kRealtime;
   std::string said;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A plugin that only looks (a lesson, a coupling), called as the step calls it, but shown a world of nonsense. What it is shown
+// A plugin that only looks (a lesson, a coupling), called as the step calls it, but shown a world of random values. What it is shown
 // in a step follows from the seed and the number of the step alone, so that the same steps can be asked for again. [main]
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace swage::tools {
 
-class Onlooker {
+class FuzzHarness {
  public:
   /// Everything that the host saves.
   struct Image {
@@ -22,9 +22,9 @@ class Onlooker {
     std::vector<uint64_t> random;
   };
 
-  virtual ~Onlooker() = default;
-  Onlooker(const Onlooker&) = delete;
-  Onlooker& operator=(const Onlooker&) = delete;
+  virtual ~FuzzHarness() = default;
+  FuzzHarness(const FuzzHarness&) = delete;
+  FuzzHarness& operator=(const FuzzHarness&) = delete;
 
   void reset();
   /// Shows step `number`; `poisoned`: with numbers that the host never sends (NaN, infinite), to see what stays of them.
@@ -34,13 +34,13 @@ class Onlooker {
 
   /// Of what it said in the last step and of what it remembers.
   uint64_t hash() const { return hash_; }
-  /// "" or its first misdeed.
+  /// "" or its first fault.
   const std::string& fault() const { return fault_; }
   uint64_t allocations() const { return allocations_; }  // in its functions of the step
 
  protected:
   /// `scene` is taken last: who calls may name its instance in the same breath.
-  Onlooker(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed);
+  FuzzHarness(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed);
 
   virtual void on_reset() = 0;
   virtual void on_step(base::Xoshiro256& random, bool poisoned) = 0;
@@ -51,7 +51,7 @@ class Onlooker {
   bool call(host::Call which, F&& f);
   /// A finite number of any size that a scene can have, often 0.
   static double wild(base::Xoshiro256& random);
-  void accuse(const std::string& what);
+  void report_fault(const std::string& what);
 
   scene::World world_;                   // what it is shown; its own state lies in it too
   std::vector<swage_object_step> view_;  // of each object, into world_
@@ -70,9 +70,9 @@ class Onlooker {
 };
 
 /// The plugin under test in a scene of its own; nullptr with `error` when there is none, or when it does not only look.
-std::unique_ptr<Onlooker> make_onlooker(const TestScene& scene, uint64_t seed, std::string& error);
+std::unique_ptr<FuzzHarness> make_fuzz_harness(const TestScene& scene, uint64_t seed, std::string& error);
 
-/// The test `nonsense` of the validator: whatever it sees it behaves, remembers only what the host saves, forgets at a reset.
-host::Finding nonsense(const TestScene& scene, uint64_t seed);
+/// The test `fuzz_values` of the validator: whatever it sees it behaves, remembers only what the host saves, forgets at a reset.
+host::Finding fuzz_values(const TestScene& scene, uint64_t seed);
 
 }  // namespace swage::tools

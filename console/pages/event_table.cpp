@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/pages/event_table.hpp"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+
+#include "console/models/event_log.hpp"
+
+namespace swage::console {
+namespace {
+
+constexpr int kLine_px = 22, kTwoLines_px = 36;
+constexpr double kSmall = 0.86;   // of the usual size: the meaning
+constexpr double kMuted = 0.72;   // of the strength of the usual text
+
+/// What happened, and its meaning on a second line.
+class TwoLines : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return {QStyledItemDelegate::sizeHint(option, index).width(), meaning(index).isEmpty() ? kLine_px : kTwoLines_px};
+  }
+
+  void paint(QPainter* p, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const QString means = meaning(index);
+    if (means.isEmpty()) return QStyledItemDelegate::paint(p, option, index);
+    p->save();
+    const QRect line = option.rect.adjusted(3, 2, -3, -option.rect.height() / 2 + 1), below = option.rect.adjusted(3, line.height() + 1, -3, -1);
+    p->setPen(option.palette.color(QPalette::Text));
+    draw(p, option.font, line, index.data().toString());
+    QFont small = option.font;
+    small.setPointSizeF(small.pointSizeF() * kSmall);
+    p->setOpacity(kMuted);
+    draw(p, small, below, means);
+    p->restore();
+  }
+
+ private:
+  static QString meaning(const QModelIndex& index) { return index.siblingAtColumn(EventLog::kMeans).data().toString(); }
+  static void draw(QPainter* p, const QFont& font, const QRect& box, const QString& words) {
+    p->setFont(font);
+    p->drawText(box, Qt::AlignLeft | Qt::AlignVCenter, QFontMetrics(font).elidedText(words, Qt::ElideRight, box.width()));
+  }
+};
+
+}  // namespace
+
+QTableView* make_event_table(QAbstractItemModel* events, QWidget* parent) {
+  auto* table = new QTableView(parent);
+  table->setAccessibleName(QObject::tr("Events"));
+  table->setProperty("card", true);
+  table->setModel(events);
+  table->setShowGrid(false);
+  table->setTabKeyNavigation(false);
+  table->setSelectionMode(QAbstractItemView::NoSelection);
+  table->setItemDelegateForColumn(EventLog::kWhat, new TwoLines(table));
+  table->hideColumn(EventLog::kMeans);
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setMinimumSectionSize(kLine_px);
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+  table->horizontalHeader()->resizeSection(EventLog::kTime, 60);
+  table->horizontalHeader()->setHighlightSections(false);
+  // the row has its height only after the view has heard of it
+  QObject::connect(events, &QAbstractItemModel::rowsInserted, table, &QTableView::scrollToBottom, Qt::QueuedConnection);
+  return table;
+}
+
+}  // namespace swage::console
