@@ -33,7 +33,13 @@ void FaultLesson::build(const P& params, LessonBuilder& builder) {
   const auto phase = [&](Stage stage, const char* key, const char* doc) { phase_[index(stage)] = builder.phase(key, doc); };
   phase(Stage::kShow, "show", "Look at the knot at the mark.");
   phase(Stage::kAsk, "ask", "Which is it? Close the jaws at a mark, from far to near: square, granny, sliding, loose first throw.");
-  phase(Stage::kPull, "pull", "Its loop is pulled.");
+  constexpr std::pair<const char*, const char*> kNamed[] = {
+      {"pull.square", "It is a square knot. Its loop is pulled."},
+      {"pull.granny", "It is a granny. Its loop is pulled."},
+      {"pull.sliding", "It is a sliding knot. Its loop is pulled."},
+      {"pull.loose", "Its first throw is loose. Its loop is pulled."},
+  };
+  for (size_t i = 0; i < kKnots; ++i) pulled_[i] = builder.phase(kNamed[i].first, kNamed[i].second);
   phase(Stage::kTell, "tell", "Open the jaws again.");
   phase(Stage::kDone, "done", "The attempt is over.");
   answered_ = builder.event("fault.answered", "An answer was given; value: 1 square, 2 granny, 3 sliding, 4 loose.");
@@ -100,23 +106,25 @@ void FaultLesson::observe(const View& view, const Verdict& verdict, std::span<do
   if (!read(view, memory, look)) return discard();
   const Finding finding = judge_.look(memory, look);
   report(memory, finding, look.time_s, verdict);
-  show(view, memory, finding, verdict);
-  say(memory, finding, verdict);
+  show(view, memory, look, finding, verdict);
+  say(memory, look, finding, verdict);
 }
 
-/// The marks are where the knot is: a quarter of the thread from its end.
-void FaultLesson::show(const View& view, const Memory& memory, const Finding& finding, const Verdict& verdict) const {
-  if (!finding.next && !finding.answered) return;
+/// The mark that shows is where the knot is, above its loop; that of the pull where the tips of who pulls are: they wait for it.
+void FaultLesson::show(const View& view, const Memory& memory, const Look& look, const Finding& finding, const Verdict& verdict) const {
+  if (finding.answered) {
+    const swage_vec3 at = raw(look.puller_W);
+    verdict.mark(pull_, Cue(), &at);
+  }
+  if (!finding.next) return;
   const Specimen& asked = specimen_[Judge::question(memory)];
   const Step step = view.object(asked.object);
   const auto law = asked.strand.law(step);
   if (!law) return;
-  swage_vec3 at = {0, 0, 0};
-  if (const auto place = asked.strand.place(step, 0.25 * law->length)) at = place->p_W;
-  verdict.mark(finding.next ? shown_ : pull_, Cue(), &at);
+  if (const auto place = asked.strand.place(step, 0.25 * law->length)) verdict.mark(shown_, Cue(), &place->p_W);
 }
 
-void FaultLesson::say(const Memory& memory, const Finding& finding, const Verdict& verdict) const {
+void FaultLesson::say(const Memory& memory, const Look& look, const Finding& finding, const Verdict& verdict) const {
   const uint32_t thread = specimen_[std::min(Judge::question(memory), specimen_.size() - 1)].object;
   if (finding.stage == Stage::kTell) {
     verdict.cue(thread, cue_[index(memory.right != 0 ? Sign::kRight : Sign::kWrong)]);
@@ -127,7 +135,7 @@ void FaultLesson::say(const Memory& memory, const Finding& finding, const Verdic
   }
   if (finding.answered) verdict.event(answered_, finding.answer + 1);
   if (finding.pulled) verdict.event(memory.held != 0 ? held_ : gave_way_, finding.result);
-  verdict.phase(phase_[index(finding.stage)]);
+  verdict.phase(finding.stage == Stage::kPull ? pulled_[look.knot] : phase_[index(finding.stage)]);
   if (finding.end == End::kRunning) return;
   if (finding.end == End::kPassed) return verdict.pass(finding.score);
   const Event reason = failed_[index(finding.end)];

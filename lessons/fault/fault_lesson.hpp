@@ -17,11 +17,11 @@ namespace swage::lesson_fault {
 
 struct FaultParams {
   std::string gripper = "holder", assistant = "assistant";
-  std::string threads = "knot_1 knot_2 knot_3 knot_4";
+  std::string threads = "knot";
   swage_vec3 answer_place = {-6e-3, 3e-3, 1e-3};  // m, W
   swage_vec3 answer_step = {0, -2e-3, 0};         // m, W
   double answer_reach = 1e-3;                     // m
-  int least_right = Rules{}.least_right;
+  int least_right = 1;
   double show_time = Rules{}.show_time, tell_time = Rules{}.tell_time;              // s
   double load = Rules{}.load;                                                       // N
   double hold_time = Rules{}.hold_time, pull_time = Rules{}.pull_time;              // s
@@ -76,8 +76,8 @@ class FaultLesson final : public Lesson<FaultParams> {
   };
   bool read(const View& view, const Memory& memory, Look& look) const;
   Vec3 answer_W(size_t i) const;
-  void show(const View& view, const Memory& memory, const Finding& finding, const Verdict& verdict) const;
-  void say(const Memory& memory, const Finding& finding, const Verdict& verdict) const;
+  void show(const View& view, const Memory& memory, const Look& look, const Finding& finding, const Verdict& verdict) const;
+  void say(const Memory& memory, const Look& look, const Finding& finding, const Verdict& verdict) const;
   void report(const Memory& memory, const Finding& finding, double time_s, const Verdict& verdict) const;
   void tell(const Verdict& verdict, Measure measure, double value) const { verdict.metric(metric_[lessons::index(measure)], value); }
 
@@ -89,8 +89,9 @@ class FaultLesson final : public Lesson<FaultParams> {
   Mark shown_, pull_, answer_[kKnots];
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
-  Phase phase_[5];   // by Stage
-  Event failed_[4];  // by End
+  Phase phase_[5];         // by Stage, but for kPull
+  Phase pulled_[kKnots];   // what it is, once it was named
+  Event failed_[4];        // by End
   Event answered_, held_, gave_way_;
 };
 
