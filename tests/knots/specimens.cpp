@@ -33,7 +33,7 @@ PullTest laid(const Word& word) {
 /// Drawn tight.
 PullTest tied(const Word& word) {
   PullTest t = laid(word);
-  t.pretension = 180e-3, t.unit = 2.5 * kDiameter, t.shape.spacing = 4.5, t.tail = 30;
+  t.pretension = 220e-3, t.unit = 2.5 * kDiameter, t.shape.spacing = 4.5, t.tail = 30;
   return t;
 }
 

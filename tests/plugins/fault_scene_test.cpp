@@ -19,6 +19,7 @@ namespace swage::stage {
 namespace {
 
 const std::string kLesson = SWAGE_SOURCE_DIR "/lessons/series/134_find_the_fault.json";
+constexpr int kAttempts = 12;
 constexpr double kLongest = 12;  // s, of an attempt
 constexpr const char* kKnots[] = {"square", "granny", "sliding", "loose"};
 
@@ -78,7 +79,7 @@ TEST_P(FindTheFault, IsNamedRightAndDoesWhatItsNameSays) {
     EXPECT_LT(of(run, knot, "opens"), 0.5e-3) << "m";
     EXPECT_EQ(word(run, 0), "1 -1") << "after the pull";
   } else {
-    EXPECT_LT(of(run, knot, "bears"), 0.07) << "N";
+    EXPECT_LT(of(run, knot, "bears"), 0.06) << "N";
     EXPECT_GE(of(run, knot, "opens"), 3e-3) << "m";
   }
   EXPECT_EQ(run.happened("fault.held"), square ? 1 : 0);
@@ -89,7 +90,8 @@ TEST_P(FindTheFault, IsNamedRightAndDoesWhatItsNameSays) {
 
 INSTANTIATE_TEST_SUITE_P(All, FindTheFault, ::testing::Range(1, 5));
 
-// Whoever looks away learns nothing: what is said, cued, counted and signalled is the same for all four, and they stay where they are.
+// Whoever looks away learns nothing: what is said, cued, counted and signalled is the same for all four, and they stay where they are,
+// but for tails that turn a little.
 TEST(FindTheFaultScene, NothingTellsAKnotBeforeItIsNamed) {
   for (int shape = 1; shape <= 4; ++shape) {
     LessonRun run = with_shape("mouse", shape);
@@ -100,11 +102,10 @@ TEST(FindTheFaultScene, NothingTellsAKnotBeforeItIsNamed) {
       for (uint32_t i = 0; i < chain.vertices(); ++i) sum += chain.p(i) / chain.vertices();
       return sum;
     };
-    for (int i = 0; i < 500; ++i) run.step();
-    EXPECT_EQ(run.phase(), "show");
+    for (int i = 0; i < 2000 && run.phase() != "ask"; ++i) run.step();
     const toolkit::Vec3 begun = middle();
-    for (int i = 0; i < 2500; ++i) run.step();
-    EXPECT_LT((middle() - begun).norm(), 0.1e-3) << "m, " << kKnots[shape - 1];
+    for (int i = 0; i < 1500; ++i) run.step();
+    EXPECT_LT((middle() - begun).norm(), 0.2e-3) << "m, " << kKnots[shape - 1];
     EXPECT_EQ(run.phase(), "ask");
     for (const char* object : {"knot", "assistant", "holder", "post"}) EXPECT_EQ(run.cue(object), "") << object;
     for (const char* event : {"fault.answered", "fault.held", "fault.gave_way"}) EXPECT_EQ(run.happened(event), 0);
@@ -128,16 +129,20 @@ TEST(FindTheFaultScene, KnotsAreDrawnAnewWithEachSeed) {
 TEST(FindTheFaultScene, TheHandsComeOutInOrder) {
   const auto rights = [](const char* hand) {
     int right = 0;
-    for (uint64_t seed = 0; seed < 12; ++seed) {
-      LessonRun run(kLesson, {hand, ""}, [&](assembly::LessonFile& file) { file.seed = seed; });
+    for (int seed = 0; seed < kAttempts; ++seed) {
+      LessonRun run(kLesson, {hand, ""}, [&](assembly::LessonFile& file) {
+        file.seed = static_cast<uint64_t>(seed);
+        // who answers needs no knot that holds
+        std::erase_if(file.couplings, [](const auto& coupling) { return coupling.name == "on_itself"; });
+      });
       while (run.happened("fault.answered") == 0 && run.outcome() == "running") run.step();
       right += run.metric("fault.right") == 1;
     }
-    std::printf("%s: %d of 12 right\n", hand, right);
+    std::printf("%s: %d of %d right\n", hand, right, kAttempts);
     return right;
   };
   const int expert = rights("expert"), novice = rights("novice"), clumsy = rights("clumsy");
-  EXPECT_EQ(expert, 12);
+  EXPECT_EQ(expert, kAttempts);
   EXPECT_LT(novice, expert);
   EXPECT_LT(clumsy, novice);
 }

@@ -300,8 +300,11 @@ TEST(Thread, DrawsOneOfThePathsOfAFile) {
     b.start();
     const Vec3 end = b.node(4);
     const Vec3 ends[] = {Vec3(4e-3, 0, 0), Vec3(0, 0, 4e-3), Vec3(0, 4e-3, 0)};
-    if (shape > 0) EXPECT_NEAR((end - ends[shape - 1]).norm(), 0, 1e-6) << shape;
-    if (shape == 0) EXPECT_NEAR(end.norm(), 4e-3, 1e-6);
+    if (shape > 0) {
+      EXPECT_NEAR((end - ends[shape - 1]).norm(), 0, 1e-6) << shape;
+    } else {
+      EXPECT_NEAR(end.norm(), 4e-3, 1e-6);
+    }
   }
 }
 
