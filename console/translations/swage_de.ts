@@ -4848,6 +4848,38 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Zur anderen Seite</translation>
     </message>
     <message>
+        <source>Square knot</source>
+        <translation>Kreuzknoten</translation>
+    </message>
+    <message>
+        <source>Granny</source>
+        <translation>Altweiberknoten</translation>
+    </message>
+    <message>
+        <source>Sliding knot</source>
+        <translation>Gleitender Knoten</translation>
+    </message>
+    <message>
+        <source>Loose first throw</source>
+        <translation>Lockerer erster Wurf</translation>
+    </message>
+    <message>
+        <source>Pulled here</source>
+        <translation>Hier wird gezogen</translation>
+    </message>
+    <message>
+        <source>It is another knot</source>
+        <translation>Es ist ein anderer Knoten</translation>
+    </message>
+    <message>
+        <source>It holds</source>
+        <translation>Er hält</translation>
+    </message>
+    <message>
+        <source>It gives way</source>
+        <translation>Er gibt nach</translation>
+    </message>
+    <message>
         <source>Puncture here</source>
         <translation>Hier einstechen</translation>
     </message>

@@ -57,6 +57,11 @@ uint32_t Skilled::find_mark(std::span<const swage_scene_mark> marks, const std::
   return kNone;
 }
 
+bool Skilled::cannot_see(const std::string& meaning, const std::string& where) {
+  refuse(where + " looks for the point \"" + meaning + "\", which this lesson does not show");
+  return false;
+}
+
 bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where) {
   const Act& act = plan_.acts[i];
   for (const auto& [meaning, index] :
@@ -64,8 +69,12 @@ bool Skilled::find_marks(std::span<const swage_scene_mark> marks, size_t i, cons
     if (meaning->empty()) continue;
     *index = find_mark(marks, *meaning);
     if (*index != kNone) continue;
-    refuse(where + " looks for the point \"" + *meaning + "\", which this lesson does not show");
-    return false;
+    return cannot_see(*meaning, where);
+  }
+  seeks_[i].among.clear();
+  for (const std::string& meaning : act.among) {
+    seeks_[i].among.push_back(find_mark(marks, meaning));
+    if (seeks_[i].among.back() == kNone) return cannot_see(meaning, where);
   }
   return true;
 }

@@ -38,6 +38,7 @@ const std::map<std::string, Form>& forms() {
       {"drive", {Verb::kDrive, {"angle"}, {"angle"}}},
       {"show", {Verb::kShow, {"mark", "at", "with", "across"}, {"mark", "at", "with", "across"}}},
       {"answer", {Verb::kAnswer, {"mark", "other", "of"}, {"mark", "other", "of"}}},
+      {"choose", {Verb::kChoose, {"mark", "of", "signal", "among"}, {"mark", "of", "signal", "among"}}},
       {"wind", {Verb::kWind, {"about", "turns", "along", "rolls", "roll", "follows", "of", "signal", "more", "less", "by"}, {"about", "turns"}}},
       {"again", {Verb::kAgain, {"from", "of", "signal", "more", "less"}, {"from"}}},
   };
@@ -131,6 +132,12 @@ void check_again(const Reader& reader, const Json& value, const std::string& whe
   if (any && !asks) reader.fail(where, R"(it goes on there while "of", "signal" and "more" or "less" say so together)");
 }
 
+// marks among which it chooses
+void read_among(const Reader& reader, const Json& value, const std::string& where, Act& act) {
+  if (!value.is_array() || value.empty()) reader.fail(where, "a list of marks is needed here");
+  for (const Json& one : value) act.among.push_back(word(reader, one, where));
+}
+
 // by a way, or to a place
 void read_way(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.to_place = value.contains("at");
@@ -187,6 +194,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
       reader.fail(where + "/with", "\"needle\" or \"jaws\" is needed here");
     act.jaws = with == "jaws";
   }
+  if (value.contains("among")) read_among(reader, value["among"], where + "/among", act);
   if (value.contains("other")) act.other = word(reader, value["other"], where + "/other");
   if (value.contains("about")) act.about = word(reader, value["about"], where + "/about");
   if (value.contains("of")) act.of = word(reader, value["of"], where + "/of");

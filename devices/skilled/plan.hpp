@@ -31,6 +31,8 @@
 //          to the mark, `across` being the normal of the needle's plane (or the closing direction)
 //   answer mark, other, of, time: waits until the two marks part, then goes to the one to which the needle, or the shaft of the
 //          gripper named by `of`, leans as it sees it
+//   choose mark, of, signal, among, time: waits until the mark moves, then goes to one of the marks `among`: the first where the signal
+//          is 1, the second where it is 2
 //   wind   about, turns, along, of, signal, more, less, by, time: its tips go so many turns about the gripper named by `about`,
 //          right-handed about the way from its hinge to its tips (negative: the other way), and by `along` on that way; meanwhile
 //          outwards by `by` in a second while the signal is below `more`, inwards while it is above `less`: a thread is kept drawn
@@ -65,6 +67,7 @@ enum class Verb : int {
   kDrive,
   kShow,
   kAnswer,
+  kChoose,
   kWind,
   kAgain
 };
@@ -93,6 +96,7 @@ struct Act {
   Vec3 at = Vec3::Zero();       // m, W
   bool jaws = false;            // show: the jaws and not the needle
   std::string other, of;        // meaning of a mark; name of an object, of await: of any instance
+  std::vector<std::string> among;  // of choose: meanings of marks
   std::string about;            // of wind: name of a gripper
   double turns = 0, along = 0;  // 1, m
   bool rolls = false;           // the tool turns along

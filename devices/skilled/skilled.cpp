@@ -46,6 +46,7 @@ void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
     builder.error("file", problem.what());
   }
   seeks_.assign(plan_.acts.size(), {});
+  for (const Act& act : plan_.acts) seen_.among_W.resize(std::max(seen_.among_W.size(), act.among.size()));
   build_wrist(builder);
 }
 
@@ -107,6 +108,7 @@ void Skilled::look(const Sight& sight) {
   if (plan_.acts[act_].keep) look_at_strand(scene, plan_.acts[act_]);
   if (seeks.mark != kNone) seen_.mark_W = vec(sight.mark(seeks.mark));
   if (seeks.other != kNone) seen_.other_W = vec(sight.mark(seeks.other));
+  for (size_t i = 0; i < seeks.among.size(); ++i) seen_.among_W[i] = vec(sight.mark(seeks.among[i]));
   if (seen_.wire_good) seen_.up_W = seen_.wire.place(0).tangent_W;
   if (const auto jaws =
           seeks.thing_peer.describe(scene.object(seeks.thing == kNone ? gripper_ : seeks.thing)))
@@ -226,6 +228,7 @@ Pose Skilled::show_goal(const Act& act) {
 /// Whether what the act answers to has not come yet.
 bool Skilled::waits(const Act& act) const {
   constexpr double kSame = 1e-9;  // m
+  if (act.verb == Verb::kChoose) return (seen_.mark_W - shown_W_).norm() < kSame;
   if (act.verb == Verb::kShow)
     return (seen_.mark_W - shown_W_).norm() < kSame || (!act.jaws && !seen_.wire_good);
   return act.verb == Verb::kAnswer && (seen_.other_W - seen_.mark_W).norm() < kSame;
@@ -243,6 +246,13 @@ Vec3 Skilled::answer() {
   const double lean = std::asin(std::clamp(seen_.up_W.dot(to_other), -1.0, 1.0));
   const double seen = lean + params_.angle_bias + params_.angle_noise * normal();
   return seen > 0 ? seen_.other_W : seen_.mark_W;
+}
+
+/// The mark that the signal counts, or any of them.
+Vec3 Skilled::choose() {
+  const double n = static_cast<double>(plan_.acts[act_].among.size());
+  const double which = random() < params_.guesses ? 1 + std::floor(n * random()) : seen_.signal;
+  return seen_.among_W[static_cast<size_t>(std::clamp(std::round(which), 1.0, n)) - 1];
 }
 
 void Skilled::set_goal(const Act& act) {
@@ -281,6 +291,10 @@ void Skilled::set_goal(const Act& act) {
       break;
     case Verb::kAnswer:
       goal_.p = answer();
+      break;
+    case Verb::kChoose:
+      shown_W_ = seen_.mark_W;
+      goal_.p = choose();
       break;
     case Verb::kDrive: {
       if (!seen_.wire_good) break;

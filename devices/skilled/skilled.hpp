@@ -33,6 +33,7 @@ struct SkilledParams {
   double pivot_error = 0;          // m
   double angle_bias = 0;           // rad
   double angle_noise = 0;          // rad
+  double guesses = 0;              // 1
   double steady = 0;               // s; 0: it does not
   WhoseWrist wrist = WhoseWrist::kNone;
   std::array<double, 3> forearm = {-0.7, 0.7, 0};
@@ -107,6 +108,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
           "angle_noise", "Angle noise", "rad", "deg", 0, kMaxLean,
           "Root mean square of the angle by which it misjudges a lean; drawn anew for each answer.")
           .group("Flaws"),
+      real<&SkilledParams::guesses>("guesses", "Guesses", "1", "%", 0, 1, "Share of its choices that are made at random.").group("Flaws"),
       choice<&SkilledParams::wrist>("wrist", "Wrist", kWrists,
                                     "Whose arm leads the tool while it aims and drives; none: it turns as far as it likes.")
           .group("Wrist"),
@@ -143,6 +145,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   /// What an act looks for, by index.
   struct Seeks {
     uint32_t mark = kNone, other = kNone, tissue = kNone, thing = kNone;
+    std::vector<uint32_t> among;
     Peer tissue_peer, thing_peer;
     Signal signal;
   };
@@ -157,6 +160,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
     Vec3 aside_W = Vec3::Zero();   // m, from where the needle went in to where it goes in now
     Vec3 mark_W = Vec3::Zero();    // m, of the act under way
     Vec3 other_W = Vec3::Zero();   // m
+    std::vector<Vec3> among_W;     // m, of a choice under way
     Vec3 up_W = Vec3::UnitZ();     // unit, of what is to be judged: from its point or tips to its other end
     Vec3 into_W = -Vec3::UnitZ();  // unit
     Vec3 tip_W = Vec3::Zero(), axis_W = Vec3::UnitX();  // m; unit, from hinge to tips: of the other gripper
@@ -168,6 +172,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   void restart();
   void begin_act(double time_s);
   Vec3 answer();
+  Vec3 choose();
   void set_goal(const Act& act);
   Pose reach_goal(const Act& act) const;
   Pose lead(const Act& act, const Vec3& target_W, const Vec3& into_W);
@@ -181,6 +186,7 @@ class Skilled final : public SeeingDevice<SkilledParams> {
   bool has_wrist() const { return params_.wrist != WhoseWrist::kNone; }
   void build_wrist(DeviceBuilder& builder);
   uint32_t find_mark(std::span<const swage_scene_mark> marks, const std::string& meaning) const;
+  bool cannot_see(const std::string& meaning, const std::string& where);
   bool find_marks(std::span<const swage_scene_mark> marks, size_t i, const std::string& where);
   bool find_things(const Scene& scene, size_t i, const std::string& where);
   bool find_signals(const Scene& scene, size_t i, const std::string& where);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A start shape that is written down: nodes along straight pieces between points. Header-only. Threads: [main].
+// Start shapes that are written down: nodes along straight pieces between points, or each node. Header-only. Threads: [main].
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -42,9 +43,36 @@ inline std::string read_points(std::string_view text, std::vector<Vec3>& points)
   return text == "mm" ? "" : "a path ends with its unit: \"0 0 0, 1 0 2.5 mm\"";
 }
 
+/// The lines of a file of paths but those that are empty or begin with #.
+inline std::vector<std::string> path_lines(std::string_view text) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find('\n'), text.size());
+    if (end > 0 && text.front() != '#') out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+/// n nodes as `text` says them, one point for each of `given`; more of them on the straight pieces between. Returns what is wrong, or "".
+inline std::string nodes_at(std::string_view text, int given, int n, std::vector<Vec3>& nodes) {
+  std::vector<Vec3> points;
+  if (const std::string wrong = read_points(text, points); !wrong.empty()) return wrong;
+  if (static_cast<int>(points.size()) != given)
+    return "a thread of " + std::to_string(given - 1) + " segments has " + std::to_string(given) + " nodes, not " + std::to_string(points.size());
+  for (size_t i = 1; i < points.size(); ++i)
+    if (!((points[i] - points[i - 1]).norm() > 0)) return "two nodes one after the other differ";
+  for (int i = 0; i < n; ++i) {
+    const double at = static_cast<double>(i) * (given - 1) / (n - 1);
+    const auto k = std::min(static_cast<size_t>(at), points.size() - 2);
+    nodes.push_back(points[k] + (at - static_cast<double>(k)) * (points[k + 1] - points[k]));
+  }
+  return "";
+}
+
 /// n nodes along the points that `text` says, each exactly l [m] from the one before, so that nothing is stretched; beyond the last point
 /// straight on. Returns what is wrong, or "".
-inline std::string nodes_along(const std::string& text, double l, int n, std::vector<Vec3>& nodes) {
+inline std::string nodes_along(std::string_view text, double l, int n, std::vector<Vec3>& nodes) {
   std::vector<Vec3> points;
   if (const std::string wrong = read_points(text, points); !wrong.empty()) return wrong;
   const Vec3 last = points.back() - points[points.size() - 2];

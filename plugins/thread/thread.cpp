@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "path.hpp"
+#include "toolkit/read_file.hpp"
 #include "toolkit/rod_passage.hpp"
 
 namespace swage::thread {
@@ -23,25 +24,43 @@ namespace {
 constexpr int kFiner = 4, kFinest = 200;
 }  // namespace
 
+/// Each path that is written down.
+bool Thread::lay_written(const ThreadParams& p, ObjectBuilder& builder) {
+  std::vector<std::string> paths = {p.path};
+  if (!p.paths.empty()) {
+    std::string text, why;
+    if (!toolkit::read_file(p.paths, toolkit::kMostFileBytes, text, why)) return builder.error("paths", why), false;
+    paths = path_lines(text);
+    if (paths.empty()) return builder.error("paths", "there is no path in it"), false;
+  }
+  for (const std::string& path : paths) {
+    std::vector<Vec3> nodes_O;
+    const std::string wrong =
+        p.start == Start::kNodes ? nodes_at(path, given_nodes_, nodes(), nodes_O) : nodes_along(path, p.length / p.segments, nodes(), nodes_O);
+    if (!wrong.empty()) return builder.error(p.paths.empty() ? "path" : "paths", wrong), false;
+    starts_.push_back(std::move(nodes_O));
+  }
+  if (p.shape > static_cast<int>(starts_.size())) return builder.error("shape", "there are not so many paths"), false;
+  if (p.shape > 0) starts_ = {starts_[at(p.shape - 1)]};
+  return true;
+}
+
 /// Nodes of the start shape in O, an edge apart. The coil rises by two diameters a turn, so that it does not touch itself.
 bool Thread::lay_start(const ThreadParams& p, ObjectBuilder& builder) {
   const double l = p.length / p.segments;
-  start_.clear();
-  if (p.start == Start::kPath) {
-    const std::string wrong = nodes_along(p.path, l, nodes(), start_);
-    if (!wrong.empty()) builder.error("path", wrong);
-    return wrong.empty();
-  }
+  starts_.clear();
+  if (written()) return lay_written(p, builder);
+  std::vector<Vec3>& start = starts_.emplace_back();
   const double r = p.coil_radius, turn = 2 * std::asin(std::min(1.0, 0.5 * l / r));
   const double rise = 2 * suture_.diameter * turn / (2 * std::numbers::pi),
                flat = std::sqrt(1 - std::pow(rise / l, 2));
   for (int i = 0; i < nodes(); ++i) {
     if (p.start == Start::kStraight)
-      start_.emplace_back(l * i, 0, 0);
+      start.emplace_back(l * i, 0, 0);
     else if (p.start == Start::kHanging)
-      start_.emplace_back(0, 0, -l * i);
+      start.emplace_back(0, 0, -l * i);
     else
-      start_.emplace_back(flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i);
+      start.emplace_back(flat * r * std::cos(turn * i), flat * r * std::sin(turn * i), rise * i);
   }
   return true;
 }
@@ -59,9 +78,9 @@ Pose Thread::middle(const RodState& s) const {
 
 /// Directors without twist, on which the memory bends: a straight thread to its left in its plane, one that hangs towards x, a coil
 /// as it lies, one along a path across its first piece. A coil is fixed along its circle, of which an edge is a chord.
-void Thread::start_frames(RodState& s, const toolkit::Quat& q_WO) {
+void Thread::start_frames(RodState& s, const std::vector<Vec3>& start_O, const toolkit::Quat& q_WO) {
   Vec3 d_O = params_.start == Start::kHanging ? Vec3(0, -1, 0) : Vec3(0, 0, 1);
-  if (params_.start == Start::kPath) d_O = (start_[1] - start_[0]).unitOrthogonal();
+  if (written()) d_O = (start_O[1] - start_O[0]).unitOrthogonal();
   const Vec3 d = q_WO * d_O;
   const bool coil = params_.start == Start::kCoil;
   const double chord = coil ? std::asin(std::min(1.0, 0.5 * rod_.rest_length(0) / params_.coil_radius)) : 0;
@@ -104,6 +123,7 @@ bool Thread::take_suture(const ThreadParams& p, ObjectBuilder& builder) {
 
 void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
   params_ = params;
+  given_nodes_ = params.segments + 1;
   if (params.level == Level::kReference) params_.segments = std::min(kFiner * params.segments, kFinest);
   set_up_surroundings();
   if (!take_suture(params_, builder)) return;
@@ -125,12 +145,12 @@ void Thread::build(const ThreadParams& params, ObjectBuilder& builder) {
 void Thread::declare(ObjectBuilder& builder) {
   std::vector<double> numbers(RodState::size(nodes()), 0.0), p_B;
   RodState s(nodes(), numbers.data());
-  for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = start_[at(i)];
-  start_frames(s, toolkit::Quat::Identity());
+  for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = starts_.front()[at(i)];
+  start_frames(s, starts_.front(), toolkit::Quat::Identity());
   X_OB0_ = middle(s);
   body_ = builder.own_body("thread", X_OB0_.abi());
   for (int i = 0; i < nodes(); ++i) {
-    const Vec3 p = X_OB0_.inverse() * start_[at(i)];
+    const Vec3 p = X_OB0_.inverse() * starts_.front()[at(i)];
     p_B.insert(p_B.end(), {p.x(), p.y(), p.z()});
   }
   const std::vector<double> radius(at(params_.segments), 0.5 * suture_.diameter);
@@ -140,7 +160,7 @@ void Thread::declare(ObjectBuilder& builder) {
   const double bend_radius = std::max(2 * suture_.diameter, 2 / std::numbers::pi * rod_.rest_length(0));
   builder.chain(host_extension<swage_host_chain>(SWAGE_HOST_CHAIN), body_,
                 {SWAGE_CHAIN_SEGMENTS, vertices(), p_B.data(), nullptr, radius.data(), bend_radius, 0, 0});
-  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + 4);
+  builder.state(static_cast<uint32_t>(RodState::frames(nodes())) + (several() ? 5 : 4));
   point_.resize(builder.reserve_points(host_extension<swage_host_capacities>(SWAGE_HOST_CAPACITIES), vertices() + kPoints));
   tension_first_ = builder.signal("thread.tension_first", "N", "Tension at the first end.");
   tension_last_ = builder.signal("thread.tension_last", "N", "Tension at the last end.");
@@ -151,21 +171,24 @@ void Thread::declare(ObjectBuilder& builder) {
       builder.signal("thread.bend_radius", "m", "Least radius of bending; 1 m where it is straighter.");
   parted_ = builder.signal("thread.parted", "1", "Places at which it has parted.");
   passed_ = builder.signal("thread.passed", "1", "Times that it went fast and came out on the other side of itself: what follows is not physics.");
+  if (tells_shape()) shape_told_ = builder.signal("thread.shape", "1", "Which of the paths it started along, from 1 on.");
 }
 
 void Thread::reset(const Step& step) {
   const ChainState chain = step.chain(0, vertices());
   const Pose X_WO = Pose(step.pose(body_)) * X_OB0_.inverse();
   const int last = params_.segments - 1;
+  if (several()) shape(step) = 1 + std::floor(random() * static_cast<double>(starts_.size()));
+  const std::vector<Vec3>& start_O = several() ? starts_[static_cast<size_t>(shape(step)) - 1] : starts_.front();
   RodState s = state(step);
   for (int i = 0; i < nodes(); ++i) {
-    Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_[at(i)];
+    Eigen::Map<Vec3>(s.x + 3 * i) = X_WO * start_O[at(i)];
     chain.s[at(i)] = i * rod_.rest_length(0);
     chain.radius[at(i)] = i <= last ? 0.5 * suture_.diameter : 0;
   }
   passed(step) = 0, held(step) = 0, grip(step)[0] = 0, grip(step)[1] = -1;
   take_parted(step);
-  start_frames(s, X_WO.q);
+  start_frames(s, start_O, X_WO.q);
 }
 
 void Thread::finish(const Step& step) {
@@ -188,6 +211,7 @@ void Thread::finish(const Step& step) {
   step.signal(parted_, parted);
   count_passages(step);
   step.signal(passed_, passed(step));
+  if (tells_shape()) step.signal(shape_told_, several() ? shape(step) : std::max(1, params_.shape));
 }
 
 void Thread::count_passages(const Step& step) {

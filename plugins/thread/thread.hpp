@@ -20,7 +20,7 @@
 namespace swage::thread {
 
 enum class Level : int { kThesis, kCatenary, kRod, kReference };
-enum class Start : int { kStraight, kHanging, kCoil, kPath };
+enum class Start : int { kStraight, kHanging, kCoil, kPath, kNodes };
 enum class End : int { kFree, kFixed };
 enum class Around : int { kLesson, kAir, kWater };
 
@@ -31,7 +31,8 @@ struct ThreadParams {
   double length = 20e-3;  // m
   int segments = 32;
   double coil_radius = 3e-3;  // m
-  std::string path;
+  std::string path, paths;
+  int shape = 0;
   End first = End::kFree, last = End::kFree;
   Around around = Around::kLesson;
   // of the material; 0, of the memory below 0: as the suture says
@@ -56,7 +57,7 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   static constexpr auto licence = "Apache-2.0";
 
   static constexpr const char* kLevels[] = {"thesis", "catenary", "rod", "reference", nullptr};
-  static constexpr const char* kStarts[] = {"straight", "hanging", "coil", "path", nullptr};
+  static constexpr const char* kStarts[] = {"straight", "hanging", "coil", "path", "nodes", nullptr};
   static constexpr const char* kEnds[] = {"free", "fixed", nullptr};
   static constexpr const char* kAround[] = {"lesson", "air", "water", nullptr};
   static constexpr std::array fields = {
@@ -67,14 +68,17 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
                                    "Point masses and springs, moved explicitly and not in real time; a chain that stretches and does not "
                                    "bend; a rod that bends and twists; the same, four times as fine and not in real time."),
       choice<&ThreadParams::start>("start", "Start shape", kStarts,
-                                   "Straight along x, hanging along -z, or a coil about z, from the origin; or along a path."),
+                                   "Straight along x, hanging along -z, or a coil about z, from the origin; along a path; or with each node at its point of the path."),
       real<&ThreadParams::length>("length", "Length", "m", "mm", 1e-3, 0.3, "Unloaded."),
       integer<&ThreadParams::segments>("segments", "Segments", 4, 200, "Straight pieces."),
       real<&ThreadParams::coil_radius>("coil_radius", "Coil radius", "m", "mm", 0.2e-3, 50e-3,
                                        "Of the start shape coil."),
       text<&ThreadParams::path>("path", "Path",
                                 "Of the start shape path: points from the first end on, with their unit: \"0 0 0, 1 0 2, 5 0 2 mm\"; beyond "
-                                "the last one the thread goes straight on."),
+                                "the last one the thread goes straight on. Of nodes: a point each; farther apart than a segment is long they "
+                                "are under tension."),
+      file<&ThreadParams::paths>("paths", "Paths", "File with several such paths, one a line, in the place of \"path\"; lines that begin with # say something."),
+      integer<&ThreadParams::shape>("shape", "Shape", 0, 16, "Which of several paths it starts along, from 1 on; 0: one that is drawn at random."),
       choice<&ThreadParams::first>("first", "First end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::last>("last", "Last end", kEnds, "Fixed: place and direction are kept."),
       choice<&ThreadParams::around>("around", "Surroundings", kAround,
@@ -165,7 +169,13 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   bool take_suture(const ThreadParams& params, ObjectBuilder& builder);
   void declare(ObjectBuilder& builder);
   bool lay_start(const ThreadParams& params, ObjectBuilder& builder);
-  void start_frames(toolkit::RodState& s, const toolkit::Quat& q_WO);
+  bool written() const { return params_.start == Start::kPath || params_.start == Start::kNodes; }
+  bool tells_shape() const { return several() || params_.start == Start::kNodes; }
+  bool several() const { return starts_.size() > 1; }
+  double& shape(const Step& step) const { return step.state()[step.state().size() - 5]; }  // from 1 on, where there are several
+  bool lay_written(const ThreadParams& params, ObjectBuilder& builder);
+  /// From where it starts, in O.
+  void start_frames(toolkit::RodState& s, const std::vector<toolkit::Vec3>& start_O, const toolkit::Quat& q_WO);
   toolkit::Pose middle(const toolkit::RodState& s) const;
   /// The edge nearest to a point, and the share of it from its first node.
   std::pair<int, double> nearest_edge(const toolkit::RodState& s, const toolkit::Vec3& p_W) const;
@@ -194,9 +204,10 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   Suture suture_;
   toolkit::Rod rod_;
   toolkit::Pose X_OB0_;
-  std::vector<toolkit::Vec3> start_;  // m, O: nodes of the start shape
+  std::vector<std::vector<toolkit::Vec3>> starts_;  // m, O: nodes of each start shape; of the first but where there are several
+  int given_nodes_ = 0;  // that a lesson speaks of, and not a finer level
   Body body_;
-  Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_;
+  Signal tension_first_, tension_last_, tension_grip_, tension_, bend_radius_, parted_, passed_, shape_told_;
 
   swage_environment environment_{};  // of the lesson
 

@@ -17,10 +17,9 @@
 namespace swage::test {
 namespace {
 
-// A laid throw is bent far more than it would be by itself: in oil it springs open slowly. Viscosity at first, time in which it falls to
-// a third, and what is left [Pa s, s, Pa s]: thread drawn along itself at 5 mm/s then drags 2 uN per mm. Less at first: the tie jumps
-// through itself as it is let go.
-constexpr double kOil = 1e4, kThins = 0.1, kThin = 1;
+// A laid throw is bent far more than it would be by itself: in oil it springs open slowly. What is left of its viscosity [Pa s]: thread
+// drawn along itself at 5 mm/s then drags 2 uN per mm. Less at first: the tie jumps through itself as it is let go.
+constexpr double kThin = 1;
 constexpr double kSteady = 0.05;    // share of the pretension: tensions so near to what is wanted are there
 constexpr double kUndone = 0.5;     // share of its tail that has slipped in: the knot does not hold
 constexpr double kBears = 0.01;     // share of the greatest force that a contact bears to be one of the knot
@@ -34,7 +33,7 @@ double cpu_us() {
 /// The tie with nodes one segment apart, and the node in the middle of its loop.
 struct Laid {
   explicit Laid(const PullTest& test) {
-    TieShape shape;
+    TieShape shape = test.shape;
     shape.tail = test.tail;
     const auto coarse = make_tie(test.word, shape, 1);
     if (!coarse) throw std::invalid_argument("no tie of the word " + text(test.word));
@@ -107,6 +106,11 @@ class Rig {
   template <class Done>
   bool go(PullPhase& phase, double speed, double most, const Done& done);
   void sum_up(PullPhase& phase);
+  bool all_there(int first);
+  bool undone();
+  bool tighten();
+  void rest();
+  void pull_apart();
   void read_word();
   double tension(const End& e) const { return const_cast<Rig*>(this)->rod_.rod().linear_tension(e.edge); }
   double slipped(int tail) const { return begun_[tail] - tail_[tail]; }
@@ -120,7 +124,7 @@ class Rig {
   const Laid laid_;
   scene::World world_;
   dynamics::RodBody rod_;
-  int n_;
+  int n_, steady_ = 0;
   std::vector<double> boxes_, before_, us_;
   std::unique_ptr<contact::Detector> detector_;
   std::unique_ptr<dynamics::Dynamics> solve_;
@@ -195,7 +199,7 @@ template <class Done>
 bool Rig::go(PullPhase& phase, double speed, double most, const Done& done) {
   const double begun = time_;
   while (time_ < begun + most) {
-    rod_.fluid = {1000, kThin + kOil * std::exp(-time_ / kThins)};
+    rod_.fluid = {1000, kThin + test_.oil * std::exp(-time_ / test_.thins)};
     draw(speed);
     step(phase);
     if (done()) return true;
@@ -238,51 +242,62 @@ void Rig::read_word() {
   result_.same_word = name.certain && name.word.others == 0 && result_.word == test_.word;
 }
 
-PullResult Rig::run() {
-  int steady = 0;
-  const auto all_there = [&](int first) {
-    bool there = true;
-    for (int k = first; k < 4; ++k) there = there && std::abs(tension(end_[k]) - end_[k].wanted) < kSteady * test_.pretension;
-    return (steady = there ? steady + 1 : 0) >= 30;
-  };
-  for (End& e : end_) e.wanted = test_.pretension;
+bool Rig::all_there(int first) {
+  bool there = true;
+  for (int k = first; k < 4; ++k) there = there && std::abs(tension(end_[k]) - end_[k].wanted) < kSteady * test_.pretension;
+  return (steady_ = there ? steady_ + 1 : 0) >= 30;
+}
+
+bool Rig::undone() {
+  result_.most = std::max({result_.most, tension(end_[2]), tension(end_[3])});
+  const double left = kUndone * std::min(begun_[0], begun_[1]);
+  return broken_ || bearing_ == 0 || slipped(0) > left || slipped(1) > left;
+}
+
+bool Rig::tighten() {
+  for (int k = 0; k < 4; ++k) end_[k].wanted = test_.pretension * (k < 2 ? 1 : test_.legs) * (k % 2 == 0 ? 1 : test_.winds);
   friction_ = std::min(test_.friction, test_.tying_friction);
-  const bool tight = go(result_.tighten, test_.tighten_speed, 4, [&] { return broken_ || all_there(0); });
+  steady_ = 0;
+  const bool tight = go(result_.tighten, test_.tighten_speed, test_.draw_for > 0 ? test_.draw_for : 4, [&] { return broken_ || all_there(0); });
   sum_up(result_.tighten);
   friction_ = test_.friction;
-  if (tight && !broken_) {
-    std::copy_n(tail_, 2, begun_);
-    const double from = time_;
-    go(result_.rest, test_.tighten_speed, 0.15, [&] {
-      for (int k = 0; k < 2; ++k) end_[k].wanted = test_.pretension * std::max(0.0, 1 - (time_ - from) / 0.1);
-      return broken_;
-    });
-    for (int k = 0; k < 2; ++k) rod_.let_go(end_[k].node), end_[k].held = false;
-    go(result_.rest, test_.tighten_speed, 0.1, [] { return false; });
-    result_.sprung = slipped(0) + slipped(1);
-    std::copy_n(tail_, 2, begun_);
-    sum_up(result_.rest);
+  return (tight || test_.draw_for > 0) && !broken_;
+}
 
-    for (int k = 2; k < 4; ++k) end_[k].wanted = test_.load;
-    const auto undone = [&] {
-      result_.most = std::max({result_.most, tension(end_[2]), tension(end_[3])});
-      const double left = kUndone * std::min(begun_[0], begun_[1]);
-      return broken_ || bearing_ == 0 || slipped(0) > left || slipped(1) > left;
-    };
-    steady = 0;
-    bool gone = false;
-    const auto there = [&] { return (gone = undone()) || all_there(2); };
-    const bool loaded = go(result_.pull, test_.pull_speed, 4, there) && !gone;
-    double middle = 0;
-    if (loaded) {
-      if (!go(result_.pull, test_.pull_speed, 0.5 * test_.keep, [&] { return gone = undone(); })) {
-        middle = slipped(0) + slipped(1);
-        go(result_.pull, test_.pull_speed, 0.5 * test_.keep, [&] { return gone = undone(); });
-        result_.creep = (slipped(0) + slipped(1) - middle) / (0.5 * test_.keep);
-      }
-    }
-    for (int k = 0; k < 2; ++k) result_.slip[k] = slipped(k);
-    result_.end = broken_ ? PullEnd::kBreaks : loaded && !gone ? PullEnd::kHolds : PullEnd::kSlips;
+void Rig::rest() {
+  std::copy_n(tail_, 2, begun_);
+  const double from = time_, borne[] = {end_[0].wanted, end_[1].wanted};
+  go(result_.rest, test_.tighten_speed, 0.15, [&] {
+    for (int k = 0; k < 2; ++k) end_[k].wanted = borne[k] * std::max(0.0, 1 - (time_ - from) / 0.1);
+    return broken_;
+  });
+  for (int k = 0; k < 2; ++k) rod_.let_go(end_[k].node), end_[k].held = false;
+  go(result_.rest, test_.tighten_speed, 0.1, [] { return false; });
+  result_.sprung = slipped(0) + slipped(1);
+  std::copy_n(tail_, 2, begun_);
+  sum_up(result_.rest);
+  for (int i = 0; i < n_; ++i) result_.rested.push_back(rod_.state().node(i));
+  result_.loop = laid_.loop;
+}
+
+void Rig::pull_apart() {
+  for (int k = 2; k < 4; ++k) end_[k].wanted = test_.load;
+  steady_ = 0;
+  bool gone = false;
+  const bool loaded = go(result_.pull, test_.pull_speed, 4, [&] { return (gone = undone()) || all_there(2); }) && !gone;
+  if (loaded && !go(result_.pull, test_.pull_speed, 0.5 * test_.keep, [&] { return gone = undone(); })) {
+    const double middle = slipped(0) + slipped(1);
+    go(result_.pull, test_.pull_speed, 0.5 * test_.keep, [&] { return gone = undone(); });
+    result_.creep = (slipped(0) + slipped(1) - middle) / (0.5 * test_.keep);
+  }
+  for (int k = 0; k < 2; ++k) result_.slip[k] = slipped(k);
+  result_.end = broken_ ? PullEnd::kBreaks : loaded && !gone ? PullEnd::kHolds : PullEnd::kSlips;
+}
+
+PullResult Rig::run() {
+  if (tighten()) {
+    rest();
+    if (test_.load > 0) pull_apart();
   }
   sum_up(result_.pull);
   read_word();

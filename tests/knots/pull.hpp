@@ -24,13 +24,18 @@ struct PullTest {
   double friction = 0.3;
   double tying_friction = 0.05;  // at most so much while it is drawn tight, so that inner throws are drawn tight too
   double pretension = 10e-3;  // N
-  double load = 0.1;          // N; more than `strength`: to breaking
+  double load = 0.1;          // N; more than `strength`: to breaking; 0: it is not pulled
   // of 10-0 nylon, as resources/threads has it
   double diameter = 22e-6, young = 2.5e9, poisson = 0.39, density = 1140, strength = 0.19;
   double stiffness = 5e4;    // N/m, of a contact of the thread with itself. 1e4: tight loops cut through each other at 20 mN
   double segment = 22e-6;    // m
   double unit = 55e-6;       // m, radius of the throws as they are laid: 2.5 diameters
   double tail = 20;          // units
+  TieShape shape;            // how it is laid, but for its tail
+  double legs = 1;           // share of the pretension that the legs bear while it is drawn tight
+  double winds = 1;          // share of it that the strand bears that goes about the straight one of a sliding knot
+  double oil = 1e4, thins = 0.1;  // Pa s, s: what it lies in at first, and the time in which that falls to a third
+  double draw_for = 0;       // s, after which it is taken as it is; 0: only once all four bear what they should
   double tighten_speed = 3e-3, pull_speed = 2e-3;  // m/s, of each end
   double keep = 0.2;         // s, for which the load is kept
   double dt = 1e-3;          // s
@@ -61,6 +66,8 @@ struct PullResult {
   bool certain = false;
   bool same_word = false;
   std::string health;     // what the solver said, if anything
+  std::vector<Vec3> rested;  // m, the thread once it has rested; its legs end beside the node `loop`
+  int loop = 0;
 };
 
 /// `trace`: a CSV of the run, one line in ten steps; "": none.

@@ -45,6 +45,7 @@ const std::map<std::string, std::string> kPages = {
     {"swage.lesson.angles", "lessons/angles/angles.md"},
     {"swage.lesson.free_practice", "lessons/free_practice/free_practice.md"},
     {"swage.lesson.loop", "lessons/loop/loop.md"},
+    {"swage.lesson.fault", "lessons/fault/fault.md"},
     {"swage.lesson.knot", "lessons/knot/knot.md"},
     {"swage.lesson.pass", "lessons/pass/pass.md"},
     {"swage.lesson.ring", "lessons/ring/ring.md"},

@@ -22,7 +22,7 @@ std::string message(const std::string& acts) {
 TEST(Plan, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
   EXPECT_EQ(message(R"({"act": "jump"})"),
-            "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, await, back, bring, "
+            "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, await, back, bring, choose, "
             "close, draw, drive, move, open, reach, show, wait, wind");
   EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
   EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
@@ -217,6 +217,18 @@ TEST_F(SkilledHand, AnswersOnceTheMarksPartAndToTheSideThatItSees) {
     const bool other = std::asin(-up.y()) + bias > 0;
     EXPECT_LT((X_WT_.p - vec(other ? other_ : mark_)).norm(), 1e-9);
     EXPECT_EQ(other, bias > 0 || -up.y() > 0);
+  }
+}
+
+TEST_F(SkilledHand, ChoosesTheMarkThatASignalCounts) {
+  for (const double which : {1.0, 2.0}) {
+    make(R"({"act": "choose", "mark": "target.point", "of": "grasp", "signal": "grasp.force", "among": ["target.point", "other.point"], "time": "0.2 s"})");
+    two_marks_ = true;
+    other_ = {mark_.x, mark_.y - 2e-3, mark_.z};
+    n_ = 0;
+    ASSERT_EQ(bind(), SWAGE_OK);
+    while (n_ < 250) force_ = which, step();
+    EXPECT_LT((X_WT_.p - vec(which == 2 ? other_ : mark_)).norm(), 1e-9) << which;
   }
 }
 

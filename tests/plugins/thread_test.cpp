@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <filesystem>
+#include <fstream>
 
 #include "plugins/thread/path.hpp"
 #include "test_places.hpp"
@@ -264,6 +265,47 @@ TEST(Thread, SaysWhatIsWrongWithAPath) {
                                     {"0 0 0 1 0 0", "commas"}, {"0 0 0, 1 0 nan", "within"}, {"0 0 0, 0 0 0 mm", "differ"}, {"0 0 0, 1 0 0", "its unit"},
                                     {"0 0 0, 1 0 0 cm", "commas"}})
     EXPECT_NE(nodes_along(path, 0.5e-3, 8, nodes).find(wrong), std::string::npos) << path << ": " << nodes_along(path, 0.5e-3, 8, nodes);
+}
+
+// node by node, as it lay: stretched by a hundredth it is under a hundredth of its stiffness
+TEST(Thread, StartsWithItsNodesWhereTheyAreSaidToBe) {
+  Bench b;
+  b.bench.set("start", 4.0);
+  b.bench.set("length", 4e-3);
+  b.bench.set("segments", 4.0);
+  b.bench.set_text("path", "0 0 0, 1.01 0 0, 2.02 0 0, 3.03 0 0, 4.04 0 0 mm");
+  b.start();
+  for (uint32_t i = 0; i <= 4; ++i) EXPECT_NEAR((b.node(i) - Vec3(1.01e-3 * i, 0, 0)).norm(), 0, 1e-15) << i;
+  std::vector<Vec3> nodes;
+  EXPECT_NE(nodes_at("0 0 0, 1 0 0 mm", 3, 3, nodes).find("2 segments has 3 nodes, not 2"), std::string::npos);
+  EXPECT_EQ(nodes_at("0 0 0, 1 0 0, 1 1 0 mm", 3, 5, nodes), "") << "a finer level has nodes between";
+  EXPECT_NEAR((nodes[3] - Vec3(1e-3, 0.5e-3, 0)).norm(), 0, 1e-15);
+}
+
+// one of several, drawn at random or named
+TEST(Thread, DrawsOneOfThePathsOfAFile) {
+  const std::string file = testing::TempDir() + "swage_paths.txt";
+  std::ofstream(file) << "# straight\n0 0 0, 1 0 0 mm\n\n# up\n0 0 0, 0 0 1 mm\n# aside\n0 0 0, 0 1 0 mm\n";
+  for (const int shape : {0, 1, 2, 3, 4}) {
+    Bench b;
+    b.bench.set("start", 3.0);
+    b.bench.set("length", 4e-3);
+    b.bench.set("segments", 4.0);
+    b.bench.set_text("paths", file.c_str());
+    b.bench.set("shape", static_cast<double>(shape));
+    if (shape == 4) {
+      EXPECT_FALSE(b.bench.start(1e-3)) << "there are three";
+      continue;
+    }
+    b.start();
+    const Vec3 end = b.node(4);
+    const Vec3 ends[] = {Vec3(4e-3, 0, 0), Vec3(0, 0, 4e-3), Vec3(0, 4e-3, 0)};
+    if (shape > 0) {
+      EXPECT_NEAR((end - ends[shape - 1]).norm(), 0, 1e-6) << shape;
+    } else {
+      EXPECT_NEAR(end.norm(), 4e-3, 1e-6);
+    }
+  }
 }
 
 }  // namespace
