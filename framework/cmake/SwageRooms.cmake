@@ -51,15 +51,20 @@ function(swage_room name)
   endif()
 endfunction()
 
-# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s])  ->  CTest entry <name>
+# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n])  ->  CTest entry <name>
+# SHARDS: its tests run in n processes at once; for tests that mostly wait, or that are long and many
 function(swage_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
   string(REPLACE "." "_" target test_${name})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main swage_flags)
   target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/tests/include)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  add_test(NAME ${name} COMMAND ${target} ${TEST_ARGS})
+  if(TEST_SHARDS)
+    add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tests/in_shards.sh ${TEST_SHARDS} $<TARGET_FILE:${target}> ${TEST_ARGS})
+  else()
+    add_test(NAME ${name} COMMAND ${target} ${TEST_ARGS})
+  endif()
   # only so that a hang ends: no test takes a tenth of it, however busy the machine is
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 900)
