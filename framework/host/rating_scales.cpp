@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/rating_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "host/units.hpp"
+
+namespace swage::host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void refuse(const std::string& sentence) { throw std::runtime_error(sentence); }
+
+const Json& at(const Json& from, const char* key, Json::value_t type, const std::string& where) {
+  const auto found = from.find(key);
+  if (found == from.end()) refuse(where + " has no \"" + key + "\".");
+  if (found->type() != type) refuse("\"" + std::string(key) + "\" of " + where + " is not " + (type == Json::value_t::string ? "text." : type == Json::value_t::object ? "an object." : "a list."));
+  return *found;
+}
+
+std::string text(const Json& from, const char* key, const std::string& where) {
+  const std::string out = at(from, key, Json::value_t::string, where);
+  if (out.empty()) refuse("\"" + std::string(key) + "\" of " + where + " is empty.");
+  return out;
+}
+
+double number(const Json& from, const char* key, const std::string& where) {
+  const auto found = from.find(key);
+  if (found == from.end() || !found->is_number()) refuse(where + " has no number \"" + key + "\".");
+  return found->get<double>();
+}
+
+// only keys that are known: a mistyped one would be passed over in silence
+void expect_keys(const Json& from, std::initializer_list<const char*> known, const std::string& where) {
+  if (!from.is_object()) refuse(where + " is not an object.");
+  for (const auto& [key, value] : from.items())
+    if (std::find(known.begin(), known.end(), key) == known.end()) refuse(where + " has an unknown key \"" + key + "\".");
+}
+
+judge::Words words(const Json& from, const std::string& where) {
+  const Json& titles = at(from, "title", Json::value_t::object, where);
+  judge::Words out = {{"en", text(titles, "en", "the title of " + where)}};
+  for (const auto& [code, said] : titles.items())
+    if (code != "en") out.emplace_back(code, text(titles, code.c_str(), "the title of " + where));
+  return out;
+}
+
+// "30 deg", "3": to SI; `unit` is the SI symbol
+double quantity(const std::string& given, const std::string& where, std::string& unit) {
+  const std::size_t space = given.find(' ');
+  const Unit* const found = find_unit(space == std::string::npos ? "1" : given.substr(space + 1));
+  unit = found == nullptr ? "1" : found->si;
+  double value = 0;
+  std::string error;
+  if (!parse_quantity(given, unit, where, value, error)) refuse(error);
+  return value;
+}
+
+judge::RatedBy rated_by(const Json& from, const std::string& item) {
+  judge::RatedBy out;
+  out.metric = text(from, "id", "a metric of " + item);
+  const std::string where = "metric \"" + out.metric + "\" of " + item;
+  expect_keys(from, {"id", "best", "worst"}, where);
+  std::string unit;
+  out.best = quantity(text(from, "best", where), "\"best\" of " + where, out.unit);
+  out.worst = quantity(text(from, "worst", where), "\"worst\" of " + where, unit);
+  if (unit != out.unit) refuse("\"best\" and \"worst\" of " + where + " have different units.");
+  if (out.best == out.worst) refuse("\"best\" and \"worst\" of " + where + " are the same.");
+  return out;
+}
+
+judge::RatingItem item(const Json& from) {
+  judge::RatingItem out;
+  out.id = text(from, "id", "an item");
+  const std::string where = "item \"" + out.id + "\"";
+  expect_keys(from, {"id", "title", "metrics"}, where);
+  out.title = words(from, where);
+  for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
+  return out;
+}
+
+judge::RatingScale scale(const Json& from) {
+  expect_keys(from, {"format", "id", "title", "source", "lowest_points", "highest_points", "items"}, "the scale");
+  if (text(from, "format", "the scale") != "swage-scale/1") refuse("The format of a scale is \"swage-scale/1\".");
+  judge::RatingScale out;
+  out.id = text(from, "id", "the scale");
+  out.title = words(from, "the scale");
+  out.source = text(from, "source", "the scale");
+  out.lowest = number(from, "lowest_points", "the scale");
+  out.highest = number(from, "highest_points", "the scale");
+  if (!(out.lowest < out.highest)) refuse("\"lowest_points\" is not below \"highest_points\".");
+  std::set<std::string> ids;
+  for (const Json& one : at(from, "items", Json::value_t::array, "the scale")) {
+    out.items.push_back(item(one));
+    if (!ids.insert(out.items.back().id).second) refuse("Two items are called \"" + out.items.back().id + "\".");
+  }
+  if (out.items.empty()) refuse("The scale has no items.");
+  return out;
+}
+
+}  // namespace
+
+bool read_rating_scale(const std::string& text, judge::RatingScale& out, std::string& error) {
+  try {
+    out = scale(Json::parse(text));
+    return true;
+  } catch (const std::exception& e) {
+    error = e.what();
+    return false;
+  }
+}
+
+std::vector<judge::RatingScale> rating_scales(const std::string& folder, std::vector<std::string>& errors) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<judge::RatingScale> out;
+  for (const fs::path& file : files) {
+    std::ifstream in(file, std::ios::binary);
+    judge::RatingScale one;
+    std::string error;
+    if (read_rating_scale({std::istreambuf_iterator<char>(in), {}}, one, error))
+      out.push_back(std::move(one));
+    else
+      errors.push_back(file.string() + ": " + error);
+  }
+  return out;
+}
+
+}  // namespace swage::host

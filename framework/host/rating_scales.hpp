@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rating scales as files (resources/scales). [main]
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/rating.hpp"
+
+namespace swage::host {
+
+/// A scale from the text of its file. False, with a sentence in `error`, for what is no scale; nothing of `out` is then of worth.
+bool read_rating_scale(const std::string& text, judge::RatingScale& out, std::string& error);
+
+/// All scales of a folder (*.json), by name of file. A faulty one is left out, and `errors` has its sentence.
+std::vector<judge::RatingScale> rating_scales(const std::string& folder, std::vector<std::string>& errors);
+
+}  // namespace swage::host

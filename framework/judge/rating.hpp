@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rating scales of surgeons: each item from what was measured, where the state of a scene can decide it. Pure functions of what is
+// given. [any]
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "judge/pass_rule.hpp"
+
+namespace swage::judge {
+
+/// Text in several languages: code ("en", "de"), text. The first one is English.
+using Words = std::vector<std::pair<std::string, std::string>>;
+/// The text in `language`, else the English one.
+const std::string& said_in(const Words& words, const std::string& language);
+
+/// A metric as a part of an item: the top of the scale at `best`, the bottom at `worst`, linear between them. In its SI unit.
+struct RatedBy {
+  std::string metric, unit;
+  double best = 0, worst = 1;
+};
+
+/// An item is the mean of its metrics; without any, it is left to an observer.
+struct RatingItem {
+  std::string id;
+  Words title;
+  std::vector<RatedBy> by;
+};
+
+struct RatingScale {
+  std::string id, source;
+  Words title;
+  double lowest = 1, highest = 5;  // of each item
+  std::vector<RatingItem> items;
+};
+
+/// What a scale says of one attempt.
+struct Rating {
+  std::vector<std::optional<double>> item;  // as RatingScale::items; nothing: the attempt does not decide it
+  std::size_t decided = 0;
+  double mean = 0;  // over the decided items; 0 when there are none
+};
+
+/// A metric that an attempt does not have, or that is not a number, decides nothing.
+Rating rate(const RatingScale& scale, Metrics metrics);
+
+}  // namespace swage::judge

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host/rating_scales.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "../../temp_folder.hpp"
+#include "test_places.hpp"
+
+namespace swage::host {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kGood = R"({"format": "swage-scale/1", "id": "s", "title": {"en": "Scale", "de": "Skala"}, "source": "a book",
+  "lowest_points": 1, "highest_points": 5, "items": [{"id": "i", "title": {"en": "Item"},
+  "metrics": [{"id": "stitch.obliquity", "best": "0 deg", "worst": "30 deg"}]}]})";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+TEST(RatingScales, AreReadInSiUnits) {
+  judge::RatingScale scale;
+  std::string error;
+  ASSERT_TRUE(read_rating_scale(kGood, scale, error)) << error;
+  EXPECT_EQ(scale.id, "s");
+  EXPECT_EQ(judge::said_in(scale.title, "de"), "Skala");
+  ASSERT_EQ(scale.items.size(), 1u);
+  EXPECT_EQ(scale.items[0].by[0].unit, "rad");
+  EXPECT_NEAR(scale.items[0].by[0].worst, M_PI / 6, 1e-12);
+}
+
+TEST(RatingScales, EachFaultHasItsSentence) {
+  const std::pair<std::string, std::string> faults[] = {
+      {"{", "parse error"},
+      {"[]", "not an object"},
+      {with("swage-scale/1", "swage-scale/9"), "swage-scale/1"},
+      {with("\"source\"", "\"sauce\""), "unknown key \"sauce\""},
+      {with("\"a book\"", "\"\""), "is empty"},
+      {with("\"highest_points\": 5", "\"highest_points\": 1"), "not below"},
+      {with("\"lowest_points\": 1", "\"lowest_points\": \"1\""), "no number \"lowest_points\""},
+      {with("\"en\": \"Item\"", "\"de\": \"Item\""), "has no \"en\""},
+      {with("\"30 deg\"", "\"30 mm\""), "different units"},
+      {with("\"30 deg\"", "\"0 deg\""), "the same"},
+      {with("\"30 deg\"", "\"steep\""), "worst"},
+      {with("\"30 deg\"", "30"), "not text"},
+      {with("{\"id\": \"i\"", "{\"id\": \"i\", \"title\": {\"en\": \"Item\"}, \"metrics\": []}, {\"id\": \"i\""), "Two items"},
+  };
+  for (const auto& [text, sentence] : faults) {
+    judge::RatingScale scale;
+    std::string error;
+    EXPECT_FALSE(read_rating_scale(text, scale, error)) << text;
+    EXPECT_THAT(error, HasSubstr(sentence)) << text;
+  }
+}
+
+TEST(RatingScales, AFaultyFileIsLeftOutAndTold) {
+  const test::TempFolder folder;
+  std::ofstream(folder / "a.json") << kGood;
+  std::ofstream(folder / "b.json") << "{";
+  std::ofstream(folder / "c.txt") << "no scale";
+  std::vector<std::string> errors;
+  EXPECT_EQ(rating_scales(folder.path(), errors).size(), 1u);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_THAT(errors[0], HasSubstr("b.json"));
+}
+
+TEST(RatingScales, ThoseThatComeWithSwageAreWhole) {
+  std::vector<std::string> errors;
+  const auto scales = rating_scales(SWAGE_SOURCE_DIR "/resources/scales", errors);
+  EXPECT_THAT(errors, testing::IsEmpty());
+  ASSERT_EQ(scales.size(), 3u);
+  for (const judge::RatingScale& s : scales)
+    for (const judge::RatingItem& item : s.items) EXPECT_EQ(item.title.size(), 2u) << s.id << " " << item.id;
+}
+
+}  // namespace
+}  // namespace swage::host

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "judge/rating.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace swage::judge {
+namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::Optional;
+
+const RatingScale kScale = {"s", "a source", {{"en", "Scale"}}, 1, 5,
+                            {{"force", {{"en", "Force"}, {"de", "Kraft"}}, {{"force.peak", "N", 0.2, 0.6}, {"drops", "1", 0, 2}}},
+                             {"flow", {{"en", "Flow"}}, {}},
+                             {"done", {{"en", "Done"}}, {{"task.success", "1", 1, 0}}}}};
+using Told = std::vector<std::pair<std::string, double>>;
+
+TEST(Rating, AnItemIsTheMeanOfItsMetricsBetweenBestAndWorst) {
+  const Rating r = rate(kScale, Told{{"force.peak", 0.3}, {"drops", 1}, {"task.success", 1}});
+  // shares 0.75 and 0.5; 1 + 4 (0.625)
+  EXPECT_THAT(r.item, ElementsAre(Optional(DoubleEq(3.5)), std::nullopt, Optional(DoubleEq(5))));
+  EXPECT_EQ(r.decided, 2u);
+  EXPECT_DOUBLE_EQ(r.mean, 4.25);
+}
+
+TEST(Rating, BeyondBestAndWorstTheScaleEnds) {
+  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 0.1}}).item[0], 5);
+  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 9}}).item[0], 1);
+}
+
+TEST(Rating, WhatWasNotToldDecidesNothing) {
+  const Rating one = rate(kScale, Told{{"drops", 0}, {"force.peak", std::numeric_limits<double>::quiet_NaN()}});
+  EXPECT_THAT(one.item, ElementsAre(Optional(DoubleEq(5)), std::nullopt, std::nullopt));
+  const Rating none = rate(kScale, {});
+  EXPECT_EQ(none.decided, 0u);
+  EXPECT_EQ(none.mean, 0);
+}
+
+TEST(Rating, WordsFallBackToEnglish) {
+  EXPECT_EQ(said_in(kScale.items[0].title, "de"), "Kraft");
+  EXPECT_EQ(said_in(kScale.items[0].title, "fr"), "Force");
+  EXPECT_EQ(said_in({}, "de"), "");
+}
+
+}  // namespace
+}  // namespace swage::judge
