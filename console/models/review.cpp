@@ -155,6 +155,9 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   }
   add_moments(recording, events, out);
   add_metrics(recording, card, out);
+  std::vector<std::pair<std::string, double>> metrics;
+  for (const record::MetricValue& m : out.attempt.metrics) metrics.emplace_back(m.id, m.value);
+  out.ratings = rating_lines(out.attempt.outcome, metrics);
   return out;
 }
 
@@ -210,6 +213,8 @@ std::string summary_csv(const Review& review) {
     const int32_t better = review.metrics[static_cast<int>(i)].better;
     line("metric", m.id, none, m.value, m.unit, better_in_files(better));
   }
+  for (const RatingLine& r : review.ratings)
+    line("rating", r.id, none, r.points, "1", std::to_string(std::lround(r.lowest)) + " to " + std::to_string(std::lround(r.highest)));
   for (const Moment& m : review.moments)
     line("event", (m.by_person ? m.what : human_id(m.as_kept)).toStdString(), m.time_s, none, "", m.doc.toStdString());
   return out;

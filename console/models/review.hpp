@@ -9,6 +9,7 @@
 #include <string>
 
 #include "console/models/metric_facts.hpp"
+#include "console/models/ratings.hpp"
 #include "record/recorder.hpp"
 #include "record/store.hpp"
 
@@ -43,6 +44,7 @@ struct Review {
   QVector<Trace> traces;  // wanted ones first
   QVector<Moment> moments;
   QVector<MetricLine> metrics;
+  QVector<RatingLine> ratings;  // on the scales of surgeons
   double dt_s = 1e-3, length_s = 0;
   uint64_t seed = 0;  // targets and tremor were drawn from it
 
@@ -61,7 +63,7 @@ double value_at(const Trace& trace, const record::Recording& recording, size_t s
 
 /// One line per step: time in s and every signal in SI, the unit in its heading. The decimal sign is a point.
 std::string signals_csv(const record::Recording& recording);
-/// Long form: kind, time or value, unit, words; the attempt's facts first, then metrics, then events.
+/// Long form: kind, time or value, unit, words; the attempt's facts first, then metrics, ratings, events.
 std::string summary_csv(const Review& review);
 
 }  // namespace swage::console

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/ratings.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
@@ -145,6 +146,14 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
   more_box_->setVisible(more && first.empty());
 }
 
+// beside the lesson's own score, on demand
+void ResultPanel::add_ratings(const session::Result& r) {
+  std::vector<std::pair<std::string, double>> metrics;
+  for (const session::Result::Metric& m : r.metrics) metrics.emplace_back(m.id, m.value);
+  for (const RatingLine& rating : rating_lines(judge::text(r.outcome), metrics))
+    add_line(more_, rating.name, rating.value, rating.doc);
+}
+
 void ResultPanel::show_notes(const session::Result& r) {
   QStringList notes;
   for (const base::Problem& p : r.problems) {
@@ -177,6 +186,7 @@ void ResultPanel::show_result(const session::Result& r, const snapshot::SceneCar
     add_line(metrics_, tr("Score"), QStringLiteral("%1 / 100").arg(r.score, 0, 'f', 0), {});
   add_line(metrics_, tr("Time"), clock_text(r.simulated_s), {});
   add_metrics(r, card);
+  add_ratings(r);
   review_->setEnabled(kept);
   kept_->setText(r.not_kept               ? tr("▲ Not recorded: nothing of this attempt is kept.")
                  : !kept                  ? tr("Not recorded.")

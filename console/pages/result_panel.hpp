@@ -35,6 +35,7 @@ class ResultPanel : public QWidget {
   void clear();
   void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
   void add_metrics(const session::Result& result, const snapshot::SceneCard& card);
+  void add_ratings(const session::Result& result);
   void show_notes(const session::Result& result);
   void announce();
   void paint_outcome();

@@ -109,6 +109,13 @@ void ReviewPage::fill_side() {
     metrics_->item(i, 2)->setTextAlignment(Qt::AlignHCenter | Qt::AlignVCenter);
     metrics_->item(i, 2)->setData(Qt::AccessibleTextRole, better_words(m.better, false));
   }
+  for (const RatingLine& r : review_.ratings) {
+    const int row = metrics_->rowCount();
+    metrics_->insertRow(row);
+    metrics_->setItem(row, 0, item(r.name, r.doc));
+    metrics_->setItem(row, 1, item(r.value, r.doc));
+    metrics_->item(row, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
   moments_->setRowCount(0);
   for (const Moment& m : review_.moments) {
     if (m.technical) continue;

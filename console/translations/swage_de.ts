@@ -395,6 +395,22 @@
         <source>Guest</source>
         <translation>Gast</translation>
     </message>
+    <message>
+        <source>%L1 of %L2</source>
+        <translation>%L1 von %L2</translation>
+    </message>
+    <message>
+        <source>Decided by what was measured of: %1.</source>
+        <translation>Entschieden durch das Gemessene von: %1.</translation>
+    </message>
+    <message>
+        <source>%1, mean of %2 of %3 items</source>
+        <translation>%1, Mittel aus %2 von %3 Punkten</translation>
+    </message>
+    <message>
+        <source>The other items are left to an observer. %1</source>
+        <translation>Die anderen Punkte bleiben einem Beobachter überlassen. %1</translation>
+    </message>
 </context>
 <context>
     <name>ScenePainter</name>

@@ -81,14 +81,18 @@ judge::RatingItem item(const Json& from) {
   judge::RatingItem out;
   out.id = text(from, "id", "an item");
   const std::string where = "item \"" + out.id + "\"";
-  expect_keys(from, {"id", "title", "metrics"}, where);
+  expect_keys(from, {"id", "title", "product", "metrics"}, where);
   out.title = words(from, where);
+  if (const auto product = from.find("product"); product != from.end()) {
+    if (!product->is_boolean()) refuse("\"product\" of " + where + " is neither true nor false.");
+    out.is_product = product->get<bool>();
+  }
   for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
   return out;
 }
 
 judge::RatingScale scale(const Json& from) {
-  expect_keys(from, {"format", "id", "title", "source", "lowest_points", "highest_points", "items"}, "the scale");
+  expect_keys(from, {"format", "id", "title", "source", "lowest_points", "highest_points", "needs", "items"}, "the scale");
   if (text(from, "format", "the scale") != "swage-scale/1") refuse("The format of a scale is \"swage-scale/1\".");
   judge::RatingScale out;
   out.id = text(from, "id", "the scale");
@@ -97,6 +101,12 @@ judge::RatingScale scale(const Json& from) {
   out.lowest = number(from, "lowest_points", "the scale");
   out.highest = number(from, "highest_points", "the scale");
   if (!(out.lowest < out.highest)) refuse("\"lowest_points\" is not below \"highest_points\".");
+  if (from.contains("needs")) {
+    for (const Json& metric : at(from, "needs", Json::value_t::array, "the scale")) {
+      if (!metric.is_string()) refuse("\"needs\" of the scale is no list of metrics.");
+      out.needs.push_back(metric.get<std::string>());
+    }
+  }
   std::set<std::string> ids;
   for (const Json& one : at(from, "items", Json::value_t::array, "the scale")) {
     out.items.push_back(item(one));

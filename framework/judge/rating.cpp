@@ -36,11 +36,13 @@ const std::string& said_in(const Words& words, const std::string& language) {
   return words.empty() ? nothing : words.front().second;
 }
 
-Rating rate(const RatingScale& scale, Metrics metrics) {
+Rating rate(const RatingScale& scale, Metrics metrics, bool passed) {
   Rating out;
   double sum = 0;
+  const bool applies = std::all_of(scale.needs.begin(), scale.needs.end(), [&](const std::string& id) { return told(metrics, id); });
   for (const RatingItem& item : scale.items) {
-    const std::optional<double> part = share(item, metrics);
+    std::optional<double> part = applies ? share(item, metrics) : std::nullopt;
+    if (part && item.is_product && !passed) part = 0;
     if (!part) {
       out.item.push_back(std::nullopt);
       continue;

@@ -30,12 +30,14 @@ struct RatingItem {
   std::string id;
   Words title;
   std::vector<RatedBy> by;
+  bool is_product = false;  // of what is made: the bottom of the scale where the attempt failed
 };
 
 struct RatingScale {
   std::string id, source;
   Words title;
   double lowest = 1, highest = 5;  // of each item
+  std::vector<std::string> needs;  // metrics without which the scale says nothing of an attempt
   std::vector<RatingItem> items;
 };
 
@@ -46,7 +48,7 @@ struct Rating {
   double mean = 0;  // over the decided items; 0 when there are none
 };
 
-/// A metric that an attempt does not have, or that is not a number, decides nothing.
-Rating rate(const RatingScale& scale, Metrics metrics);
+/// A metric that an attempt does not have, or that is not a number, decides nothing. `passed`: the attempt's own verdict.
+Rating rate(const RatingScale& scale, Metrics metrics, bool passed);
 
 }  // namespace swage::judge

@@ -19,6 +19,7 @@
 #include "session/session.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/ratings.hpp"
 #include "tools/school_verbs.hpp"
 #include "tools/verbs.hpp"
 
@@ -163,6 +164,12 @@ std::string kept_text(const session::Result& r, const std::string& store) {
   return text;
 }
 
+std::vector<std::pair<std::string, double>> metrics_of(const session::Result& r) {
+  std::vector<std::pair<std::string, double>> out;
+  for (const auto& m : r.metrics) out.emplace_back(m.id, m.value);
+  return out;
+}
+
 void print_text(const RunOptions& o, const snapshot::SceneCard& card, const session::Result& r,
                 const std::string& store) {
   std::printf("%s (%s)\n", printable(card.title).c_str(), printable(card.lesson_id).c_str());
@@ -177,6 +184,8 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
     std::printf("  %-20s %-14s %s\n", printable(m.id).c_str(),
                 printable(metric_text(m.value, m.unit)).c_str(), printable(m.doc).c_str());
   }
+  const std::string ratings = ratings_text(r.outcome, metrics_of(r));
+  if (!ratings.empty()) std::printf("on scales of surgeons, as far as the state of the scene decides them:\n%s", ratings.c_str());
   std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
   if (r.health.solver.steps > 0)
     std::printf("solver: fell short in %llu steps: %s\n",
@@ -219,6 +228,7 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
   out["metrics"] = Json::array();
   for (const auto& m : r.metrics)
     out["metrics"].push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}, {"doc", m.doc}});
+  out["ratings"] = ratings_json(r.outcome, metrics_of(r));
   out["loop"] = loop_json(r.health);
   out["attempt"] = r.attempt_id.empty() ? Json(nullptr) : Json(r.attempt_id);
   out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(record::shown(store));

@@ -53,6 +53,21 @@ TEST(ReviewModel, MetricsHaveUnitAndDirection) {
   EXPECT_EQ(review.verdict(), "✓ Passed, 87 of 100");
 }
 
+TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
+  record::AttemptRow attempt = test::fake_attempt();
+  attempt.metrics = {{"points.time", "1", 3}, {"task.success", "1", 1}};
+  Review review = make_review(attempt, test::fake_recording(10), {});
+  ASSERT_EQ(review.ratings.size(), 3);  // two items of SMaRT after their mean; no knot was tied, so the other scales say nothing
+  EXPECT_EQ(review.ratings[0].name, "SMaRT, mean of 2 of 9 items");
+  EXPECT_EQ(review.ratings[1].name, "SMaRT: Efficiency");
+  EXPECT_EQ(review.ratings[1].value, "4.2 of 5");  // 1 + 4 (1 - 3 / 15)
+  EXPECT_EQ(review.ratings[2].value, "5.0 of 5");
+  EXPECT_NE(summary_csv(review).find("rating,\"smart.efficiency\",,4.2,\"1\",\"1 to 5\""), std::string::npos) << summary_csv(review);
+  // who stopped before the end is not rated
+  attempt.outcome = "aborted";
+  EXPECT_TRUE(make_review(attempt, test::fake_recording(10), {}).ratings.isEmpty());
+}
+
 TEST(ReviewModel, TheLessonsOwnCardComesBeforeAnothers) {
   test::learn_known_metrics();
   const record::Recording recording = test::fake_recording(10);

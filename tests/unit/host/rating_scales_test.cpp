@@ -47,6 +47,8 @@ TEST(RatingScales, EachFaultHasItsSentence) {
       {with("\"highest_points\": 5", "\"highest_points\": 1"), "not below"},
       {with("\"lowest_points\": 1", "\"lowest_points\": \"1\""), "no number \"lowest_points\""},
       {with("\"en\": \"Item\"", "\"de\": \"Item\""), "has no \"en\""},
+      {with("\"lowest_points\"", "\"needs\": [1], \"lowest_points\""), "\"needs\""},
+      {with("\"metrics\"", "\"product\": 1, \"metrics\""), "\"product\""},
       {with("\"30 deg\"", "\"30 mm\""), "different units"},
       {with("\"30 deg\"", "\"0 deg\""), "the same"},
       {with("\"30 deg\"", "\"steep\""), "worst"},

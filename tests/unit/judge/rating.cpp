@@ -13,14 +13,14 @@ using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::Optional;
 
-const RatingScale kScale = {"s", "a source", {{"en", "Scale"}}, 1, 5,
+const RatingScale kScale = {"s", "a source", {{"en", "Scale"}}, 1, 5, {},
                             {{"force", {{"en", "Force"}, {"de", "Kraft"}}, {{"force.peak", "N", 0.2, 0.6}, {"drops", "1", 0, 2}}},
                              {"flow", {{"en", "Flow"}}, {}},
                              {"done", {{"en", "Done"}}, {{"task.success", "1", 1, 0}}}}};
 using Told = std::vector<std::pair<std::string, double>>;
 
 TEST(Rating, AnItemIsTheMeanOfItsMetricsBetweenBestAndWorst) {
-  const Rating r = rate(kScale, Told{{"force.peak", 0.3}, {"drops", 1}, {"task.success", 1}});
+  const Rating r = rate(kScale, Told{{"force.peak", 0.3}, {"drops", 1}, {"task.success", 1}}, true);
   // shares 0.75 and 0.5; 1 + 4 (0.625)
   EXPECT_THAT(r.item, ElementsAre(Optional(DoubleEq(3.5)), std::nullopt, Optional(DoubleEq(5))));
   EXPECT_EQ(r.decided, 2u);
@@ -28,16 +28,31 @@ TEST(Rating, AnItemIsTheMeanOfItsMetricsBetweenBestAndWorst) {
 }
 
 TEST(Rating, BeyondBestAndWorstTheScaleEnds) {
-  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 0.1}}).item[0], 5);
-  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 9}}).item[0], 1);
+  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 0.1}}, true).item[0], 5);
+  EXPECT_DOUBLE_EQ(*rate(kScale, Told{{"force.peak", 9}}, true).item[0], 1);
 }
 
 TEST(Rating, WhatWasNotToldDecidesNothing) {
-  const Rating one = rate(kScale, Told{{"drops", 0}, {"force.peak", std::numeric_limits<double>::quiet_NaN()}});
+  const Rating one = rate(kScale, Told{{"drops", 0}, {"force.peak", std::numeric_limits<double>::quiet_NaN()}}, true);
   EXPECT_THAT(one.item, ElementsAre(Optional(DoubleEq(5)), std::nullopt, std::nullopt));
-  const Rating none = rate(kScale, {});
+  const Rating none = rate(kScale, {}, true);
   EXPECT_EQ(none.decided, 0u);
   EXPECT_EQ(none.mean, 0);
+}
+
+TEST(Rating, AFailedAttemptHasNoProduct) {
+  RatingScale scale = kScale;
+  scale.items[0].is_product = true;
+  const Told told = {{"drops", 0}, {"task.success", 0.5}};
+  EXPECT_THAT(rate(scale, told, true).item, ElementsAre(Optional(DoubleEq(5)), std::nullopt, Optional(DoubleEq(3))));
+  EXPECT_THAT(rate(scale, told, false).item, ElementsAre(Optional(DoubleEq(1)), std::nullopt, Optional(DoubleEq(3))));
+}
+
+TEST(Rating, AScaleSaysNothingOfAnAttemptThatLacksWhatItNeeds) {
+  RatingScale scale = kScale;
+  scale.needs = {"knot.slides"};
+  EXPECT_EQ(rate(scale, Told{{"drops", 0}}, true).decided, 0u);
+  EXPECT_EQ(rate(scale, Told{{"drops", 0}, {"knot.slides", 0}}, true).decided, 1u);
 }
 
 TEST(Rating, WordsFallBackToEnglish) {

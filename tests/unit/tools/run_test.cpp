@@ -236,11 +236,15 @@ TEST_F(Run, TheExpertPassesTheClumsyHandDoesNotAndBothReplay) {
   const std::string grasp = source("lessons/series/020_grasp_basic.json");
   const Said expert = run(grasp, {"--as-fast-as-possible", "--device", "expert"});
   EXPECT_EQ(expert.code, 0) << expert.out << expert.err;
+  EXPECT_THAT(expert.out, HasSubstr("SMaRT: 5.0 of 5 over 3 of 9 items"));
   EXPECT_THAT(expert.out, testing::ContainsRegex("force.mean +0.[0-9]+ N +Mean grip force"));
   EXPECT_EQ(swage({"replay", "last", "--store", store()}).code, 0);
   const Said clumsy = run(grasp, {"--as-fast-as-possible", "--device", "clumsy", "--json"});
   EXPECT_EQ(clumsy.code, 1) << clumsy.out << clumsy.err;
   EXPECT_EQ(clumsy.json()["outcome"], "failed");
+  EXPECT_EQ(clumsy.json()["ratings"][1]["id"], "smart");
+  EXPECT_LT(clumsy.json()["ratings"][1]["mean"], 2);
+  EXPECT_TRUE(clumsy.json()["ratings"][0]["mean"].is_null());  // no knot was tied
   EXPECT_THAT(clumsy.json()["reason"].get<std::string>(), testing::StartsWith("failed."));
   EXPECT_EQ(swage({"replay", "last", "--store", store()}).code, 0);
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "console/models/ratings.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QLocale>
+#include <QObject>
+
+#include "console/models/metric_titles.hpp"
+#include "host/rating_scales.hpp"
+
+namespace swage::console {
+namespace {
+
+const std::vector<judge::RatingScale>& scales() {
+  static const std::vector<judge::RatingScale> all = [] {
+    std::vector<judge::RatingScale> read;
+    const QDir folder(QStringLiteral(":/scales"));
+    for (const QString& name : folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name)) {
+      QFile file(folder.filePath(name));
+      judge::RatingScale scale;
+      std::string error;
+      if (file.open(QIODevice::ReadOnly) && host::read_rating_scale(file.readAll().toStdString(), scale, error))
+        read.push_back(std::move(scale));
+      else
+        qWarning("%s: %s", qPrintable(name), error.c_str());
+    }
+    return read;
+  }();
+  return all;
+}
+
+QString in_words(const judge::Words& words) {
+  return QString::fromStdString(judge::said_in(words, QLocale().name().section(QLatin1Char('_'), 0, 0).toStdString()));
+}
+
+QString points_text(double points, const judge::RatingScale& scale) {
+  return QObject::tr("%L1 of %L2").arg(points, 0, 'f', 1).arg(scale.highest, 0, 'f', 0);
+}
+
+QString decided_by(const judge::RatingItem& item) {
+  QStringList names;
+  for (const judge::RatedBy& by : item.by) names += metric_title(QString::fromStdString(by.metric));
+  return QObject::tr("Decided by what was measured of: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+RatingLine line(const judge::RatingScale& scale, double points) {
+  RatingLine out;
+  out.points = points;
+  out.lowest = scale.lowest;
+  out.highest = scale.highest;
+  out.value = points_text(points, scale);
+  return out;
+}
+
+}  // namespace
+
+QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metrics) {
+  QVector<RatingLine> out;
+  if (outcome != "passed" && outcome != "failed") return out;
+  for (const judge::RatingScale& scale : scales()) {
+    const judge::Rating rating = judge::rate(scale, metrics, outcome == "passed");
+    if (rating.decided == 0) continue;
+    RatingLine mean = line(scale, rating.mean);
+    mean.id = scale.id;
+    mean.name = QObject::tr("%1, mean of %2 of %3 items").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
+    mean.doc = QObject::tr("The other items are left to an observer. %1").arg(QString::fromStdString(scale.source));
+    out += mean;
+    for (size_t i = 0; i < scale.items.size(); ++i) {
+      if (!rating.item[i]) continue;
+      RatingLine one = line(scale, *rating.item[i]);
+      one.id = scale.id + "." + scale.items[i].id;
+      one.name = QObject::tr("%1: %2").arg(in_words(scale.title), in_words(scale.items[i].title));
+      one.doc = decided_by(scale.items[i]);
+      out += one;
+    }
+  }
+  return out;
+}
+
+}  // namespace swage::console
