@@ -51,6 +51,7 @@ std::unique_ptr<Rig> Assembler::run() {
   settle_mode();
   bind_follows();
   find_pairs();
+  sort_pairs();
   bind_couplings();
   judge::declare_host_events(rig_->script);
   add_lesson();

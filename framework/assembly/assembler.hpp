@@ -61,6 +61,7 @@ class Assembler {
   // bind.cpp
   void bind_follows();
   void find_pairs();
+  void sort_pairs();
   void bind_couplings();
   bool offers(const LessonCoupling& use, const host::ObjectSlot& object, const char* const* needs,
               const std::string& side);

@@ -3,6 +3,8 @@
 // Who meets whom: traits, pairs, and what the lesson gets to see.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include "assembly/assembler.hpp"
 #include "assembly/sentences.hpp"
@@ -79,6 +81,21 @@ void Assembler::find_pairs() {
       }
     }
   }
+}
+
+// Contacts are found and solved in the order of their pairs: by the names of their objects, not as they stand in the file.
+void Assembler::sort_pairs() {
+  const std::vector<contact::Pair> found = rig_->pairs;
+  const auto names = [&](uint32_t pair) {
+    return std::tie(file_.objects[found[pair].object_a].name, file_.objects[found[pair].object_b].name);
+  };
+  std::vector<uint32_t> order(found.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](uint32_t i, uint32_t j) { return names(i) < names(j); });
+  std::vector<uint32_t> place(found.size());
+  for (uint32_t i = 0; i < order.size(); ++i) rig_->pairs[i] = found[order[i]], place[order[i]] = i;
+  for (host::CouplingSlot& slot : rig_->couplings)
+    if (slot.pair != kNone) slot.pair = place[slot.pair];
 }
 
 void Assembler::bind_couplings() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numbers>
 
 namespace swage::needle {
 
@@ -261,7 +262,9 @@ void Bending::advance(const Step& step) {
 Bending::Reading Bending::read(const Step& step) const {
   const JointMemory* memory = joints(step);
   Reading out;
-  out.stress = peak_;
+  // statics knows no limit: a section bears its plastic moment, and what hardening adds to that is in the joints
+  constexpr double kPlastic = 16 / (3 * std::numbers::pi);
+  out.stress = std::min(peak_, kPlastic);
   for (int j = 0; j < n_ - 1; ++j) {
     if (BentWire::moment(memory[j]).isZero(0) && BentWire::path(memory[j]) == 0) continue;
     out.stress = std::max(out.stress, wire_.stress(j, memory[j]));

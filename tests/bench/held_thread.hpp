@@ -31,9 +31,9 @@ inline scene::World with_thread(uint32_t nodes) {
 /// there a rod tilts by itself and gets loose, as the overlap at each of them falls by R angle^2 / 2 and free ends resist by inertia only.
 enum class Held { kLying, kJaws };
 struct HeldThread {
-  HeldThread(Held how, double speed, uint32_t nodes = 100)
+  HeldThread(Held how, double speed, uint32_t nodes = 100, double friction = 0.2)
       : world(make(how, nodes)), lies(how == Held::kLying), v(0, speed, 0), rod(world, 0, 0, nylon(), true) {
-    contact::Law law{0.2, 1e5, 0};
+    contact::Law law{friction, 1e5, 0};
     detector = std::make_unique<contact::Detector>(world, std::vector<contact::Pair>{{0, 1, law}}, options());
     solve = std::make_unique<dynamics::Dynamics>(world, dynamics::Options());
     detector->reserve(contacts);
