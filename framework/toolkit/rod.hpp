@@ -24,6 +24,7 @@
 
 #include "toolkit/band.hpp"
 #include "toolkit/rod_drag.hpp"
+#include "toolkit/rod_edges.hpp"
 #include "toolkit/rod_joint.hpp"
 
 namespace swage::toolkit {
@@ -161,7 +162,9 @@ class Rod {
 
   /// Edges stiffen by the tension of this state.
   void take_tension(const RodState& s) {
-    for (int j = 0; j < edges(); ++j) tension_[at(j)] = tension(s, j);
+    now_.find(s.x);
+    for (int j = 0; j < edges(); ++j)
+      tension_[at(j)] = cut_[at(j)] ? 0.0 : section_.stretching * (now_.length(at(j)) / rest_[at(j)] - 1);
   }
   double energy(const RodState& s) const;  // J, elastic
   /// Gradient of the elastic energy, 4 n - 1 numbers, and its Hessian, when asked for.
@@ -188,6 +191,7 @@ class Rod {
   };
   static Edge along(const Vec3& e);
   Edge edge(const RodState& s, int j) const { return along(s.edge(j)); }
+  Edge found(int j) const { return {now_.t(at(j)), now_.inverse(at(j))}; }
   RodJoint joint(const RodState& s, int i) const;
   RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
   bool has_joint(int i) const {
@@ -198,6 +202,7 @@ class Rod {
   double joint_length(int i) const;
   /// Of twist, between directors on two edges: of the many that differ by whole turns the one nearest to `before`.
   static double angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df, double before);
+  static double turned_from(double before, double m);
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
   void add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const;
@@ -233,6 +238,8 @@ class Rod {
   Matrix A_;
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
   std::vector<double> diagonal_;  // of A_, before it was made larger
+  mutable RodEdges now_, next_;  // of a state, and after a change
+  mutable std::vector<double> gone_, carried_, sine_, cosine_;  // nodes, directors and joints after it
   bool slow_ = false;
   int way_ = -1;     // of making it definite, in which linearise() left A_; -1: it did not
   double g_ = 0;     // s, of the backward Euler step that it is

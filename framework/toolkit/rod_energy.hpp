@@ -27,6 +27,8 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_)), pushed_.resize(3 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
   diagonal_.resize(at(unknowns()));
+  now_ = next_ = RodEdges(at(edges()));
+  gone_.resize(3 * at(n_)), carried_.resize(3 * at(edges())), sine_.resize(at(edges())), cosine_.resize(at(edges()));
   stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
 }
 
@@ -58,7 +60,11 @@ inline double Rod::joint_length(int i) const {
 [[gnu::flatten]] inline double Rod::angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df,
                                           double before) {
   const Vec3 d = transported(de, te, tf);
-  const double m = std::atan2(tf.dot(d.cross(df)), d.dot(df));
+  return turned_from(before, std::atan2(tf.dot(d.cross(df)), d.dot(df)));
+}
+
+/// m, in whole turns the nearest to `before`.
+inline double Rod::turned_from(double before, double m) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return m + kTurn * std::floor((before - m) / kTurn + 0.5);
 }
@@ -180,8 +186,9 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
   const bool bends = section_.bending > 0;
   RodJoint::Derivatives d;
   Edge before{clamp_[0].tangent, 0};
+  now_.find(s.x);
   for (int i = 0; i < n_; ++i) {
-    const Edge after = i < n_ - 1 ? edge(s, i) : Edge{clamp_[1].tangent, 0};
+    const Edge after = i < n_ - 1 ? found(i) : Edge{clamp_[1].tangent, 0};
     if (bends && has_joint(i)) {
       joint(s, i, before, after).differentiate(memory_ != 0, hessian != nullptr, d);
       add(i, d, gradient, hessian);
@@ -192,27 +199,35 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
 }
 
 [[gnu::flatten]] inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
-  // edge by edge, so that `to` may be `from`: an edge is known before its second node goes
-  Vec3 x = from.node(0), next = x;
-  const auto gone = [&](int i) {
-    return Vec3(from.node(i) + share * Vec3(change[4 * i], change[4 * i + 1], change[4 * i + 2]));
-  };
-  Vec3 x_new = gone(0), t_before = clamp_[0].tangent, d_before = clamp_[0].director;
+  // all is found before any of it is written: `to` may be `from`
+  now_.find(from.x);
+  for (int i = 0; i < n_; ++i)
+    for (int r = 0; r < 3; ++r) gone_[at(3 * i + r)] = from.x[3 * i + r] + share * change[4 * i + r];
+  next_.find(gone_.data());
+  now_.carry(next_, from.director, carried_.data());
   for (int j = 0; j < edges(); ++j) {
-    next = from.node(j + 1);
-    const Vec3 next_new = gone(j + 1), t = along(next - x).t, t_new = along(next_new - x_new).t;
-    Vec3 d = carried(from.material(j), t, t_new);
     const double turn = share * change[4 * j + 3];
-    if (turn != 0) d = std::cos(turn) * d + std::sin(turn) * t_new.cross(d);
-    Eigen::Map<Vec3>(to.director + 3 * j) = d;
-    Eigen::Map<Vec3>(to.x + 3 * j) = x_new;
-    to.twist[j] = has_joint(j) ? angle(t_before, t_new, d_before, d, from.twist[j]) : 0.0;
-    x = next, x_new = next_new, t_before = t_new, d_before = d;
+    if (turn == 0) continue;
+    Eigen::Map<Vec3> d(carried_.data() + 3 * j);
+    const Vec3 across = d;
+    d = std::cos(turn) * across + std::sin(turn) * next_.t(at(j)).cross(across);
   }
+  next_.twists(carried_.data(), sine_.data(), cosine_.data());
+  const auto director = [&](int j) { return Vec3(Eigen::Map<const Vec3>(carried_.data() + 3 * j)); };
   const int last = n_ - 1;
-  Eigen::Map<Vec3>(to.x + 3 * last) = x_new;
-  to.twist[last] =
-      has_joint(last) ? angle(t_before, clamp_[1].tangent, d_before, clamp_[1].director, from.twist[last]) : 0.0;
+  for (int i = 0; i <= last; ++i) {
+    double& twist = to.twist[i];
+    if (!has_joint(i))
+      twist = 0;
+    else if (i == 0)
+      twist = angle(clamp_[0].tangent, next_.t(0), clamp_[0].director, director(0), from.twist[0]);
+    else if (i == last)
+      twist = angle(next_.t(at(last - 1)), clamp_[1].tangent, director(last - 1), clamp_[1].director, from.twist[last]);
+    else
+      twist = turned_from(from.twist[i], std::atan2(sine_[at(i - 1)], cosine_[at(i - 1)]));
+  }
+  std::copy_n(gone_.data(), 3 * n_, to.x);
+  std::copy_n(carried_.data(), 3 * edges(), to.director);
 }
 
 inline double Rod::twisted(const RodState& s, int i, double before) const {

@@ -110,6 +110,41 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
                          testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
 
+// edges that are found together are found by two or four at a time
+TEST(RodEdges, HaveTheBitsThatEachHasAlone) {
+  constexpr size_t kEdges = 23;
+  std::vector<double> x(3 * (kEdges + 1)), y(x), d(3 * kEdges), carried(d), sine(kEdges), cosine(kEdges);
+  for (size_t k = 0; k < x.size(); ++k) {
+    x[k] = std::sin(1.7 * static_cast<double>(k)) + 0.3 * static_cast<double>(k);
+    y[k] = x[k] + 0.01 * std::cos(2.3 * static_cast<double>(k));
+  }
+  RodEdges before(kEdges), after(kEdges);
+  before.find(x.data()), after.find(y.data());
+  for (size_t j = 0; j < kEdges; ++j) {
+    const Vec3 across = before.t(j).cross(Vec3::UnitX()).normalized();
+    for (size_t r = 0; r < 3; ++r) d[3 * j + r] = across[static_cast<int>(r)];
+  }
+  before.carry(after, d.data(), carried.data());
+  after.twists(carried.data(), sine.data(), cosine.data());
+  for (size_t j = 0; j < kEdges; ++j) {
+    RodEdges from(1), to(1), pair(2);
+    from.find(&x[3 * j]), to.find(&y[3 * j]);
+    EXPECT_EQ(from.t(0), before.t(j));
+    EXPECT_EQ(from.length(0), before.length(j));
+    EXPECT_EQ(from.inverse(0), before.inverse(j));
+    double alone[3];
+    from.carry(to, &d[3 * j], alone);
+    for (size_t r = 0; r < 3; ++r) EXPECT_EQ(alone[r], carried[3 * j + r]);
+    if (j + 1 == kEdges) continue;
+    double sine_alone, cosine_alone;
+    pair.find(&y[3 * j]);
+    pair.twists(&carried[3 * j], &sine_alone, &cosine_alone);
+    EXPECT_EQ(sine_alone, sine[j]);
+    EXPECT_EQ(cosine_alone, cosine[j]);
+  }
+}
+
+
 // At a top of its energy: an arc of 10 mm that is bent to a radius of 1.25 mm against the 10 mm that it remembers. All of its edges would
 // turn together, and hardly anything but their own inertia holds them.
 TEST(Rod, BentSharplyAgainstWhatItRemembersHasALinearStep) {
