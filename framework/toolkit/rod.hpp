@@ -189,11 +189,12 @@ class Rod {
     Vec3 t;
     double inverse;  // 1/m
   };
+  using Derivatives = JointDerivatives<Ones>;
   static Edge along(const Vec3& e);
   Edge edge(const RodState& s, int j) const { return along(s.edge(j)); }
   Edge found(int j) const { return {now_.t(at(j)), now_.inverse(at(j))}; }
-  RodJoint joint(const RodState& s, int i) const;
-  RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
+  RodJoint<Ones> joint(const RodState& s, int i) const;
+  RodJoint<Ones> joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
   bool has_joint(int i) const {
     if (i == 0) return clamp_[0].on && !cut_[0];
     if (i == n_ - 1) return clamp_[1].on && !cut_[at(i - 1)];
@@ -205,10 +206,18 @@ class Rod {
   static double turned_from(double before, double m);
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
-  void add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const;
-  static void add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
-  static void add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
-  static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
+  template <class V>
+  [[gnu::always_inline]] inline void differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const;
+  SWAGE_FOURS void differentiate_four_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+    differentiate_joints<Fours>(s, i, second, to);
+  }
+  void differentiate_two_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+    differentiate_joints<Twos>(s, i, second, to);
+  }
+  void add(int i, Derivatives& d, double* gradient, Matrix* hessian) const;
+  static void add_before(int a, bool has_f, const Derivatives& d, Matrix& H);
+  static void add_middle(int b, bool has_f, const Derivatives& d, Matrix& H);
+  static void add_after(int c, const Derivatives& d, Matrix& H);
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
   void begin_linear(const RodState& s);
   void add_drag(const RodState& s, const RodLoad& load);

@@ -7,35 +7,9 @@
 #include <vector>
 
 #include "toolkit/math.hpp"
-#include "toolkit/wide.hpp"
+#include "toolkit/three.hpp"
 
 namespace swage::toolkit {
-
-namespace edges {
-
-/// Vectors side by side.
-template <class V>
-struct Three {
-  V x, y, z;
-
-  [[gnu::always_inline]] Three operator-(const Three& b) const { return {x - b.x, y - b.y, z - b.z}; }
-  [[gnu::always_inline]] Three operator+(const Three& b) const { return {x + b.x, y + b.y, z + b.z}; }
-  [[gnu::always_inline]] V dot(const Three& b) const { return (x * b.x + y * b.y) + z * b.z; }
-  [[gnu::always_inline]] Three cross(const Three& b) const {
-    return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
-  }
-  [[gnu::always_inline]] V norm() const {
-    V n = dot(*this);
-    n.root();
-    return n;
-  }
-};
-template <class V>
-[[gnu::always_inline]] inline Three<V> operator*(V s, const Three<V>& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-}  // namespace edges
 
 /// Unit vectors along edges, their lengths [m] and the inverse of these.
 class RodEdges {
@@ -48,6 +22,18 @@ class RodEdges {
   /// Of nodes, 3 numbers each.
   void find(const double* nodes) { has_fours() ? find_by_fours(nodes) : find_with<Twos>(nodes); }
   Vec3 t(size_t j) const { return {x_[j], y_[j], z_[j]}; }
+  /// From edge j on.
+  template <class V>
+  [[gnu::always_inline]] Three<V> t(V v, size_t j) const {
+    Three<V> t{v, v, v};
+    t.x.load(&x_[j]), t.y.load(&y_[j]), t.z.load(&z_[j]);
+    return t;
+  }
+  template <class V>
+  [[gnu::always_inline]] V inverse(V v, size_t j) const {
+    v.load(&inverse_[j]);
+    return v;
+  }
   double length(size_t j) const { return length_[j]; }
   double inverse(size_t j) const { return inverse_[j]; }
 
@@ -63,21 +49,6 @@ class RodEdges {
   }
 
  private:
-  template <class V>
-  using Three = edges::Three<V>;
-
-  template <class V>
-  [[gnu::always_inline]] Three<V> at(V v, size_t j) const {
-    Three<V> t{v, v, v};
-    t.x.load(&x_[j]), t.y.load(&y_[j]), t.z.load(&z_[j]);
-    return t;
-  }
-  template <class V>
-  [[gnu::always_inline]] static Three<V> vectors(V v, const double* x) {
-    Three<V> a{v, v, v};
-    a.x.load(x, 3), a.y.load(x + 1, 3), a.z.load(x + 2, 3);
-    return a;
-  }
   template <class V>
   [[gnu::always_inline]] static Three<V> transported(const Three<V>& director, const Three<V>& from, const Three<V>& to) {
     const Three<V> axis = from.cross(to);
@@ -99,8 +70,8 @@ class RodEdges {
   template <class V>
   [[gnu::always_inline]] void carry_with(const RodEdges& to, const double* director, double* carried) const {
     for_each<V>(n_, [=, this, &to](auto v, size_t j) __attribute__((always_inline)) {
-      const auto t = to.at(v, j);
-      auto d = transported(vectors(v, director + 3 * j), this->at(v, j), t);
+      const auto t = to.t(v, j);
+      auto d = transported(vectors(v, director + 3 * j), this->t(v, j), t);
       d = d - d.dot(t) * t;
       d = (every<decltype(v)>(1) / d.norm()) * d;
       double* out = carried + 3 * j;
@@ -110,8 +81,8 @@ class RodEdges {
   template <class V>
   [[gnu::always_inline]] void twists_with(const double* director, double* sine, double* cosine) const {
     for_each<V>(n_ - 1, [=, this](auto v, size_t j) __attribute__((always_inline)) {
-      const auto t = this->at(v, j + 1), next = vectors(v, director + 3 * j + 3);
-      const auto d = transported(vectors(v, director + 3 * j), this->at(v, j), t);
+      const auto t = this->t(v, j + 1), next = vectors(v, director + 3 * j + 3);
+      const auto d = transported(vectors(v, director + 3 * j), this->t(v, j), t);
       t.dot(d.cross(next)).store(sine + j), d.dot(next).store(cosine + j);
     });
   }

@@ -69,25 +69,47 @@ inline double Rod::turned_from(double before, double m) {
   return m + kTurn * std::floor((before - m) / kTurn + 0.5);
 }
 
-inline RodJoint Rod::joint(const RodState& s, int i) const {
+inline RodJoint<Ones> Rod::joint(const RodState& s, int i) const {
   return joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : edge(s, i - 1),
                i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : edge(s, i));
 }
 
-inline RodJoint Rod::joint(const RodState& s, int i, const Edge& e, const Edge& f) const {
-  RodJoint j;
+inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const Edge& f) const {
+  const auto three = [](const Vec3& v) { return Three<Ones>{{v[0]}, {v[1]}, {v[2]}}; };
+  RodJoint<Ones> j;
   const bool first = i == 0, last = i == n_ - 1;
-  j.te = e.t, j.tf = f.t;
-  j.inv_e = e.inverse, j.inv_f = f.inverse;
+  j.te = three(e.t), j.tf = three(f.t);
+  j.inv_e = {e.inverse}, j.inv_f = {f.inverse};
   const double l = joint_length(i);
-  j.bend = section_.bending / l, j.turn = section_.twisting / l;
-  j.twist = s.twist[i];
+  j.bend = {section_.bending / l}, j.turn = {section_.twisting / l};
+  j.twist = {s.twist[i]};
   if (memory_ != 0) {
     // the binormal of the circle to which it would bend
-    j.Ke = remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1));
-    j.Kf = remembered_[at(i)] * (last ? clamp_[1].director : s.material(i));
+    j.Ke = three(remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1)));
+    j.Kf = three(remembered_[at(i)] * (last ? clamp_[1].director : s.material(i)));
   }
   return j;
+}
+
+/// Of V::n inner nodes from i on, of whose edges now_ knows.
+template <class V>
+[[gnu::always_inline]] inline void Rod::differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+  RodJoint<V> j;
+  V before, after;
+  j.te = now_.t(V{}, at(i - 1)), j.tf = now_.t(V{}, at(i));
+  j.inv_e = now_.inverse(V{}, at(i - 1)), j.inv_f = now_.inverse(V{}, at(i));
+  before.load(&rest_[at(i - 1)]), after.load(&rest_[at(i)]);
+  const V l = 0.5 * (before + after);
+  j.bend = section_.bending / l, j.turn = section_.twisting / l;
+  j.twist.load(s.twist + i);
+  if (memory_ != 0) {
+    V remembered;
+    remembered.load(&remembered_[at(i)]);
+    j.Ke = remembered * vectors(V{}, s.director + 3 * (i - 1)), j.Kf = remembered * vectors(V{}, s.director + 3 * i);
+  }
+  JointDerivatives<V> d;
+  j.differentiate(memory_ != 0, second, d);
+  d.apart(to);
 }
 
 inline double Rod::energy(const RodState& s) const {
@@ -99,23 +121,23 @@ inline double Rod::energy(const RodState& s) const {
   }
   if (section_.bending > 0)
     for (int i = 0; i < n_; ++i)
-      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0);
+      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0).x;
   return E;
 }
 
 /// A joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. At a clamp one of the edges is not there.
-inline void Rod::add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const {
-  if (i == 0) d.e.setZero(), d.ee.setZero(), d.ef.setZero(), d.e_tf.setZero();
-  if (i == n_ - 1) d.f.setZero(), d.ff.setZero(), d.ef.setZero(), d.e_tf.setZero(), d.f_te.setZero();
+inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) const {
+  if (i == 0) d.e = {}, d.ee = {}, d.ef = {}, d.e_tf = {};
+  if (i == n_ - 1) d.f = {}, d.ff = {}, d.ef = {}, d.e_tf = {}, d.f_te = {};
   const int a = 4 * (i - 1), b = 4 * i, c = 4 * (i + 1);  // first unknowns of the three nodes
   const bool has_e = i > 0, has_f = i < n_ - 1;
   for (int r = 0; r < 3; ++r) {
-    if (has_e) gradient[a + r] -= d.e[r];
-    gradient[b + r] += d.e[r] - d.f[r];
-    if (has_f) gradient[c + r] += d.f[r];
+    if (has_e) gradient[a + r] -= d.e[r].x;
+    gradient[b + r] += d.e[r].x - d.f[r].x;
+    if (has_f) gradient[c + r] += d.f[r].x;
   }
-  if (has_e) gradient[a + 3] += d.te;
-  if (has_f) gradient[b + 3] += d.tf;
+  if (has_e) gradient[a + 3] += d.te.x;
+  if (has_f) gradient[b + 3] += d.tf.x;
   if (hessian == nullptr) return;
   if (has_e) add_before(a, has_f, d, *hessian);
   add_middle(b, has_f, d, *hessian);
@@ -123,41 +145,41 @@ inline void Rod::add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* 
 }
 
 /// Columns of the first node, at `a`, and of the rotation of its edge.
-inline void Rod::add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) {
   double* turn = H.column(a + 3);
-  turn[0] += d.te_te;
+  turn[0] += d.te_te.x;
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(a + col) - col;  // entry of unknown a + k at h[k]
-    for (int r = col; r < 3; ++r) h[r] += d.ee(r, col);
-    h[3] -= d.e_te[col];
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ee(r, col);
-    turn[1 + col] += d.e_te[col] - d.f_te[col];
+    for (int r = col; r < 3; ++r) h[r] += d.ee[col][r].x;
+    h[3] -= d.e_te[col].x;
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ee[col][r].x;
+    turn[1 + col] += d.e_te[col].x - d.f_te[col].x;
     if (!has_f) continue;
-    h[7] -= d.e_tf[col];
-    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef(col, r);
-    turn[5 + col] += d.f_te[col];
+    h[7] -= d.e_tf[col].x;
+    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef[r][col].x;
+    turn[5 + col] += d.f_te[col].x;
   }
-  if (has_f) turn[4] += d.te_tf;
+  if (has_f) turn[4] += d.te_tf.x;
 }
 
-inline void Rod::add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) {
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(b + col) - col;
-    for (int r = col; r < 3; ++r) h[r] += (d.ee(r, col) + d.ff(r, col)) - (d.ef(r, col) + d.ef(col, r));
+    for (int r = col; r < 3; ++r) h[r] += (d.ee[col][r].x + d.ff[col][r].x) - (d.ef[col][r].x + d.ef[r][col].x);
     if (!has_f) continue;
-    h[3] += d.e_tf[col] - d.f_tf[col];
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ff(r, col);
+    h[3] += d.e_tf[col].x - d.f_tf[col].x;
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ff[col][r].x;
   }
 }
 
 /// The last node, at `c`, and the rotation of the edge before it.
-inline void Rod::add_after(int c, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
   double* turn = H.column(c - 1);
-  turn[0] += d.tf_tf;
+  turn[0] += d.tf_tf.x;
   for (int col = 0; col < 3; ++col) {
-    turn[1 + col] += d.f_tf[col];
+    turn[1 + col] += d.f_tf[col].x;
     double* h = H.column(c + col) - col;
-    for (int r = col; r < 3; ++r) h[r] += d.ff(r, col);
+    for (int r = col; r < 3; ++r) h[r] += d.ff[col][r].x;
   }
 }
 
@@ -183,18 +205,26 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
 [[gnu::flatten]] inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
   for (int k = 0; k < unknowns(); ++k) gradient[k] = 0;
   if (hessian != nullptr) hessian->set_zero();
-  const bool bends = section_.bending > 0;
-  RodJoint::Derivatives d;
-  Edge before{clamp_[0].tangent, 0};
+  const bool bends = section_.bending > 0, second = hessian != nullptr, fours = has_fours();
   now_.find(s.x);
-  for (int i = 0; i < n_; ++i) {
-    const Edge after = i < n_ - 1 ? found(i) : Edge{clamp_[1].tangent, 0};
-    if (bends && has_joint(i)) {
-      joint(s, i, before, after).differentiate(memory_ != 0, hessian != nullptr, d);
-      add(i, d, gradient, hessian);
+  Derivatives d[Fours::n];  // of the nodes from `first` to before `beyond`
+  int first = 0, beyond = 0;
+  const auto known = [&](int i) -> Derivatives& {
+    if (i < beyond) return d[i - first];
+    const int wide = fours ? Fours::n : Twos::n;
+    first = i, beyond = i + 1;
+    if (i == 0 || i + wide > n_ - 1) {
+      joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : found(i - 1), i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : found(i))
+          .differentiate(memory_ != 0, second, d[0]);
+    } else {
+      fours ? differentiate_four_joints(s, i, second, d) : differentiate_two_joints(s, i, second, d);
+      beyond = i + wide;
     }
-    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, after, gradient, hessian);
-    before = after;
+    return d[0];
+  };
+  for (int i = 0; i < n_; ++i) {
+    if (bends && has_joint(i)) add(i, known(i), gradient, hessian);
+    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, found(i), gradient, hessian);
   }
 }
 
@@ -241,7 +271,7 @@ inline double Rod::tension(const RodState& s, int j) const {
 }
 
 inline double Rod::curvature(const RodState& s, int i) const {
-  return joint(s, i).curvature().norm() / joint_length(i);
+  return joint(s, i).curvature().norm().x / joint_length(i);
 }
 
 inline double Rod::turns(const RodState& s) const {

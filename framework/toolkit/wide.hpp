@@ -105,11 +105,29 @@ template <Register V>
 [[gnu::always_inline]] inline V operator/(V a, V b) {
   return {a.x / b.x};
 }
+template <Register V>
+[[gnu::always_inline]] inline V operator-(V a) {
+  return {-a.x};
+}
 template <class V>
 [[gnu::always_inline]] inline V every(double s) {
   V v;
   v.fill(s);
   return v;
+}
+
+/// A number of every place with a register.
+template <Register V>
+[[gnu::always_inline]] inline V operator*(double s, V a) {
+  return every<V>(s) * a;
+}
+template <Register V>
+[[gnu::always_inline]] inline V operator+(double s, V a) {
+  return every<V>(s) + a;
+}
+template <Register V>
+[[gnu::always_inline]] inline V operator/(double s, V a) {
+  return every<V>(s) / a;
 }
 
 /// Does `each` with registers that begin at 0, n(V), 2 n(V) .., then with what is left one at a time.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cstring>
 #include <numbers>
 #include <random>
 
@@ -109,6 +110,34 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
 }
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
                          testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
+
+TEST(RodJoint, HasTheBitsSideBySideThatItHasAlone) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
+  RodJoint<Twos> both;
+  RodJoint<Ones> one[2];
+  const auto put = [&](int k, const Vec3& v, Three<Twos> RodJoint<Twos>::*to, Three<Ones> RodJoint<Ones>::*alone) {
+    for (int r = 0; r < 3; ++r) (both.*to)[r].x[k] = (one[k].*alone)[r].x = v[r];
+  };
+  for (int k = 0; k < 2; ++k) {
+    put(k, vector().normalized(), &RodJoint<Twos>::te, &RodJoint<Ones>::te);
+    put(k, vector().normalized(), &RodJoint<Twos>::tf, &RodJoint<Ones>::tf);
+    put(k, vector(), &RodJoint<Twos>::Ke, &RodJoint<Ones>::Ke);
+    put(k, vector(), &RodJoint<Twos>::Kf, &RodJoint<Ones>::Kf);
+    both.inv_e.x[k] = one[k].inv_e.x = 2 + any(random), both.inv_f.x[k] = one[k].inv_f.x = 2 + any(random);
+    both.twist.x[k] = one[k].twist.x = any(random);
+    both.bend.x[k] = one[k].bend.x = 2 + any(random), both.turn.x[k] = one[k].turn.x = 2 + any(random);
+  }
+  JointDerivatives<Twos> d;
+  JointDerivatives<Ones> apart[2], alone;
+  both.differentiate(true, true, d);
+  d.apart(apart);
+  for (int k = 0; k < 2; ++k) {
+    one[k].differentiate(true, true, alone);
+    EXPECT_EQ(std::memcmp(&alone, &apart[k], sizeof alone), 0) << k;
+  }
+}
 
 // edges that are found together are found by two or four at a time
 TEST(RodEdges, HaveTheBitsThatEachHasAlone) {
