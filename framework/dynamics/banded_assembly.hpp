@@ -44,31 +44,62 @@ inline BlockPoint body_point(uint32_t first_block, const toolkit::Vec3& arm) {
   return p;
 }
 
+namespace assembly {
+
+/// One side: its block, and the rows of its J, four numbers each.
+struct Side {
+  uint32_t block;
+  double sign;
+  double row[3][4];
+};
+inline void add_sides(const BlockPoint& p, double sign, Side* to) noexcept {
+  for (uint32_t k = 0; k < p.size; ++k) {
+    to[k].block = p.block[k], to[k].sign = sign;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 4; ++c) to[k].row[r][c] = p.J[k](r, c);
+  }
+}
+
+/// Rows of D J of a side.
+inline void multiply(const toolkit::Mat3& D, const Side& side, double DJ[3][4]) noexcept {
+  for (int c = 0; c < 4; ++c) {
+    const double x = side.sign * side.row[0][c], y = side.sign * side.row[1][c], z = side.sign * side.row[2][c];
+    for (int r = 0; r < 3; ++r) DJ[r][c] = (x * D(r, 0) + y * D(r, 1)) + z * D(r, 2);
+  }
+}
+
+/// M = J' DJ, column by column.
+template <class V>
+[[gnu::always_inline]] inline void multiply_transposed(const Side& side, const double DJ[3][4], double* M) noexcept {
+  toolkit::Line<V, 4> x, y, z;
+  x.load(side.row[0]), y.load(side.row[1]), z.load(side.row[2]);
+  const auto column = [&](int c) __attribute__((always_inline)) {
+    toolkit::Line<V, 4> m = x, p = y, q = z;
+    m.multiply(DJ[0][c]), p.multiply(DJ[1][c]), q.multiply(DJ[2][c]);
+    m.add(p), m.add(q), m.multiply(side.sign);
+    m.store(M + 4 * c);
+  };
+  column(0), column(1), column(2), column(3);
+}
+SWAGE_FOURS inline void multiply_by_fours(const Side& side, const double DJ[3][4], double* M) noexcept {
+  multiply_transposed<toolkit::Fours>(side, DJ, M);
+}
+
+}  // namespace assembly
+
 /// H += J' D J, J = J_a - J_b; D [N/m]. Symmetric: the half that BandedBlocks::add asks for.
 inline void add_contact(BandedBlocks& H, const BlockPoint& a, const BlockPoint& b, const toolkit::Mat3& D,
                         bool symmetric) noexcept {
-  struct Side {
-    uint32_t block;
-    double sign;
-    const BlockJacobian* J;
-  };
-  Side side[4] = {};
-  uint32_t n = 0;
-  for (uint32_t k = 0; k < a.size; ++k) side[n++] = {a.block[k], 1, &a.J[k]};
-  for (uint32_t k = 0; k < b.size; ++k) side[n++] = {b.block[k], -1, &b.J[k]};
+  assembly::Side side[4];
+  assembly::add_sides(a, 1, side), assembly::add_sides(b, -1, side + a.size);
+  const uint32_t n = a.size + b.size;
+  const bool fours = toolkit::has_fours();
   for (uint32_t j = 0; j < n; ++j) {
-    BlockJacobian DJ;
-    for (int c = 0; c < 4; ++c) {
-      const toolkit::Vec3 x = side[j].sign * side[j].J->col(c);
-      DJ.col(c) = (x[0] * D.col(0) + x[1] * D.col(1)) + x[2] * D.col(2);
-    }
+    double DJ[3][4];
+    assembly::multiply(D, side[j], DJ);
     for (uint32_t i = symmetric ? j : 0; i < n; ++i) {
       BandedBlocks::Block M;
-      for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r) {
-          const auto left = side[i].J->col(r);
-          M(r, c) = side[i].sign * ((left[0] * DJ(0, c) + left[1] * DJ(1, c)) + left[2] * DJ(2, c));
-        }
+      fours ? assembly::multiply_by_fours(side[i], DJ, M.data()) : assembly::multiply_transposed<toolkit::Twos>(side[i], DJ, M.data());
       // two sides under one block: it takes both halves
       if (symmetric && i != j && side[i].block == side[j].block) M += BandedBlocks::Block(M.transpose());
       H.add(side[i].block, side[j].block, M);

@@ -10,53 +10,6 @@ namespace swage::dynamics {
 namespace {
 
 using Block = BandedBlocks::Block;
-using Vec4 = Eigen::Vector4d;
-
-/// A -= L B', column by column.
-void take_product(const Block& L, const Block& B, Block& A) noexcept {
-  for (int c = 0; c < 4; ++c) {
-    Vec4 a = A.col(c);
-    for (int k = 0; k < 4; ++k) a -= B(c, k) * L.col(k);
-    A.col(c) = a;
-  }
-}
-
-/// X U = A, in place; U: the upper half of LU.
-void divide_by_upper(const Block& LU, Block& A) noexcept {
-  for (int c = 0; c < 4; ++c) {
-    Vec4 a = A.col(c);
-    for (int k = 0; k < c; ++k) a -= LU(k, c) * A.col(k);
-    A.col(c) = a / LU(c, c);
-  }
-}
-
-/// X L' = A, in place; L: the lower half of LU, its diagonal 1.
-void divide_by_lower(const Block& LU, Block& A) noexcept {
-  for (int c = 1; c < 4; ++c) {
-    Vec4 a = A.col(c);
-    for (int k = 0; k < c; ++k) a -= LU(c, k) * A.col(k);
-    A.col(c) = a;
-  }
-}
-
-/// X D = A, D: the pivots of LU. What is symmetric must be taken from one half alone: the two halves of a block differ by rounding,
-/// which grows as often as what it couples (a thread tied to a needle, 1e5 N/m) is stiffer than what is left when that is eliminated
-/// (the inertia of both, 1e-2 N/m), until it is the larger.
-void divide_by_pivots(const Block& LU, const Block& A, Block& X) noexcept {
-  for (int c = 0; c < 4; ++c) X.col(c) = A.col(c) / LU(c, c);
-}
-
-/// y -= L x and y -= L' x.
-void take(const Block& L, const double* x, double* y) noexcept {
-  Eigen::Map<Vec4> to(y);
-  for (int k = 0; k < 4; ++k) to -= x[k] * L.col(k);
-}
-void take_transposed(const Block& L, const double* x, double* y) noexcept {
-  for (int k = 0; k < 4; ++k) {
-    const double* l = L.data() + 4 * k;
-    y[k] -= (l[0] * x[0] + l[1] * x[1]) + (l[2] * x[2] + l[3] * x[3]);
-  }
-}
 
 }  // namespace
 
@@ -65,7 +18,7 @@ BandedBlocks::BandedBlocks(uint32_t max_blocks, uint32_t max_fill)
   near_.resize(static_cast<size_t>(max_blocks) * words_);
   at_.resize(max_blocks), of_.resize(max_blocks), degree_.resize(max_blocks);
   first_.resize(max_blocks + 1), first_update_.resize(max_blocks + 1);
-  row_.resize(max_fill);
+  row_.resize(max_fill), place_.resize(size_t{max_blocks} * max_blocks);
   update_.resize(8 * static_cast<size_t>(max_fill));
   diagonal_.resize(max_blocks), lower_.resize(max_fill), upper_.resize(max_fill);
   y_.resize(4 * static_cast<size_t>(max_blocks));
@@ -120,6 +73,7 @@ bool BandedBlocks::list_updates() noexcept {
   for (uint32_t k = 0; k < n_; ++k) {
     for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) row_[e] = at_[row_[e]];
     std::sort(row_.begin() + first_[k], row_.begin() + first_[k + 1]);
+    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) place(row_[e], k) = e;
   }
   for (uint32_t k = 0; k < n_; ++k) {
     first_update_[k] = static_cast<uint32_t>(updates_);
@@ -132,12 +86,6 @@ bool BandedBlocks::list_updates() noexcept {
   }
   first_update_[n_] = static_cast<uint32_t>(updates_);
   return true;
-}
-
-/// The entry of a row in a column, both in the order.
-uint32_t BandedBlocks::place(uint32_t row, uint32_t column) const noexcept {
-  const auto begin = row_.begin() + first_[column], end = row_.begin() + first_[column + 1];
-  return static_cast<uint32_t>(std::lower_bound(begin, end, row) - row_.begin());
 }
 
 void BandedBlocks::set_zero() noexcept {
@@ -169,31 +117,22 @@ bool BandedBlocks::split(Block& D) noexcept {
   return true;
 }
 
+BlockStore BandedBlocks::store() const noexcept {
+  const auto numbers = [](const Blocks& blocks) { return const_cast<double*>(blocks.data()->data()); };
+  return {numbers(diagonal_), numbers(lower_), numbers(upper_), row_.data(), first_.data(), n_};
+}
+
 bool BandedBlocks::factor(bool symmetric) noexcept {
   symmetric_ = symmetric, negative_ = 0;
   // symmetric: either half was given
   if (symmetric)
     for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
+  const BlockStore blocks = store();
   for (uint32_t k = 0; k < n_; ++k) {
     if (!split(diagonal_[k])) return false;
-    const uint32_t first = first_[k], size = first_[k + 1] - first;
-    // column: A U^-1; row, kept transposed: A' L'^-1
-    for (uint32_t i = 0; i < size; ++i) {
-      Block &column = lower_[first + i], &row = upper_[first + i];
-      if (symmetric) row = column;
-      divide_by_lower(diagonal_[k], row);
-      if (symmetric)
-        divide_by_pivots(diagonal_[k], row, column);
-      else
-        divide_by_upper(diagonal_[k], column);
-      take_product(column, row, diagonal_[row_[first + i]]);
-    }
-    for (uint32_t u = first_update_[k]; u < first_update_[k + 1]; ++u) {
-      const Update& p = update_[u];
-      take_product(lower_[first + p.i], upper_[first + p.j], lower_[p.to]);
-      // (j, i), transposed: U_i' (L_j)' = (L_j U_i)'
-      if (!symmetric) take_product(upper_[first + p.i], lower_[first + p.j], upper_[p.to]);
-    }
+    const BlockColumn column{k, first_[k], first_[k + 1] - first_[k], update_.data() + first_update_[k],
+                             update_.data() + first_update_[k + 1]};
+    fours_ ? eliminate_by_fours(blocks, column, symmetric) : eliminate_by_twos(blocks, column, symmetric);
   }
   return true;
 }
@@ -203,22 +142,7 @@ void BandedBlocks::solve(double* x) const noexcept {
   for (uint32_t k = 0; k < n_; ++k)
     for (int r = 0; r < 4; ++r)
       y[4 * k + static_cast<uint32_t>(r)] = x[4 * of_[k] + static_cast<uint32_t>(r)];
-  for (uint32_t k = 0; k < n_; ++k) {
-    double* yk = y + 4 * k;
-    const Block& D = diagonal_[k];
-    for (int r = 1; r < 4; ++r)
-      for (int c = 0; c < r; ++c) yk[r] -= D(r, c) * yk[c];
-    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take(lower_[e], yk, y + 4 * row_[e]);
-  }
-  for (uint32_t k = n_; k-- > 0;) {
-    double* yk = y + 4 * k;
-    const Block& D = diagonal_[k];
-    for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) take_transposed(upper_[e], y + 4 * row_[e], yk);
-    for (int r = 4; r-- > 0;) {
-      for (int c = r + 1; c < 4; ++c) yk[r] -= D(r, c) * yk[c];
-      yk[r] /= D(r, r);
-    }
-  }
+  fours_ ? solve_by_fours(store(), y) : solve_by_twos(store(), y);
   for (uint32_t k = 0; k < n_; ++k)
     for (int r = 0; r < 4; ++r)
       x[4 * of_[k] + static_cast<uint32_t>(r)] = y[4 * k + static_cast<uint32_t>(r)];

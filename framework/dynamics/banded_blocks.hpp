@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/banded_elimination.hpp"
+
 namespace swage::dynamics {
 
 class BandedBlocks {
@@ -45,19 +47,20 @@ class BandedBlocks {
   bool factor(bool symmetric) noexcept;
   /// x = H^-1 x, 4 numbers a block.
   void solve(double* x) const noexcept;
+  /// Lines of two numbers even where the machine has four: for the test that both give the same bits.
+  void work_by_twos() noexcept { fours_ = false; }
   /// Pivots below zero: an odd number where the determinant is.
   uint32_t negative_pivots() const noexcept { return negative_; }
 
  private:
-  struct Update {  // of column c: L_i D L_j' is taken from the block `to`
-    uint32_t to;
-    uint16_t i, j;  // places in the column
-  };
+  using Blocks = std::vector<Block, Eigen::aligned_allocator<Block>>;
 
   bool order(std::span<const Pair> coupled) noexcept;
   bool list_updates() noexcept;
-  uint32_t place(uint32_t row, uint32_t column) const noexcept;
+  /// The entry of a row in a column, both in the order.
+  uint32_t& place(uint32_t row, uint32_t column) noexcept { return place_[size_t{row} * n_ + column]; }
   bool split(Block& D) noexcept;
+  BlockStore store() const noexcept;
   uint64_t* line(uint32_t i) noexcept { return near_.data() + static_cast<size_t>(i) * words_; }
 
   uint32_t max_blocks_, max_fill_, words_;
@@ -65,14 +68,15 @@ class BandedBlocks {
   size_t updates_ = 0;
   bool symmetric_ = true;
   uint32_t negative_ = 0;
+  bool fours_ = toolkit::has_fours();
   std::vector<uint64_t> near_;              // neighbours of each block as bits
   std::vector<uint32_t> at_, of_, degree_;  // place in the order of a block, and back
   std::vector<uint32_t> first_;             // of a column's entries, in the order; n + 1
   std::vector<uint32_t> row_;               // of an entry, in the order
+  std::vector<uint32_t> place_;             // of an entry, by its row and column
   std::vector<uint32_t> first_update_;
-  std::vector<Update> update_;
-  std::vector<Block, Eigen::aligned_allocator<Block>> diagonal_, lower_,
-      upper_;  // upper_: transposed, where unsymmetric
+  std::vector<BlockUpdate> update_;
+  Blocks diagonal_, lower_, upper_;         // upper_: transposed, where unsymmetric
   mutable std::vector<double> y_;
 };
 

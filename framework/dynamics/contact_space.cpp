@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/jacobian.hpp"
+#include "dynamics/lines.hpp"
 
 namespace swage::dynamics {
 namespace {
@@ -77,8 +78,7 @@ void ContactSpace::apply_delassus(const double* y, double* v) const noexcept {
   Line all(v, index(n_));
   for (size_t i = 0; i < 3 * n_constraints_; i += 3, L += 3 * n_) {
     if (y[i] == 0 && y[i + 1] == 0 && y[i + 2] == 0) continue;
-    all += y[i] * ConstLine(L, index(n_)) + y[i + 1] * ConstLine(L + n_, index(n_)) +
-           y[i + 2] * ConstLine(L + 2 * n_, index(n_));
+    lines::add_sum(n_, y + i, L, n_, v);
   }
   for (size_t i = 3 * n_constraints_; i < n_; ++i, L += n_) all += y[i] * ConstLine(L, index(n_));
 }

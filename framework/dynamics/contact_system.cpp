@@ -55,13 +55,11 @@ bool ContactSystem::springs_hold() noexcept {
 }
 
 /// line = R' times the lines of an element.
-void ContactSystem::combine(const Vec3& R, size_t element, const double* lines, size_t stride, size_t length) noexcept {
-  Line sum(line_.data(), index(length));
-  const auto at = [&](size_t k) { return ConstLine(lines + k * stride, index(length)); };
+void ContactSystem::combine(const Vec3& R, size_t element, const double* from, size_t stride, size_t length) noexcept {
   if (size(element) == 3)
-    sum = R.x() * at(0) + R.y() * at(1) + R.z() * at(2);
+    lines::set_sum(length, R.data(), from, stride, line_.data());
   else
-    sum = R.x() * at(0);
+    Line(line_.data(), index(length)) = R.x() * ConstLine(from, index(length));
 }
 
 /// M, of all that are springs now.

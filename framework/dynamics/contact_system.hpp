@@ -60,7 +60,7 @@ class ContactSystem {
   const double* W(size_t number) const noexcept { return W_ + number * n_; }
   double* V(size_t slot) noexcept { return store_.data() + (springs_ + slot) * springs_; }
   double* G(size_t slot) noexcept { return store_.data() + n_ * springs_ + slot * (n_ - springs_); }
-  void combine(const Vec3& R, size_t element, const double* lines, size_t stride, size_t length) noexcept;
+  void combine(const Vec3& R, size_t element, const double* from, size_t stride, size_t length) noexcept;
 
   bool springs_hold() noexcept;
   bool factor_springs() noexcept;

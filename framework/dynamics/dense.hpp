@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "dynamics/lines.hpp"
+
 namespace swage::dynamics {
 
 /// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: n.
@@ -68,31 +70,65 @@ inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const doub
   }
 }
 
-/// Factors a symmetric, positive definite A in place as L D L^T, of which it reads the upper half and leaves D L^T there. False
-/// when a pivot is not above zero or not finite. Two pivots at a time: each number has the same taken from it in the same order as by
-/// one at a time, and is read and written half as often.
-inline bool ldl_factor(size_t n, double* A) noexcept {
+namespace dense {
+
+/// Two pivots at a time: each number has the same taken from it in the same order as by one at a time, and is read and written half as
+/// often.
+template <class V>
+[[gnu::always_inline]] inline bool ldl_factor(size_t n, double* A) noexcept {
   const auto pivots = [](double pivot) { return pivot > 0 && std::isfinite(pivot); };
-  const auto row = [](double* first, size_t length) {
-    return Eigen::Map<Eigen::VectorXd>(first, static_cast<Eigen::Index>(length));
-  };
   for (size_t k = 0; k < n; k += 2) {
     double* p = A + k * n;
     if (!pivots(p[k])) return false;
     const double inverse_p = 1 / p[k];
     if (k + 1 == n) return true;
     double* q = A + (k + 1) * n;
-    row(q + k + 1, n - k - 1) -= (p[k + 1] * inverse_p) * row(p + k + 1, n - k - 1);
+    lines::take<V>(n - k - 1, p[k + 1] * inverse_p, p + k + 1, q + k + 1);
     if (!pivots(q[k + 1])) return false;
     const double inverse_q = 1 / q[k + 1];
     for (size_t i = k + 2; i < n; ++i) {
       const double l = p[i] * inverse_p, m = q[i] * inverse_q;
       if (l == 0 && m == 0) continue;
-      auto to = row(A + i * n + i, n - i);
-      to = (to - l * row(p + i, n - i)) - m * row(q + i, n - i);
+      lines::take<V>(n - i, l, p + i, m, q + i, A + i * n + i);
     }
   }
   return true;
+}
+SWAGE_FOURS inline bool ldl_factor_by_fours(size_t n, double* A) noexcept { return ldl_factor<toolkit::Fours>(n, A); }
+
+/// Four lines of U at a time: what they take from the rest of x is taken in their order, so that the bits are those of one at a time,
+/// and x is read and written a quarter as often.
+template <class V>
+[[gnu::always_inline]] inline void solve_transposed(size_t n, const double* U, double* x) noexcept {
+  size_t k = 0;
+  for (; k + 4 <= n; k += 4) {
+    const double* const line[4] = {U + k * n, U + (k + 1) * n, U + (k + 2) * n, U + (k + 3) * n};
+    const double* rest[4];
+    double d[4];
+    for (size_t a = 0; a < 4; ++a) {
+      d[a] = x[k + a];
+      for (size_t b = 0; b < a; ++b) d[a] -= d[b] * line[b][k + a];
+      x[k + a] = d[a] /= line[a][k + a];
+      rest[a] = line[a] + k + 4;
+    }
+    lines::take_four<V>(n - k - 4, d, rest, x + k + 4);
+  }
+  for (; k < n; ++k) {
+    const double* line = U + k * n;
+    x[k] /= line[k];
+    for (size_t i = k + 1; i < n; ++i) x[i] -= x[k] * line[i];
+  }
+}
+SWAGE_FOURS inline void solve_transposed_by_fours(size_t n, const double* U, double* x) noexcept {
+  solve_transposed<toolkit::Fours>(n, U, x);
+}
+
+}  // namespace dense
+
+/// Factors a symmetric, positive definite A in place as L D L^T, of which it reads the upper half and leaves D L^T there. False
+/// when a pivot is not above zero or not finite.
+inline bool ldl_factor(size_t n, double* A) noexcept {
+  return toolkit::has_fours() ? dense::ldl_factor_by_fours(n, A) : dense::ldl_factor<toolkit::Twos>(n, A);
 }
 
 /// Four sums at a time, in pairs, of which no order depends on the compiler.
@@ -132,28 +168,9 @@ inline bool cholesky_factor(size_t n, double* A) noexcept {
   return true;
 }
 
-/// x = U^-T x, U in the upper half. Four lines of U at a time: what they take from the rest of x is taken in their order, so that the
-/// bits are those of one at a time, and x is read and written a quarter as often.
+/// x = U^-T x, U in the upper half.
 inline void solve_transposed(size_t n, const double* U, double* x) noexcept {
-  size_t k = 0;
-  for (; k + 4 <= n; k += 4) {
-    const double* const line[4] = {U + k * n, U + (k + 1) * n, U + (k + 2) * n, U + (k + 3) * n};
-    double d[4];
-    for (size_t a = 0; a < 4; ++a) {
-      d[a] = x[k + a];
-      for (size_t b = 0; b < a; ++b) d[a] -= d[b] * line[b][k + a];
-      x[k + a] = d[a] /= line[a][k + a];
-    }
-    const auto rest = static_cast<Eigen::Index>(n - k - 4);
-    const auto of = [&](size_t a) { return Eigen::Map<const Eigen::VectorXd>(line[a] + k + 4, rest); };
-    Eigen::Map<Eigen::VectorXd> to(x + k + 4, rest);
-    to = (((to - d[0] * of(0)) - d[1] * of(1)) - d[2] * of(2)) - d[3] * of(3);
-  }
-  for (; k < n; ++k) {
-    const double* line = U + k * n;
-    x[k] /= line[k];
-    for (size_t i = k + 1; i < n; ++i) x[i] -= x[k] * line[i];
-  }
+  toolkit::has_fours() ? dense::solve_transposed_by_fours(n, U, x) : dense::solve_transposed<toolkit::Twos>(n, U, x);
 }
 
 /// x = U^-1 x, U in the upper half.

@@ -61,7 +61,7 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool tu
 
 /// A step to where F would vanish, shorter where F does not fall. True when it was the whole.
 bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
-  const double now = space_->merit();
+  const double now = far <= tolerance ? 0 : space_->merit();
   double fraction = 1;
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);

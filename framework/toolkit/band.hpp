@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A symmetric, positive definite band matrix, factored as L D L' without pivoting: about n B^2 operations, where a dense matrix
-// takes n^3 / 3. Columns are updated by vectors of fixed length, so every sum has one order: the same bits at every level of
-// optimisation (no contraction, no reductions). Header-only.
+// takes n^3 / 3. Every sum has one order: the same bits at every level of optimisation and every width of registers (wide.hpp).
+// Header-only.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates.
 #pragma once
@@ -11,18 +11,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "toolkit/wide.hpp"
 
 namespace swage::toolkit {
 
 /// n unknowns, of which i and j are coupled where |i - j| <= B; B is even.
 template <int B>
 class Band {
-  static_assert(B % 2 == 0, "columns are padded to an even length");
+  static_assert((B + 2) % 4 == 0, "columns are padded to whole registers");
 
  public:
-  /// Doubles from one column to the next: B + 1 entries and one zero, so that vectors of two doubles never leave the column.
+  /// Doubles from one column to the next: B + 1 entries and one zero.
   static constexpr size_t kStride = B + 2;
 
   Band() = default;
@@ -39,11 +42,18 @@ class Band {
 
   /// y = A x, before it is factored.
   void multiply(const double* x, double* y) const {
-    for (int i = 0; i < n_; ++i) y[i] = 0;
-    for (int j = 0; j < n_; ++j) {
-      const double* a = column(j);
-      y[j] += a[0] * x[j];
-      for (int k = 1; k <= B && j + k < n_; ++k) y[j + k] += a[k] * x[j], y[j] += a[k] * x[j + k];
+    for (int i = 0; i < n_; ++i) {
+      const double* a = column(i);
+      constexpr Back back = 1 - kColumn;
+      double sum = 0;
+      if (i >= B && i + B < n_) {
+        for (int k = B; k >= 1; --k) sum += a[k * back] * x[i - k];
+        for (int k = 0; k <= B; ++k) sum += a[k] * x[i + k];
+      } else {
+        for (int k = std::min(B, i); k >= 1; --k) sum += a[k * back] * x[i - k];
+        for (int k = 0; k <= B && i + k < n_; ++k) sum += a[k] * x[i + k];
+      }
+      y[i] = sum;
     }
   }
 
@@ -58,6 +68,11 @@ class Band {
 
   /// Factors in place. False when a pivot is not above zero or not finite; the matrix is lost then.
   bool factor() {
+    if constexpr (B == 10)
+      if (has_fours()) return factor_by_fours(a_.data(), n_);
+    return factor_by_twos();
+  }
+  bool factor_by_twos() {
     for (int j = 0; j < n_; ++j) {
       double* a = column(j);
       const double pivot = a[0];
@@ -74,11 +89,16 @@ class Band {
   /// get alone. `first`: unknowns before it are 0 in all of them; `least`: those before it are not wanted.
   template <int R = 1>
   void solve(double* x, int first = 0, int least = 0) const {
-    forward<R>(x, first);
-    backward<R>(x, least);
+    if (R % 4 == 0 && has_fours())
+      solve_by_fours<R>(a_.data(), n_, x, first, least);
+    else
+      solve_with<Narrow<R>, R>(a_.data(), n_, x, first, least);
   }
 
  private:
+  using Back = std::ptrdiff_t;
+  static constexpr Back kColumn = kStride;
+
   /// Column j + k, for k = 1 .. B, less l_k times column j from its entry k on.
   template <int... K>
   void update(double* a, double inverse, std::integer_sequence<int, K...>) {
@@ -92,43 +112,94 @@ class Band {
     Eigen::Map<Part> to(a + static_cast<size_t>(K) * kStride);
     to -= l * Eigen::Map<const Part>(a + K);
   }
-  // Each unknown less its share of up to B others: in two sums, of the odd and of the even neighbours, the nearest last, as it is
-  // the one that has just been found.
-  template <int R>
-  void forward(double* x, int first) const {
-    for (int j = first + 1; j < n_; ++j)
-      subtract<R>(column(j), 1 - static_cast<std::ptrdiff_t>(kStride), -R, std::min(B, j),
-                  x + static_cast<std::ptrdiff_t>(j) * R);
+
+  /// The same with the column at hand in registers, so that the next one need not wait for it.
+  SWAGE_FOURS static bool factor_by_fours(double* a, int n) {
+    Line<Fours, kStride> now;
+    now.load(a);
+    for (int j = 0; j < n; ++j, a += kStride) {
+      const Four &x = now.part[0].x, &y = now.part[1].x, &z = now.part[2].x, none = {0, 0, 0, 0};
+      const double pivot = x[0];
+      if (!(pivot > 0) || !std::isfinite(pivot)) return false;
+      const double inverse = 1 / pivot;
+      Line<Fours, kStride> l = now, next;
+      l.multiply(inverse), l.store(a);
+      a[0] = inverse;
+      // entries from the first, second, third .. on
+      const Fours v1{__builtin_shufflevector(x, y, 1, 2, 3, 4)}, v2{__builtin_shufflevector(x, y, 2, 3, 4, 5)},
+          v3{__builtin_shufflevector(x, y, 3, 4, 5, 6)}, v4{y}, v5{__builtin_shufflevector(y, z, 1, 2, 3, 4)},
+          v6{__builtin_shufflevector(y, z, 2, 3, 4, 5)}, v7{__builtin_shufflevector(y, z, 3, 4, 5, 6)}, v8{z},
+          v9{__builtin_shufflevector(z, none, 1, 2, 3, 4)}, v10{__builtin_shufflevector(z, none, 2, 3, 4, 5)};
+      const Four& l0 = l.part[0].x;
+      const Fours l1{__builtin_shufflevector(l0, l0, 1, 1, 1, 1)};
+      next.load(a + kStride);
+      next.part[0].x -= l1.x * v1.x, next.part[1].x -= l1.x * v5.x, next.part[2].x -= l1.x * v9.x;
+      const auto take = [a](int k, int part, const Fours& v) __attribute__((always_inline)) {
+        double* to = a + k * kColumn + 4 * part;
+        Fours rest;
+        rest.load(to);
+        rest.x -= every<Fours>(a[k]).x * v.x;
+        rest.store(to);
+      };
+      take(2, 0, v2), take(2, 1, v6), take(2, 2, v10), take(3, 0, v3), take(3, 1, v7);
+      take(4, 0, v4), take(4, 1, v8), take(5, 0, v5), take(5, 1, v9), take(6, 0, v6), take(6, 1, v10);
+      take(7, 0, v7), take(8, 0, v8), take(9, 0, v9), take(10, 0, v10);
+      now = next;
+    }
+    return true;
   }
+
+  // Each unknown less its share of up to B others: in two sums, of the odd and of the even neighbours, the nearest last, as it is the one
+  // that has just been found
   template <int R>
-  void backward(double* x, int least) const {
-    using Line = Eigen::Matrix<double, R, 1>;
-    for (int j = n_ - 1; j >= least; --j) {
-      double* xj = x + static_cast<std::ptrdiff_t>(j) * R;
-      Eigen::Map<Line> at_j(xj);
-      at_j *= column(j)[0];
-      subtract<R>(column(j), 1, R, std::min(B, n_ - 1 - j), xj);
+  using Narrow = std::conditional_t<R % 2 == 0, Twos, Ones>;
+
+  template <int R>
+  SWAGE_FOURS static void solve_by_fours(const double* a, int n, double* x, int first, int least) {
+    solve_with<std::conditional_t<R % 4 == 0, Fours, Narrow<R>>, R>(a, n, x, first, least);
+  }
+  template <class V, int R>
+  [[gnu::always_inline]] static void solve_with(const double* a, int n, double* x, int first, int least) {
+    Line<V, R> near, next;  // the two that were found last
+    near.load(x + static_cast<Back>(first) * R), next = near;
+    for (int j = first + 1; j < n; ++j) {
+      double* at = x + static_cast<Back>(j) * R;
+      Line<V, R> now;
+      now.load(at);
+      if (j == first + 1 && j >= 2) next.load(at - 2 * R);
+      take<V, R>(a + static_cast<Back>(j) * kColumn, 1 - kColumn, -R, std::min(B, j), at, near, next, now);
+      now.store(at);
+      next = near, near = now;
+    }
+    for (int j = n - 1; j >= least; --j) {
+      const double* l = a + static_cast<Back>(j) * kColumn;
+      double* at = x + static_cast<Back>(j) * R;
+      Line<V, R> now;
+      now.load(at);
+      now.multiply(l[0]);
+      take<V, R>(l, 1, R, std::min(B, n - 1 - j), at, near, next, now);
+      now.store(at);
+      next = near, near = now;
     }
   }
-  /// x0 less the sum of l[k dl] x[k dx], k = 1 .. last.
-  template <int R>
-  static void subtract(const double* l, std::ptrdiff_t dl, std::ptrdiff_t dx, int last, double* x) {
+  /// Less the sum of l[k dl] x[k dx], k = 1 .. last, the nearest two of which are given.
+  template <class V, int R>
+  [[gnu::always_inline]] static void take(const double* l, Back dl, Back dx, int last, const double* x, const Line<V, R>& near,
+                                          const Line<V, R>& next, Line<V, R>& now) {
     if (last == B)
-      subtract_all<R>(l, dl, dx, B, x);  // of a length that the compiler knows
-    else
-      subtract_all<R>(l, dl, dx, last, x);
+      take_all<V, R>(l, dl, dx, B, x, near, next, now);  // of a length that the compiler knows
+    else if (last >= 1)
+      take_all<V, R>(l, dl, dx, last, x, near, next, now);
   }
-  template <int R>
-  [[gnu::always_inline]] static void subtract_all(const double* l, std::ptrdiff_t dl, std::ptrdiff_t dx,
-                                                  int last, double* x) {
-    using Line = Eigen::Matrix<double, R, 1>;
-    if (last < 1) return;
-    Eigen::Map<Line> x0(x);
-    Line odd = x0, even = Line::Zero();
-    for (int k = last / 2 * 2; k >= 2; k -= 2) even += l[k * dl] * Eigen::Map<const Line>(x + k * dx);
-    for (int k = (last - 1) / 2 * 2 + 1; k >= 3; k -= 2)
-      odd -= l[k * dl] * Eigen::Map<const Line>(x + k * dx);
-    x0 = (odd - even) - l[dl] * Eigen::Map<const Line>(x + dx);
+  template <class V, int R>
+  [[gnu::always_inline]] static void take_all(const double* l, Back dl, Back dx, int last, const double* x,
+                                              const Line<V, R>& near, const Line<V, R>& next, Line<V, R>& now) {
+    Line<V, R> even = {};
+    for (int k = last / 2 * 2; k >= 4; k -= 2) even.add(l[k * dl], x + k * dx);
+    for (int k = (last - 1) / 2 * 2 + 1; k >= 3; k -= 2) now.take(l[k * dl], x + k * dx);
+    if (last >= 2) even.add(l[2 * dl], next);
+    now.take(even);
+    now.take(l[dl], near);
   }
 
   int n_ = 0;

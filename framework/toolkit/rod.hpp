@@ -24,6 +24,7 @@
 
 #include "toolkit/band.hpp"
 #include "toolkit/rod_drag.hpp"
+#include "toolkit/rod_edges.hpp"
 #include "toolkit/rod_joint.hpp"
 
 namespace swage::toolkit {
@@ -161,7 +162,9 @@ class Rod {
 
   /// Edges stiffen by the tension of this state.
   void take_tension(const RodState& s) {
-    for (int j = 0; j < edges(); ++j) tension_[at(j)] = tension(s, j);
+    now_.find(s.x);
+    for (int j = 0; j < edges(); ++j)
+      tension_[at(j)] = cut_[at(j)] ? 0.0 : section_.stretching * (now_.length(at(j)) / rest_[at(j)] - 1);
   }
   double energy(const RodState& s) const;  // J, elastic
   /// Gradient of the elastic energy, 4 n - 1 numbers, and its Hessian, when asked for.
@@ -186,10 +189,12 @@ class Rod {
     Vec3 t;
     double inverse;  // 1/m
   };
+  using Derivatives = JointDerivatives<Ones>;
   static Edge along(const Vec3& e);
   Edge edge(const RodState& s, int j) const { return along(s.edge(j)); }
-  RodJoint joint(const RodState& s, int i) const;
-  RodJoint joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
+  Edge found(int j) const { return {now_.t(at(j)), now_.inverse(at(j))}; }
+  RodJoint<Ones> joint(const RodState& s, int i) const;
+  RodJoint<Ones> joint(const RodState& s, int i, const Edge& e, const Edge& f) const;
   bool has_joint(int i) const {
     if (i == 0) return clamp_[0].on && !cut_[0];
     if (i == n_ - 1) return clamp_[1].on && !cut_[at(i - 1)];
@@ -198,12 +203,21 @@ class Rod {
   double joint_length(int i) const;
   /// Of twist, between directors on two edges: of the many that differ by whole turns the one nearest to `before`.
   static double angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df, double before);
+  static double turned_from(double before, double m);
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
   static Vec3 carried(const Vec3& director, const Vec3& from, const Vec3& to);
-  void add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const;
-  static void add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
-  static void add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H);
-  static void add_after(int c, const RodJoint::Derivatives& d, Matrix& H);
+  template <class V>
+  [[gnu::always_inline]] inline void differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const;
+  SWAGE_FOURS void differentiate_four_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+    differentiate_joints<Fours>(s, i, second, to);
+  }
+  void differentiate_two_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+    differentiate_joints<Twos>(s, i, second, to);
+  }
+  void add(int i, Derivatives& d, double* gradient, Matrix* hessian) const;
+  static void add_before(int a, bool has_f, const Derivatives& d, Matrix& H);
+  static void add_middle(int b, bool has_f, const Derivatives& d, Matrix& H);
+  static void add_after(int c, const Derivatives& d, Matrix& H);
   void add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const;
   void begin_linear(const RodState& s);
   void add_drag(const RodState& s, const RodLoad& load);
@@ -233,6 +247,8 @@ class Rod {
   Matrix A_;
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
   std::vector<double> diagonal_;  // of A_, before it was made larger
+  mutable RodEdges now_, next_;  // of a state, and after a change
+  mutable std::vector<double> gone_, carried_, sine_, cosine_;  // nodes, directors and joints after it
   bool slow_ = false;
   int way_ = -1;     // of making it definite, in which linearise() left A_; -1: it did not
   double g_ = 0;     // s, of the backward Euler step that it is

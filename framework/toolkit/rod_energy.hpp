@@ -27,6 +27,8 @@ inline Rod::Rod(const RodSection& section, std::span<const double> rest, double 
   x0_.resize(3 * at(n_)), hat_.resize(3 * at(n_)), drag_.resize(6 * at(n_)), pushed_.resize(3 * at(n_));
   gradient_.resize(at(unknowns())), change_.resize(at(unknowns())), turned_.resize(at(edges()));
   diagonal_.resize(at(unknowns()));
+  now_ = next_ = RodEdges(at(edges()));
+  gone_.resize(3 * at(n_)), carried_.resize(3 * at(edges())), sine_.resize(at(edges())), cosine_.resize(at(edges()));
   stored_.resize(RodState::size(n_)), trial_.resize(RodState::size(n_));
 }
 
@@ -58,30 +60,56 @@ inline double Rod::joint_length(int i) const {
 [[gnu::flatten]] inline double Rod::angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df,
                                           double before) {
   const Vec3 d = transported(de, te, tf);
-  const double m = std::atan2(tf.dot(d.cross(df)), d.dot(df));
+  return turned_from(before, std::atan2(tf.dot(d.cross(df)), d.dot(df)));
+}
+
+/// m, in whole turns the nearest to `before`.
+inline double Rod::turned_from(double before, double m) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return m + kTurn * std::floor((before - m) / kTurn + 0.5);
 }
 
-inline RodJoint Rod::joint(const RodState& s, int i) const {
+inline RodJoint<Ones> Rod::joint(const RodState& s, int i) const {
   return joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : edge(s, i - 1),
                i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : edge(s, i));
 }
 
-inline RodJoint Rod::joint(const RodState& s, int i, const Edge& e, const Edge& f) const {
-  RodJoint j;
+inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const Edge& f) const {
+  const auto three = [](const Vec3& v) { return Three<Ones>{{v[0]}, {v[1]}, {v[2]}}; };
+  RodJoint<Ones> j;
   const bool first = i == 0, last = i == n_ - 1;
-  j.te = e.t, j.tf = f.t;
-  j.inv_e = e.inverse, j.inv_f = f.inverse;
+  j.te = three(e.t), j.tf = three(f.t);
+  j.inv_e = {e.inverse}, j.inv_f = {f.inverse};
   const double l = joint_length(i);
-  j.bend = section_.bending / l, j.turn = section_.twisting / l;
-  j.twist = s.twist[i];
+  j.bend = {section_.bending / l}, j.turn = {section_.twisting / l};
+  j.twist = {s.twist[i]};
   if (memory_ != 0) {
     // the binormal of the circle to which it would bend
-    j.Ke = remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1));
-    j.Kf = remembered_[at(i)] * (last ? clamp_[1].director : s.material(i));
+    j.Ke = three(remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1)));
+    j.Kf = three(remembered_[at(i)] * (last ? clamp_[1].director : s.material(i)));
   }
   return j;
+}
+
+/// Of V::n inner nodes from i on, of whose edges now_ knows.
+template <class V>
+[[gnu::always_inline]] inline void Rod::differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const {
+  RodJoint<V> j;
+  V before, after;
+  j.te = now_.t(V{}, at(i - 1)), j.tf = now_.t(V{}, at(i));
+  j.inv_e = now_.inverse(V{}, at(i - 1)), j.inv_f = now_.inverse(V{}, at(i));
+  before.load(&rest_[at(i - 1)]), after.load(&rest_[at(i)]);
+  const V l = 0.5 * (before + after);
+  j.bend = section_.bending / l, j.turn = section_.twisting / l;
+  j.twist.load(s.twist + i);
+  if (memory_ != 0) {
+    V remembered;
+    remembered.load(&remembered_[at(i)]);
+    j.Ke = remembered * vectors(V{}, s.director + 3 * (i - 1)), j.Kf = remembered * vectors(V{}, s.director + 3 * i);
+  }
+  JointDerivatives<V> d;
+  j.differentiate(memory_ != 0, second, d);
+  d.apart(to);
 }
 
 inline double Rod::energy(const RodState& s) const {
@@ -93,23 +121,23 @@ inline double Rod::energy(const RodState& s) const {
   }
   if (section_.bending > 0)
     for (int i = 0; i < n_; ++i)
-      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0);
+      if (has_joint(i)) E += joint(s, i).energy(memory_ != 0).x;
   return E;
 }
 
 /// A joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. At a clamp one of the edges is not there.
-inline void Rod::add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* hessian) const {
-  if (i == 0) d.e.setZero(), d.ee.setZero(), d.ef.setZero(), d.e_tf.setZero();
-  if (i == n_ - 1) d.f.setZero(), d.ff.setZero(), d.ef.setZero(), d.e_tf.setZero(), d.f_te.setZero();
+inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) const {
+  if (i == 0) d.e = {}, d.ee = {}, d.ef = {}, d.e_tf = {};
+  if (i == n_ - 1) d.f = {}, d.ff = {}, d.ef = {}, d.e_tf = {}, d.f_te = {};
   const int a = 4 * (i - 1), b = 4 * i, c = 4 * (i + 1);  // first unknowns of the three nodes
   const bool has_e = i > 0, has_f = i < n_ - 1;
   for (int r = 0; r < 3; ++r) {
-    if (has_e) gradient[a + r] -= d.e[r];
-    gradient[b + r] += d.e[r] - d.f[r];
-    if (has_f) gradient[c + r] += d.f[r];
+    if (has_e) gradient[a + r] -= d.e[r].x;
+    gradient[b + r] += d.e[r].x - d.f[r].x;
+    if (has_f) gradient[c + r] += d.f[r].x;
   }
-  if (has_e) gradient[a + 3] += d.te;
-  if (has_f) gradient[b + 3] += d.tf;
+  if (has_e) gradient[a + 3] += d.te.x;
+  if (has_f) gradient[b + 3] += d.tf.x;
   if (hessian == nullptr) return;
   if (has_e) add_before(a, has_f, d, *hessian);
   add_middle(b, has_f, d, *hessian);
@@ -117,41 +145,41 @@ inline void Rod::add(int i, RodJoint::Derivatives& d, double* gradient, Matrix* 
 }
 
 /// Columns of the first node, at `a`, and of the rotation of its edge.
-inline void Rod::add_before(int a, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) {
   double* turn = H.column(a + 3);
-  turn[0] += d.te_te;
+  turn[0] += d.te_te.x;
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(a + col) - col;  // entry of unknown a + k at h[k]
-    for (int r = col; r < 3; ++r) h[r] += d.ee(r, col);
-    h[3] -= d.e_te[col];
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ee(r, col);
-    turn[1 + col] += d.e_te[col] - d.f_te[col];
+    for (int r = col; r < 3; ++r) h[r] += d.ee[col][r].x;
+    h[3] -= d.e_te[col].x;
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ee[col][r].x;
+    turn[1 + col] += d.e_te[col].x - d.f_te[col].x;
     if (!has_f) continue;
-    h[7] -= d.e_tf[col];
-    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef(col, r);
-    turn[5 + col] += d.f_te[col];
+    h[7] -= d.e_tf[col].x;
+    for (int r = 0; r < 3; ++r) h[8 + r] -= d.ef[r][col].x;
+    turn[5 + col] += d.f_te[col].x;
   }
-  if (has_f) turn[4] += d.te_tf;
+  if (has_f) turn[4] += d.te_tf.x;
 }
 
-inline void Rod::add_middle(int b, bool has_f, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) {
   for (int col = 0; col < 3; ++col) {
     double* h = H.column(b + col) - col;
-    for (int r = col; r < 3; ++r) h[r] += (d.ee(r, col) + d.ff(r, col)) - (d.ef(r, col) + d.ef(col, r));
+    for (int r = col; r < 3; ++r) h[r] += (d.ee[col][r].x + d.ff[col][r].x) - (d.ef[col][r].x + d.ef[r][col].x);
     if (!has_f) continue;
-    h[3] += d.e_tf[col] - d.f_tf[col];
-    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef(col, r) - d.ff(r, col);
+    h[3] += d.e_tf[col].x - d.f_tf[col].x;
+    for (int r = 0; r < 3; ++r) h[4 + r] += d.ef[r][col].x - d.ff[col][r].x;
   }
 }
 
 /// The last node, at `c`, and the rotation of the edge before it.
-inline void Rod::add_after(int c, const RodJoint::Derivatives& d, Matrix& H) {
+inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
   double* turn = H.column(c - 1);
-  turn[0] += d.tf_tf;
+  turn[0] += d.tf_tf.x;
   for (int col = 0; col < 3; ++col) {
-    turn[1 + col] += d.f_tf[col];
+    turn[1 + col] += d.f_tf[col].x;
     double* h = H.column(c + col) - col;
-    for (int r = col; r < 3; ++r) h[r] += d.ff(r, col);
+    for (int r = col; r < 3; ++r) h[r] += d.ff[col][r].x;
   }
 }
 
@@ -177,42 +205,59 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
 [[gnu::flatten]] inline void Rod::differentiate(const RodState& s, double* gradient, Matrix* hessian) const {
   for (int k = 0; k < unknowns(); ++k) gradient[k] = 0;
   if (hessian != nullptr) hessian->set_zero();
-  const bool bends = section_.bending > 0;
-  RodJoint::Derivatives d;
-  Edge before{clamp_[0].tangent, 0};
-  for (int i = 0; i < n_; ++i) {
-    const Edge after = i < n_ - 1 ? edge(s, i) : Edge{clamp_[1].tangent, 0};
-    if (bends && has_joint(i)) {
-      joint(s, i, before, after).differentiate(memory_ != 0, hessian != nullptr, d);
-      add(i, d, gradient, hessian);
+  const bool bends = section_.bending > 0, second = hessian != nullptr, fours = has_fours();
+  now_.find(s.x);
+  Derivatives d[Fours::n];  // of the nodes from `first` to before `beyond`
+  int first = 0, beyond = 0;
+  const auto known = [&](int i) -> Derivatives& {
+    if (i < beyond) return d[i - first];
+    const int wide = fours ? Fours::n : Twos::n;
+    first = i, beyond = i + 1;
+    if (i == 0 || i + wide > n_ - 1) {
+      joint(s, i, i == 0 ? Edge{clamp_[0].tangent, 0} : found(i - 1), i == n_ - 1 ? Edge{clamp_[1].tangent, 0} : found(i))
+          .differentiate(memory_ != 0, second, d[0]);
+    } else {
+      fours ? differentiate_four_joints(s, i, second, d) : differentiate_two_joints(s, i, second, d);
+      beyond = i + wide;
     }
-    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, after, gradient, hessian);
-    before = after;
+    return d[0];
+  };
+  for (int i = 0; i < n_; ++i) {
+    if (bends && has_joint(i)) add(i, known(i), gradient, hessian);
+    if (i < n_ - 1 && !cut_[at(i)]) add_stretch(i, found(i), gradient, hessian);
   }
 }
 
 [[gnu::flatten]] inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
-  // edge by edge, so that `to` may be `from`: an edge is known before its second node goes
-  Vec3 x = from.node(0), next = x;
-  const auto gone = [&](int i) {
-    return Vec3(from.node(i) + share * Vec3(change[4 * i], change[4 * i + 1], change[4 * i + 2]));
-  };
-  Vec3 x_new = gone(0), t_before = clamp_[0].tangent, d_before = clamp_[0].director;
+  // all is found before any of it is written: `to` may be `from`
+  now_.find(from.x);
+  for (int i = 0; i < n_; ++i)
+    for (int r = 0; r < 3; ++r) gone_[at(3 * i + r)] = from.x[3 * i + r] + share * change[4 * i + r];
+  next_.find(gone_.data());
+  now_.carry(next_, from.director, carried_.data());
   for (int j = 0; j < edges(); ++j) {
-    next = from.node(j + 1);
-    const Vec3 next_new = gone(j + 1), t = along(next - x).t, t_new = along(next_new - x_new).t;
-    Vec3 d = carried(from.material(j), t, t_new);
     const double turn = share * change[4 * j + 3];
-    if (turn != 0) d = std::cos(turn) * d + std::sin(turn) * t_new.cross(d);
-    Eigen::Map<Vec3>(to.director + 3 * j) = d;
-    Eigen::Map<Vec3>(to.x + 3 * j) = x_new;
-    to.twist[j] = has_joint(j) ? angle(t_before, t_new, d_before, d, from.twist[j]) : 0.0;
-    x = next, x_new = next_new, t_before = t_new, d_before = d;
+    if (turn == 0) continue;
+    Eigen::Map<Vec3> d(carried_.data() + 3 * j);
+    const Vec3 across = d;
+    d = std::cos(turn) * across + std::sin(turn) * next_.t(at(j)).cross(across);
   }
+  next_.twists(carried_.data(), sine_.data(), cosine_.data());
+  const auto director = [&](int j) { return Vec3(Eigen::Map<const Vec3>(carried_.data() + 3 * j)); };
   const int last = n_ - 1;
-  Eigen::Map<Vec3>(to.x + 3 * last) = x_new;
-  to.twist[last] =
-      has_joint(last) ? angle(t_before, clamp_[1].tangent, d_before, clamp_[1].director, from.twist[last]) : 0.0;
+  for (int i = 0; i <= last; ++i) {
+    double& twist = to.twist[i];
+    if (!has_joint(i))
+      twist = 0;
+    else if (i == 0)
+      twist = angle(clamp_[0].tangent, next_.t(0), clamp_[0].director, director(0), from.twist[0]);
+    else if (i == last)
+      twist = angle(next_.t(at(last - 1)), clamp_[1].tangent, director(last - 1), clamp_[1].director, from.twist[last]);
+    else
+      twist = turned_from(from.twist[i], std::atan2(sine_[at(i - 1)], cosine_[at(i - 1)]));
+  }
+  std::copy_n(gone_.data(), 3 * n_, to.x);
+  std::copy_n(carried_.data(), 3 * edges(), to.director);
 }
 
 inline double Rod::twisted(const RodState& s, int i, double before) const {
@@ -226,7 +271,7 @@ inline double Rod::tension(const RodState& s, int j) const {
 }
 
 inline double Rod::curvature(const RodState& s, int i) const {
-  return joint(s, i).curvature().norm() / joint_length(i);
+  return joint(s, i).curvature().norm().x / joint_length(i);
 }
 
 inline double Rod::turns(const RodState& s) const {

@@ -53,8 +53,9 @@ inline void Rod::begin_linear(const RodState& s) {
   add_springs(load);
   if (!(load.fluid.viscosity > 0) || load.h == 0) return;
   const double carried = load.fluid.carried * std::numbers::pi * section_.radius * section_.radius;  // kg/m
+  now_.find(s.x);
   for (int j = 0; j < edges(); ++j) {
-    const Vec3 t = edge(s, j).t;
+    const Vec3 t = now_.t(at(j));
     for (const int i : {j, j + 1}) {
       const double inertia = 0.5 * rest_[at(j)] * carried * m_hh_;
       if (inertia > 0) {
@@ -207,8 +208,9 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
 
 /// The tension of the linear model after a change.
 [[gnu::flatten]] inline void Rod::follow_tension(const RodState& s, const double* change, double share) {
+  now_.find(s.x);
   for (int j = 0; j < edges(); ++j) {
-    const Edge e = edge(s, j);
+    const Edge e = found(j);
     const double* d = change + 4 * j;
     const double more = e.t.dot(Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]));
     const double T = section_.stretching * ((1 / e.inverse + more) / rest_[at(j)] - 1);
@@ -218,12 +220,15 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
 
 /// The share of a change after which no edge has turned by more than half a radian, nor about itself by more than one.
 [[gnu::flatten]] inline double Rod::bounded(const RodState& s) const {
+  constexpr double kLess = 0.99 * kMostAcross * kMostAcross;  // needs no root: it is within the bound
   double most = 1;
+  now_.find(s.x);
   for (int j = 0; j < edges(); ++j) {
     const double* d = change_.data() + 4 * j;
-    const Edge e = edge(s, j);
-    const Vec3 by = e.inverse * Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]);
-    most = std::max({most, (by - by.dot(e.t) * e.t).norm() / kMostAcross, std::abs(d[3]) / kMostAbout});
+    const Edge e = found(j);
+    const Vec3 by = e.inverse * Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]), across = by - by.dot(e.t) * e.t;
+    if (across.squaredNorm() > kLess) most = std::max(most, across.norm() / kMostAcross);
+    most = std::max(most, std::abs(d[3]) / kMostAbout);
   }
   return 1 / most;
 }

@@ -90,6 +90,19 @@ TEST(BandedBlocks, SolveAsADenseMatrixDoes) {
     }
 }
 
+// on machines without registers of four it compares twos with twos
+TEST(BandedBlocks, HaveTheSameBitsAtEveryWidthOfRegisters) {
+  for (const bool symmetric : {true, false}) {
+    Knot k(30, 60, symmetric, 7), by_twos(30, 60, symmetric, 7);
+    by_twos.blocks.work_by_twos();
+    ASSERT_TRUE(k.blocks.factor(symmetric) && by_twos.blocks.factor(symmetric));
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(k.dense.rows(), -1, 3);
+    Eigen::VectorXd x = b, y = b;
+    k.blocks.solve(x.data()), by_twos.blocks.solve(y.data());
+    EXPECT_EQ(x, y) << symmetric;
+  }
+}
+
 /// A thread of 61 nodes, a little bent, whose first segment three ties of 1e5 N/m hold to a body of 0.5 mg: what both weigh together is
 /// a millionth of what ties them. Where halves of blocks that differ by rounding were both used, the solution was another one.
 TEST(BandedBlocks, LoseNothingBesideTiesToALightBody) {

@@ -34,6 +34,21 @@ TEST(Dense, SolvesWhatEigenSolves) {
   }
 }
 
+// on machines without registers of four it compares twos with twos
+TEST(Dense, HasTheSameBitsAtEveryWidthOfRegisters) {
+  base::Xoshiro256 rng(3);
+  for (const size_t n : {1, 2, 7, 40, 93}) {
+    const int size = static_cast<int>(n);
+    const RowMajor J = random_matrix(rng, size, size);
+    RowMajor A = RowMajor::Identity(size, size) + J * J.transpose(), by_twos = A;
+    ASSERT_TRUE(ldl_factor(n, A.data()) && dense::ldl_factor<toolkit::Twos>(n, by_twos.data()));
+    EXPECT_EQ(A, by_twos) << n;
+    RowMajor x = random_matrix(rng, size, 1), y = x;
+    solve_transposed(n, A.data(), x.data()), dense::solve_transposed<toolkit::Twos>(n, A.data(), y.data());
+    EXPECT_EQ(x, y) << n;
+  }
+}
+
 TEST(Dense, PivotsAndRefusesSingularMatrices) {
   double swap[4] = {0, 1, 1, 0};
   uint32_t pivot[2];

@@ -37,12 +37,12 @@ TEST(Band, SolvesAsADenseMatrixDoes) {
   }
 }
 
-TEST(Band, SolvesManySidesToTheBitAsEachAlone) {
+template <int kSides>
+void expect_each_as_alone() {
   Eigen::MatrixXd dense;
   Band<10> a = some<10>(77, 3, dense);
   ASSERT_TRUE(a.factor());
-  constexpr int kSides = 6;
-  std::vector<double> all(77 * kSides);
+  std::vector<double> all(size_t{77} * kSides);
   for (size_t k = 0; k < all.size(); ++k) all[k] = 1.0 / static_cast<double>(k + 1);
   std::vector<double> together = all;
   a.solve<kSides>(together.data());
@@ -50,8 +50,16 @@ TEST(Band, SolvesManySidesToTheBitAsEachAlone) {
     std::vector<double> alone(77);
     for (size_t i = 0; i < 77; ++i) alone[i] = all[i * kSides + r];
     a.solve(alone.data());
-    for (size_t i = 0; i < 77; ++i) EXPECT_EQ(alone[i], together[i * kSides + r]);
+    for (size_t i = 0; i < 77; ++i) EXPECT_EQ(alone[i], together[i * kSides + r]) << kSides;
   }
+}
+
+// by one, by two and by four numbers at a time
+TEST(Band, SolvesManySidesToTheBitAsEachAlone) {
+  expect_each_as_alone<3>();
+  expect_each_as_alone<6>();
+  expect_each_as_alone<4>();
+  expect_each_as_alone<8>();
 }
 
 TEST(Band, SolvesAPartToTheBitOfTheWhole) {
@@ -66,6 +74,17 @@ TEST(Band, SolvesAPartToTheBitOfTheWhole) {
   a.solve<4>(part.data(), kFirst, kLeast);
   for (size_t i = 4 * kLeast; i < whole.size(); ++i) EXPECT_EQ(part[i], whole[i]) << i;
   EXPECT_NE(part[4 * kLeast - 1], whole[4 * kLeast - 1]);
+}
+
+// on machines without registers of four it compares twos with twos
+TEST(Band, FactorsToTheSameBitsAtEveryWidthOfRegisters) {
+  for (const int n : {1, 9, 10, 11, 13, 77}) {
+    Eigen::MatrixXd dense;
+    Band<10> a = some<10>(n, 3, dense), by_twos = some<10>(n, 3, dense);
+    ASSERT_TRUE(a.factor() && by_twos.factor_by_twos());
+    for (int j = 0; j < n; ++j)
+      for (int i = j; i < std::min(n, j + 11); ++i) EXPECT_EQ(a.at(i, j), by_twos.at(i, j)) << i << ", " << j;
+  }
 }
 
 TEST(Band, RefusesWhatIsNotPositiveDefinite) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cstring>
 #include <numbers>
 #include <random>
 
@@ -109,6 +110,69 @@ TEST_P(RodDerivatives, AreThoseOfItsEnergy) {
 }
 INSTANTIATE_TEST_SUITE_P(Memory, RodDerivatives,
                          testing::Values(Kind{0, 1}, Kind{80, 1}, Kind{0, 3e-5}, Kind{80, 3e-5}));
+
+TEST(RodJoint, HasTheBitsSideBySideThatItHasAlone) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
+  RodJoint<Twos> both;
+  RodJoint<Ones> one[2];
+  const auto put = [&](int k, const Vec3& v, Three<Twos> RodJoint<Twos>::*to, Three<Ones> RodJoint<Ones>::*alone) {
+    for (int r = 0; r < 3; ++r) (both.*to)[r].x[k] = (one[k].*alone)[r].x = v[r];
+  };
+  for (int k = 0; k < 2; ++k) {
+    put(k, vector().normalized(), &RodJoint<Twos>::te, &RodJoint<Ones>::te);
+    put(k, vector().normalized(), &RodJoint<Twos>::tf, &RodJoint<Ones>::tf);
+    put(k, vector(), &RodJoint<Twos>::Ke, &RodJoint<Ones>::Ke);
+    put(k, vector(), &RodJoint<Twos>::Kf, &RodJoint<Ones>::Kf);
+    both.inv_e.x[k] = one[k].inv_e.x = 2 + any(random), both.inv_f.x[k] = one[k].inv_f.x = 2 + any(random);
+    both.twist.x[k] = one[k].twist.x = any(random);
+    both.bend.x[k] = one[k].bend.x = 2 + any(random), both.turn.x[k] = one[k].turn.x = 2 + any(random);
+  }
+  JointDerivatives<Twos> d;
+  JointDerivatives<Ones> apart[2], alone;
+  both.differentiate(true, true, d);
+  d.apart(apart);
+  for (int k = 0; k < 2; ++k) {
+    one[k].differentiate(true, true, alone);
+    EXPECT_EQ(std::memcmp(&alone, &apart[k], sizeof alone), 0) << k;
+  }
+}
+
+// edges that are found together are found by two or four at a time
+TEST(RodEdges, HaveTheBitsThatEachHasAlone) {
+  constexpr size_t kEdges = 23;
+  std::vector<double> x(3 * (kEdges + 1)), y(x), d(3 * kEdges), carried(d), sine(kEdges), cosine(kEdges);
+  for (size_t k = 0; k < x.size(); ++k) {
+    x[k] = std::sin(1.7 * static_cast<double>(k)) + 0.3 * static_cast<double>(k);
+    y[k] = x[k] + 0.01 * std::cos(2.3 * static_cast<double>(k));
+  }
+  RodEdges before(kEdges), after(kEdges);
+  before.find(x.data()), after.find(y.data());
+  for (size_t j = 0; j < kEdges; ++j) {
+    const Vec3 across = before.t(j).cross(Vec3::UnitX()).normalized();
+    for (size_t r = 0; r < 3; ++r) d[3 * j + r] = across[static_cast<int>(r)];
+  }
+  before.carry(after, d.data(), carried.data());
+  after.twists(carried.data(), sine.data(), cosine.data());
+  for (size_t j = 0; j < kEdges; ++j) {
+    RodEdges from(1), to(1), pair(2);
+    from.find(&x[3 * j]), to.find(&y[3 * j]);
+    EXPECT_EQ(from.t(0), before.t(j));
+    EXPECT_EQ(from.length(0), before.length(j));
+    EXPECT_EQ(from.inverse(0), before.inverse(j));
+    double alone[3];
+    from.carry(to, &d[3 * j], alone);
+    for (size_t r = 0; r < 3; ++r) EXPECT_EQ(alone[r], carried[3 * j + r]);
+    if (j + 1 == kEdges) continue;
+    double sine_alone, cosine_alone;
+    pair.find(&y[3 * j]);
+    pair.twists(&carried[3 * j], &sine_alone, &cosine_alone);
+    EXPECT_EQ(sine_alone, sine[j]);
+    EXPECT_EQ(cosine_alone, cosine[j]);
+  }
+}
+
 
 // At a top of its energy: an arc of 10 mm that is bent to a radius of 1.25 mm against the 10 mm that it remembers. All of its edges would
 // turn together, and hardly anything but their own inertia holds them.
