@@ -17,9 +17,8 @@ namespace swage::console {
 void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
   const auto add = [&](const QString& words, const char* key, const char* name, const QString& tip, auto call) {
     auto* button = make_button(words, {}, QString::fromLatin1(name), parent);
-    const QKeySequence keys = key ? QKeySequence(QString::fromLatin1(key)) : QKeySequence();
-    button->setShortcut(keys);
-    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+    button->setToolTip(tip);
+    if (key) give_key(button, QString::fromLatin1(key));
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
     return button;

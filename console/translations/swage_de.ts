@@ -1189,8 +1189,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Ctrl+Z brings it back</source>
-        <translation>Strg+Z holt ihn zurück</translation>
+        <source>Remove the course; Ctrl+Z brings it back</source>
+        <translation>Den Kurs entfernen; Strg+Z holt ihn zurück</translation>
     </message>
     <message>
         <source>Remove course</source>
@@ -1219,10 +1219,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Lesson to add</source>
         <translation>Lektion zum Hinzufügen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2047,8 +2043,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Veröffentlichen</translation>
     </message>
     <message>
-        <source>Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)</source>
-        <translation>Diese Lektion behalten, wie sie jetzt ist: als Fassung, auf die sich Kurse und Versuche beziehen (Strg+P)</translation>
+        <source>Keep this lesson as it is now, as a version that courses and attempts refer to</source>
+        <translation>Diese Lektion behalten, wie sie jetzt ist: als Fassung, auf die sich Kurse und Versuche beziehen</translation>
     </message>
     <message>
         <source>Retire</source>
@@ -2119,16 +2115,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Importieren…</translation>
     </message>
     <message>
-        <source>Take in a lesson file from another station (Ctrl+I)</source>
-        <translation>Die Lektionsdatei eines anderen Platzes aufnehmen (Strg+I)</translation>
+        <source>Take in a lesson file from another station</source>
+        <translation>Die Lektionsdatei eines anderen Platzes aufnehmen</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Export…</translation>
     </message>
     <message>
-        <source>Write this lesson to a file for another station (Ctrl+Shift+E)</source>
-        <translation>Diese Lektion für einen anderen Platz in eine Datei schreiben (Strg+Umschalt+E)</translation>
+        <source>Write this lesson to a file for another station</source>
+        <translation>Diese Lektion für einen anderen Platz in eine Datei schreiben</translation>
     </message>
     <message>
         <source>Import a lesson</source>
@@ -2704,10 +2700,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
 <context>
     <name>swage::console::PeoplePage</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Add…</source>
         <translation>Neu…</translation>
     </message>
@@ -3006,8 +2998,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Geben an…</translation>
     </message>
     <message>
-        <source>This attempt is another person&apos;s: a guest&apos;s, or of a name that was mistaken (Ctrl+G)</source>
-        <translation>Dieser Versuch gehört jemand anderem: er war der eines Gastes, oder der Name war falsch (Strg+G)</translation>
+        <source>This attempt is another person&apos;s: a guest&apos;s, or of a name that was mistaken</source>
+        <translation>Dieser Versuch gehört jemand anderem: er war der eines Gastes, oder der Name war falsch</translation>
     </message>
     <message>
         <source>Count again</source>
@@ -3940,8 +3932,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Bearbeiten…</translation>
     </message>
     <message>
-        <source>Title, task, goal and values of this lesson of your own (Ctrl+E)</source>
-        <translation>Titel, Aufgabe, Ziel und Werte dieser eigenen Lektion (Strg+E)</translation>
+        <source>Title, task, goal and values of this lesson of your own</source>
+        <translation>Titel, Aufgabe, Ziel und Werte dieser eigenen Lektion</translation>
     </message>
     <message>
         <source>Delete…</source>

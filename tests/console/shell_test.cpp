@@ -95,5 +95,25 @@ TEST_F(Shell, ATestFromTheLessonsPageIsATest) {
   EXPECT_EQ(page()->setup()->mode(), "test");
 }
 
+TEST_F(Shell, ActionsOfCoursesAndSetupHaveKeysThatTheirTipsTell) {
+  with_school = true;
+  open();
+  const struct {
+    const char *page, *button, *key;
+  } all[] = {{"courses", "remove_course", "Ctrl+Shift+D"}, {"courses", "add_limit", "Ctrl+M"},
+             {"courses", "remove_limit", "Ctrl+Shift+M"},  {"courses", "suggest_limits", "Ctrl+E"},
+             {"setup", "setup_trainee_options", "Ctrl+D"}, {"setup", "setup_station", "Ctrl+T"},
+             {"setup", "setup_calibrate", "Ctrl+K"},       {"run", "delete_lesson", "Ctrl+Del"}};
+  for (const auto& [page, name, key] : all) {
+    auto* button = child<QPushButton>(name);
+    const QKeySequence keys(QString::fromLatin1(key));
+    EXPECT_EQ(button->shortcut(), keys) << name;
+    EXPECT_TRUE(button->toolTip().endsWith(" (" + keys.toString(QKeySequence::NativeText) + ")")) << button->toolTip().toStdString();
+    ASSERT_TRUE(pages()->go(QString::fromLatin1(page)));
+    for (const QAbstractButton* other : pages()->current().widget->findChildren<QAbstractButton*>())
+      EXPECT_TRUE(other == button || other->shortcut() != keys) << name << " and " << other->objectName().toStdString();
+  }
+}
+
 }  // namespace
 }  // namespace swage::test
