@@ -94,14 +94,12 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
         "nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
   const auto signal = [&](const std::string& word) {
     const Signal found = scene.find_signal(owner, "pierce." + word);
-    if (!found.valid())
-      binder.error("\"" + owner + "\" has no signal \"pierce." + word + "\", which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, "pierce." + word, "which this lesson watches");
     return found;
   };
   const auto event = [&](const std::string& word) {
     const Event found = scene.find_event(owner, "pierce." + word);
-    if (!found.valid())
-      binder.error("\"" + owner + "\" has no event \"pierce." + word + "\", which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "event", owner, "pierce." + word, "which this lesson watches");
     return found;
   };
   pierce_ = {signal("state"),
