@@ -10,6 +10,7 @@
 #include "console/models/variant.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -176,7 +177,7 @@ void LessonsPage::ask_import() {
 
 void LessonsPage::ask_export() {
   const QString name = slug(list_->currentIndex().data(LessonsModel::kTitle).toString()) + QStringLiteral(".json");
-  const QString file = QFileDialog::getSaveFileName(this, tr("Export the lesson"), name, tr("Lessons (*.json)"));
+  const QString file = ask_save(this, tr("Export the lesson"), name, tr("Lessons (*.json)"));
   if (!file.isEmpty()) Q_EMIT export_lesson(lesson(), file);
 }
 

@@ -1934,6 +1934,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Save the plot that has the keyboard, as PNG, SVG or PDF</source>
         <translation>Das Diagramm mit dem Tastaturfokus speichern: PNG, SVG, PDF</translation>
     </message>
+    <message>
+        <source>Ctrl+R,  Ctrl+→</source>
+        <translation>Strg+R,  Strg+→</translation>
+    </message>
+    <message>
+        <source>After an attempt: review it; the next lesson</source>
+        <translation>Nach einem Versuch: ihn ansehen; die nächste Lektion</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -3697,16 +3705,16 @@ Bea L., Frühjahr, links</translation>
         <translation>Tab: das andere Instrument</translation>
     </message>
     <message>
-        <source>Drag, or A D W S Q E: move the instrument</source>
-        <translation>Ziehen oder A D W S Q E: das Instrument bewegen</translation>
+        <source>Drag, or hold A D W S Q E: move the instrument</source>
+        <translation>Ziehen oder A D W S Q E halten: das Instrument bewegen</translation>
     </message>
     <message>
-        <source>Space: close the jaws</source>
-        <translation>Leertaste: die Backen schließen</translation>
+        <source>Hold Space: close the jaws</source>
+        <translation>Leertaste halten: die Backen schließen</translation>
     </message>
     <message>
-        <source>T: drive the needle</source>
-        <translation>T: die Nadel führen</translation>
+        <source>Hold T: drive the needle</source>
+        <translation>T halten: die Nadel führen</translation>
     </message>
 </context>
 <context>
