@@ -79,6 +79,7 @@ Card HelpDialog::lesson_keys(QWidget* parent) {
                      {tr("Shift+F5"), tr("Stop")},
                      {tr("F9"), tr("Trainee's view; there F11 fills the screen")},
                      {tr("F10"), tr("Instructor's window: readings, cues, events")},
+                     {tr("Ctrl+R,  Ctrl+→"), tr("After an attempt: review it; the next lesson")},
                      {tr("Ctrl+N,  Ctrl+E"), tr("A lesson of your own, based on the chosen one; edit it")},
                      {tr("Ctrl+I,  Ctrl+Shift+E"), tr("Lessons page: import, export a lesson")},
                      {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},

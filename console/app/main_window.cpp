@@ -300,14 +300,6 @@ void MainWindow::set_theme(const QString& ui, const QString& cues) {
   setup_->show_themes(ui_id_, cues_id_);
 }
 
-// Nothing lies outside the screen, at the first start and on a smaller screen than the last time.
-void MainWindow::fit_screen() {
-  const QRect all = screen()->availableGeometry();
-  const QSize frame = frameGeometry().size() - size();
-  resize(size().boundedTo(all.size() - frame));
-  if (!all.contains(geometry())) move(all.topLeft());
-}
-
 void MainWindow::restore(const Launch& launch) {
   const auto or_remembered = [&](const QString& given, const char* key, const char* otherwise) {
     return given.isEmpty() ? settings_.text(key, QString::fromLatin1(otherwise)) : given;
@@ -317,6 +309,7 @@ void MainWindow::restore(const Launch& launch) {
   if (!launch.size.isValid()) {
     restoreGeometry(settings_.bytes("geometry"));
     fit_screen();
+    fits_ = true;
   }
   run_->set_base_options(launch.options);
   connect_instrument();

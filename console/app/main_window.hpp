@@ -82,6 +82,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void add_pages(Services& services);
@@ -110,6 +111,7 @@ class MainWindow : public QMainWindow {
 
   Settings settings_;
   QTimer frames_timer_;
+  bool fits_ = false;  // into its screen, frame and all, once it is seen
   LessonsModel lessons_;
   StoreLink store_;
   SchoolDesk desk_;

@@ -193,8 +193,12 @@ void CoursesPage::add_limit() {
   for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id)))
     if (m.id.toStdString() == fresh.metric) fresh.unit = m.unit.toStdString(), better = m.better;
   if (fresh.metric.empty()) return;
-  suggest_limit(fresh, experts(), better);
+  const bool known = suggest_limit(fresh, experts(), better);
+  const LimitColumn column = better == SWAGE_BETTER_HIGHER ? kLeast : kMost;
+  if (!known) (column == kLeast ? fresh.least : fresh.most) = 0;  // a limit has a number; it is asked for at once
   edit_step(tr("Add a limit"), [&](record::CourseStep& c) { c.limits.push_back(fresh); });
+  limits_->setCurrentCell(limits_->rowCount() - 1, column);
+  if (!known) limits_->editItem(limits_->currentItem());
 }
 
 void CoursesPage::limit_edited(int row, int column) {

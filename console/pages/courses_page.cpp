@@ -81,7 +81,8 @@ QWidget* CoursesPage::make_courses() {
     title_->selectAll();
   });
   auto* remove = make_button(tr("Remove"), {}, QStringLiteral("remove_course"), card.frame);
-  remove->setToolTip(tr("Ctrl+Z brings it back"));
+  remove->setToolTip(tr("Remove the course; Ctrl+Z brings it back"));
+  give_key(remove, QStringLiteral("Ctrl+Shift+D"));
   connect(remove, &QPushButton::clicked, this, [this] {
     if (!course_.id.empty()) desk_->change_course(course_, {}, tr("Remove course"));
   });
@@ -119,9 +120,8 @@ QWidget* CoursesPage::make_steps() {
   const auto add = [&](const QString& text, const char* key, const char* name, const QString& tip, auto call) {
     auto* button = make_button(text, {}, QString::fromLatin1(name), card.frame);
     button->setAccessibleName(tip);
-    const QKeySequence keys = key ? QKeySequence(QString::fromLatin1(key)) : QKeySequence();
-    button->setShortcut(keys);
-    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+    button->setToolTip(tip);
+    give_key(button, QString::fromLatin1(key));
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
   };
@@ -266,9 +266,11 @@ QWidget* CoursesPage::make_limits() {
   metric_->setAccessibleName(tr("Metric to limit"));
   row->addWidget(metric_, 1);
   auto* add = make_button(tr("Add limit"), {}, QStringLiteral("add_limit"), card.frame);
+  give_key(add, QStringLiteral("Ctrl+M"));
   connect(add, &QPushButton::clicked, this, &CoursesPage::add_limit);
   row->addWidget(add);
   auto* remove = make_button(tr("Remove limit"), {}, QStringLiteral("remove_limit"), card.frame);
+  give_key(remove, QStringLiteral("Ctrl+Shift+M"));
   connect(remove, &QPushButton::clicked, this, [this] {
     const auto at = limits_->currentRow();
     if (at >= 0) edit_step(tr("Remove a limit"), [&](record::CourseStep& s) { s.limits.erase(s.limits.begin() + at); });
@@ -276,6 +278,7 @@ QWidget* CoursesPage::make_limits() {
   row->addWidget(remove);
   auto* from = make_button(tr("From experts"), {}, QStringLiteral("suggest_limits"), card.frame);
   from->setToolTip(tr("Each limit such that all but the worst tenth of the experts' attempts keep it"));
+  give_key(from, QStringLiteral("Ctrl+E"));
   connect(from, &QPushButton::clicked, this, &CoursesPage::suggest);
   row->addWidget(from);
   card.body->addLayout(row);

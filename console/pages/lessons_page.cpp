@@ -10,6 +10,7 @@
 #include "console/models/variant.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -146,12 +147,12 @@ void LessonsPage::add_own_buttons(QVBoxLayout* column) {
   auto* files = new QHBoxLayout;
   import_ = add_button(files, tr("Import…"), "Ctrl+I", "import_lesson", [this] { ask_import(); });
   import_->setText(tr("Import…"));
-  import_->setShortcut(QKeySequence(QStringLiteral("Ctrl+I")));
-  import_->setToolTip(tr("Take in a lesson file from another station (Ctrl+I)"));
+  import_->setToolTip(tr("Take in a lesson file from another station"));
+  give_key(import_, QStringLiteral("Ctrl+I"));
   export_ = add_button(files, tr("Export…"), "Ctrl+Shift+E", "export_lesson", [this] { ask_export(); });
   export_->setText(tr("Export…"));
-  export_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+E")));
-  export_->setToolTip(tr("Write this lesson to a file for another station (Ctrl+Shift+E)"));
+  export_->setToolTip(tr("Write this lesson to a file for another station"));
+  give_key(export_, QStringLiteral("Ctrl+Shift+E"));
   files->addStretch(1);
   column->addLayout(own);
   column->addLayout(files);
@@ -163,7 +164,8 @@ void LessonsPage::add_version_row(QVBoxLayout* column) {
   version_->setObjectName(QStringLiteral("lesson_version"));
   released->addWidget(version_, 1);
   publish_ = add_button(released, tr("Publish"), "Ctrl+P", "publish_lesson", [this] { publish(); });
-  publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)"));
+  publish_->setToolTip(tr("Keep this lesson as it is now, as a version that courses and attempts refer to"));
+  give_key(publish_, QStringLiteral("Ctrl+P"));
   retire_ = add_button(released, tr("Retire"), "Ctrl+R", "retire_lesson", [this] { retire(); });
   column->addLayout(released);
 }
@@ -175,7 +177,7 @@ void LessonsPage::ask_import() {
 
 void LessonsPage::ask_export() {
   const QString name = slug(list_->currentIndex().data(LessonsModel::kTitle).toString()) + QStringLiteral(".json");
-  const QString file = QFileDialog::getSaveFileName(this, tr("Export the lesson"), name, tr("Lessons (*.json)"));
+  const QString file = ask_save(this, tr("Export the lesson"), name, tr("Lessons (*.json)"));
   if (!file.isEmpty()) Q_EMIT export_lesson(lesson(), file);
 }
 

@@ -14,6 +14,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kTiltAxis_deg = 60;
+constexpr double kShown_N = 8;  // end of the axis where no force is judged
 
 }  // namespace
 
@@ -92,6 +93,7 @@ QWidget* NowPanel::make_lower() {
                            : tr("What may be changed while the lesson runs"));
     connect(tab, &QPushButton::clicked, pages, [pages, i] { pages->setCurrentIndex(i); });
     tabs->addWidget(tab);
+    tabs_ += tab;
   }
   tabs->addStretch(1);
   card.body->addLayout(tabs);
@@ -144,7 +146,7 @@ void NowPanel::show_parts() {
   left_->setVisible(running_);
   hidden_->setVisible(readings_hidden_);
   readings_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));
-  lower_->setVisible(has_scene_ && !readings_hidden_);
+  lower_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));  // before, what is asked has its room
 }
 
 // In a test the limit ends the attempt; in practice it is told.
@@ -170,14 +172,20 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   tilt_.name->setToolTip(reader.inserts() ? tr("Between the needle and the perpendicular to the tissue")
                                           : tr("Away from a right-angled grasp"));
   tilt_plot_->set_title(reader.inserts() ? tr("Deviation from perpendicular") : tr("Tilt"));
-  const double axis = nice_end(1.4 * band.high);
+  const bool judged = std::isfinite(band.high);
+  const double axis = nice_end(judged ? 1.4 * band.high : kShown_N);
   meter_->set_range(axis, band.low, band.high);
   force_plot_->set_range(0, axis);
   force_plot_->clear();
   tilt_plot_->clear();
-  force_plot_->set_limit(meter_->limit());
-  force_plot_->setVisible(reader.has_force() || !reader.has_tilt());
-  tilt_plot_->setVisible(reader.has_tilt() || !reader.has_force());
+  force_plot_->set_limit(judged ? meter_->limit() : std::nan(""));
+  force_plot_->setVisible(reader.has_force());
+  tilt_plot_->setVisible(reader.has_tilt());
+  // without anything to plot there is only what may be adjusted
+  const bool plots = reader.has_force() || reader.has_tilt();
+  if (!plots) tabs_[1]->click();
+  if (plots && tabs_[0]->isHidden()) tabs_[0]->click();
+  tabs_[0]->setVisible(plots);
   show_reading({}, 0);
   has_scene_ = true;
   show_parts();

@@ -5,6 +5,8 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <QVector>
 #include <QWidget>
 
 #include "console/cues/cue_theme.hpp"
@@ -54,6 +56,7 @@ class NowPanel : public QWidget {
                  const QString& no);
   QGridLayout* counts_;
   QVector<QLabel*> count_names_, count_values_;
+  QVector<QPushButton*> tabs_;  // plots, values to adjust
   TracePlot *force_plot_, *tilt_plot_;
   LiveForm* form_;
 };

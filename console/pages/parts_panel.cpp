@@ -161,8 +161,7 @@ PartsPanel::PartsPanel(LessonDraft* draft, const host::Catalogue* catalogue, QWi
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& words, const char* key, const char* name, auto&& call) {
     auto* made = make_button(words, {}, QString::fromLatin1(name), card.frame);  // with its key it would take the room of the values
-    made->setToolTip(QStringLiteral("%1 (%2)").arg(words, key_text(QString::fromLatin1(key))));
-    made->setShortcut(QKeySequence(QString::fromLatin1(key)));
+    give_key(made, QString::fromLatin1(key));
     made->setAutoDefault(false);
     connect(made, &QPushButton::clicked, this, call);
     row->addWidget(made);

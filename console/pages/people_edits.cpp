@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // What the People page changes: forms and questions, and then the desk.
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLocale>
@@ -11,15 +10,15 @@
 #include "console/pages/people_page.hpp"
 #include "console/report/person_report.hpp"
 #include "console/widgets/parts.hpp"
+#include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 
 void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
   const auto add = [&](const QString& words, const char* key, const char* name, const QString& tip, auto call) {
     auto* button = make_button(words, {}, QString::fromLatin1(name), parent);
-    const QKeySequence keys = key ? QKeySequence(QString::fromLatin1(key)) : QKeySequence();
-    button->setShortcut(keys);
-    button->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+    button->setToolTip(tip);
+    if (key) give_key(button, QString::fromLatin1(key));
     connect(button, &QPushButton::clicked, this, call);
     row->addWidget(button);
     return button;
@@ -210,8 +209,7 @@ std::vector<record::Exported> PeoplePage::exported(const std::string& lesson_id)
 
 void PeoplePage::report_person() {
   const int row = people_->row_of(chosen());
-  const QString name = QFileDialog::getSaveFileName(this, tr("Report"), export_file(QStringLiteral("report"), QStringLiteral(".pdf")),
-                                                    tr("Page (*.pdf)"));
+  const QString name = ask_save(this, tr("Report"), export_file(QStringLiteral("report"), QStringLiteral(".pdf")), tr("Page (*.pdf)"));
   if (row < 0 || name.isEmpty()) return;
   const std::string id = people_->at(row).id;
   const QString why = write_report_to(name);
@@ -224,9 +222,8 @@ void PeoplePage::export_person() {
   const int row = people_->row_of(chosen());
   if (row < 0) return;
   const record::Person p = people_->at(row);
-  const QString name = QFileDialog::getSaveFileName(this, tr("Export a person's attempts"),
-                                                    export_file(QStringLiteral("attempts"), QStringLiteral(".csv")),
-                                                    tr("Table (*.csv)"));
+  const QString name = ask_save(this, tr("Export a person's attempts"), export_file(QStringLiteral("attempts"), QStringLiteral(".csv")),
+                                tr("Table (*.csv)"));
   if (name.isEmpty()) return;
   const QString why = write_attempts_to(name);
   if (why.isEmpty() && desk_->school()) desk_->school()->log_export({p.id}, "csv", name.toStdString());

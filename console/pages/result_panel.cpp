@@ -72,6 +72,12 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   card.body->addWidget(more_box_);
   card.body->addStretch(1);
   column->addWidget(card.frame);
+  give_key(review_, QStringLiteral("Ctrl+R"));
+  give_key(next_, QStringLiteral("Ctrl+Right"));
+  give_key(progress, QStringLiteral("Ctrl+P"));
+  // in the order in which they stand
+  const QList<QWidget*> order = {again, review_, next_, progress, more_button_};
+  for (int i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
   connect(again, &QPushButton::clicked, this, &ResultPanel::again);
   connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });

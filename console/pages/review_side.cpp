@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The right side of the Review page: metrics, what happened, notes, which traces; and the ways out of the program.
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QSaveFile>
@@ -11,6 +10,7 @@
 #include "console/pages/review_page.hpp"
 #include "console/report/attempt_report.hpp"
 #include "console/widgets/plot_file.hpp"
+#include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -195,7 +195,7 @@ void ReviewPage::save(const QString& title, const QString& ending,
   const QString name = QString::fromStdString(review_.attempt.lesson_id + "_" + review_.attempt.started_utc)
                            .replace(QLatin1Char(':'), QLatin1Char('-')) +
                        ending;
-  const QString file = QFileDialog::getSaveFileName(this, title, name);
+  const QString file = ask_save(this, title, name, QStringLiteral("(*.%1)").arg(ending.section(QLatin1Char('.'), -1)));
   if (file.isEmpty()) return;
   const QString problem = (this->*write)(file);
   note_->setText(problem.isEmpty() ? tr("Saved to: %1").arg(file) : problem);

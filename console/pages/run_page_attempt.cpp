@@ -2,6 +2,7 @@
 //
 // An attempt on the Run page: its start, its scene before that, its end, and what of it a trainee may see.
 #include <QRandomGenerator>
+#include <limits>
 
 #include "console/models/live_params.hpp"
 #include "console/models/said.hpp"
@@ -108,9 +109,11 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   fold_view_bar();
   reader_ = Reader(card);
   const std::string lesson = setup_->lesson().toStdString();
+  // what only shows something judges no force
+  const ForceBand usual = asked_.show ? ForceBand{0, std::numeric_limits<double>::infinity()} : ForceBand{kThesisLow_N, kThesisHigh_N};
   const std::optional<ForceBand> band = force_band(lesson, catalogue());
   for (NowPanel* now : now_panels()) {
-    now->set_scene(reader_, band.value_or(ForceBand{kThesisLow_N, kThesisHigh_N}), setup_->task(), asked_);
+    now->set_scene(reader_, band.value_or(usual), setup_->task(), asked_);
     now->form()->set_params(live_params(lesson, card, catalogue()));
   }
   for (CueLegend* legend : legends()) legend->set_meanings(Reader::meanings(card));

@@ -75,6 +75,7 @@ QWidget* SetupPage::make_trainee() {
   auto* row = new QHBoxLayout;
   auto* open = make_button(tr("Open, close"), QStringLiteral("F9"), QStringLiteral("setup_trainee"), box);
   auto* settings = make_button(tr("Screen, layout, eyes…"), {}, QStringLiteral("setup_trainee_options"), box);
+  give_key(settings, QStringLiteral("Ctrl+D"));
   connect(open, &QPushButton::clicked, this, &SetupPage::trainee_view);
   connect(settings, &QPushButton::clicked, this, &SetupPage::trainee_settings);
   row->addWidget(open);
@@ -83,6 +84,7 @@ QWidget* SetupPage::make_trainee() {
   column->addLayout(row);
   column->addWidget(make_muted(tr("10 mm shown as 10 mm, and hand and tool in one place: by a ruler, and with an arm at four marks."), box));
   auto* station = make_button(tr("True size and place…"), {}, QStringLiteral("setup_station"), box);
+  give_key(station, QStringLiteral("Ctrl+T"));
   connect(station, &QPushButton::clicked, this, &SetupPage::station_settings);
   auto* second = new QHBoxLayout;
   second->addWidget(station);
@@ -150,6 +152,7 @@ QWidget* SetupPage::make_sensors() {
   auto* row = new QHBoxLayout;
   auto* calibrate = make_button(tr("Calibrate…"), {}, QStringLiteral("setup_calibrate"), box);
   calibrate->setToolTip(tr("What the volts of a sensor in a needleholder's handle mean: thirteen lengths on a bench, and three poses"));
+  give_key(calibrate, QStringLiteral("Ctrl+K"));
   connect(calibrate, &QPushButton::clicked, this, &SetupPage::calibrate_sensor);
   row->addWidget(calibrate);
   row->addStretch(1);

@@ -83,7 +83,7 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
       make_button(tr("New lesson from this…"), QStringLiteral("Ctrl+N"), QStringLiteral("make_variant"), card.frame);
   variant_->setToolTip(
       tr("A lesson of your own, based on the chosen one: another needle, stiffer tissue, a stricter limit"));
-  variant_->setShortcut(QKeySequence(QStringLiteral("Ctrl+N")));
+  give_key(variant_, QStringLiteral("Ctrl+N"));
   connect(variant_, &QPushButton::clicked, this, &SetupPanel::make_variant);
   card.body->addWidget(variant_);
   card.body->addLayout(make_own(card.frame));
@@ -102,10 +102,11 @@ QWidget* SetupPanel::make_lessons(LessonsModel* lessons) {
 QHBoxLayout* SetupPanel::make_own(QWidget* parent) {
   auto* row = new QHBoxLayout;
   edit_ = make_button(tr("Edit…"), QStringLiteral("Ctrl+E"), QStringLiteral("edit_lesson"), parent);
-  edit_->setToolTip(tr("Title, task, goal and values of this lesson of your own (Ctrl+E)"));
-  edit_->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+  edit_->setToolTip(tr("Title, task, goal and values of this lesson of your own"));
+  give_key(edit_, QStringLiteral("Ctrl+E"));
   delete_ = make_button(tr("Delete…"), {}, QStringLiteral("delete_lesson"), parent);
   delete_->setToolTip(tr("Put this lesson of your own into the bin; attempts at it stay"));
+  give_key(delete_, QStringLiteral("Ctrl+Del"));
   connect(edit_, &QPushButton::clicked, this, &SetupPanel::edit_lesson);
   connect(delete_, &QPushButton::clicked, this, &SetupPanel::delete_lesson);
   row->addWidget(edit_, 1);

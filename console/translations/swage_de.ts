@@ -1205,8 +1205,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Ctrl+Z brings it back</source>
-        <translation>Strg+Z holt ihn zurück</translation>
+        <source>Remove the course; Ctrl+Z brings it back</source>
+        <translation>Den Kurs entfernen; Strg+Z holt ihn zurück</translation>
     </message>
     <message>
         <source>Remove course</source>
@@ -1235,10 +1235,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Lesson to add</source>
         <translation>Lektion zum Hinzufügen</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Add</source>
@@ -1954,6 +1950,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Save the plot that has the keyboard, as PNG, SVG or PDF</source>
         <translation>Das Diagramm mit dem Tastaturfokus speichern: PNG, SVG, PDF</translation>
     </message>
+    <message>
+        <source>Ctrl+R,  Ctrl+→</source>
+        <translation>Strg+R,  Strg+→</translation>
+    </message>
+    <message>
+        <source>After an attempt: review it; the next lesson</source>
+        <translation>Nach einem Versuch: ihn ansehen; die nächste Lektion</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::InstructorWindow</name>
@@ -2063,8 +2067,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Veröffentlichen</translation>
     </message>
     <message>
-        <source>Keep this lesson as it is now, as a version that courses and attempts refer to (Ctrl+P)</source>
-        <translation>Diese Lektion behalten, wie sie jetzt ist: als Fassung, auf die sich Kurse und Versuche beziehen (Strg+P)</translation>
+        <source>Keep this lesson as it is now, as a version that courses and attempts refer to</source>
+        <translation>Diese Lektion behalten, wie sie jetzt ist: als Fassung, auf die sich Kurse und Versuche beziehen</translation>
     </message>
     <message>
         <source>Retire</source>
@@ -2135,16 +2139,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Importieren…</translation>
     </message>
     <message>
-        <source>Take in a lesson file from another station (Ctrl+I)</source>
-        <translation>Die Lektionsdatei eines anderen Platzes aufnehmen (Strg+I)</translation>
+        <source>Take in a lesson file from another station</source>
+        <translation>Die Lektionsdatei eines anderen Platzes aufnehmen</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Export…</translation>
     </message>
     <message>
-        <source>Write this lesson to a file for another station (Ctrl+Shift+E)</source>
-        <translation>Diese Lektion für einen anderen Platz in eine Datei schreiben (Strg+Umschalt+E)</translation>
+        <source>Write this lesson to a file for another station</source>
+        <translation>Diese Lektion für einen anderen Platz in eine Datei schreiben</translation>
     </message>
     <message>
         <source>Import a lesson</source>
@@ -2720,10 +2724,6 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
 <context>
     <name>swage::console::PeoplePage</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Add…</source>
         <translation>Neu…</translation>
     </message>
@@ -3022,8 +3022,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Geben an…</translation>
     </message>
     <message>
-        <source>This attempt is another person&apos;s: a guest&apos;s, or of a name that was mistaken (Ctrl+G)</source>
-        <translation>Dieser Versuch gehört jemand anderem: er war der eines Gastes, oder der Name war falsch (Strg+G)</translation>
+        <source>This attempt is another person&apos;s: a guest&apos;s, or of a name that was mistaken</source>
+        <translation>Dieser Versuch gehört jemand anderem: er war der eines Gastes, oder der Name war falsch</translation>
     </message>
     <message>
         <source>Count again</source>
@@ -3721,16 +3721,16 @@ Bea L., Frühjahr, links</translation>
         <translation>Tab: das andere Instrument</translation>
     </message>
     <message>
-        <source>Drag, or A D W S Q E: move the instrument</source>
-        <translation>Ziehen oder A D W S Q E: das Instrument bewegen</translation>
+        <source>Drag, or hold A D W S Q E: move the instrument</source>
+        <translation>Ziehen oder A D W S Q E halten: das Instrument bewegen</translation>
     </message>
     <message>
-        <source>Space: close the jaws</source>
-        <translation>Leertaste: die Backen schließen</translation>
+        <source>Hold Space: close the jaws</source>
+        <translation>Leertaste halten: die Backen schließen</translation>
     </message>
     <message>
-        <source>T: drive the needle</source>
-        <translation>T: die Nadel führen</translation>
+        <source>Hold T: drive the needle</source>
+        <translation>T halten: die Nadel führen</translation>
     </message>
 </context>
 <context>
@@ -3956,8 +3956,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Bearbeiten…</translation>
     </message>
     <message>
-        <source>Title, task, goal and values of this lesson of your own (Ctrl+E)</source>
-        <translation>Titel, Aufgabe, Ziel und Werte dieser eigenen Lektion (Strg+E)</translation>
+        <source>Title, task, goal and values of this lesson of your own</source>
+        <translation>Titel, Aufgabe, Ziel und Werte dieser eigenen Lektion</translation>
     </message>
     <message>
         <source>Delete…</source>

@@ -200,6 +200,21 @@ void Overlay::message(const QString& text) {
   keep_clear(box);
 }
 
-void Overlay::hint(const QString& text) { pill({area_.center().x(), area_.bottom() - 24}, text, p_.font()); }
+void Overlay::hint(const QString& text, double left, double right) {
+  constexpr double kAround_px = 32, kUp_px = 24;
+  const QFontMetricsF metrics(font_);
+  const QString gap = QString::fromUtf16(kHintGap);
+  QStringList lines;
+  for (const QString& part : text.split(gap)) {
+    const QString longer = lines.isEmpty() ? QString() : lines.last() + gap + part;
+    if (!longer.isEmpty() && metrics.horizontalAdvance(longer) + kAround_px <= right - left)
+      lines.last() = longer;
+    else
+      lines += part;
+  }
+  double y = area_.bottom() - kUp_px;
+  for (auto line = lines.crbegin(); line != lines.crend(); ++line, y = taken_.back().top() - kApart_px - 0.5 * taken_.back().height())
+    pill({0.5 * (left + right), y}, metrics.elidedText(*line, Qt::ElideRight, right - left - kAround_px), font_);
+}
 
 }  // namespace swage::console

@@ -17,12 +17,15 @@ namespace swage::console {
 double nice_scale_mm(double mm_per_pixel, double most_px);
 QString length_text(double mm);
 
+/// Between the parts of a hint.
+inline constexpr char16_t kHintGap[] = u"   ·   ";
+
 /// A mark is at least so large: what happens in its middle is to be seen.
 inline constexpr double kLeastMark_px = 9;
 
 class Overlay {
  public:
-  Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui) {}
+  Overlay(QPainter& painter, const QRectF& area, const UiTheme& ui) : p_(painter), area_(area), ui_(ui), font_(painter.font()) {}
   /// `left`: what is taken at the left of the picture, px.
   void scale_bar(double mm_per_pixel, double left = 0);
   /// `slot` 0 above right of the place, 1 above left, 2 below right: cues at one grasp do not cover each other.
@@ -43,7 +46,8 @@ class Overlay {
   /// What an inset shows, at its top left.
   void caption(const QString& text);
   void banner(const QString& text);
-  void hint(const QString& text);
+  /// Parts joined by kHintGap, in as many lines as they need between `left` and `right`, px of the picture; the last one lies lowest.
+  void hint(const QString& text, double left, double right);
   /// What an instructor says: in the upper left corner, in as many lines as it takes, clear of what is worked on in the middle.
   void message(const QString& text);
 
@@ -54,6 +58,7 @@ class Overlay {
   QPainter& p_;
   QRectF area_;
   const UiTheme& ui_;
+  QFont font_;                 // of what is said in passing
   std::vector<QRectF> taken_;  // by labels
 };
 

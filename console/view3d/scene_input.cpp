@@ -10,6 +10,8 @@
 #include <QWidget>
 #include <utility>
 
+#include "console/view3d/overlay.hpp"
+
 namespace swage::console {
 namespace {
 
@@ -41,10 +43,10 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   if (!focus) return tr("Click here: then mouse and keys move the instrument");
   QStringList all;
   if (led) all += tr("Tab: the other instrument");
-  if (hint_drag_) all += tr("Drag, or A D W S Q E: move the instrument");
-  if (hint_close_) all += tr("Space: close the jaws");
-  if (hint_drive_) all += tr("T: drive the needle");
-  return all.join(QStringLiteral("   ·   "));
+  if (hint_drag_) all += tr("Drag, or hold A D W S Q E: move the instrument");
+  if (hint_close_) all += tr("Hold Space: close the jaws");
+  if (hint_drive_) all += tr("Hold T: drive the needle");
+  return all.join(QString::fromUtf16(kHintGap));
 }
 
 void SceneInput::used(const char* what) {

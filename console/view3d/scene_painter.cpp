@@ -76,7 +76,7 @@ void ScenePainter::paint_eye_words(QPainter& painter, Overlay& overlay, const Jo
   const ViewWords& words = job.words;
   if (!words.clock.isEmpty()) overlay.clock(words.clock);
   if (!words.banner.isEmpty()) overlay.banner(words.banner);
-  if (!words.task.isEmpty()) overlay.hint(words.task);
+  if (!words.task.isEmpty()) overlay.hint(words.task, 0, panel.size.width());
   if (!words.message.isEmpty()) overlay.message(words.message);
   if (station_mark_) paint_station_mark(painter, panel);
 }
@@ -155,13 +155,15 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
 void ScenePainter::paint_words(QPainter& painter, const Job& job) const {
   const QRect all(QPoint(), job.canvas.size);
   Overlay overlay(painter, all, shown_.ui);
-  double left = 0;  // what insets take of the lower left
-  for (const Panel& panel : job.panels)
-    if (panel.inset != Inset::kNone && panel.at.left() < all.width() / 4.0 && panel.at.bottom() > all.height() / 2.0) left = panel.at.right();
+  double left = 0, right = all.width();  // what insets leave of the lower edge
+  for (const Panel& panel : job.panels) {
+    if (panel.inset == Inset::kNone || panel.at.bottom() < all.height() / 2.0) continue;
+    panel.at.center().x() < all.width() / 2.0 ? left = std::max(left, panel.at.right()) : right = std::min(right, panel.at.left());
+  }
   if (scene_.have_card()) overlay.scale_bar(job.panels.front().view.eye.mm_per_pixel(all.height()), left);
   if (!job.words.clock.isEmpty()) overlay.clock(job.words.clock);
+  if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint, left, right);
   if (!job.words.banner.isEmpty()) overlay.banner(job.words.banner);
-  if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint);
   if (!job.canvas.focus) return;
   painter.setPen(QPen(shown_.ui["accent"], 2));
   painter.setBrush(Qt::NoBrush);

@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "console/models/words.hpp"
 
@@ -37,11 +38,12 @@ void ForceMeter::set_value(std::optional<double> newtons, bool held) {
   const QString text = value_ ? quantity_text(*value_, QStringLiteral("N")) : nothing();
   if (text == shown_ && !lost) return;
   shown_ = text;
-  setAccessibleDescription(
-      tr("%1, good from %2 to %3")
-          .arg(text, quantity_text(low_, QStringLiteral("N")), quantity_text(limit_, QStringLiteral("N"))));
+  const QString band = tr("%1, good from %2 to %3").arg(text, quantity_text(low_, QStringLiteral("N")), quantity_text(limit_, QStringLiteral("N")));
+  setAccessibleDescription(judges() ? band : text);
   update();
 }
+
+bool ForceMeter::judges() const { return std::isfinite(limit_); }
 
 QString ForceMeter::nothing() const { return held_ ? tr("no contact") : tr("no grasp"); }
 
@@ -60,7 +62,7 @@ void ForceMeter::paintEvent(QPaintEvent*) {
              value_ ? shown_ : QStringLiteral("–"));
   p.setFont(font());
   const bool low = value_ && *value_ < low_;
-  const QString word = !value_ ? nothing() : over ? tr("! too much") : low ? tr("light") : tr("good");
+  const QString word = !value_ ? nothing() : !judges() ? QString() : over ? tr("! too much") : low ? tr("light") : tr("good");
   p.setPen(!value_ || low ? theme_["muted"] : over ? theme_["bad"] : theme_["good"]);
   p.drawText(QRectF(0, 0, width(), 34), Qt::AlignRight | Qt::AlignVCenter, word);
 
@@ -71,19 +73,20 @@ void ForceMeter::paintEvent(QPaintEvent*) {
   p.setBrush(theme_["raised"]);
   p.drawRoundedRect(bar, 4, 4);
   p.setPen(Qt::NoPen);
-  p.fillRect(QRectF(x(low_), bar.top() + 1, x(limit_) - x(low_), bar.height() - 2), theme_["band"]);
+  if (judges()) p.fillRect(QRectF(x(low_), bar.top() + 1, x(limit_) - x(low_), bar.height() - 2), theme_["band"]);
   if (value_ && *value_ > 0) {
     p.setBrush(over ? theme_["bad"] : theme_["plot"]);
     p.drawRoundedRect(QRectF(bar.left(), bar.top() + 4, x(*value_) - bar.left(), bar.height() - 8), 3, 3);
   }
   p.setPen(QPen(theme_["bad"], 2));
-  p.drawLine(QPointF(x(limit_), bar.top() - 3), QPointF(x(limit_), bar.bottom() + 3));
+  if (judges()) p.drawLine(QPointF(x(limit_), bar.top() - 3), QPointF(x(limit_), bar.bottom() + 3));
   QFont small = font();
   small.setPointSizeF(font().pointSizeF() * 0.85);
   p.setFont(small);
   p.setPen(theme_["muted"]);
   for (const double tick : {0.0, low_, limit_, most_}) {
     // a number that would run into its neighbour is left out
+    if (!judges() && (tick == low_ || tick == limit_) && tick != 0) continue;
     if (tick == low_ && x(low_) - x(0) < 24) continue;
     const QRectF where(x(tick) - 30, bar.bottom() + 4, 60, 16);
     const Qt::Alignment side = tick <= 0 ? Qt::AlignLeft : tick >= most_ ? Qt::AlignRight : Qt::AlignHCenter;

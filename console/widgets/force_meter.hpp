@@ -19,6 +19,8 @@ class ForceMeter : public QWidget {
   void set_value(std::optional<double> newtons, bool held = true);
   std::optional<double> value() const { return value_; }
   double limit() const { return limit_; }
+  /// False where the limit is infinite: a force is told and not judged.
+  bool judges() const;
   QSize sizeHint() const override { return {220, 84}; }
   QSize minimumSizeHint() const override { return {140, 84}; }
 

@@ -50,6 +50,12 @@ QPushButton* make_button(const QString& text, const QString& shortcut_id, const 
   return button;
 }
 
+void give_key(QPushButton* button, const QString& shortcut) {
+  button->setShortcut(QKeySequence(shortcut));
+  const QString tip = button->toolTip().isEmpty() ? button->accessibleName() : button->toolTip();
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(tip, key_text(shortcut)));
+}
+
 QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent) {
   auto* line = new QLineEdit(parent);
   line->setObjectName(name);

@@ -30,6 +30,9 @@ QString key_text(const QString& shortcut);
 /// A button that tells its shortcut, also to screen readers.
 QPushButton* make_button(const QString& text, const QString& shortcut, const QString& name, QWidget* parent);
 
+/// Gives a button a shortcut, and its tip (its words where it has none) the name of the key. Main thread.
+void give_key(QPushButton* button, const QString& shortcut);
+
 /// A line to type words of a search into, with a button that clears it.
 QLineEdit* make_search(const QString& what, const QString& name, QWidget* parent);
 

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFocusFrame>
 #include <QMessageBox>
 #include <QPageSize>
@@ -12,6 +11,8 @@
 #include <QPixmap>
 #include <QSaveFile>
 #include <QSvgGenerator>
+
+#include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 namespace {
@@ -87,8 +88,8 @@ void offer_picture(QWidget* plot, const QString& name) {
   }
   plot->setContextMenuPolicy(Qt::ActionsContextMenu);
   QObject::connect(action, &QAction::triggered, plot, [plot, name] {
-    const QString file = QFileDialog::getSaveFileName(plot, QObject::tr("Save picture"), name + QStringLiteral(".png"),
-                                                      QObject::tr("Picture (*.png);;Drawing (*.svg);;Page (*.pdf)"));
+    const QString file = ask_save(plot, QObject::tr("Save picture"), name + QStringLiteral(".png"),
+                                  QObject::tr("Picture (*.png);;Drawing (*.svg);;Page (*.pdf)"));
     if (file.isEmpty()) return;
     if (const QString problem = save_plot(*plot, file); !problem.isEmpty())
       QMessageBox::warning(plot, QObject::tr("Save picture"), problem);

@@ -34,7 +34,7 @@ void TracePlot::set_title(const QString& title) {
 
 void TracePlot::set_limit(double value) {
   limit_ = value;
-  has_limit_ = true;
+  has_limit_ = !std::isnan(value);
   update();
 }
 

@@ -17,7 +17,7 @@ class TracePlot : public QWidget {
   void set_theme(const UiTheme& theme, const char* colour_role);
   void set_range(double low, double high);
   void set_title(const QString& title);
-  void set_limit(double value);  // a dashed line
+  void set_limit(double value);  // a dashed line; NaN: none
   void clear();
   /// Time in s, value as shown; not a number leaves a gap.
   void add(double time_s, double value);
@@ -33,7 +33,7 @@ class TracePlot : public QWidget {
   static constexpr double kWindow_s = 10;
 
   QSize sizeHint() const override { return {240, 130}; }
-  QSize minimumSizeHint() const override { return {140, 90}; }
+  QSize minimumSizeHint() const override { return {140, 48}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

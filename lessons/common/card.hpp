@@ -54,6 +54,11 @@ inline constexpr uint32_t kHeard = SWAGE_CHANNEL_COLOUR | SWAGE_CHANNEL_SHAPE | 
 inline constexpr uint32_t kFelt = kHeard | SWAGE_CHANNEL_FORCE;
 
 inline constexpr swage_cue_info kTooHard = {"grip.too_hard", "The grip force is above the limit.", kFelt, 0};
+
+inline constexpr swage_cue_info kGraspWrong = {"grasp.wrong", "Held at the wrong place, and not with the tips.", kHeard, 0};
+inline constexpr swage_cue_info kGraspTipsOnly = {"grasp.tips_only", "Held with the tips, but at the wrong place.", kHeard, 0};
+inline constexpr swage_cue_info kGraspPointOnly = {"grasp.point_only", "Held at the right place, but not with the tips.", kHeard, 0};
+inline constexpr swage_cue_info kGraspGood = {"grasp.good", "Held at the right place and with the tips.", kHeard, 0};
 // clang-format on
 
 }  // namespace swage::lessons

@@ -164,11 +164,11 @@ using lessons::kHeard;
 enum class Sign : size_t { kWrong, kTipsOnly, kPointOnly, kTilted, kGood, kTooHard, kNear, kDone, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
-    {"grasp.wrong", "Held at the wrong place, and not with the tips.", kHeard, 0},
-    {"grasp.tips_only", "Held with the tips, but at the wrong place.", kHeard, 0},
-    {"grasp.point_only", "Held at the right place, but not with the tips.", kHeard, 0},
+    lessons::kGraspWrong,
+    lessons::kGraspTipsOnly,
+    lessons::kGraspPointOnly,
     {"grasp.tilted", "Held at the right place and with the tips, but not perpendicular to the jaws.", kHeard, 0},
-    {"grasp.good", "Held at the right place and with the tips.", kHeard, 0},
+    lessons::kGraspGood,
     lessons::kTooHard,
     {"target.near", "The needle is at the target; the hold runs.", kHeard, 0},
     {"target.done", "The hold at the target is done.", kHeard, 0},

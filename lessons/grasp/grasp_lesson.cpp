@@ -22,7 +22,10 @@ void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
 }
 
 void GraspLesson::declare(LessonBuilder& builder) {
-  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [this](size_t i) {
+    if (i == index(Sign::kTilted)) return params_.max_tilt > 0;
+    return params_.carry || (i != index(Sign::kNear) && i != index(Sign::kDone));
+  });
 
   phase_[index(Stage::kApproach)] = builder.phase("approach", ("Bring the open jaws to the " + params_.needle + ".").c_str());
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift what they hold.");

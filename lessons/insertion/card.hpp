@@ -34,6 +34,8 @@ enum class Measure : size_t {
   kArc,
   kDeflections,
   kWound,
+  kWoundWide,
+  kWoundExit,
   kArea,
   kPull,
   kSwept,
@@ -86,6 +88,8 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"insert.arc_error", "m", "Distance of the entry from the needle's own curve, by way: 0 when it is turned about its centre.", "sqrt(integral of d^2 dl / l)", "M47", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"insert.deflections", "1", "Punctures that failed because of the angle.", "count of pierce.deflected", "M48", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"wound.size", "1", "Size of the entry wound about the first puncture: 1 (100 %) is perfect.", "greatest distance of the wound's edge from the first puncture / radius of the wire", "M49", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
+    {"wound.wide", "1", "The thesis's wound size, about the wound's own centre: 1 (100 %) is perfect.", "greatest distance of the wound's edge from its centre / radius of the wire", "M49", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
+    {"wound.exit", "1", "Size of the exit wound about the place where the point came out: 1 (100 %) is perfect.", "greatest distance of the wound's edge from that place / radius of the wire", "M49", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"wound.area", "1", "Torn area over the needle's section: 1 is perfect.", "area / (pi d^2/4)", "M50", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"tissue.pull", "N*s", "Pull on the tissue along its surface, summed over time. Compare only within one tissue.", "integral of the length of f - f.n n", "M51", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"tissue.swept", "m2", "Area swept sideways inside the tissue.", "sum over steps", "M53", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
@@ -138,6 +142,8 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("insert.arc_error", "Deviation from the needle's arc"),
     lessons::label("insert.deflections", "Failed punctures", SWAGE_SHOW_COUNT, 0, nullptr, "max_deflections"),
     lessons::label("wound.size", "Entry wound size", SWAGE_SHOW_SHARE, 2, nullptr, "max_wound"),
+    lessons::label("wound.wide", "Entry wound size about its centre", SWAGE_SHOW_SHARE),
+    lessons::label("wound.exit", "Exit wound size", SWAGE_SHOW_SHARE),
     lessons::label("wound.area", "Entry wound area (% of the needle's)", SWAGE_SHOW_SHARE),
     lessons::label("tissue.pull", "Tissue pull over time"),
     lessons::label("tissue.swept", "Area torn in the tissue"),
@@ -185,7 +191,8 @@ using lessons::kFelt;
 using lessons::kHeard;
 
 /// Order of kCues.
-enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kBent, kDeflected, kDropped, kLeft, kCount };
+enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kBent, kDeflected, kDropped, kLeft,
+                           kGraspWrong, kTipsOnly, kPointOnly, kGraspGood, kCount };  // the last four in the order of Grip
 
 inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
@@ -201,6 +208,10 @@ inline constexpr swage_cue_info kCues[] = {
     {"tissue.deflected", "The tissue has turned the point away, and it has not gone in since.", kFelt, 0},
     {"needle.dropped", "The needle was dropped and is to be taken again.", kFelt, 0},
     {"target.left", "The point went in beyond the tolerance of the mark.", kFelt, 0},
+    lessons::kGraspWrong,
+    lessons::kGraspTipsOnly,
+    lessons::kGraspPointOnly,
+    lessons::kGraspGood,
 };
 // clang-format on
 static_assert(sizeof kCues / sizeof kCues[0] == static_cast<size_t>(Sign::kCount));

@@ -21,8 +21,13 @@ constexpr double kMarkRadius = 60e-6;  // m, drawn; the hole in its middle leave
 void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builder) {
   params_ = params;
   lessons::require_ordered(builder, "force", params.force);
+  lessons::require_ordered(builder, "tip_zone", params.tip_zone);
+  if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
   builder.state<Kept>();
-  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
+    const bool of_suture = i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood);
+    return of_suture ? !params.suture.empty() : i < index(Sign::kGraspWrong) || has_region();
+  });
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
@@ -76,6 +81,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   tissue_body_ = scene->object[tissue_object_].first_body;
   target_ = binder.mark_point({0, 0, 0}, kMarkRadius, "target.point");
   if (params_.tail > 0) tail_ = binder.mark_point({0, 0, 0}, kMarkRadius, "tail.point");
+  if (has_region()) region_ = binder.mark_arc(needle_object_, params_.region.low, params_.region.high, "region.target");
   if (has_exit()) exit_ = binder.mark_point({0, 0, 0}, kMarkRadius, "exit.point");
 }
 
@@ -88,14 +94,12 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
         "nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
   const auto signal = [&](const std::string& word) {
     const Signal found = scene.find_signal(owner, "pierce." + word);
-    if (!found.valid())
-      binder.error("\"" + owner + "\" has no signal \"pierce." + word + "\", which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, "pierce." + word, "which this lesson watches");
     return found;
   };
   const auto event = [&](const std::string& word) {
     const Event found = scene.find_event(owner, "pierce." + word);
-    if (!found.valid())
-      binder.error("\"" + owner + "\" has no event \"pierce." + word + "\", which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "event", owner, "pierce." + word, "which this lesson watches");
     return found;
   };
   pierce_ = {signal("state"),
@@ -110,6 +114,8 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
              signal("pull"),
              signal("depth"),
              {signal("exit_x"), signal("exit_y"), signal("exit_z")},
+             scene.find_signal(owner, "pierce.wound_wide"),
+             scene.find_signal(owner, "pierce.exit_wound"),
              event("entered"),
              event("exited"),
              event("passed"),
@@ -129,6 +135,10 @@ void InsertionLesson::activate(double dt_s) {
   rules.max_deflections = p.max_deflections;
   rules.stitches = p.stitches;
   rules.exit_mark = has_exit();
+  rules.region_low = p.region.low;
+  rules.region_high = p.region.high;
+  rules.tip_low = p.tip_zone.low;
+  rules.tip_high = p.tip_zone.high;
   rules.suture.there = !p.suture.empty();
   rules.suture.swage_zone = p.swage_zone;
   rules.suture.tail = p.tail;
@@ -236,6 +246,8 @@ void InsertionLesson::read_pierce(const View& scene, Look& look) const {
     look.hole = hole(scene.object(tissue_object_), look.exited ? place(scene, pierce_.exit) : look.entry_W);
   look.wound = number(pierce_.wound);
   look.area_ratio = number(pierce_.area_ratio);
+  if (pierce_.wound_wide.valid()) look.wound_wide = number(pierce_.wound_wide);
+  if (pierce_.exit_wound.valid()) look.exit_wound = number(pierce_.exit_wound);
   look.swept = number(pierce_.swept);
   look.below = number(pierce_.below);
   look.pull = number(pierce_.pull);
@@ -282,6 +294,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   };
   const Memory& m = kept.memory;
   Cue needle;
+  if (finding.grip != Grip::kNone) needle = cue_[index(Sign::kGraspWrong) + index(finding.grip) - 1];
   if (finding.stage == Stage::kTake && m.drops > 0) needle = sign(Sign::kDropped);
   if (finding.angle_good) needle = sign(Sign::kAngleGood);
   if (m.bending >= 1) needle = sign(Sign::kBent);
@@ -346,6 +359,8 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   if (m.wall > 0) tell(Measure::kDepth, look.below / m.wall);
   tell(Measure::kArc, arc_rms(m));
   tell(Measure::kWound, look.wound);
+  if (pierce_.wound_wide.valid()) tell(Measure::kWoundWide, look.wound_wide);
+  if (look.exit_wound > 0) tell(Measure::kWoundExit, look.exit_wound);
   tell(Measure::kArea, look.area_ratio);
   tell(Measure::kPull, m.pull_s);
   tell(Measure::kSwept, look.swept);

@@ -27,7 +27,9 @@ struct InsertionParams {
   double in_angle = Rules{}.in_angle;                           // rad
   double least_in_angle = Rules{}.least_in_angle;
   double drive = Rules{}.drive;
-  Interval force = {0.1, Rules{}.force_high};  // N
+  Interval region = {Rules{}.region_low, Rules{}.region_high};
+  Interval tip_zone = {Rules{}.tip_low, Rules{}.tip_high};  // m
+  Interval force = {0.1, Rules{}.force_high};               // N
   double par_time = Rules{}.par_time;          // s
   double max_time = Rules{}.max_time;          // s
   double max_wound = Rules{}.max_wound;
@@ -81,6 +83,11 @@ class InsertionLesson final : public Lesson<InsertionParams> {
           "Least share of the needle's path through the surface that must be within that angle; 0: the angle costs points only."),
       real<&InsertionParams::drive>("drive", "Drive", "1", "%", 0.02, 0.95,
                                     "Share of the needle that is to be inside at the end."),
+      interval<&InsertionParams::region>("region", "Region", "1", "%", 0, 1,
+                                         "Where the needle is to be held, counted from its point, which is marked on it; until it goes in "
+                                         "the needle shows how it is held. 0 % to 0 %: anywhere."),
+      interval<&InsertionParams::tip_zone>("tip_zone", "Tip zone", "m", "mm", -0.1, 0.1,
+                                           "How far the tips may reach past the needle and still count as grasping with them."),
       interval<&InsertionParams::force>(
           "force", "Force", "N", "N", 0, 100,
           "Grip force of careful hands; above it the jaws show too much force."),
@@ -151,6 +158,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   /// Signals and events of the coupling that pierces.
   struct Pierce {
     Signal state, angle, cosine, s, entry[3], wound, area_ratio, swept, below, pull, depth, exit[3];
+    Signal wound_wide, exit_wound;  // which not every coupling tells
     Event entered, exited, passed, deflected;
   };
 
@@ -176,6 +184,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
   void report_points(const Points& lost, const Verdict& verdict) const;
   void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;
+  bool has_region() const { return params_.region.high > params_.region.low; }
   bool has_exit() const { return params_.exit != std::array<double, 3>{0, 0, 0}; }
   Cue sign(Sign sign) const { return cue_[static_cast<size_t>(sign)]; }
 
@@ -189,7 +198,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   Peer gripper_, needle_, tissue_;
   uint32_t gripper_object_ = kNone, gripper_body_ = kNone, needle_object_ = kNone, needle_body_ = kNone,
            tissue_object_ = kNone, tissue_body_ = kNone;
-  Mark target_, exit_, tail_;
+  Mark target_, exit_, tail_, region_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];                      // by Stage

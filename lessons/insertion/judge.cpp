@@ -39,6 +39,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
   finding.swage_held = memory.suture.grasped != 0;
   finding.stage = stage(memory, look);
+  finding.grip = how_held(look);
   decide(memory, look, finding);
   return finding;
 }
@@ -120,6 +121,14 @@ Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
   if (look.in_tissue) return Stage::kDrive;
   return look.held ? Stage::kAim : Stage::kTake;
+}
+
+Grip Judge::how_held(const Look& look) const noexcept {
+  if (!look.held || look.in_tissue || rules_.region_high <= rules_.region_low) return Grip::kNone;
+  const bool place = look.grip_s >= rules_.region_low && look.grip_s <= rules_.region_high;
+  const bool tips = look.tip_reach >= rules_.tip_low && look.tip_reach <= rules_.tip_high;
+  if (place) return tips ? Grip::kGood : Grip::kPointOnly;
+  return tips ? Grip::kTipsOnly : Grip::kWrong;
 }
 
 void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {

@@ -46,6 +46,8 @@ struct Rules {
   int stitches = 1;             // that are asked for
   bool exit_mark = false;       // there is a mark where it should come out
   bool ends = true;             // the time limit ends the attempt
+  double region_low = 0, region_high = 0;  // where the needle should be held, 0 point .. 1 swage; both 0: anywhere
+  double tip_low = 0, tip_high = 0.3e-3;   // m, how far the tips should reach past it
   SutureRules suture;
 };
 
@@ -73,6 +75,7 @@ struct Look {
   bool jaws_astray = false;     // a jaw is in the tissue
   double diameter = 100e-6;     // m, of the wire
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
+  double wound_wide = 0, exit_wound = 0;  // 1: from the wound's own centre; of the exit, 0 before
   SutureLook suture;
 };
 
@@ -104,6 +107,9 @@ enum class End {
   kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kCount
 };
 
+/// How the needle is held before it goes in: place and tips right or wrong.
+enum class Grip { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
+
 /// Points of 100 that were lost.
 struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
@@ -114,6 +120,7 @@ struct Points {
 struct Finding {
   Stage stage = Stage::kTake;
   End end = End::kRunning;
+  Grip grip = Grip::kNone;                     // kNone as well where no region is asked for
   bool near = false;                           // the point is where it should go in
   bool exit_near = false;                      // it came out where it should
   bool angle_good = false, angle_off = false;  // in the tissue
@@ -144,6 +151,7 @@ class Judge {
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;
+  Grip how_held(const Look& look) const noexcept;
   void decide(const Memory& memory, const Look& look, Finding& finding) const noexcept;
   Points points(const Memory& memory, const Look& look) const noexcept;
   double score(const Memory& memory, const Points& lost, bool passed) const noexcept;

@@ -6,10 +6,15 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QPainter>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableView>
 #include <algorithm>
 
+#include "console/pages/now_panel.hpp"
+#include "console/view3d/overlay.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -130,6 +135,53 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
   EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
 }
 
+// what has to be known is told beside the inset, and neither over it nor cut off
+TEST(Hint, StaysBesideAnInsetInAsManyLinesAsItNeeds) {
+  constexpr int kInset_px = 320, kHeight_px = 200;
+  const auto lowest = [](double right, const QString& text) {
+    QImage picture(640, kHeight_px, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    QPainter painter(&picture);
+    console::Overlay(painter, picture.rect(), console::UiTheme::stock(QStringLiteral("light"))).hint(text, 0, right);
+    painter.end();
+    int rows = 0;
+    for (int y = 0; y < kHeight_px; ++y) {
+      bool drawn = false;
+      for (int x = 0; x < picture.width(); ++x) {
+        const bool here = qGray(picture.pixel(x, y)) > 40;
+        EXPECT_FALSE(here && x >= right) << x << " " << y;
+        drawn = drawn || here;
+      }
+      rows += drawn;
+    }
+    return rows;
+  };
+  const QString part = QStringLiteral("Drag, or A D W S Q E: move"), both = part + QString::fromUtf16(console::kHintGap) + part;
+  const int one = lowest(kInset_px, part);
+  EXPECT_GT(one, 10);
+  EXPECT_EQ(lowest(640, both), one);
+  EXPECT_GT(lowest(kInset_px, both), 2 * one - 2);
+}
+
+TEST_F(FirstSight, TheRightColumnNeedsNoScrollBarWhileALessonRuns) {
+  run_to(0.3);
+  EXPECT_TRUE(eventually([&] {
+    window->resize(1276, 776);  // what a frame leaves of 1280x800
+    return window->size() == QSize(1276, 776);
+  }));
+  QTest::keyClick(window.get(), Qt::Key_F6);
+  auto* now = window->findChild<console::NowPanel*>();
+  QWidget* up = now;
+  while (up && !qobject_cast<QScrollArea*>(up)) up = up->parentWidget();
+  auto* column = qobject_cast<QScrollArea*>(up);
+  ASSERT_NE(column, nullptr);
+  console::Reading reading;
+  reading.phase = QStringLiteral("Bring its point to the mark, perpendicular to the tissue, and hold it there until the ring is closed.");
+  now->show_reading(reading, 12);
+  QTest::qWait(50);
+  EXPECT_EQ(column->verticalScrollBar()->maximum(), 0);
+}
+
 // with two hands Tab is the other hand; with one it goes on to the next button, as everywhere
 TEST_F(FirstSight, TabHandsOverWhereTheMouseLeadsTwo) {
   for (const bool two : {true, false}) {
@@ -241,8 +293,14 @@ TEST(Now, ShowsNoReadingsWithoutALesson) {
   EXPECT_FALSE(now.meter()->isVisibleTo(&now));
   EXPECT_FALSE(plots->isVisibleTo(&now));
   for (const QFrame* part : now.findChildren<QFrame*>()) EXPECT_FALSE(part->property("card").toBool() && part->isVisibleTo(&now)) << "an empty card";
-  now.set_scene(console::Reader(snapshot::SceneCard{}), {0.3, 0.7}, "Grasp it.", {});
+  now.set_scene(console::Reader(snapshot::SceneCard{}), {0.3, 0.7}, "Look at it.", {});
+  EXPECT_FALSE(plots->isVisibleTo(&now)) << "nothing to plot: what may be adjusted is there";
+  EXPECT_TRUE(now.findChild<QPushButton*>("lower_1")->isChecked());
+  snapshot::SceneCard card;
+  card.script.signals = {{"grasp", "grasp.force", "N", ""}};
+  now.set_scene(console::Reader(card), {0.3, 0.7}, "Grasp it.", {});
   EXPECT_TRUE(plots->isVisibleTo(&now));
+  EXPECT_TRUE(plots->isChecked());
   now.set_readings_hidden(true);
   EXPECT_FALSE(plots->isVisibleTo(&now)) << "a test";
 }

@@ -225,6 +225,16 @@ TEST(Reading, OfSeveralThingsTheOneThatIsHeldIsTold) {
   }
 }
 
+// the jaws of an assistant hold the needle whose angle is judged: nobody asks how hard
+TEST(Reading, AnAssistantsForceIsNotShown) {
+  snapshot::SceneCard card;
+  card.script.signals = {{"grasp", "grasp.force", "N", ""}, {"grasp", "grasp.held", "1", ""}};
+  card.script.metrics = {{"lesson", "angles.threshold", "rad", ""}};
+  EXPECT_FALSE(Reader(card).has_force());
+  card.script.metrics.push_back({"lesson", "force.peak", "N", ""});
+  EXPECT_TRUE(Reader(card).has_force()) << "a lesson that measures a grip";
+}
+
 TEST(Words, AxesEndAtNumbersThatAreEasilyRead) {
   EXPECT_DOUBLE_EQ(nice_end(2.1), 3);
   EXPECT_DOUBLE_EQ(nice_end(1.26), 1.5);

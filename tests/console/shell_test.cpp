@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The shell of the window: pages by key and button, what is remembered of their layout, the Lessons and the Setup page.
+#include <QComboBox>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QListView>
 #include <QSplitter>
+#include <QTableWidget>
+#include <QTimer>
 #include <QUndoStack>
 
+#include "console/widgets/save_file.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -93,6 +98,65 @@ TEST_F(Shell, ATestFromTheLessonsPageIsATest) {
   click("page_lessons");
   click("test_lesson");
   EXPECT_EQ(page()->setup()->mode(), "test");
+}
+
+TEST_F(Shell, ActionsOfCoursesAndSetupHaveKeysThatTheirTipsTell) {
+  with_school = true;
+  open();
+  const struct {
+    const char *page, *button, *key;
+  } all[] = {{"courses", "remove_course", "Ctrl+Shift+D"}, {"courses", "add_limit", "Ctrl+M"},
+             {"courses", "remove_limit", "Ctrl+Shift+M"},  {"courses", "suggest_limits", "Ctrl+E"},
+             {"setup", "setup_trainee_options", "Ctrl+D"}, {"setup", "setup_station", "Ctrl+T"},
+             {"setup", "setup_calibrate", "Ctrl+K"},       {"run", "delete_lesson", "Ctrl+Del"}};
+  for (const auto& [page, name, key] : all) {
+    auto* button = child<QPushButton>(name);
+    const QKeySequence keys(QString::fromLatin1(key));
+    EXPECT_EQ(button->shortcut(), keys) << name;
+    EXPECT_TRUE(button->toolTip().endsWith(" (" + keys.toString(QKeySequence::NativeText) + ")")) << button->toolTip().toStdString();
+    ASSERT_TRUE(pages()->go(QString::fromLatin1(page)));
+    for (const QAbstractButton* other : pages()->current().widget->findChildren<QAbstractButton*>())
+      EXPECT_TRUE(other == button || other->shortcut() != keys) << name << " and " << other->objectName().toStdString();
+  }
+}
+
+// Without experts nobody knows a number: it is asked for at once, and the limit is there.
+TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
+  with_school = true;
+  open();
+  click("page_courses");
+  click("first_course");
+  click("add_lesson");
+  auto* metric = child<QComboBox>("limit_metric");
+  metric->addItem(QStringLiteral("Active time"), QStringLiteral("time.task"));
+  metric->setCurrentIndex(metric->count() - 1);
+  click("add_limit");
+  const auto limits = [this] { return window->courses_page()->course().steps[0].limits; };
+  ASSERT_EQ(limits().size(), 1u) << child<QLabel>("course_problem")->text().toStdString();
+  auto* line = child<QTableWidget>("limits")->viewport()->findChild<QLineEdit*>();
+  ASSERT_NE(line, nullptr) << "its number can be typed";
+  line->selectAll();
+  QTest::keyClicks(line, QStringLiteral("40"));
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_TRUE(eventually([&] { return limits().size() == 1 && limits()[0].most == 40; }));
+  click("remove_limit");
+  EXPECT_TRUE(limits().empty());
+}
+
+TEST_F(Shell, ANameWithoutAnEndingGetsThatOfItsKindOfFile) {
+  open();
+  QTimer type;
+  QObject::connect(&type, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    type.stop();
+    auto* line = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    line->setText(dir.filePath("mine"));
+    QTest::keyClick(line, Qt::Key_Return);
+  });
+  type.start(10);
+  EXPECT_EQ(console::ask_save(window.get(), QStringLiteral("Save"), dir.filePath("a.json"), QStringLiteral("Lessons (*.json);;All (*.txt)")),
+            dir.filePath("mine.json"));
 }
 
 }  // namespace

@@ -49,6 +49,17 @@ TEST_P(Pairs, TheExpertLeavesASmallWoundAndTheNoviceALargerOne) {
   EXPECT_LT(novice.verdict().score, expert.verdict().score - 20);
 }
 
+// thesis 6.4: the needle hangs, whichever it is and however the tissue slopes
+TEST_P(Pairs, TheExpertTakesItWhereItHangs) {
+  LessonRun attempt(SWAGE_SOURCE_DIR "/lessons/series/116_insertion_hanging.json", "expert",
+                    {std::string("tissue.form=") + GetParam().surface, std::string("needle.arc=") + GetParam().needle});
+  ASSERT_EQ(attempt.problems(), "");
+  attempt.run(60);
+  EXPECT_EQ(attempt.outcome(), "passed") << attempt.reason();
+  EXPECT_LT(attempt.metric("wound.size"), 1.4);
+  EXPECT_LT(attempt.metric("insert.cosine"), 0.15);
+}
+
 TEST(Pairs, TheClumsyHandTearsTheTissueAndIsToldSo) {
   for (const char* needle : {"2/8", "3/8", "4/8"}) {
     const LessonRun clumsy = run({"flat", needle}, "clumsy");
@@ -145,7 +156,7 @@ TEST(LooseGrip, TheTissueTwistsTheNeedleInTheJaws) {
   EXPECT_EQ(loose.happened("pierce.entered"), 0) << "it has turned away from the tissue";
 }
 
-/// Mean cosine of a hand with a lean in a stock plan, the needle rigid.
+/// Mean cosine of a hand with a lean in a stock plan, the needle rigid: until the point is out, where it is to come out.
 double cosine(const std::string& lesson, const std::string& plan, double lean) {
   const std::string series = SWAGE_SOURCE_DIR "/lessons/";
   char params[400];
@@ -156,14 +167,18 @@ double cosine(const std::string& lesson, const std::string& plan, double lean) {
                     std::vector<std::string>{"needle.level=rigid"});
   EXPECT_EQ(attempt.problems(), "");
   if (!attempt.ready()) return -1;
-  attempt.run(60);
-  EXPECT_GT(attempt.happened("pierce.entered"), 0) << attempt.outcome() << " " << attempt.reason();
-  return attempt.metric("insert.cosine");
+  double sum = 0, steps = 0;
+  while (attempt.outcome() == "running" && attempt.world().time() < 60 && attempt.happened("pierce.exited") == 0) {
+    attempt.step();
+    if (attempt.phase() == "drive") sum += attempt.signal("pierce", "pierce.cosine"), ++steps;
+  }
+  EXPECT_GT(steps, 0) << attempt.outcome() << " " << attempt.reason();
+  return sum / std::max(steps, 1.0);
 }
 
 // A rigid needle that is turned about its own centre, in the plane of the surface but for the lean, passes at one angle all the way
-// 110 at every lean; 116, whose needle hangs and turns a little in the jaws when it is taken, where that is small beside the lean. 115 has
-// a second grasp, and tells the mean of both ways.
+// 110 at every lean, 115 up to where the point comes out, before the second grasp; 116, whose needle hangs and turns a little in the jaws
+// when it is taken, where that is small beside the lean.
 TEST(Lean, TheMeanCosineIsItsSineInTheStockPlans) {
   const auto expect = [](const std::string& lesson, const std::string& plan, double degrees) {
     const double sine = std::sin(std::abs(degrees) * M_PI / 180);
@@ -172,6 +187,7 @@ TEST(Lean, TheMeanCosineIsItsSineInTheStockPlans) {
   for (const double degrees : {5.0, 12.0, 20.0})
     for (const double sign : {1.0, -1.0}) {
       expect("110_insertion", "110_insertion", sign * degrees);
+      expect("115_stitch", "115_stitch", sign * degrees);
       if (degrees > 10) expect("116_insertion_hanging", "116_hanging", sign * degrees);
     }
 }

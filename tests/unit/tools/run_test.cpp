@@ -3,6 +3,7 @@
 // swage run and swage replay, without a window.
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -69,6 +70,16 @@ TEST_F(Run, SaysHowItWentAndWhereItIsKept) {
   EXPECT_THAT(said.out, testing::ContainsRegex("time.task +0.5[0-9]* s +Simulated time that was looked at."));
   EXPECT_THAT(said.out, testing::ContainsRegex("loop: 50[0-9] steps, mean "));
   EXPECT_THAT(said.out, testing::ContainsRegex("kept as attempt [0-9a-f-]{36} in " + store()));
+}
+
+TEST_F(Run, WritesEverySignalOfEveryStepWhereAsked) {
+  const Said said = run(source("lessons/series/020_grasp_basic.json"),
+                        {"--as-fast-as-possible", "--device", "expert", "--trace", path("t.csv")});
+  ASSERT_EQ(said.code, 0) << said.err;
+  const std::string trace = read("t.csv");
+  EXPECT_THAT(trace, testing::StartsWith("time [s],"));
+  EXPECT_THAT(trace.substr(0, trace.find('\n')), HasSubstr("grasp.force [N]"));
+  EXPECT_NEAR(static_cast<double>(std::count(trace.begin(), trace.end(), '\n')), 1000 * only_attempt().simulated_s, 3) << "1 kHz";
 }
 
 TEST_F(Run, AsJson) {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Parts of the window as a stranger meets them (tests/stranger.md): what is told while a lesson runs, and after it.
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QTest>
+
+#include "console/pages/now_panel.hpp"
+#include "console/pages/result_panel.hpp"
+#include "console/view3d/scene_input.hpp"
+#include "console/view3d/scene_state.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::console {
+namespace {
+
+TEST(Stranger, IsToldTheTimeThatIsLeft) {
+  NowPanel now;
+  now.set_themes(UiTheme::stock("light"), CueTheme::stock("safe"));
+  Criteria asked;
+  asked.pass = {"Hold it."};
+  asked.max_time_s = 60;
+  now.set_scene(Reader(snapshot::SceneCard{}), {0.3, 0.7}, "Grasp it.", asked);
+  const auto* left = now.findChild<QLabel*>("time_left");
+  const auto* criteria = now.findChild<QLabel*>("criteria");
+  EXPECT_TRUE(criteria->isVisibleTo(&now)) << "what is asked, before";
+  EXPECT_FALSE(left->isVisibleTo(&now));
+  now.set_running(true);
+  now.show_reading({}, 12);
+  EXPECT_TRUE(left->isVisibleTo(&now));
+  EXPECT_TRUE(left->text().contains("00:48")) << left->text().toStdString();
+  now.show_reading({}, 70);
+  EXPECT_TRUE(left->text().contains("00:10")) << left->text().toStdString();
+}
+
+TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
+  QWidget picture;
+  picture.resize(400, 300);
+  SceneState scene;
+  ViewPoint point(scene);
+  PanelLayout panels(scene, point);
+  SceneInput input(&picture, scene, point, panels);
+  EXPECT_TRUE(input.hint(true, false, true).isEmpty()) << "nobody has dragged";
+  QMouseEvent move(QEvent::MouseMove, QPointF(30, 20), QPointF(30, 20), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  input.move(&move);
+  EXPECT_TRUE(input.hint(true, false, true).contains("turns the view"));
+  input.set_instrument(true);
+  EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
+}
+
+// Thirty numbers would hide the five that matter; where the points went stands apart.
+TEST(Stranger, SeesWhatMattersFirstAndWhereThePointsWent) {
+  ResultPanel panel;
+  session::Result result;
+  result.outcome = judge::Outcome::kPassed;
+  snapshot::SceneCard card;
+  for (int i = 0; i < 8; ++i) {
+    const std::string id = i < 6 ? "metric." + std::to_string(i) : "points." + std::to_string(i);
+    result.metrics.push_back({id, "1", "", 7.25 + i});
+    card.script.metrics.push_back({"lesson", id, "1", ""});
+    snapshot::CardMetric own;
+    own.rank = i < 2 ? 2 - i : 0;
+    if (i >= 6) own.show = SWAGE_SHOW_POINTS;
+    card.metrics.push_back(own);
+  }
+  panel.show_result(result, card, true);
+  const auto shown = [&](const QString& value) {
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->text() == value) return label->isVisibleTo(&panel);
+    ADD_FAILURE() << value.toStdString() << " is nowhere";
+    return false;
+  };
+  const auto number = [](double v) { return QLocale().toString(v, 'f', 2); };
+  EXPECT_TRUE(shown(number(7.25)) && shown(number(8.25)));
+  EXPECT_FALSE(shown(number(9.25))) << "on demand";
+  EXPECT_TRUE(shown(QStringLiteral("−%L1").arg(13.25, 0, 'f', 1)));
+  auto* all = panel.findChild<QPushButton*>("all_numbers");
+  all->click();
+  EXPECT_TRUE(shown(number(9.25)));
+  // by keys in the order in which they stand
+  QWidget* at = panel.findChild<QPushButton*>("again");
+  for (const char* name : {"to_review", "next_lesson", "to_progress", "all_numbers"}) {
+    do at = at->nextInFocusChain();
+    while (!qobject_cast<QPushButton*>(at));
+    EXPECT_EQ(at->objectName(), name);
+  }
+}
+
+}  // namespace
+}  // namespace swage::console
