@@ -42,6 +42,8 @@ enum class Measure : size_t {
   kBiteOut,
   kAsymmetry,
   kOblique,
+  kMostOblique,
+  kUnequal,
   kUneven,
   kStitches,
   kProgress,
@@ -51,6 +53,8 @@ enum class Measure : size_t {
   kTail,
   kCut,
   kSawn,
+  kLoopLeast,
+  kLoopMost,
   kPointsWound,
   kPointsAngle,
   kPointsEntry,
@@ -58,6 +62,11 @@ enum class Measure : size_t {
   kPointsRefused,
   kPointsDrops,
   kPointsSuture,
+  kPointsEven,
+  kPointsBites,
+  kPointsOblique,
+  kPointsLoops,
+  kPointsTension,
   kPointsTime,
   kCount
 };
@@ -93,7 +102,9 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"stitch.bite_in", "1", "Bite of the last entry: its distance from the edge, in needle diameters.", "edge(entry) / d", "M42", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_A},
     {"stitch.bite_out", "1", "The same of the last exit.", "edge(exit) / d", "M42", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_A},
     {"stitch.asymmetry", "1", "How unlike the two bites of the last stitch are.", "abs(b1 - b2) / mean(b1, b2)", "M43", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
-    {"stitch.obliquity", "rad", "Angle between the last stitch and the normal to the edge, along the surface.", "acos(abs(s . e) / length of s), s = exit - entry along the surface", "M44", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"stitch.obliquity", "rad", "Angle between the last stitch and the plane square to the edge.", "asin(abs(s . t) / length of s), s = exit - entry, t along the edge", "M44", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"stitch.most_obliquity", "rad", "The greatest such angle of all stitches; of more than one.", "max", "M44", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"stitch.unequal_bites", "1", "How unlike the bites of all finished stitches are; of more than one.", "(max - min) / mean of the bites in and out", "M43", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"stitch.unevenness", "1", "How uneven the stitches lie along the edge; from three on.", "standard deviation / mean of the distances between neighbours", "M45", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     {"stitch.count", "1", "Stitches that are through.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
     {"insert.progress", "1", "Greatest share of the needle that was inside, of what is asked.", "max of s / drive", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
@@ -103,6 +114,8 @@ inline constexpr swage_metric_info kMetrics[] = {
     {"thread.tail", "m", "Thread left before the entry; told once the thread is in the tissue.", "length", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
     {"thread.cut", "m", "How far the thread cut its holes through the tissue.", "max over the holes", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
     {"thread.sawn", "m", "Thread drawn back against its way through the tissue.", "sum", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE},
+    {"thread.loop_least", "m", "The shortest loop of a running suture: thread between one bite and the next; told where loops are asked for.", "min of the thread from exit to entry", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
+    {"thread.loop_most", "m", "The longest such loop.", "max", "", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_NONE},
     lessons::points("points.wound", "Points lost for the size of the wound.", "30 clamp((wound.size - 1) / 2, 0, 1)"),
     lessons::points("points.angle", "Points lost for the angle in the tissue.", "30 clamp(insert.angle / 45 deg, 0, 1)"),
     lessons::points("points.entry", "Points lost for the distance of the entry from the mark.", "15 clamp(insert.entry_distance / tolerance, 0, 1)"),
@@ -110,6 +123,11 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::points("points.refused", "Points lost for failed punctures.", "8 clamp(insert.deflections, 0, 3)"),
     lessons::points("points.drops", "Points lost for drops of the needle.", "15 grasp.drops"),
     lessons::points("points.suture", "Points lost for grasps at the swage.", "15 thread.swage_grasps"),
+    lessons::points("points.spacing", "Points lost for uneven spacing; of more than one stitch.", "10 clamp(2 stitch.unevenness, 0, 1)"),
+    lessons::points("points.bites", "Points lost for unequal bites; of more than one stitch.", "10 clamp(stitch.unequal_bites, 0, 1)"),
+    lessons::points("points.obliquity", "Points lost for the most oblique stitch; of more than one.", "10 clamp(stitch.most_obliquity / 45 deg, 0, 1)"),
+    lessons::points("points.loops", "Points lost for unequal loops.", "15 clamp(2 (thread.loop_most - thread.loop_least) / loop, 0, 1)"),
+    lessons::points("points.tension", "Points lost for a thread drawn too hard.", "15 clamp(thread.tension / tension - 1, 0, 1)"),
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -146,6 +164,8 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("stitch.bite_out", "Exit bite (needle diameters)"),
     lessons::label("stitch.asymmetry", "Bite asymmetry", SWAGE_SHOW_SHARE),
     lessons::label("stitch.obliquity", "Stitch obliquity"),
+    lessons::label("stitch.most_obliquity", "Stitch obliquity, greatest"),
+    lessons::label("stitch.unequal_bites", "Bite variability", SWAGE_SHOW_SHARE),
     lessons::label("stitch.unevenness", "Spacing variability", SWAGE_SHOW_SHARE),
     lessons::label("stitch.count", "Stitches completed", SWAGE_SHOW_COUNT),
     lessons::label("insert.progress", "Required depth reached", SWAGE_SHOW_SHARE),
@@ -155,6 +175,8 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("thread.tail", "Tail length"),
     lessons::label("thread.cut", "Cut by the thread"),
     lessons::label("thread.sawn", "Thread drawn back"),
+    lessons::label("thread.loop_least", "Shortest loop"),
+    lessons::label("thread.loop_most", "Longest loop"),
     lessons::label("points.wound", "Wound size", SWAGE_SHOW_POINTS),
     lessons::label("points.angle", "Angle in the tissue", SWAGE_SHOW_POINTS),
     lessons::label("points.entry", "Entry point", SWAGE_SHOW_POINTS),
@@ -162,6 +184,11 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.refused", "Failed punctures", SWAGE_SHOW_POINTS),
     lessons::kPointsDropsLabel,
     lessons::label("points.suture", "Grasps at the swage", SWAGE_SHOW_POINTS),
+    lessons::label("points.spacing", "Spacing", SWAGE_SHOW_POINTS),
+    lessons::label("points.bites", "Bites", SWAGE_SHOW_POINTS),
+    lessons::label("points.obliquity", "Obliquity", SWAGE_SHOW_POINTS),
+    lessons::label("points.loops", "Loops", SWAGE_SHOW_POINTS),
+    lessons::label("points.tension", "Thread tension", SWAGE_SHOW_POINTS),
     lessons::kPointsTimeLabel,
 };
 
@@ -170,8 +197,10 @@ inline constexpr swage_criterion kCriteria[] = {
     {"Puncture the tissue within {tolerance} of the mark.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Drive {drive} of the needle into the tissue.", "task=insert", SWAGE_CRITERION_PASS, 0},
     {"Bring the point out, let go, take it where it came out and pull the needle through.", "task=stitch", SWAGE_CRITERION_PASS, 0},
-    {"Draw the thread through until {tail} of it are left at the entry, to within {tail_tolerance}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
+    {"Draw the thread through until {tail} of it are left at the entry, to within {tail_tolerance}.", "tail", SWAGE_CRITERION_PASS, 0},
     {"Stitches: {stitches}.", "task=stitch", SWAGE_CRITERION_PASS, 0},
+    {"Draw each loop until {loop} of thread are left between a bite and the one before it, to within {loop_tolerance}.", "loop", SWAGE_CRITERION_PASS, 0},
+    {"Draw the thread with {tension} at most.", "tension", SWAGE_CRITERION_POINTS, 0},
     {"Stay perpendicular to the surface, to within {in_angle}, for at least {least_in_angle} of the way.", "least_in_angle", SWAGE_CRITERION_PASS, 0},
     {"A wound beyond {max_wound} of the needle's size ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
     {"More failed punctures than {max_deflections} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0},
@@ -185,7 +214,7 @@ using lessons::kFelt;
 using lessons::kHeard;
 
 /// Order of kCues.
-enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kBent, kDeflected, kDropped, kLeft, kCount };
+enum class Sign : size_t { kNear, kAngleGood, kAngleOff, kStuck, kTorn, kTooHard, kDone, kSwageHeld, kTailGood, kBent, kDeflected, kDropped, kLeft, kTaut, kCount };
 
 inline constexpr swage_cue_info kCues[] = {
     {"target.near", "The point is where it should go in, or came out where it should.", kHeard, 0},
@@ -196,11 +225,12 @@ inline constexpr swage_cue_info kCues[] = {
     lessons::kTooHard,
     {"target.done", "It went in here, and the task is done.", kHeard, 0},
     {"suture.swage_held", "The needle is grasped at the swage, which damages the suture.", kFelt, 0},
-    {"suture.tail_good", "The tail has its length.", kHeard, 0},
+    {"suture.tail_good", "The tail, or the loop, has its length.", kHeard, 0},
     {"needle.bent", "The needle was bent beyond its yield: it stays bent.", kFelt, 0},
     {"tissue.deflected", "The tissue has turned the point away, and it has not gone in since.", kFelt, 0},
     {"needle.dropped", "The needle was dropped and is to be taken again.", kFelt, 0},
     {"target.left", "The point went in beyond the tolerance of the mark.", kFelt, 0},
+    {"thread.taut", "The thread is drawn too hard.", kFelt, 0},
 };
 // clang-format on
 static_assert(sizeof kCues / sizeof kCues[0] == static_cast<size_t>(Sign::kCount));
