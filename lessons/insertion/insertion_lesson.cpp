@@ -74,7 +74,8 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
   find_pierce(scene, binder);
   if (!params_.suture.empty()) find_suture(scene, binder);
-  if (params_.suture.empty() && params_.tail > 0) binder.error("a tail is asked for, and \"suture\" names no thread");
+  if (params_.suture.empty() && params_.tail + params_.loop > 0)
+    binder.error("a tail or loops are asked for, and \"suture\" names no thread");
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
   needle_body_ = scene->object[needle_object_].first_body;
@@ -143,6 +144,9 @@ void InsertionLesson::activate(double dt_s) {
   rules.suture.swage_zone = p.swage_zone;
   rules.suture.tail = p.tail;
   rules.suture.tail_tolerance = p.tail_tolerance;
+  rules.suture.loop = p.loop;
+  rules.suture.loop_tolerance = p.loop_tolerance;
+  rules.suture.tension = p.tension;
   judge_ = Judge(rules, dt_s);
 }
 
@@ -302,7 +306,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   if (finding.stuck) needle = sign(Sign::kStuck);
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
-  if (thread_.valid()) show(thread_object_, finding.swage_held ? sign(Sign::kSwageHeld) : Cue());
+  if (thread_.valid()) say_suture(finding, verdict);
   const bool turned_away = finding.stage == Stage::kAim && m.deflections > 0 && m.entries == 0;
   show(tissue_object_, finding.torn ? sign(Sign::kTorn) : turned_away ? sign(Sign::kDeflected) : Cue());
   const auto point = [&](Mark mark, const double(&p)[3], bool near) {
@@ -358,7 +362,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kInAngle, m.travel > 0 ? in_angle_share(m) : 0);
   if (m.wall > 0) tell(Measure::kDepth, look.below / m.wall);
   tell(Measure::kArc, arc_rms(m));
-  tell(Measure::kWound, look.wound);
+  tell(Measure::kWound, std::max(look.wound, m.worst_wound));
   if (pierce_.wound_wide.valid()) tell(Measure::kWoundWide, look.wound_wide);
   if (look.exit_wound > 0) tell(Measure::kWoundExit, look.exit_wound);
   tell(Measure::kArea, look.area_ratio);
@@ -376,6 +380,7 @@ void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) 
   tell(Measure::kPointsRefused, lost.refused);
   tell(Measure::kPointsDrops, lost.drops);
   if (thread_.valid()) tell(Measure::kPointsSuture, lost.suture);
+  report_running(lost, verdict);
   tell(Measure::kPointsTime, lost.time);
 }
 
@@ -390,6 +395,8 @@ void InsertionLesson::report_stitches(const Look& look, const Memory& m, const V
   tell(Measure::kBiteOut, s.bite_out / look.diameter);
   tell(Measure::kAsymmetry, Stitches::asymmetry(s));
   if (s.oblique >= 0) tell(Measure::kOblique, s.oblique);
+  if (params_.stitches > 1) tell(Measure::kMostOblique, s.most_oblique);
+  if (params_.stitches > 1 && s.count > 0) tell(Measure::kUnequal, Stitches::unequal(s));
   if (const double uneven = Stitches::unevenness(s); uneven >= 0) tell(Measure::kUneven, uneven);
 }
 

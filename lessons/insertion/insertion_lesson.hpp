@@ -42,6 +42,8 @@ struct InsertionParams {
   std::array<double, 3> exit = {0, 0, 0};  // m, from the mark, in the tissue's frame; 0: no such mark
   std::string suture;                      // "": none
   double swage_zone = SutureRules{}.swage_zone, tail = 0, tail_tolerance = SutureRules{}.tail_tolerance;  // m
+  double loop = 0, loop_tolerance = SutureRules{}.loop_tolerance;  // m
+  double tension = 0;                                              // N
 };
 
 class InsertionLesson final : public Lesson<InsertionParams> {
@@ -139,6 +141,15 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::tail_tolerance>("tail_tolerance", "Tail tolerance", "m", "mm", 1e-5, 0.1,
                                              "By so much the tail may be longer or shorter.")
           .group("Suture"),
+      real<&InsertionParams::loop>("loop", "Loop", "m", "mm", 0, 0.3,
+                                   "Thread that is to be left between a bite and the one before it, or where the thread is fixed; 0: not asked.")
+          .group("Suture"),
+      real<&InsertionParams::loop_tolerance>("loop_tolerance", "Loop tolerance", "m", "mm", 1e-5, 0.1,
+                                             "By so much a loop may be longer or shorter.")
+          .group("Suture"),
+      real<&InsertionParams::tension>("tension", "Tension", "N", "mN", 0, 10,
+                                      "Of the thread at the swage: above it a stitch is drawn too hard; 0: not asked.")
+          .group("Suture"),
   };
 
   void build(const InsertionParams& params, LessonBuilder& builder) override;
@@ -164,7 +175,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
 
   /// Signals and events of the couplings that tie the thread to the needle and draw it through the tissue.
   struct Suture {
-    Signal tension, state, tail, cut, back, force;
+    Signal tension, state, tail, cut, back, force, loop, loop_least, loop_most;
     Event pulled_off, through;
   };
 
@@ -173,6 +184,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   void read_suture(const View& view, Look& look) const;
   void show_tail(const View& view, const Kept& kept, const Verdict& verdict) const;
   void report_suture(const Memory& memory, const Verdict& verdict) const;
+  void report_running(const Points& lost, const Verdict& verdict) const;
+  void say_suture(const Finding& finding, const Verdict& verdict) const;
   bool draw(const View& view, Kept& kept);
   void next_mark(const View& view, Kept& kept) const;
   static Vec3 place(const View& view, const Signal (&signal)[3]);

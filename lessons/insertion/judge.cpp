@@ -38,6 +38,8 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   follow_stitch(memory, look, finding);
   finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
   finding.swage_held = memory.suture.grasped != 0;
+  finding.taut = rules_.suture.tension > 0 && look.suture.tension > rules_.suture.tension;
+  finding.loop_good = rules_.suture.loop > 0 && memory.suture.right_s > 0;
   finding.stage = stage(memory, look);
   finding.grip = how_held(look);
   decide(memory, look, finding);
@@ -108,8 +110,10 @@ void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) co
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
   follow_stray(memory.stray, look.needle_astray, look.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
-  if (memory.missed != 0 || !SutureWatch::tail_done(rules_.suture, memory.suture)) return;
+  if (memory.missed != 0 || !SutureWatch::drawn(rules_.suture, memory.suture)) return;
   Stitches::finish(memory.stitch);
+  memory.worst_entry = std::max(memory.worst_entry, memory.entry_distance);
+  memory.worst_wound = std::max(memory.worst_wound, look.wound);
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
   finding.stitched = true;
@@ -134,7 +138,7 @@ Grip Judge::how_held(const Look& look) const noexcept {
 void Judge::decide(const Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool done = rules_.task == Task::kInsert ? look.in_tissue && look.s >= rules_.drive
                                                  : memory.through != 0 && memory.retaken != 0 &&
-                                                       SutureWatch::tail_done(rules_.suture, memory.suture);
+                                                       SutureWatch::drawn(rules_.suture, memory.suture);
   if (done)
     finding.end = memory.missed != 0                                 ? End::kMissed
                   : in_angle_share(memory) < rules_.least_in_angle ? End::kOffAngle
@@ -162,20 +166,27 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
 Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
   Points lost;
-  lost.wound = 30 * std::clamp((look.wound - 1) / 2, 0.0, 1.0);
+  lost.wound = 30 * std::clamp((std::max(look.wound, memory.worst_wound) - 1) / 2, 0.0, 1.0);
   lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
-  lost.entry = 15 * std::clamp(memory.entry_distance / rules_.tolerance, 0.0, 1.0);
+  lost.entry = 15 * std::clamp(std::max(memory.entry_distance, memory.worst_entry) / rules_.tolerance, 0.0, 1.0);
   lost.bending = lessons::bending_points(memory.bending);
   lost.refused = 8 * std::clamp(memory.deflections, 0.0, 3.0);
   lost.drops = 15 * memory.drops;
   lost.suture = SutureWatch::points(memory.suture);
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
+  lost.loops = 15 * std::clamp(2 * SutureWatch::unlike_loops(rules_.suture, memory.suture), 0.0, 1.0);
+  lost.tension = 15 * std::clamp(SutureWatch::over_tension(rules_.suture, memory.suture), 0.0, 1.0);
+  if (rules_.stitches < 2) return lost;
+  lost.even = 10 * std::clamp(2 * Stitches::unevenness(memory.stitch), 0.0, 1.0);
+  lost.bites = 10 * std::clamp(Stitches::unequal(memory.stitch), 0.0, 1.0);
+  lost.oblique = 10 * std::clamp(memory.stitch.most_oblique / (0.25 * std::numbers::pi), 0.0, 1.0);
   return lost;
 }
 
 double Judge::score(const Memory& memory, const Points& lost, bool passed) const noexcept {
   // an attempt that did not pass is worth at most 40: the share of the way that was made, from the right place
-  if (!passed) return memory.missed != 0 ? 0 : 40 * std::min(1.0, memory.deepest / rules_.drive);
+  const double share = (memory.stitch.count + std::min(1.0, memory.deepest / rules_.drive)) / rules_.stitches;
+  if (!passed) return memory.missed != 0 ? 0 : 40 * std::min(1.0, share);
   return std::clamp(100 - lost.sum(), 40.0, 100.0);
 }
 

@@ -87,6 +87,7 @@ struct Memory {
   double begun = 0;
   double drops = 0, entries = 0, deflections = 0, missed = 0;
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
+  double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
   double wall = 0;                             // m, where it went in
   double exit_angle = 0, exit_distance = 0;    // rad, m, of the last exit
   double last_s = 0, tracked = 0;              // tracked: last_s is of this track
@@ -113,7 +114,10 @@ enum class Grip { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
 /// Points of 100 that were lost.
 struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
-  double sum() const { return wound + angle + entry + bending + refused + drops + suture + time; }
+  double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
+  double sum() const {
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension;
+  }
 };
 
 /// What is to be said after one step.
@@ -131,6 +135,8 @@ struct Finding {
   bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
   bool swage_held = false;               // grasped where the thread is swaged in
   bool damaged = false;                  // that, in this step for the first time
+  bool taut = false;                     // the thread is drawn harder than careful hands draw it
+  bool loop_good = false;                // the loop has its length
   double score = 0;                      // 0..100, once it has ended
   Points lost;                           // likewise, when it was passed
 };

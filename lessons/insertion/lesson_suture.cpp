@@ -30,7 +30,7 @@ void InsertionLesson::find_suture(const Scene& scene, Binder& binder) {
     return binder.error("nothing in the scene ties the thread to a needle; add to \"couplings\" a \"swage.coupling.swage\"");
   suture_.tension = scene.find_signal(swage, "swage.tension");
   suture_.pulled_off = scene.find_event(swage, "swage.pulled_off");
-  if (pull.empty() && params_.tail > 0)
+  if (pull.empty() && params_.tail + params_.loop > 0)
     return binder.error("nothing in the scene draws the thread through tissue; add to \"couplings\" a \"swage.coupling.pull_through\"");
   if (pull.empty()) return;
   suture_.state = scene.find_signal(pull, "pull.state");
@@ -38,6 +38,9 @@ void InsertionLesson::find_suture(const Scene& scene, Binder& binder) {
   suture_.cut = scene.find_signal(pull, "pull.cut");
   suture_.back = scene.find_signal(pull, "pull.back");
   suture_.force = scene.find_signal(pull, "pull.force");
+  suture_.loop = scene.find_signal(pull, "pull.loop");
+  suture_.loop_least = scene.find_signal(pull, "pull.loop_least");
+  suture_.loop_most = scene.find_signal(pull, "pull.loop_most");
   suture_.through = scene.find_event(pull, "pull.went_through");
 }
 
@@ -51,6 +54,18 @@ void InsertionLesson::read_suture(const View& scene, Look& look) const {
   look.suture.cut = number(suture_.cut);
   look.suture.back = number(suture_.back);
   look.suture.force = number(suture_.force);
+  look.suture.loop = number(suture_.loop);
+  look.suture.loop_least = number(suture_.loop_least);
+  look.suture.loop_most = number(suture_.loop_most);
+}
+
+/// On the thread itself: what is wrong before what is right.
+void InsertionLesson::say_suture(const Finding& finding, const Verdict& verdict) const {
+  const Cue cue = finding.swage_held ? sign(Sign::kSwageHeld)
+                  : finding.taut     ? sign(Sign::kTaut)
+                  : finding.loop_good ? sign(Sign::kTailGood)
+                                      : Cue();
+  cue.valid() ? verdict.cue(thread_object_, cue) : verdict.clear_cue(thread_object_);
 }
 
 /// The mark on the thread: what is to be at the entry in the end.
@@ -71,6 +86,19 @@ void InsertionLesson::report_suture(const Memory& m, const Verdict& verdict) con
   tell(Measure::kTail, m.suture.tail);
   tell(Measure::kCut, m.suture.cut);
   tell(Measure::kSawn, m.suture.back);
+  if (params_.loop <= 0 || m.suture.loop_most <= 0) return;
+  tell(Measure::kLoopLeast, m.suture.loop_least);
+  tell(Measure::kLoopMost, m.suture.loop_most);
+}
+
+/// Points of several stitches, and of their thread.
+void InsertionLesson::report_running(const Points& lost, const Verdict& verdict) const {
+  const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
+  if (params_.stitches > 2) tell(Measure::kPointsEven, lost.even);
+  if (params_.stitches > 1) tell(Measure::kPointsBites, lost.bites);
+  if (params_.stitches > 1) tell(Measure::kPointsOblique, lost.oblique);
+  if (params_.loop > 0) tell(Measure::kPointsLoops, lost.loops);
+  if (params_.tension > 0) tell(Measure::kPointsTension, lost.tension);
 }
 
 }  // namespace swage::lesson_insertion

@@ -31,6 +31,8 @@ struct StitchState {
   double bite_in = 0, bite_out = 0;    // m
   double entry[3] = {}, edge[3] = {};  // m, unit; W
   double oblique = -1;                 // rad; -1: not known
+  double most_oblique = 0;             // rad, of all stitches that came out
+  double least = 0, most = 0, sum = 0, bites = 0;  // m, of the bites of finished stitches, two each; how many
   double first[3] = {};                // m, middle of the first stitch
   double place[kMost] = {};            // m, middles of the stitches along the edge, from the first one
 };
@@ -45,15 +47,16 @@ class Stitches {
     Eigen::Map<Vec3>(s.edge) = hole.edge_W;
     s.oblique = -1;
   }
-  /// `least` [m]: a stitch that is shorter along the surface has no direction.
+  /// `least` [m]: a stitch that is shorter has no direction.
   static void exit(StitchState& s, const Hole& hole, double least) noexcept {
     if (s.in == 0) return;
     s.out = 1;
     s.bite_out = hole.edge;
     const Vec3 entry = Eigen::Map<const Vec3>(s.entry), edge = Eigen::Map<const Vec3>(s.edge);
-    const Vec3 way = hole.p_W - entry, flat = way - way.dot(hole.normal_W) * hole.normal_W;
-    if (flat.norm() > least && edge.norm() > 0)
-      s.oblique = std::acos(std::min(1.0, std::abs(flat.dot(edge)) / flat.norm()));
+    const Vec3 way = hole.p_W - entry;
+    if (way.norm() > least && edge.norm() > 0)
+      s.oblique = std::asin(std::min(1.0, std::abs(way.dot(hole.normal_W.cross(edge))) / way.norm()));
+    s.most_oblique = std::max(s.most_oblique, s.oblique);
     const auto n = static_cast<size_t>(s.count);
     if (n >= StitchState::kMost) return;
     const Vec3 middle = entry + 0.5 * way;
@@ -63,6 +66,11 @@ class Stitches {
   /// The present stitch is through.
   static void finish(StitchState& s) noexcept {
     s.count += 1;
+    for (const double bite : {s.bite_in, s.bite_out}) {
+      s.least = s.bites > 0 ? std::min(s.least, bite) : bite;
+      s.most = std::max(s.most, bite);
+      s.sum += bite, s.bites += 1;
+    }
     s.in = s.out = 0;
   }
 
@@ -71,6 +79,8 @@ class Stitches {
     const double mean = 0.5 * (s.bite_in + s.bite_out);
     return mean > 0 ? std::abs(s.bite_in - s.bite_out) / mean : 0;
   }
+  /// (greatest - least) / mean of all bites of finished stitches.
+  static double unequal(const StitchState& s) noexcept { return s.sum > 0 ? (s.most - s.least) * s.bites / s.sum : 0; }
   /// Standard deviation over mean of the distances between neighbours (M45); -1 with fewer than three stitches.
   static double unevenness(const StitchState& s) noexcept {
     const size_t n = std::min(StitchState::kMost, static_cast<size_t>(s.count));

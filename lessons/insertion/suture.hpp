@@ -14,7 +14,10 @@ struct SutureRules {
   double swage_zone = 0.5e-3;     // m from the needle's blunt end that is not to be grasped
   double tail = 0;                // m that is to be left at the entry; 0: the thread need not be drawn through
   double tail_tolerance = 1e-3;   // m
+  double loop = 0;                // m that are to be left between a bite and the one before it; 0: likewise
+  double loop_tolerance = 0.5e-3; // m
   double tail_time = 0.5;         // s for which it must stay so
+  double tension = 0;             // N at the swage that careful hands do not exceed; 0: not asked
 };
 
 /// What one step shows.
@@ -22,6 +25,7 @@ struct SutureLook {
   double tension = 0;                           // N, at the swage
   bool pulled_off = false, through = false;     // events: the thread came out of the needle; all of it went through the tissue
   double state = 0, tail = 0, cut = 0, back = 0, force = 0;  // pull.*: 1, m, m, m, N
+  double loop = 0, loop_least = 0, loop_most = 0;            // pull.*: m
 };
 
 struct SutureState {
@@ -29,8 +33,9 @@ struct SutureState {
   double grasps = 0, grasped = 0;  // at the swage: how often, and now
   double pull_s = 0;               // N s
   double tail = 0, cut = 0, back = 0;  // m
+  double loop_least = 0, loop_most = 0;  // m
   double drawn = 0;                // 1: it has been in the tissue
-  double right_s = 0;              // s for which the tail has had its length
+  double right_s = 0;              // s for which tail and loop have had their length
   double off = 0, lost = 0;        // 1: pulled off the needle; through, or its tail is too short
 };
 
@@ -51,12 +56,24 @@ struct SutureWatch {
     const bool short_tail = rules.tail > 0 && look.state > 0 && look.tail < rules.tail - rules.tail_tolerance;
     if (look.through || short_tail) s.lost = 1;
     constexpr double kOut = 2;
-    const bool right = look.state >= kOut && std::abs(look.tail - rules.tail) <= rules.tail_tolerance;
+    if (look.state >= kOut) s.loop_least = look.loop_least, s.loop_most = look.loop_most;
+    const bool tail = rules.tail <= 0 || std::abs(look.tail - rules.tail) <= rules.tail_tolerance;
+    const bool loop = rules.loop <= 0 || std::abs(look.loop - rules.loop) <= rules.loop_tolerance;
+    const bool right = look.state >= kOut && tail && loop;
     s.right_s = right ? s.right_s + dt : 0;
     return begins;
   }
-  static bool tail_done(const SutureRules& rules, const SutureState& s) noexcept {
-    return rules.tail <= 0 || s.right_s >= rules.tail_time;
+  /// Drawn through as far as is asked.
+  static bool drawn(const SutureRules& rules, const SutureState& s) noexcept {
+    return (rules.tail <= 0 && rules.loop <= 0) || s.right_s >= rules.tail_time;
+  }
+  /// How unlike the loops of a running suture are, of what is asked.
+  static double unlike_loops(const SutureRules& rules, const SutureState& s) noexcept {
+    return rules.loop > 0 ? (s.loop_most - s.loop_least) / rules.loop : 0;
+  }
+  /// How far the tension was exceeded, of what is allowed.
+  static double over_tension(const SutureRules& rules, const SutureState& s) noexcept {
+    return rules.tension > 0 ? std::max(0.0, s.peak / rules.tension - 1) : 0;
   }
   /// Of 100: 15 for each grasp at the swage.
   static double points(const SutureState& s) noexcept { return 15 * s.grasps; }

@@ -39,6 +39,9 @@ void PullThrough::build(const PullThroughParams& params, CouplingBuilder& builde
   cut_ = builder.signal("pull.cut", "m", "How far the thread has cut its holes through the tissue, the farthest of them.");
   back_ = builder.signal("pull.back", "m", "Thread drawn back so far, against its way: sawing.");
   bites_ = builder.signal("pull.bites", "1", "Times that the thread goes through the tissue now.");
+  loop_ = builder.signal("pull.loop", "m", "Thread between the last bite and the one before it, or the other end; 0 when it is not in the tissue.");
+  loop_least_ = builder.signal("pull.loop_least", "m", "The shortest such length of all bites.");
+  loop_most_ = builder.signal("pull.loop_most", "m", "The longest such length of all bites.");
   in_ = builder.event("pull.went_in", "The thread went in; value: drawn in so far, m.");
   came_out_ = builder.event("pull.came_out", "Its leading end came out; value: length inside, m.");
   back_out_ = builder.event("pull.went_back", "It was drawn back out of the way it came.");
@@ -180,10 +183,17 @@ void PullThrough::tell(const CouplingStep& step, const Site& site, const PullThr
   const Passage &newest = state.bite[0], &oldest = state.bite[in ? state.count() - 1 : 0];
   const double first = in ? oldest.hole[0].u : 0, last = in && newest.out != 0 ? newest.hole[newest.holes() - 1].u : 0;
   const double beside = kBeside * site.strand.radius;
-  double inside = 0;
-  for (int b = 0; b < state.count(); ++b) inside += state.bite[b].inside();
+  const double loop = in ? state.loop(0, site.strand.length) : 0;
+  double inside = 0, least = loop, most = loop;
+  for (int b = 0; b < state.count(); ++b) {
+    const double l = state.loop(b, site.strand.length);
+    inside += state.bite[b].inside(), least = std::min(least, l), most = std::max(most, l);
+  }
   step.signal(state_, !in ? 0 : newest.out == 0 ? 1 : 2);
   step.signal(bites_, state.bites);
+  step.signal(loop_, loop);
+  step.signal(loop_least_, least);
+  step.signal(loop_most_, most);
   step.signal(tail_, in ? std::max(0.0, site.strand.length - first) : 0);
   step.signal(out_, last);
   step.signal(inside_, inside);

@@ -7,6 +7,7 @@
 #include <swage/coupling.hpp>
 #include <swage/units.hpp>
 
+#include <algorithm>
 #include <optional>
 
 #include "passage.hpp"
@@ -39,6 +40,11 @@ struct PullThroughState {
   double drag_along, force[3], lateral;  // N, of the last step
 
   int count() const { return static_cast<int>(bites); }
+  /// m, of thread between bite `b` and the one before it, or the other end of a thread of that length [m].
+  double loop(int b, double length) const {
+    const double before = b + 1 < count() ? bite[b + 1].hole[bite[b + 1].holes() - 1].u : length;
+    return std::max(0.0, before - bite[b].hole[0].u);
+  }
   uint32_t holes() const {
     uint32_t n = 0;
     for (int i = 0; i < count(); ++i) n += bite[i].holes();
@@ -105,7 +111,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   PullThroughParams params_;
   StrandPeer thread_;
   Peer tissue_;
-  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_, bites_;
+  Signal state_, tail_, out_, inside_, drag_, force_, lateral_, tension_tail_, tension_out_, cut_, back_, bites_, loop_, loop_least_, loop_most_;
   Event in_, came_out_, back_out_, through_, cut_event_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -24,8 +25,9 @@ constexpr double kLongest = 12;  // s, of an attempt
 constexpr const char* kKnots[] = {"square", "granny", "sliding", "loose"};
 
 /// The thread has that shape, from 1 on.
-LessonRun with_shape(const std::string& hand, int shape) {
+LessonRun with_shape(const std::string& hand, int shape, bool mirror = false) {
   return LessonRun(kLesson, {hand, ""}, [&](assembly::LessonFile& file) {
+    file.mirror = mirror;
     for (auto& object : file.objects)
       if (object.name == "knot") {
         auto params = nlohmann::ordered_json::parse(object.params);
@@ -110,6 +112,24 @@ TEST(FindTheFaultScene, NothingTellsAKnotBeforeItIsNamed) {
     for (const char* object : {"knot", "assistant", "holder", "post"}) EXPECT_EQ(run.cue(object), "") << object;
     for (const char* event : {"fault.answered", "fault.held", "fault.gave_way"}) EXPECT_EQ(run.happened(event), 0);
     for (const char* knot : kKnots) EXPECT_TRUE(std::isnan(of(run, knot, "bears")) && std::isnan(of(run, knot, "opens"))) << knot;
+  }
+}
+
+// A knot and its mirror image have one name: picture and hand are reflected, answer, pull and verdict are the same.
+TEST(FindTheFaultScene, TheLeftHandNamesTheMirrorImage) {
+  for (const int shape : {1, 2}) {
+    LessonRun right = with_shape("expert", shape), left = with_shape("expert", shape, true);
+    ASSERT_EQ(left.problems(), "");
+    right.run(kLongest), left.run(kLongest);
+    EXPECT_EQ(left.outcome(), "passed") << left.reason();
+    EXPECT_EQ(left.metric("fault.right"), 1);
+    EXPECT_EQ(left.happened("fault.held"), shape == 1 ? 1 : 0);
+    EXPECT_EQ(left.happened("fault.gave_way"), shape == 1 ? 0 : 1);
+    EXPECT_NEAR(left.verdict().score, right.verdict().score, 1e-6);
+    auto a = std::make_unique<snapshot::Snapshot>(), b = std::make_unique<snapshot::Snapshot>();
+    right.engine().fill(*a), left.engine().fill(*b);
+    ASSERT_GT(a->n_body, 0u);
+    for (uint32_t i = 0; i < a->n_body; ++i) EXPECT_EQ(b->X_WB[i].p.x, -a->X_WB[i].p.x) << "body " << i;
   }
 }
 

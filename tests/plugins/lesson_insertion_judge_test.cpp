@@ -238,6 +238,10 @@ TEST(InsertionJudge, TheNextStitchBeginsWhereTheLastOneEnded) {
   EXPECT_EQ(f.end, End::kPassed);
   EXPECT_EQ(a.memory.stitch.count, 3);
   EXPECT_NEAR(Stitches::asymmetry(a.memory.stitch), 0.2 / 0.4, 1e-12);
+  EXPECT_NEAR(Stitches::unequal(a.memory.stitch), 0.2 / 0.4, 1e-12) << "bites of 0.3 and 0.5 mm";
+  EXPECT_NEAR(f.lost.bites, 10 * 0.5, 1e-12);
+  EXPECT_NEAR(f.lost.even, 10 * 2 * 0.25 * std::sqrt(2.0) / 1.25, 1e-9);
+  EXPECT_NEAR(f.lost.oblique, 0, 1e-6);
   EXPECT_NEAR(a.memory.stitch.oblique, 0, 1e-7);
   // distances 1 and 1.5 mm: mean 1.25, standard deviation 0.25 sqrt(2)
   EXPECT_NEAR(Stitches::unevenness(a.memory.stitch), 0.25 * std::sqrt(2.0) / 1.25, 1e-12);
@@ -246,13 +250,19 @@ TEST(InsertionJudge, TheNextStitchBeginsWhereTheLastOneEnded) {
 TEST(InsertionJudge, AStitchAslantIsOblique) {
   StitchState s;
   Stitches::enter(s, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3});
-  Stitches::exit(s, {Vec3(1e-3, 1e-3, -0.2e-3), -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
+  Stitches::exit(s, {Vec3(1e-3, 1e-3, 0), -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
   EXPECT_NEAR(s.oblique, 45 * kDegree, 1e-12);
   EXPECT_EQ(Stitches::asymmetry(s), 0);
-  // straight through a wall it has no direction; out without in is none at all
-  Stitches::enter(s, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3});
-  Stitches::exit(s, {Vec3(0.1e-3, 0, -1e-3), -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
-  EXPECT_EQ(s.oblique, -1);
+  // through a wall it may lean along the edge, not across; one that is too short has no direction; out without in is none at all
+  const auto through = [&s](const Vec3& way) {
+    Stitches::enter(s, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3});
+    Stitches::exit(s, {way, -Vec3::UnitX(), Vec3::UnitZ(), 0.3e-3}, 0.2e-3);
+    return s.oblique;
+  };
+  EXPECT_NEAR(through({0.3e-3, 0, -1e-3}), 0, 1e-12);
+  EXPECT_NEAR(through({0, -0.5e-3, -0.5e-3 * std::sqrt(3.0)}), 30 * kDegree, 1e-12);
+  EXPECT_EQ(through({0.1e-3, 0.05e-3, 0}), -1);
+  EXPECT_NEAR(s.most_oblique, 45 * kDegree, 1e-12) << "of all of them";
   StitchState none;
   Stitches::exit(none, {}, 0);
   EXPECT_EQ(none.out, 0);

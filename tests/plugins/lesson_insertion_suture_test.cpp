@@ -67,5 +67,48 @@ TEST(InsertionJudge, AStitchWithThreadEndsWithItsTail) {
   EXPECT_EQ(off.go().end, End::kPulledOff);
 }
 
+/// Each loop must keep its length for half a second before the next bite is asked for; unequal ones and a hard pull cost points.
+TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
+  const auto sewn = [](double second_loop, double tension) {
+    Rules rules;
+    rules.task = Task::kStitch;
+    rules.stitches = 2;
+    rules.suture.there = true;
+    rules.suture.loop = 4e-3, rules.suture.tension = 10e-3;
+    Attempt a(rules);
+    Finding f;
+    for (const double loop : {4e-3, second_loop}) {
+      a.hold();
+      a.enter();
+      a.drive(0.5, 50, 0);
+      a.now.exited = true;
+      a.go();
+      a.now.held = false;
+      a.go();
+      a.hold();
+      a.now.grip_s = 0.1;
+      a.go();
+      a.now.passed = true;
+      a.now.in_tissue = false;
+      a.now.suture.state = 2, a.now.suture.loop = a.now.suture.loop_most = 9e-3;
+      EXPECT_EQ(a.go(1000).end, End::kRunning) << "the loop is long still";
+      a.now.suture.loop = loop, a.now.suture.tension = tension;
+      a.now.suture.loop_most = 4e-3, a.now.suture.loop_least = std::min(4e-3, loop);
+      f = a.go(499);
+      EXPECT_EQ(f.taut, tension > 10e-3);
+      EXPECT_TRUE(f.loop_good);
+      EXPECT_FALSE(f.stitched);
+      f = a.go(2);
+    }
+    return f;
+  };
+  const Finding even = sewn(4e-3, 9e-3), uneven = sewn(3.6e-3, 15e-3);
+  EXPECT_EQ(even.end, End::kPassed);
+  EXPECT_EQ(even.lost.loops + even.lost.tension, 0);
+  EXPECT_EQ(uneven.end, End::kPassed);
+  EXPECT_NEAR(uneven.lost.loops, 15 * 2 * 0.1, 1e-9);
+  EXPECT_NEAR(uneven.lost.tension, 15 * 0.5, 1e-9);
+}
+
 }  // namespace
 }  // namespace swage::lesson_insertion
