@@ -2,6 +2,8 @@
 //
 // A thread: what its step costs beside ODE's exact grasp step, how far off the exact elastica it hangs, and what a whole loop costs with
 // needle and jaws.
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 #include "bar.hpp"
@@ -84,10 +86,27 @@ Hanging hangs(int edges) {
   return {(s.node(edges) / length - exact).norm(), times(ns).median};
 }
 
+void set(assembly::LessonFile& file, const char* object, const char* param, const nlohmann::json& value) {
+  for (assembly::LessonObject& o : file.objects) {
+    if (o.name != object) continue;
+    auto params = nlohmann::json::parse(o.params);
+    params[param] = value;
+    o.params = params.dump();
+  }
+}
+/// Without the tray, and without contact of the thread with the tissue: nothing touches it but needle and jaws.
+void leave_thread_alone(assembly::LessonFile& file) {
+  std::erase_if(file.couplings, [](const auto& c) { return c.a == "tray" || (c.a == "tissue" && c.b == "suture"); });
+  std::erase_if(file.objects, [](const auto& o) { return o.name == "tray"; });
+}
+
 /// Lesson 117 with a thread of 99 segments: processor time of the steps in which `counts` holds.
-std::vector<double> loop(const char* level, bool (*counts)(const stage::LessonRun&)) {
-  stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/117_needle_with_thread.json", "expert",
-                       {std::string("needle.level=") + level, "suture.segments=99"});
+std::vector<double> loop(const char* level, bool (*counts)(const stage::LessonRun&), bool alone = false) {
+  stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/117_needle_with_thread.json", assembly::Overrides{"expert", ""},
+                       [&](assembly::LessonFile& file) {
+                         set(file, "needle", "level", level), set(file, "suture", "segments", 99);
+                         if (alone) leave_thread_alone(file);
+                       });
   std::vector<double> ns;
   if (!run.ready()) return ns;
   while (run.verdict().outcome == judge::Outcome::kRunning && run.world().time() < 60) {
@@ -145,15 +164,20 @@ std::vector<Line> bar_thread(const Effort& effort) {
   beside_ode("G5", "the same, 5 segments: step over ODE's exact grasp step", times(coarse).median, 0.43);
   lines.push_back(within("G5", "order of that error in the length of a segment, 12 to 24", "1", std::log2(hangs(12).error / hangs(24).error), 1.8, 2.2));
 
-  std::vector<std::vector<double>> rigid, bending;
-  for (int i = 0; i < effort.passes; ++i) rigid.push_back(loop("rigid", carried)), bending.push_back(loop("bending", inserted));
-  const Times loose = typical(rigid), whole = typical(bending);
+  std::vector<std::vector<double>> alone, rigid, bending;
+  for (int i = 0; i < effort.passes; ++i) {
+    alone.push_back(loop("rigid", carried, true)), rigid.push_back(loop("rigid", carried));
+    bending.push_back(loop("bending", inserted));
+  }
+  const Times bare = typical(alone), loose = typical(rigid), whole = typical(bending);
   const auto tick = [&](const char* name, double ours, double high, size_t steps) {
     beside_ode("G8", name, ours, high);
     lines.back().note += ", n = " + std::to_string(steps);
   };
-  tick("needle, jaws and a thread of 100 nodes: mean step over ODE's exact grasp step", loose.mean, 3.5, rigid[0].size());
-  tick("needle, jaws and a thread of 100 nodes: p99.9 of a step over ODE's exact grasp step", loose.p999, 10, rigid[0].size());
+  tick("needle, jaws and a thread of 100 nodes: mean step over ODE's exact grasp step", bare.mean, 3.5, alone[0].size());
+  tick("needle, jaws and a thread of 100 nodes: p99.9 of a step over ODE's exact grasp step", bare.p999, 10, alone[0].size());
+  tick("the same over a tray on which the thread lies: mean", loose.mean, 3.5, rigid[0].size());
+  tick("the same over a tray on which the thread lies: p99.9", loose.p999, 10, rigid[0].size());
   tick("bending needle, jaws, tissue and that thread: mean step over ODE's exact grasp step", whole.mean, 7, bending[0].size());
   return lines;
 }
