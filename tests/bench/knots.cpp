@@ -9,6 +9,7 @@
 
 #include "../knots/pull.hpp"
 #include "chart.hpp"
+#include "knots_map.hpp"
 
 namespace swage::bench {
 namespace {
@@ -72,9 +73,9 @@ void print(const Row& row) {
   std::fflush(stdout);
 }
 
-void write_table(const std::string& out, const std::vector<Row>& rows) {
+void write_table(const std::string& out, const std::vector<Row>& rows, const std::string& command) {
   std::ofstream page(out + "/knots.md"), table(out + "/knots.csv");
-  page << "# Pull tests of knots\n\nMade by `swage-bench knots`; what is done and measured is in `tests/knots/pull.hpp`.\n\n|";
+  page << "# Pull tests of knots\n\nMade by `" << command << "`; what is done and measured is in `tests/knots/pull.hpp`.\n\n|";
   for (const char* c : kColumns) page << ' ' << c << " |", table << (c == kColumns[0] ? "" : ",") << '"' << c << '"';
   page << "\n|";
   for (size_t i = 0; i < std::size(kColumns); ++i) page << " --- |";
@@ -112,6 +113,18 @@ void draw(const std::string& out, const std::vector<Row>& rows, double pretensio
   write(out, name, chart);
 }
 
+/// The map of all that has been pulled so far.
+void draw_map(const std::string& out, const std::vector<Row>& rows, const std::string& command) {
+  std::vector<KnotCell> cells;
+  for (const Row& r : rows)
+    cells.push_back({std::string(r.knot) + " " + text(r.test.word), r.test.pretension, r.test.friction, text(r.result.end), r.result.most, doubtful(r.result)});
+  char title[160];
+  std::snprintf(title, sizeof title, "Knots in 10-0 nylon: what holds %.2g N at the legs, tails let go", rows.front().test.load);
+  std::ofstream file(out + "/knots_map.svg");
+  file << knot_map(title, command, cells);
+  if (!file.flush()) throw std::runtime_error("cannot write " + out + "/knots_map.svg");
+}
+
 /// A tight surgeon's knot that is kept for two seconds: what its steps cost.
 void time_tight() {
   PullTest test;
@@ -127,6 +140,8 @@ void time_tight() {
 int run_knots(const KnotsWanted& wanted) {
   std::vector<double> pretensions{30e-3, 100e-3, 10e-3}, frictions{0.1, 0.2, 0.25, 0.3, 0.4, 0.6, 1};
   if (wanted.quick) pretensions = {30e-3}, frictions = {0.1, 0.3, 0.6};
+  if (!wanted.pretensions.empty()) pretensions = wanted.pretensions;
+  if (!wanted.frictions.empty()) frictions = wanted.frictions;
   if (!wanted.out.empty()) std::filesystem::create_directories(wanted.out);
   for (const char* c : kColumns) std::printf("%s%s", c == kColumns[0] ? "" : "; ", c);
   std::printf("\n");
@@ -145,7 +160,7 @@ int run_knots(const KnotsWanted& wanted) {
         rows.push_back(row);
       }
       if (rows.size() == before) throw std::runtime_error("no knot \"" + wanted.only + "\"; there are half, granny, square, surgeon");
-      if (!wanted.out.empty()) write_table(wanted.out, rows), draw(wanted.out, rows, pretension);
+      if (!wanted.out.empty()) write_table(wanted.out, rows, wanted.command), draw(wanted.out, rows, pretension), draw_map(wanted.out, rows, wanted.command);
     }
   }
   if (wanted.only.empty()) time_tight();

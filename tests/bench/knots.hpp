@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace swage::bench {
 
@@ -12,6 +13,8 @@ struct KnotsWanted {
   std::string only;   // knots whose name begins so
   double load = 0.1;  // N
   bool quick = false;  // one pretension, three frictions
+  std::vector<double> pretensions, frictions;  // N, 1; none: those of the command
+  std::string command;                         // as it was given, but for the folder
 };
 
 /// Prints a line for each pull; returns how many passed through themselves or were left unconverged in a tenth of their steps. Throws

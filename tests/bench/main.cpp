@@ -177,7 +177,16 @@ int main(int argc, char** argv) {
   knots->add_option("--only", knots_wanted.only, "knots whose name begins so: half, granny, square, surgeon");
   knots->add_option("--load", knots_wanted.load, "N; more than 0.19 pulls to breaking")->capture_default_str();
   knots->add_flag("--quick", knots_wanted.quick, "one pretension, three frictions");
+  knots->add_option("--pretensions", knots_wanted.pretensions, "N, with which they are drawn tight");
+  knots->add_option("--frictions", knots_wanted.frictions, "of thread on thread");
   CLI11_PARSE(app, argc, argv);
+  knots_wanted.command = "swage-bench";
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--out")
+      ++i;
+    else
+      knots_wanted.command += std::string(" ") + argv[i];
+  }
   try {
     if (*charts) return run_charts(charts_out, quick, only);
     if (*stability) return run_stability(scenes, out, quick, only);

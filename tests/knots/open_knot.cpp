@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolkit/knot/writhe.hpp"
 #include "toolkit/rod_passage.hpp"
 
 namespace swage::test {
@@ -160,6 +161,14 @@ double OpenKnot::apex_curvature() const { return rod_->rod().curvature(rod_->sta
 double OpenKnot::apex_tension() const {
   const int i = apex();
   return 0.5 * (rod_->rod().linear_tension(i - 1) + rod_->rod().linear_tension(i));
+}
+
+double OpenKnot::linking() const {
+  constexpr double kFar = 1;  // m
+  const toolkit::RodState s = const_cast<OpenKnot*>(this)->rod_->state();
+  std::vector<double> node(s.x, s.x + 3 * n_);
+  for (const auto& [x, y] : {std::pair{kFar, 0.0}, {kFar, -kFar}, {-kFar, -kFar}, {-kFar, 0.0}}) node.insert(node.end(), {x, y, 0});
+  return rod_->rod().turns(s) + toolkit::writhe(node.data(), static_cast<int>(node.size() / 3), true);
 }
 
 }  // namespace swage::test

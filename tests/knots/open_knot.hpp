@@ -56,6 +56,8 @@ class OpenKnot {
   uint64_t not_converged() const { return solve_->stats().health.total(); }
   size_t contacts() const { return bearing_; }
   double overlap() const { return overlap_; }
+  /// Twist and writhe of the thread, its ends joined far away [turns]: constant while they do not turn and nothing passes.
+  double linking() const;
   int nodes() const { return n_; }
   Vec3 node(int i) const { return const_cast<OpenKnot*>(this)->rod_->state().node(i); }
   toolkit::Rod& rod() { return rod_->rod(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A thread that touches something, in the host's own detector and solver: S23 and S24 of the catalogue (tests/stability/README.md).
+// A thread that touches something, in the host's own detector and solver: S24 of the catalogue (tests/stability/README.md).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Knots that are handled at random and drawn until they break: S38 and S39 of the catalogue (tests/stability/README.md).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "base/rng.hpp"
+#include "open_knot.hpp"
+
+namespace swage::test {
+namespace {
+
+OpenKnotTest handled() {
+  OpenKnotTest t;
+  t.loop = 0.5e-3, t.tail = 3e-3, t.fine = t.coarse = 25e-6, t.turns_free = false;
+  return t;
+}
+
+// S38: an overhand knot drawn tight and loose again and again, at random speeds up to 5 mm/s and with friction from 0 to 1, 10^6 steps in the
+// soak. Its linking number, which jumps by 2 where a strand passes through another, stays what it was.
+TEST(HandledKnot, S38KeepsItsLinkingNumber) {
+  const int steps = std::getenv("SWAGE_SOAK_KNOT") ? 1000000 : 1000;
+  base::Xoshiro256 random(38);
+  OpenKnot knot(handled());
+  const double begun = knot.linking();
+  knot.relax(400, 0);
+  for (int done = 0; done < steps;) {
+    const double R = knot.shortening() / (2 * M_PI), speed = random.uniform(0.5e-3, 5e-3);
+    const double each = R < 0.2e-3 ? -20e-6 : R > 0.6e-3 ? 20e-6 : random.uniform(-60e-6, 60e-6);
+    constexpr double kFrictions[] = {0, 0.1, 0.3, 1};
+    knot.set_friction(kFrictions[random() % 4]);
+    knot.draw(each, speed);
+    done += std::max(1, static_cast<int>(std::abs(each) / (speed * 1e-3)));
+    ASSERT_EQ(knot.passages(), 0) << "after " << done << " steps";
+    ASSERT_TRUE(std::isfinite(knot.pull()));
+  }
+  EXPECT_NEAR(knot.linking(), begun, 0.05);
+  EXPECT_LT(static_cast<double>(knot.not_converged()), 1e-3 * steps);
+}
+
+// S39: drawn on, with friction 0.3, until the thread breaks, 0.19 N: from steps of 1 um at 1 mm/s the pull only grows, and nothing passes
+TEST(HandledKnot, S39IsDrawnUntilItBreaks) {
+  OpenKnotTest t = handled();
+  t.loop = 0.2e-3, t.tail = 1e-3, t.fine = t.coarse = 8e-6;
+  OpenKnot knot(t);
+  knot.relax(400, 0);
+  knot.set_friction(0.3);
+  int steps = 0;
+  for (; knot.pull() < 0.19 && steps < 3000; ++steps) {
+    knot.draw(1e-6, 1e-3);
+    ASSERT_EQ(knot.passages(), 0) << knot.pull() << " N";
+  }
+  EXPECT_GE(knot.pull(), 0.19);
+  EXPECT_LT(knot.not_converged(), 50u) << "of 900 steps";
+}
+
+}  // namespace
+}  // namespace swage::test
