@@ -111,6 +111,7 @@ QWidget* NowPanel::make_lower() {
   auto* scroll = new QScrollArea(pages);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // it scrolls by itself: its length is not that of the column
   form_ = new LiveForm(scroll);
   scroll->setWidget(form_);
   // on the card's own ground

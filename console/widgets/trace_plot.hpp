@@ -32,7 +32,8 @@ class TracePlot : public QWidget {
   static std::vector<Column> columns(const std::deque<Sample>& samples, double from, double to, int n);
   static constexpr double kWindow_s = 10;
 
-  QSize sizeHint() const override { return {240, 130}; }
+  /// Low, as it grows by itself: a column that scrolls asks for this height, not for the least.
+  QSize sizeHint() const override { return {240, 76}; }
   QSize minimumSizeHint() const override { return {140, 48}; }
 
  protected:

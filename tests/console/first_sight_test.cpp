@@ -177,6 +177,7 @@ TEST_F(FirstSight, TheRightColumnNeedsNoScrollBarWhileALessonRuns) {
   ASSERT_NE(column, nullptr);
   console::Reading reading;
   reading.phase = QStringLiteral("Bring its point to the mark, perpendicular to the tissue, and hold it there until the ring is closed.");
+  for (const char* name : {"Grasp attempts", "Drops", "Regrasps", "Resets"}) reading.counts.append({QString::fromLatin1(name), QStringLiteral("0")});
   now->show_reading(reading, 12);
   QTest::qWait(50);
   EXPECT_EQ(column->verticalScrollBar()->maximum(), 0);
