@@ -43,7 +43,7 @@ const char* const kWords[] = {
     QT_TRANSLATE_NOOP("themes", "Point deflected: correct the angle"),
     QT_TRANSLATE_NOOP("themes", "Needle left in the tissue"),
     QT_TRANSLATE_NOOP("themes", "Held at the swage: damages the suture"),
-    QT_TRANSLATE_NOOP("themes", "Tail length right"),
+    QT_TRANSLATE_NOOP("themes", "Thread length right"),
     QT_TRANSLATE_NOOP("themes", "Leave this length of thread"),
     QT_TRANSLATE_NOOP("themes", "Pulls on the tissue"),
     QT_TRANSLATE_NOOP("themes", "Turns are on: keep them drawn"),

@@ -4920,8 +4920,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>An der Armierung: schadet dem Faden</translation>
     </message>
     <message>
-        <source>Tail length right</source>
-        <translation>Fadenende richtig lang</translation>
+        <source>Thread length right</source>
+        <translation>Faden richtig lang</translation>
     </message>
     <message>
         <source>The needle is bent</source>

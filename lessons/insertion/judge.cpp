@@ -35,8 +35,8 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   memory.bending = std::max(memory.bending, look.bending);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
-  follow_stitch(memory, look, finding);
   finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
+  follow_stitch(memory, look, finding);
   finding.swage_held = memory.suture.grasped != 0;
   finding.taut = rules_.suture.tension > 0 && look.suture.tension > rules_.suture.tension;
   finding.loop_good = rules_.suture.loop > 0 && memory.suture.right_s > 0;

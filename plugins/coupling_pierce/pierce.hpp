@@ -31,7 +31,7 @@ struct PierceParams {
 
 /// The private numbers.
 struct PierceState {
-  static constexpr uint32_t kTracks = 2, kWounds = 4;
+  static constexpr uint32_t kTracks = 2, kWounds = 8;
   static constexpr int kPointClears = 1, kEndClears = 2;  // which end of the needle
   Track track[kTracks];
   Wound wound[kWounds];

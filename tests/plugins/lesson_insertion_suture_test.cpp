@@ -77,6 +77,7 @@ TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
     rules.suture.loop = 4e-3, rules.suture.tension = 10e-3;
     Attempt a(rules);
     Finding f;
+    int done = 0;
     for (const double loop : {4e-3, second_loop}) {
       a.hold();
       a.enter();
@@ -98,7 +99,9 @@ TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
       EXPECT_EQ(f.taut, tension > 10e-3);
       EXPECT_TRUE(f.loop_good);
       EXPECT_FALSE(f.stitched);
-      f = a.go(2);
+      for (int i = 0; i < 2 && a.memory.stitch.count == done; ++i) f = a.go();
+      EXPECT_EQ(a.memory.stitch.count, ++done);
+      EXPECT_EQ(f.stitched, done == 1) << "the last one ends the attempt";
     }
     return f;
   };
