@@ -5013,7 +5013,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Not this throw, or it slides</source>
-        <translation>Falscher Schlag, oder er gleitet</translation>
+        <translation>Falscher Wurf, oder er gleitet</translation>
     </message>
     <message>
         <source>Edges together</source>

@@ -121,12 +121,31 @@ std::vector<std::string> card(const PluginInfo& plugin) {
   return out;
 }
 
-TEST(Docs, EveryBundleHasAPageWithTheTableOfItsParameters) {
+Catalogue::Options stock() {
   Catalogue::Options options;
   options.plugin_dirs = {SWAGE_BINARY_DIR "/plugins"};
   options.use_environment = false;
   options.install_dir = SWAGE_BINARY_DIR "/no_such_folder";
-  const Catalogue catalogue(options);
+  return options;
+}
+
+// titles, limits and curves are looked up by the id alone
+TEST(Docs, AMetricsIdHasOneUnit) {
+  const Catalogue catalogue(stock());
+  std::map<std::string, std::pair<std::string, std::string>> known;  // id: unit, who declared it
+  for (const auto& [id, page] : kPages) {
+    const PluginInfo* plugin = catalogue.find(id);
+    ASSERT_NE(plugin, nullptr) << id;
+    for (const MetricInfo& m : plugin->metrics) {
+      const auto& [unit, owner] = known.emplace(m.id, std::pair(m.unit, id)).first->second;
+      EXPECT_EQ(m.unit, unit) << m.id << " of " << id << " and of " << owner;
+    }
+  }
+  EXPECT_GT(known.size(), 50u);
+}
+
+TEST(Docs, EveryBundleHasAPageWithTheTableOfItsParameters) {
+  const Catalogue catalogue(stock());
   for (const auto& [id, page] : kPages) {
     const PluginInfo* plugin = catalogue.find(id);
     ASSERT_NE(plugin, nullptr) << id;
