@@ -37,7 +37,7 @@ TEST(Dense, SolvesWhatEigenSolves) {
 // on machines without registers of four it compares twos with twos
 TEST(Dense, HasTheSameBitsAtEveryWidthOfRegisters) {
   base::Xoshiro256 rng(3);
-  for (const size_t n : {1, 2, 7, 40, 93}) {
+  for (const size_t n : {1u, 2u, 7u, 40u, 93u}) {
     const int size = static_cast<int>(n);
     const RowMajor J = random_matrix(rng, size, size);
     RowMajor A = RowMajor::Identity(size, size) + J * J.transpose(), by_twos = A;
