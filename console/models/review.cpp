@@ -12,6 +12,7 @@
 #include "console/models/words.hpp"
 #include "host/words.hpp"
 #include "judge/host_events.hpp"
+#include "judge/metrics.hpp"
 
 namespace swage::console {
 namespace {
@@ -155,9 +156,7 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   }
   add_moments(recording, events, out);
   add_metrics(recording, card, out);
-  std::vector<std::pair<std::string, double>> metrics;
-  for (const record::MetricValue& m : out.attempt.metrics) metrics.emplace_back(m.id, m.value);
-  out.ratings = rating_lines(out.attempt.outcome, metrics);
+  out.ratings = rating_lines(out.attempt.outcome, judge::metrics_of(out.attempt.metrics));
   return out;
 }
 

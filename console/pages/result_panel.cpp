@@ -10,6 +10,7 @@
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/widgets/parts.hpp"
+#include "judge/metrics.hpp"
 
 namespace swage::console {
 
@@ -154,9 +155,7 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
 
 // beside the lesson's own score, on demand
 void ResultPanel::add_ratings(const session::Result& r) {
-  std::vector<std::pair<std::string, double>> metrics;
-  for (const session::Result::Metric& m : r.metrics) metrics.emplace_back(m.id, m.value);
-  for (const RatingLine& rating : rating_lines(judge::text(r.outcome), metrics))
+  for (const RatingLine& rating : rating_lines(judge::text(r.outcome), judge::metrics_of(r.metrics)))
     add_line(more_, rating.name, rating.value, rating.doc);
 }
 

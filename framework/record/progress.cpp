@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "judge/metrics.hpp"
+
 namespace swage::record {
 namespace {
 
@@ -16,12 +18,6 @@ bool is_of(const CourseStep& step, const AttemptRow& a) {
 // A machine that was too slow, forces that were off and steps that are missing bend times, speeds and forces: such an attempt proves
 // nothing, unless somebody who has looked at it says that it counts.
 bool is_sound(const AttemptRow& a) { return !a.is_void && (a.remark.empty() || !a.void_by.empty()); }
-
-std::vector<std::pair<std::string, double>> pairs(const AttemptRow& a) {
-  std::vector<std::pair<std::string, double>> out;
-  for (const MetricValue& m : a.metrics) out.emplace_back(m.id, m.value);
-  return out;
-}
 
 StepStanding stand(const CourseStep& step, std::span<const AttemptRow* const> oldest_first) {
   StepStanding out;
@@ -49,7 +45,7 @@ bool counts(const CourseStep& step, const AttemptRow& a) {
 }
 
 judge::Met meets(const CourseStep& step, const AttemptRow& a) {
-  judge::Met met = judge::meets(step.limits, pairs(a));
+  judge::Met met = judge::meets(step.limits, judge::metrics_of(a.metrics));
   if (step.limits.empty()) met.all = a.outcome == "passed";
   return met;
 }
@@ -73,7 +69,7 @@ std::vector<StepStanding> standing(const Course& course, std::span<const Attempt
 std::vector<std::vector<std::pair<std::string, double>>> metrics_of(const CourseStep& step, std::span<const AttemptRow> attempts) {
   std::vector<std::vector<std::pair<std::string, double>>> out;
   for (const AttemptRow& a : attempts)
-    if (is_of(step, a) && a.state == "complete" && is_sound(a)) out.push_back(pairs(a));
+    if (is_of(step, a) && a.state == "complete" && is_sound(a)) out.push_back(judge::metrics_of(a.metrics));
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include "assembly/lesson_file.hpp"
 #include "host/nearest.hpp"
 #include "host/units.hpp"
+#include "judge/metrics.hpp"
 #include "record/address.hpp"
 #include "record/recorder.hpp"
 #include "session/session.hpp"
@@ -164,12 +165,6 @@ std::string kept_text(const session::Result& r, const std::string& store) {
   return text;
 }
 
-std::vector<std::pair<std::string, double>> metrics_of(const session::Result& r) {
-  std::vector<std::pair<std::string, double>> out;
-  for (const auto& m : r.metrics) out.emplace_back(m.id, m.value);
-  return out;
-}
-
 void print_text(const RunOptions& o, const snapshot::SceneCard& card, const session::Result& r,
                 const std::string& store) {
   std::printf("%s (%s)\n", printable(card.title).c_str(), printable(card.lesson_id).c_str());
@@ -184,7 +179,7 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
     std::printf("  %-20s %-14s %s\n", printable(m.id).c_str(),
                 printable(metric_text(m.value, m.unit)).c_str(), printable(m.doc).c_str());
   }
-  const std::string ratings = ratings_text(r.outcome, metrics_of(r));
+  const std::string ratings = ratings_text(r.outcome, judge::metrics_of(r.metrics));
   if (!ratings.empty()) std::printf("on scales of surgeons, as far as the state of the scene decides them:\n%s", ratings.c_str());
   std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
   if (r.health.solver.steps > 0)
@@ -228,7 +223,7 @@ void print_json(const snapshot::SceneCard& card, const session::Result& r, const
   out["metrics"] = Json::array();
   for (const auto& m : r.metrics)
     out["metrics"].push_back({{"id", m.id}, {"value", number(m.value)}, {"unit", m.unit}, {"doc", m.doc}});
-  out["ratings"] = ratings_json(r.outcome, metrics_of(r));
+  out["ratings"] = ratings_json(r.outcome, judge::metrics_of(r.metrics));
   out["loop"] = loop_json(r.health);
   out["attempt"] = r.attempt_id.empty() ? Json(nullptr) : Json(r.attempt_id);
   out["store"] = r.attempt_id.empty() ? Json(nullptr) : Json(record::shown(store));

@@ -24,8 +24,9 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
   builder.state<Kept>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
-    const bool of_suture = i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood);
-    return of_suture ? !params.suture.empty() : i < index(Sign::kGraspWrong) || has_region();
+    if (i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood)) return !params.suture.empty();
+    if (i == index(Sign::kTaut)) return params.tension > 0;
+    return i < index(Sign::kGraspWrong) || has_region();
   });
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");

@@ -263,7 +263,7 @@ TEST_F(FirstSight, AnAttemptSaysHowItWasSeen) {
   EXPECT_FALSE(log->last.display.stereo) << "eyes that are nowhere apart see one picture";
 }
 
-// The stitch with a thread has seventeen cues.
+// The running suture has seventeen cues.
 TEST_F(FirstSight, TheLegendHasRoomForSeventeenCues) {
   open();
   console::CueLegend* legend = page()->legend();

@@ -15,6 +15,12 @@
 namespace swage::test {
 namespace {
 
+/// A quantity at e = 0, by the straight line through two thin threads.
+template <class Trefoil>
+double limit(const Trefoil& thin, const Trefoil& thinner, double Trefoil::*what) {
+  return thinner.*what - thinner.e * (thin.*what - thinner.*what) / (thin.e - thinner.e);
+}
+
 struct Loose {
   double e = 0, pull = 0, pressing = 0, kept = 0;  // pull over B / 2 R^2; contact forces over e^3 B / h^2; first integral over the pull
 };
@@ -52,12 +58,8 @@ TEST(Trefoil, MeetsTheTheoryOfThinThreads) {
     r[i] = loose(std::array{1e-3, 4e-3, 16e-3}[i]);
     EXPECT_NEAR(r[i].kept, 1, 0.03) << "e " << r[i].e;
   }
-  // straight through the two thinnest
-  const auto limit = [&](double Loose::*what) {
-    return r[2].*what - r[2].e * (r[1].*what - r[2].*what) / (r[1].e - r[2].e);
-  };
-  EXPECT_NEAR(limit(&Loose::pull), 1, 0.05);
-  EXPECT_NEAR(limit(&Loose::pressing), 0.492, 0.1 * 0.492);
+  EXPECT_NEAR(limit(r[1], r[2], &Loose::pull), 1, 0.05);
+  EXPECT_NEAR(limit(r[1], r[2], &Loose::pressing), 0.492, 0.1 * 0.492);
   EXPECT_GT(r[0].pull, 1.08) << "the leading term alone is not enough at R = 1 mm";
 }
 
@@ -128,8 +130,7 @@ TEST(Trefoil, FrictionMeetsTheTheoryOfThinThreads) {
     r[i] = friction(std::array{1e-3, 4e-3, 16e-3}[i]);
     EXPECT_NEAR(r[i].of_pressing, 1, 0.05) << "e " << r[i].e;
   }
-  const double limit = r[2].share - r[2].e * (r[1].share - r[2].share) / (r[1].e - r[2].e);
-  EXPECT_NEAR(limit, 0.492, 0.1 * 0.492);
+  EXPECT_NEAR(limit(r[1], r[2], &Friction::share), 0.492, 0.1 * 0.492);
   EXPECT_GT(r[0].share, 1.3 * 0.492) << "the leading term alone is not enough at R = 1 mm";
   EXPECT_NEAR(r[0].loose, 0.9e-6, 1.5e-6) << "N";
 }

@@ -52,6 +52,20 @@ struct Attempt {
     }
     return finding;
   }
+  /// In, half through, let go, taken again by the point and drawn out of the entry: the needle is through with the next look.
+  void stitch() {
+    hold();
+    enter();
+    drive(0.5, 50, 0);
+    now.exited = true;
+    go();
+    now.held = false;
+    go();
+    hold();
+    now.grip_s = 0.1;
+    go();
+    now.passed = true;
+  }
 
   Judge judge;
   Memory memory;

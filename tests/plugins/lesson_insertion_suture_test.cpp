@@ -39,17 +39,7 @@ TEST(InsertionJudge, AStitchWithThreadEndsWithItsTail) {
   rules.suture.tail = 10e-3;
   const auto through = [&] {
     Attempt a(rules);
-    a.hold();
-    a.enter();
-    a.drive(0.5, 50, 0);
-    a.now.exited = true;
-    a.go();
-    a.now.held = false;
-    a.go();
-    a.hold();
-    a.now.grip_s = 0.1;
-    a.go();
-    a.now.passed = true;
+    a.stitch();
     a.now.suture.state = 2, a.now.suture.tail = 20e-3;
     return a;
   };
@@ -79,17 +69,7 @@ TEST(InsertionJudge, ARunningSutureIsDrawnLoopByLoop) {
     Finding f;
     int done = 0;
     for (const double loop : {4e-3, second_loop}) {
-      a.hold();
-      a.enter();
-      a.drive(0.5, 50, 0);
-      a.now.exited = true;
-      a.go();
-      a.now.held = false;
-      a.go();
-      a.hold();
-      a.now.grip_s = 0.1;
-      a.go();
-      a.now.passed = true;
+      a.stitch();
       a.now.in_tissue = false;
       a.now.suture.state = 2, a.now.suture.loop = a.now.suture.loop_most = 9e-3;
       EXPECT_EQ(a.go(1000).end, End::kRunning) << "the loop is long still";
