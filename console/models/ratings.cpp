@@ -63,8 +63,9 @@ QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metr
     if (rating.decided == 0) continue;
     RatingLine mean = line(scale, rating.mean);
     mean.id = scale.id;
-    mean.name = QObject::tr("%1, mean of %2 of %3 items").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
-    mean.doc = QObject::tr("The other items are left to an observer. %1").arg(QString::fromStdString(scale.source));
+    mean.mean = true;
+    mean.name = QObject::tr("%1 (%2 of %3 items)").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
+    mean.doc = QObject::tr("The mean of the decided items; the others are left to an observer. %1").arg(QString::fromStdString(scale.source));
     out += mean;
     for (size_t i = 0; i < scale.items.size(); ++i) {
       if (!rating.item[i]) continue;

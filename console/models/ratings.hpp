@@ -13,8 +13,9 @@ namespace swage::console {
 
 struct RatingLine {
   QString name, value, doc;  // "SMaRT: Efficiency", "4.2 of 5"; doc: what decides it, and whose scale it is
-  std::string id;            // "smart.efficiency"; "smart" of the mean
+  std::string id;            // "smart.efficiency"; "smart" of the mean, "SMaRT (6 of 9 items)"
   double points = 0, lowest = 0, highest = 0;
+  bool mean = false;  // of the scale's decided items
 };
 
 /// Of each scale of which the attempt decides an item: the mean first, then those items. None of an attempt that did not end by

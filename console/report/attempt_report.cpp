@@ -36,6 +36,14 @@ void add_metrics(Sheet& sheet, const Review& review) {
   }
 }
 
+// The means alone: the items stand in the review and its CSV.
+void add_ratings(Sheet& sheet, const Review& review) {
+  QStringList means;
+  for (const RatingLine& r : review.ratings)
+    if (r.mean) means += Words::tr("%1: %2").arg(r.name, r.value);
+  if (!means.isEmpty()) sheet.text(Words::tr("On scales of surgeons: %1").arg(means.join(QStringLiteral(" · "))), 9);
+}
+
 void add_moments(Sheet& sheet, const AttemptReport& r) {
   const QVector<double> shares = {0.12, 0.88};
   if (!r.worst.isEmpty()) sheet.text(Words::tr("Worst moments"), 11, true);
@@ -85,6 +93,8 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   if (!a.void_reason.empty()) sheet.text(Words::tr("Void: %1").arg(qt(a.void_reason)), 10);
   sheet.gap(6);
   add_metrics(sheet, r.review);
+  sheet.gap(4);
+  add_ratings(sheet, r.review);
   sheet.gap(8);
   add_moments(sheet, r);
   sheet.gap(8);

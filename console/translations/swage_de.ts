@@ -404,12 +404,12 @@
         <translation>Entschieden durch das Gemessene von: %1.</translation>
     </message>
     <message>
-        <source>%1, mean of %2 of %3 items</source>
-        <translation>%1, Mittel aus %2 von %3 Punkten</translation>
+        <source>%1 (%2 of %3 items)</source>
+        <translation>%1 (%2 von %3 Punkten)</translation>
     </message>
     <message>
-        <source>The other items are left to an observer. %1</source>
-        <translation>Die anderen Punkte bleiben einem Beobachter überlassen. %1</translation>
+        <source>The mean of the decided items; the others are left to an observer. %1</source>
+        <translation>Das Mittel der entschiedenen Punkte; die anderen bleiben einem Beobachter überlassen. %1</translation>
     </message>
 </context>
 <context>
@@ -478,6 +478,14 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Swage %1. For teaching, not for certification.</source>
         <translation>Swage %1. Für den Unterricht, nicht für Zeugnisse.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>On scales of surgeons: %1</source>
+        <translation>Auf Skalen der Chirurgen: %1</translation>
     </message>
 </context>
 <context>

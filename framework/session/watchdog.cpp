@@ -37,7 +37,9 @@ void Watchdog::run() {
 
     // each look counts for no more than its own length, however late it came
     const uint64_t now = beats_();
-    silent_ms = now == seen ? silent_ms + settings_.look_ms : 0;
+    // a thread that has not begun yet waits for a processor: nobody hangs
+    silent_ms = now == seen && now > 0 ? silent_ms + settings_.look_ms : 0;
+    reported &= now == seen;
     seen = now;
 
     const bool stalled = silent_ms >= settings_.stalled_ms;

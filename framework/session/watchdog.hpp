@@ -19,7 +19,8 @@ class Watchdog {
     int64_t hung_ms = 500;    // ms without a beat: the program cannot go on
   };
 
-  /// `beats`: any number that changes while all is well. `hung` runs once, on the watchdog's thread. [main]
+  /// `beats`: a number that changes while all is well; silence counts from the first that is not 0. `hung` runs once in a silence,
+  /// on the watchdog's thread. [main]
   Watchdog(std::function<uint64_t()> beats, std::function<void()> hung);
   Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings);
   ~Watchdog();

@@ -58,7 +58,7 @@ TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
   attempt.metrics = {{"points.time", "1", 3}, {"task.success", "1", 1}};
   Review review = make_review(attempt, test::fake_recording(10), {});
   ASSERT_EQ(review.ratings.size(), 3);  // two items of SMaRT after their mean; no knot was tied, so the other scales say nothing
-  EXPECT_EQ(review.ratings[0].name, "SMaRT, mean of 2 of 9 items");
+  EXPECT_EQ(review.ratings[0].name, "SMaRT (2 of 9 items)");
   EXPECT_EQ(review.ratings[1].name, "SMaRT: Efficiency");
   EXPECT_EQ(review.ratings[1].value, "4.2 of 5");  // 1 + 4 (1 - 3 / 15)
   EXPECT_EQ(review.ratings[2].value, "5.0 of 5");

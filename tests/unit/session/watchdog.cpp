@@ -30,7 +30,7 @@ TEST(Watchdog, IsSilentWhileTheStepBeats) {
 }
 
 TEST(Watchdog, SeesAStallAndItsEnd) {
-  std::atomic<uint64_t> beat{0};
+  std::atomic<uint64_t> beat{1};
   std::atomic<bool> beating{false};
   Watchdog dog([&] { return beating ? ++beat : beat.load(); }, [] {}, {2, 10, 1000000});
   dog.start();
@@ -56,6 +56,32 @@ TEST(Watchdog, AccusesOnceAfterALongSilence) {
   until([&] { return looks > then + 100; });
   dog.stop();
   EXPECT_EQ(hung.load(), 1);
+}
+
+TEST(Watchdog, AccusesNobodyBeforeTheFirstStep) {
+  std::atomic<int> hung{0}, looks{0};
+  Watchdog dog(
+      [&] {
+        ++looks;
+        return uint64_t{0};
+      },
+      [&] { ++hung; }, kQuick);
+  dog.start();
+  until([&] { return looks.load() > 200; });  // four times as long as a silence may be
+  dog.stop();
+  EXPECT_EQ(hung.load(), 0);
+  EXPECT_EQ(dog.stalls(), 0u);
+}
+
+TEST(Watchdog, AccusesAnewInTheNextSilence) {
+  std::atomic<uint64_t> beat{1};
+  std::atomic<int> hung{0};
+  Watchdog dog([&] { return beat.load(); }, [&] { ++hung; }, kQuick);
+  dog.start();
+  until([&] { return hung.load() == 1; });
+  ++beat;
+  until([&] { return hung.load() == 2; });
+  dog.stop();
 }
 
 }  // namespace
