@@ -35,6 +35,9 @@ struct Judged {
     }
     return nullptr;
   }
+
+  /// Of a value that find() gave: the text of a parameter that has one.
+  const std::string& text_of(const swage_value* value) const { return values.text[static_cast<size_t>(value - values.value.data())]; }
 };
 
 Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalogue) {
@@ -113,6 +116,8 @@ bool holds(const Judged& lesson, const std::string& when) {
   const swage_value* value = nullptr;
   const host::Param* p = lesson.find(when.substr(not_so, equals == std::string::npos ? equals : equals - not_so), &value);
   if (!p) return false;
+  const bool text = p->type == SWAGE_PARAM_TEXT || p->type == SWAGE_PARAM_FILE;
+  if (text) return !lesson.text_of(value).empty() != not_so;
   if (equals == std::string::npos) return (value->number[0] != 0) != not_so;
   return (p->type == SWAGE_PARAM_CHOICE && p->choices[static_cast<size_t>(value->number[0])] == when.substr(equals + 1)) != not_so;
 }
@@ -128,7 +133,7 @@ QString sentence(const Judged& lesson, const std::string& text) {
     const swage_value* value = nullptr;
     const host::Param* p = lesson.find(form.mid(open + 1, close - open - 1).toStdString(), &value);
     out += form.mid(at, open - at);
-    if (p) out += value_words(*p, *value, lesson.values.text[static_cast<size_t>(value - lesson.values.value.data())]);
+    if (p) out += value_words(*p, *value, lesson.text_of(value));
     at = close + 1;
   }
   return out + form.mid(at);

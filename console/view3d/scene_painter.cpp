@@ -134,6 +134,13 @@ void ScenePainter::paint_eyes(QPainter& painter, const Job& job) {
   for (size_t i = 0; i < job.panels.size(); ++i) painter.drawImage(job.panels[i].at.topLeft(), eye[i]);
 }
 
+// Entry and exit differ: of several wounds the largest is shown, and the words say so.
+QString ScenePainter::wound_words() const {
+  const WoundPlace& wound = marks_.wound();
+  const QString size = QString::number(100 * wound.ratio, 'f', 0);
+  return wound.of > 1 ? tr("Largest of %1 wounds: %2 %").arg(wound.of).arg(size) : tr("Wound %1 %").arg(size);
+}
+
 // a corner that shows the depth or a wound: what it is, and how large
 void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -148,7 +155,7 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   }
   // how large it is is a cue; that it is there is plain to see
   Overlay overlay(painter, inset.at, shown_.ui);
-  overlay.caption(shown_.cues_shown ? tr("Wound %1 %").arg(100 * marks_.wound().ratio, 0, 'f', 0) : tr("Wound"));
+  overlay.caption(shown_.cues_shown ? wound_words() : tr("Wound"));
   overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 

@@ -72,6 +72,7 @@ class ScenePainter {
   void paint_eye_words(QPainter& painter, Overlay& overlay, const Job& job, const Panel& panel) const;
   void paint_station_mark(QPainter& painter, const Panel& panel) const;
   void paint_frame(QPainter& painter, const Panel& inset) const;
+  QString wound_words() const;
   void paint_words(QPainter& painter, const Job& job) const;
 
   const SceneState& scene_;

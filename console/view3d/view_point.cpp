@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "console/view3d/needle_circle.hpp"
+#include "console/view3d/sight.hpp"
 
 namespace swage::console {
 namespace {
@@ -53,7 +54,8 @@ bool ViewPoint::look_near() {
   return true;
 }
 
-// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve.
+// From the side one looks square onto the plane of a needle that stands, past the tool: so it is driven along its curve. Where something
+// stands before the needle, such as the flap into which it is to go, one looks from the front.
 void ViewPoint::look_aside() {
   if (preset_ != CameraPreset::kSide || !scene_.have_card()) return;
   const QVector3D tips = scene_.middle_of_tips();
@@ -67,6 +69,7 @@ void ViewPoint::look_aside() {
   const float away = QVector3D::dotProduct(level.normalized(), handle.normalized());
   const bool other_side = std::abs(away) > kBehindTool ? away > 0 : level.y() > 0;
   if (other_side) level = -level;
+  if (hidden(scene_.parts(), scene_.X_WB(), circle->centre, level.normalized())) return;
   camera.look_from(static_cast<float>(qRadiansToDegrees(std::atan2(level.y(), level.x()))));
 }
 

@@ -211,7 +211,8 @@ void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dent
 
 WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents) {
   WoundPlace out;
-  for (const std::vector<Tear>& wound : wounds_of(tears)) {
+  const std::vector<std::vector<Tear>> wounds = wounds_of(tears);
+  for (const std::vector<Tear>& wound : wounds) {
     const float r = wound[0].radius;
     QVector3D low = wound[0].a, high = low;
     float reach = r;
@@ -223,7 +224,7 @@ WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent
     const double ratio = static_cast<double>(reach / r);
     if (ratio <= out.ratio) continue;
     const QVector3D middle = 0.5F * (low + high);
-    out = {pressed(dents, middle, wound[0].normal), wound[0].normal, 0.5F * (high - low).length() + r, ratio};
+    out = {pressed(dents, middle, wound[0].normal), wound[0].normal, 0.5F * (high - low).length() + r, ratio, static_cast<int>(wounds.size())};
   }
   return out;
 }

@@ -20,6 +20,7 @@ struct WoundPlace {
   float radius = 0;  // of a sphere that holds it
   double ratio =
       0;  // its edge's greatest distance from the first puncture over the wire's radius: 1 is perfect
+  int of = 0;  // how many wounds there are
   bool there() const { return radius > 0; }
 };
 

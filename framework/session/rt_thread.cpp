@@ -97,6 +97,7 @@ void RtThread::join() {
 void RtThread::start(std::function<void(const RtGrant&)> ready) {
   thread_ = std::thread([this, ready = std::move(ready)] {
     prctl(PR_SET_NAME, "swage-step");
+    tid_.store(static_cast<pid_t>(syscall(SYS_gettid)), std::memory_order_relaxed);
     if (lateness_ == Lateness::kLockstep) {
       ready(RtGrant{false, false, 0, "No clock: as fast as possible."});
       run_lockstep();

@@ -4,6 +4,8 @@
 // scheduling.
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -80,6 +82,8 @@ class RtThread {
   void join();
   /// Counts up with every wake-up, also while the scene is paused: the watchdog's pulse. [any]
   uint64_t beats() const noexcept { return beats_.load(std::memory_order_relaxed); }
+  /// Number of the thread, 0 before it has begun. [any]
+  pid_t tid() const noexcept { return tid_.load(std::memory_order_relaxed); }
   /// [rt]
   const LoopStats& stats() const noexcept { return stats_; }
 
@@ -93,6 +97,7 @@ class RtThread {
   Work work_;
   std::thread thread_;
   std::atomic<uint64_t> beats_{0};
+  std::atomic<pid_t> tid_{0};
   LoopStats stats_;
 };
 

@@ -111,7 +111,8 @@ bool Run::prepare(Problems& problems) {
   host::CallWatch::on_end(ended_by_plugin);
   if (realtime()) host::set_budgets(*rig_, kBudget);
   watchdog_ = std::make_unique<Watchdog>(
-      [this] { return loop_->finished() ? ++idle_beats_ : thread_->beats(); }, [this] { hung(); });
+      [this] { return loop_->finished() ? ++idle_beats_ : thread_->beats(); }, [this] { hung(); },
+      Watchdog::Settings(), [this] { return processor_wait_.starved(thread_->tid()); });
   open_devices(problems);
   if (base::failed(problems)) return false;
   std::vector<step::DevicePort*> step_ports;

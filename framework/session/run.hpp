@@ -14,6 +14,7 @@
 #include "record/recorder.hpp"
 #include "session/device_ports.hpp"
 #include "session/loop.hpp"
+#include "session/processor_wait.hpp"
 #include "session/rt_thread.hpp"
 #include "session/sentinel.hpp"
 #include "session/session.hpp"
@@ -67,6 +68,7 @@ class Run final : public Session {
   const host::Catalogue catalogue_;
   std::unique_ptr<Sentinel> sentinel_;  // outlives the plugins
   std::unique_ptr<host::Rig> rig_;
+  ProcessorWait processor_wait_;  // of the step's thread; the watchdog asks
   std::unique_ptr<Watchdog> watchdog_;
   std::vector<std::unique_ptr<Port>> ports_;
   std::vector<host::DeviceSlot*> opened_;

@@ -12,8 +12,9 @@ namespace swage::session {
 Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung)
     : Watchdog(std::move(beats), std::move(hung), Settings()) {}
 
-Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings)
-    : beats_(std::move(beats)), hung_(std::move(hung)), settings_(settings) {}
+Watchdog::Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings,
+                   std::function<bool()> starved)
+    : beats_(std::move(beats)), hung_(std::move(hung)), starved_(std::move(starved)), settings_(settings) {}
 
 Watchdog::~Watchdog() { stop(); }
 
@@ -30,7 +31,7 @@ void Watchdog::run() {
   prctl(PR_SET_NAME, "swage-watchdog");
   prctl(PR_SET_TIMERSLACK, 1UL);
   uint64_t seen = beats_();
-  int64_t silent_ms = 0;
+  int64_t silent_ms = 0, hung_ms = 0;
   bool reported = false;
   while (!stop_.load(std::memory_order_relaxed)) {
     base::sleep_until_ns(base::wall_ns() + settings_.look_ms * 1'000'000);
@@ -38,14 +39,17 @@ void Watchdog::run() {
     // each look counts for no more than its own length, however late it came
     const uint64_t now = beats_();
     // a thread that has not begun yet waits for a processor: nobody hangs
-    silent_ms = now == seen && now > 0 ? silent_ms + settings_.look_ms : 0;
+    const bool silent = now == seen && now > 0;
+    silent_ms = silent ? silent_ms + settings_.look_ms : 0;
+    const bool starved = silent && starved_ && starved_();
+    hung_ms = !silent ? 0 : starved ? hung_ms : hung_ms + settings_.look_ms;
     reported &= now == seen;
     seen = now;
 
     const bool stalled = silent_ms >= settings_.stalled_ms;
     if (stalled && !this->stalled()) stalls_.fetch_add(1, std::memory_order_relaxed);
     stalled_.store(stalled, std::memory_order_relaxed);
-    if (silent_ms >= settings_.hung_ms && !reported) {
+    if (hung_ms >= settings_.hung_ms && !reported) {
       reported = true;
       hung_();
     }

@@ -20,9 +20,11 @@ class Watchdog {
   };
 
   /// `beats`: a number that changes while all is well; silence counts from the first that is not 0. `hung` runs once in a silence,
-  /// on the watchdog's thread. [main]
+  /// on the watchdog's thread. `starved`: whether who should beat only waits for a processor; such a look counts for no hang, but for a
+  /// stall. [main]
   Watchdog(std::function<uint64_t()> beats, std::function<void()> hung);
-  Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings);
+  Watchdog(std::function<uint64_t()> beats, std::function<void()> hung, const Settings& settings,
+           std::function<bool()> starved = {});
   ~Watchdog();
 
   void start();  // [main]
@@ -40,6 +42,7 @@ class Watchdog {
 
   const std::function<uint64_t()> beats_;
   const std::function<void()> hung_;
+  const std::function<bool()> starved_;
   const Settings settings_;
   std::atomic<bool> stop_{false}, stalled_{false};
   std::atomic<uint64_t> stalls_{0};

@@ -156,6 +156,23 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   EXPECT_TRUE(read_criteria(dir.filePath("none.json").toStdString(), all).pass.isEmpty());
 }
 
+// 055 asked for posts and did not say so: a text holds when there is one.
+TEST(LessonFacts, ASentenceAboutATextHoldsWhereThereIsOne) {
+  host::Param posts;
+  posts.type = SWAGE_PARAM_TEXT;
+  posts.id = posts.label = "posts";
+  host::PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_LESSON;
+  plugin.id = "org.example.posts";
+  plugin.params = {posts};
+  plugin.criteria = {{"Over {posts}.", "posts", SWAGE_CRITERION_PASS}, {"Off the wire.", "!posts", SWAGE_CRITERION_PASS}};
+  host::Catalogue all(no_folders());
+  all.add(plugin);
+  const QTemporaryDir dir;
+  EXPECT_EQ(read_criteria(lesson(dir, "{}", "org.example.posts"), all).pass, QStringList({"Off the wire."}));
+  EXPECT_EQ(read_criteria(lesson(dir, R"({"posts": "post_1"})", "org.example.posts"), all).pass, QStringList({"Over post 1."}));
+}
+
 TEST(LessonFacts, NamesOfObjectsAreSaidInTheLanguageOfTheWindow) {
   host::Param things;
   things.type = SWAGE_PARAM_TEXT;

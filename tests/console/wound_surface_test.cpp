@@ -85,6 +85,7 @@ TEST(WoundSurface, TheGreatestIsFramed) {
   EXPECT_NEAR(place.ratio, 3, 1e-4) << "two radii of way and one of wire";
   EXPECT_NEAR(place.middle.x(), 2.05F, 1e-5F);
   EXPECT_NEAR(place.radius, 0.1F, 1e-5F);
+  EXPECT_EQ(place.of, 2);
 }
 
 }  // namespace

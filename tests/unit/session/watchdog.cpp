@@ -40,6 +40,24 @@ TEST(Watchdog, SeesAStallAndItsEnd) {
   EXPECT_EQ(dog.stalls(), 1u);
 }
 
+// A study at the lowest priority on a busy machine was ended: its step had not come back for half a second.
+TEST(Watchdog, WhoWaitsForAProcessorStallsAndDoesNotHang) {
+  std::atomic<bool> starved{true};
+  std::atomic<int> hung{0}, looks{0};
+  Watchdog dog(
+      [&] {
+        ++looks;
+        return uint64_t{7};
+      },
+      [&] { ++hung; }, kQuick, [&] { return starved.load(); });
+  dog.start();
+  until([&] { return looks > 100; });
+  EXPECT_TRUE(dog.stalled());
+  EXPECT_EQ(hung.load(), 0);
+  starved = false;
+  until([&] { return hung.load() > 0; });
+}
+
 TEST(Watchdog, AccusesOnceAfterALongSilence) {
   std::atomic<int> hung{0};
   std::atomic<int> looks{0};
