@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 
 #include "assembly/lesson_text.hpp"
 #include "console/models/said.hpp"
@@ -70,10 +71,13 @@ std::optional<double> limit(const Judged& lesson, const std::string& id, size_t 
   return value->number[p->dimension == 2 ? end : 0];
 }
 
-// A value as somebody would write it: 3 s, 50 %, 0.3 mm.
+// A value as somebody would write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
 QString number_words(const host::Param& p, double value) {
+  constexpr double kMilli_N = 0.01;  // forces below this are written in mN: less than two digits of a newton are hard to read
   const QString unit = p.display_unit == "%" ? QStringLiteral("%") : QString::fromStdString(p.unit);
-  const QString number = QLocale().toString(value * display_factor(unit), 'g', 4), suffix = display_unit(unit);
+  const bool milli = unit == QStringLiteral("N") && value != 0 && std::abs(value) < kMilli_N;
+  const QString number = QLocale().toString(value * display_factor(unit) * (milli ? 1e3 : 1), 'g', 4);
+  const QString suffix = milli ? QStringLiteral("mN") : display_unit(unit);
   if (suffix.isEmpty()) return number;
   return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
 }

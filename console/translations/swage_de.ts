@@ -436,6 +436,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Wound</source>
         <translation>Wunde</translation>
     </message>
+    <message>
+        <source>Largest of %1 wounds: %2 %</source>
+        <translation>Größte von %1 Wunden: %2 %</translation>
+    </message>
 </context>
 <context>
     <name>attempt_report</name>

@@ -82,7 +82,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("knot.slides", "Sliding throws", SWAGE_SHOW_COUNT),
     lessons::label("knot.left_loop", "Loop of the knot", SWAGE_SHOW_QUANTITY, 0, nullptr, "most_loop"),
     lessons::label("wound.gap", "Gap of the wound", SWAGE_SHOW_QUANTITY, 4, nullptr, "most_gap"),
-    lessons::label("tissue.pull_peak", "Tension of the stitch, peak", SWAGE_SHOW_QUANTITY, 5, nullptr, "tension"),
+    lessons::label("tissue.pull_peak", "Pull on the tissue, peak", SWAGE_SHOW_QUANTITY, 5, nullptr, "tension"),
     lessons::label("thread.taut", "Time above the limit of tension", SWAGE_SHOW_SHARE),
     lessons::label("tissue.cut", "Cut into the tissue", SWAGE_SHOW_QUANTITY, 0, nullptr, "most_cut"),
     lessons::label("thread.tail", "Length of the tail"),

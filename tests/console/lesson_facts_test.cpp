@@ -156,6 +156,28 @@ TEST(LessonFacts, CriteriaAreSentencesWithTheValuesOfTheLesson) {
   EXPECT_TRUE(read_criteria(dir.filePath("none.json").toStdString(), all).pass.isEmpty());
 }
 
+// 130 asked for "at least 0.0001 N".
+TEST(LessonFacts, SmallForcesAreWrittenInMillinewtons) {
+  host::Param draw;
+  draw.type = SWAGE_PARAM_REAL;
+  draw.id = draw.label = "draw";
+  draw.unit = draw.display_unit = "N";
+  draw.max = 1;
+  draw.default_number = {1e-4, 0, 0, 0};
+  host::PluginInfo plugin;
+  plugin.kind = SWAGE_KIND_LESSON;
+  plugin.id = "org.example.draws";
+  plugin.params = {draw};
+  plugin.criteria = {{"At least {draw}.", "", SWAGE_CRITERION_PASS}};
+  host::Catalogue all(no_folders());
+  all.add(plugin);
+  const QTemporaryDir dir;
+  const auto said = [&](const char* params) { return read_criteria(lesson(dir, params, "org.example.draws"), all).pass; };
+  EXPECT_EQ(said("{}"), QStringList({QStringLiteral("At least 0.1%1mN.").arg(QChar(0x202f))}));
+  EXPECT_EQ(said(R"({"draw": "0.02 N"})"), QStringList({QStringLiteral("At least 0.02%1N.").arg(QChar(0x202f))}));
+  EXPECT_EQ(said(R"({"draw": "0 N"})"), QStringList({QStringLiteral("At least 0%1N.").arg(QChar(0x202f))}));
+}
+
 // 055 asked for posts and did not say so: a text holds when there is one.
 TEST(LessonFacts, ASentenceAboutATextHoldsWhereThereIsOne) {
   host::Param posts;
