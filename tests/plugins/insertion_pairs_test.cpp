@@ -20,10 +20,12 @@ struct Pair {
   const char *surface, *needle;
 };
 
+/// "2/8" -> "thesis_2_8.json": of the library
+std::string model_of(std::string circle) { return "thesis_" + circle.replace(1, 1, "_") + ".json"; }
+
 LessonRun run(const Pair& pair, const std::string& hand) {
   LessonRun attempt(kLesson, hand,
-                    {std::string("tissue.form=") + pair.surface, std::string("needle.arc=") + pair.needle,
-                     "needle.size_of=length", "needle.size=5 mm"});
+                    {std::string("tissue.form=") + pair.surface, std::string("needle.arc=") + pair.needle});
   EXPECT_EQ(attempt.problems(), "");
   if (attempt.ready()) attempt.run(60);
   return attempt;
@@ -52,7 +54,7 @@ TEST_P(Pairs, TheExpertLeavesASmallWoundAndTheNoviceALargerOne) {
 // thesis 6.4: the needle hangs, whichever it is and however the tissue slopes
 TEST_P(Pairs, TheExpertTakesItWhereItHangs) {
   LessonRun attempt(SWAGE_SOURCE_DIR "/lessons/series/116_insertion_hanging.json", "expert",
-                    {std::string("tissue.form=") + GetParam().surface, std::string("needle.arc=") + GetParam().needle});
+                    {std::string("tissue.form=") + GetParam().surface, "needle.model=" + model_of(GetParam().needle)});
   ASSERT_EQ(attempt.problems(), "");
   attempt.run(60);
   EXPECT_EQ(attempt.outcome(), "passed") << attempt.reason();
