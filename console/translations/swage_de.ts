@@ -4849,7 +4849,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Off-angle: rotate along the curve</source>
-        <translation>Winkel falsch: entlang der Krümmung drehen</translation>
+        <translation>Schräg: der Krümmung nach drehen</translation>
     </message>
     <message>
         <source>Look here</source>
@@ -4917,7 +4917,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Point deflected: correct the angle</source>
-        <translation>Spitze abgelenkt: Winkel korrigieren</translation>
+        <translation>Abgelenkt: Winkel ändern</translation>
     </message>
     <message>
         <source>Needle left in the tissue</source>
