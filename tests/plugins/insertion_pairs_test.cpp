@@ -194,5 +194,23 @@ TEST(Lean, TheMeanCosineIsItsSineInTheStockPlans) {
     }
 }
 
+// The needle of 116 is lifted off its wire before it is turned: its swage end brushed the wire at a lean of 5 deg, and a rigid one jammed.
+TEST(Hanging, ANeedleThatIsTakenClearsItsWireAtEveryLean) {
+  for (const double degrees : {5.0, 8.0, -5.0}) {
+    const std::string plan = SWAGE_SOURCE_DIR "/lessons/hands/116_hanging.json";
+    LessonRun attempt(SWAGE_SOURCE_DIR "/lessons/series/116_insertion_hanging.json",
+                      {"swage.device.skilled", R"({"file": ")" + plan + R"(", "lean": )" + std::to_string(degrees * M_PI / 180) + "}"},
+                      std::vector<std::string>{"needle.level=rigid"});
+    ASSERT_EQ(attempt.problems(), "");
+    int touched = 0;
+    while (attempt.outcome() == "running" && attempt.world().time() < 60) {
+      attempt.step();
+      if (attempt.phase() == "aim" && attempt.world().time() > 6.0) touched += attempt.signal("hang", "contact.force") > 0;
+    }
+    EXPECT_EQ(attempt.outcome(), "passed") << degrees << " deg: " << attempt.reason();
+    EXPECT_EQ(touched, 0) << degrees << " deg";
+  }
+}
+
 }  // namespace
 }  // namespace swage::stage
