@@ -95,18 +95,12 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
   if (options_.level == Level::kThesis)
     for (size_t i = 0; i < solids_.size(); ++i)
       if (solids_[i].kind == SWAGE_SHAPE_ARC)
-        chains_[i] = build_sphere_tree(sphere_chain(solids_[i].arc, spheres_of(static_cast<uint32_t>(i))), solids_[i].radius);
+        chains_[i] =
+            build_sphere_tree(sphere_chain(solids_[i].arc, options_.chain_spheres), solids_[i].radius);
   last_.reserve(options_.capacity);
   last_candidate_.reserve(options_.capacity);
   last_of_pair_.reserve(pairs_.size());
   find_swept(world);
-}
-
-/// Of an arc at the level of the thesis: its needle has chain_spheres, whichever number of pieces that is made of.
-int Detector::spheres_of(uint32_t shape) const {
-  for (const Chain& chain : chain_)
-    if (shape - chain.first < chain.shapes) return std::max(2, options_.chain_spheres / static_cast<int>(chain.shapes));
-  return options_.chain_spheres;
 }
 
 /// The group of a shape pair: all pieces of one chain against one shape of another pair; kNoGroup where neither is a chain.
