@@ -4848,7 +4848,7 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Senkrecht zum Gewebe</translation>
     </message>
     <message>
-        <source>Off-angle: rotate along the curve</source>
+        <source>Off-angle: follow the curve</source>
         <translation>Schräg: der Krümmung nach drehen</translation>
     </message>
     <message>
@@ -4916,7 +4916,7 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Das Gewebe reißt</translation>
     </message>
     <message>
-        <source>Point deflected: correct the angle</source>
+        <source>Deflected: change the angle</source>
         <translation>Abgelenkt: Winkel ändern</translation>
     </message>
     <message>
