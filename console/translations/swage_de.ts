@@ -4852,8 +4852,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Senkrecht zum Gewebe</translation>
     </message>
     <message>
-        <source>Off-angle: rotate along the curve</source>
-        <translation>Winkel falsch: entlang der Krümmung drehen</translation>
+        <source>Off-angle: follow the curve</source>
+        <translation>Schräg: der Krümmung nach drehen</translation>
     </message>
     <message>
         <source>Look here</source>
@@ -4920,8 +4920,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Das Gewebe reißt</translation>
     </message>
     <message>
-        <source>Point deflected: correct the angle</source>
-        <translation>Spitze abgelenkt: Winkel korrigieren</translation>
+        <source>Deflected: change the angle</source>
+        <translation>Abgelenkt: Winkel ändern</translation>
     </message>
     <message>
         <source>Needle left in the tissue</source>

@@ -15,7 +15,8 @@ constexpr int kSign_px = 18, kRow_px = 26;
 constexpr int kMostTall = 4;  // rows that have two lines; more are one line each, cut short where that is too long
 constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
-constexpr double kSmall = 0.82;  // of the usual size: all words, where those of one row do not fit its line
+// Of the usual size, where the words of one row do not fit its line: all are written so much smaller, down to what is still read at arm's length.
+constexpr double kSmallest = 0.75;
 
 }  // namespace
 
@@ -38,8 +39,8 @@ class CueLegend::Row : public QWidget {
     setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
     update();
   }
-  /// Whether the words are longer than their line, at the usual size.
-  bool is_too_long() const { return words_px() > room().width(); }
+  /// Of its line over its words at the usual size.
+  double fit() const { return room().width() / std::max(1.0, words_px()); }
   /// px, that the whole row asks for
   int natural_px() const { return static_cast<int>(room().left() + words_px()) + 4; }
 
@@ -55,7 +56,7 @@ class CueLegend::Row : public QWidget {
     const int sign = low_ ? kLow_px - 3 : kSign_px;
     paint_cue_shape(p, {5, 0.5 * (height() - sign)}, sign, style_);
     QFont text = font();
-    if (legend_->has_long_words()) text.setPointSizeF(text.pointSizeF() * kSmall);
+    text.setPointSizeF(text.pointSizeF() * legend_->scale());
     QFont bold = text;
     bold.setBold(true);
     // bold words are wider; the frame tells alone where they would be cut short
@@ -137,9 +138,15 @@ void CueLegend::fill() {
   set_active(now);
 }
 
-bool CueLegend::has_long_words() const {
-  return std::any_of(rows_.begin(), rows_.end(), [](const Row* row) { return row->is_too_long(); });
+double CueLegend::narrowest() const {
+  double least = 1;
+  for (const Row* row : rows_) least = std::min(least, row->fit());
+  return least;
 }
+
+double CueLegend::scale() const { return std::max(kSmallest, narrowest()); }
+bool CueLegend::has_long_words() const { return narrowest() < 1; }
+bool CueLegend::has_cut_words() const { return narrowest() < kSmallest; }
 
 void CueLegend::set_active(const QStringList& meanings) {
   if (meanings == active_) return;

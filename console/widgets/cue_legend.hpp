@@ -22,6 +22,8 @@ class CueLegend : public QFrame {
   void set_in_picture(bool shown);
   /// Whether the words of some row do not fit one line: then all are written smaller, so that they have one size.
   bool has_long_words() const;
+  /// Whether some do not fit even then, and are cut short: their tip has them whole.
+  bool has_cut_words() const;
 
   const QStringList& meanings() const { return meanings_; }
   const QStringList& active() const { return active_; }
@@ -29,6 +31,8 @@ class CueLegend : public QFrame {
  private:
   class Row;
   void fill();
+  double narrowest() const;  // of all rows: the line over its words, at most 1
+  double scale() const;      // of the words' usual size
   void add_column(const QStringList& meanings, int column, bool low);
   CueTheme cues_;
   UiTheme ui_;

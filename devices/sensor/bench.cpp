@@ -4,9 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "sensor/calibration_file.hpp"
+#include "sensor/sentences.hpp"
 
 namespace swage::sensor {
 
@@ -16,7 +18,7 @@ std::string Bench::open(const std::string& port, int bits_per_s) {
   settings.bits_per_s = bits_per_s;
   if (port.empty()) {
     const std::vector<std::string> all = serial_adapters();
-    if (all.size() != 1) return "Name the sensor's port; there are " + std::to_string(all.size()) + " serial adapters.";
+    if (all.size() != 1) return say::kWhichPort(all.size());
     settings.port = all[0];
   }
   volts_.reset();
@@ -53,13 +55,9 @@ void Bench::begin(double now_s, double seconds) {
 std::string Bench::mean(double& volts) const {
   // 20 mV, 20 um: a hand or a bench that still moves is no point
   constexpr double kStill = 20e-3;
-  if (beyond_) return "The sensor is beyond its range, or its cable is off.";
-  if (n_ < 5) return "The sensor sent " + std::to_string(n_) + " measurements in that time. Is it still plugged in?";
-  if (high_ - low_ > kStill) {
-    char text[96];
-    std::snprintf(text, sizeof text, "It moved meanwhile (%.0f mV). Hold it still and try again.", 1e3 * (high_ - low_));
-    return text;
-  }
+  if (beyond_) return say::kBeyondRange();
+  if (n_ < 5) return say::kFewMeasurements(n_);
+  if (high_ - low_ > kStill) return say::kMoved(std::lround(1e3 * (high_ - low_)));
   volts = sum_ / n_;
   return "";
 }
@@ -86,7 +84,7 @@ std::string Draft::refit() {
 
 std::string Draft::begin_from(const std::string& path) {
   stored_.reset();
-  if (path.empty()) return "\"" + serial + "\" cannot name a file. A serial number has letters, digits, - _ and .";
+  if (path.empty()) return say::kNoFileName(serial);
   if (access(path.c_str(), F_OK) != 0) return "";
   Calibration c;
   std::string wrong = load_calibration(path, c);
@@ -110,7 +108,7 @@ std::string Draft::forces(Calibration& out) const {
   const std::optional<double> closed = closed_length();
   for (const ForceRow& row : force_rows) {
     if (!row.handle_N || !row.volts) continue;
-    if (!closed) return "Measure the pose \"just closed\" first: the travel of a force begins there.";
+    if (!closed) return say::kClosedFirst();
     handle.push_back({std::abs(*closed - in_use().length(*row.volts)), *row.handle_N});
   }
   if (handle.empty()) return "";
@@ -145,8 +143,8 @@ bool Draft::may_zero() const {
 }
 
 std::string Draft::finish(const std::string& today, Calibration& out) const {
-  if (by.empty()) return "Say who calibrates.";
-  if (!in_use().valid()) return "There is no fit yet.";
+  if (by.empty()) return say::kWhoCalibrates();
+  if (!in_use().valid()) return say::kNoFit();
   Calibration c = stored_.value_or(Calibration{});
   c.serial = serial;
   if (!name.empty()) c.name = name;

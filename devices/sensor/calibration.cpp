@@ -5,15 +5,19 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sensor/sentences.hpp"
+
 namespace swage::sensor {
 
 namespace {
 
-std::string mm(double m) {
+std::string digits(const char* format, double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g mm", 1e3 * m);
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
+
+std::string mm(double m) { return digits("%.3g mm", 1e3 * m); }
 
 // least squares over points [first, last); residuals into the points
 Displacement line_through(std::vector<BenchPoint>& p, std::size_t first, std::size_t last) {
@@ -41,13 +45,12 @@ Displacement line_through(std::vector<BenchPoint>& p, std::size_t first, std::si
 
 std::string check_bench(std::vector<BenchPoint>& points, const FitLimits& limits) {
   if (points.size() < limits.fewest)
-    return "A fit needs " + std::to_string(limits.fewest) + " points or more, 13 over 6 mm are usual; there are " +
-           std::to_string(points.size()) + ".";
+    return say::kFewPoints(limits.fewest, points.size());
   for (const BenchPoint& p : points)
-    if (!std::isfinite(p.volts) || !std::isfinite(p.length_m)) return "A point is not a number.";
+    if (!std::isfinite(p.volts) || !std::isfinite(p.length_m)) return say::kNoPoint();
   std::sort(points.begin(), points.end(), [](const auto& x, const auto& y) { return x.length_m < y.length_m; });
   for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i].length_m == points[i - 1].length_m) return "Two points have the same length, " + mm(points[i].length_m) + ".";
+    if (points[i].length_m == points[i - 1].length_m) return say::kSameLength(mm(points[i].length_m));
   return "";
 }
 
@@ -68,29 +71,24 @@ std::string fit_displacement(std::vector<BenchPoint> points, const FitLimits& li
     }
     nearest = std::min(nearest, best.worst);
     if (best.worst > limits.worst) continue;
-    if (limits.nominal > 0 && std::abs(std::abs(best.slope) - limits.nominal) > limits.most_off * limits.nominal) {
-      char text[160];
-      std::snprintf(text, sizeof text, "The fit gives %.3g mm/V; this sensor has %.3g mm/V. Is its range set right?",
-                    1e3 * best.slope, 1e3 * limits.nominal);
-      return text;
-    }
+    if (limits.nominal > 0 && std::abs(std::abs(best.slope) - limits.nominal) > limits.most_off * limits.nominal)
+      return say::kOtherSlope(digits("%.3g", 1e3 * best.slope), digits("%.3g", 1e3 * limits.nominal));
     out = line_through(points, at, at + n);
     out.points = points;
     return "";
   }
-  return "No " + std::to_string(limits.fewest) + " points in a row lie on a line: the worst is " + mm(nearest) +
-         " off, allowed are " + mm(limits.worst) + ". Measure again, or look for a loose swivel.";
+  return say::kNoLine(limits.fewest, mm(nearest), mm(limits.worst));
 }
 
 std::string MonotoneCurve::set(std::vector<Point> points) {
   points_.clear();
   slope_.clear();
   if (points.size() < 2 || points.size() > 64)
-    return "A force table has 2 to 64 points, 5 to 11 are usual; there are " + std::to_string(points.size()) + ".";
+    return say::kForceCount(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y)) return "A point of the force table is not a number.";
-    if (i > 0 && points[i].x <= points[i - 1].x) return "The travel of a force table goes up from point to point; at " + mm(points[i].x) + " it does not.";
-    if (i > 0 && points[i].y < points[i - 1].y) return "The force of a force table never goes down; at " + mm(points[i].x) + " it does.";
+    if (!std::isfinite(points[i].x) || !std::isfinite(points[i].y)) return say::kForceNoNumber();
+    if (i > 0 && points[i].x <= points[i - 1].x) return say::kTravelFalls(mm(points[i].x));
+    if (i > 0 && points[i].y < points[i - 1].y) return say::kForceFalls(mm(points[i].x));
   }
   points_ = std::move(points);
   const std::size_t n = points_.size();
@@ -142,30 +140,27 @@ double MonotoneCurve::slope(double x) const {
 }
 
 std::string check_poses(const Poses& p, const Poses& stored) {
-  if (!std::isfinite(p.open) || !std::isfinite(p.closed) || !std::isfinite(p.squeezed)) return "A pose is not a number.";
+  if (!std::isfinite(p.open) || !std::isfinite(p.closed) || !std::isfinite(p.squeezed)) return say::kPoseNoNumber();
   // 20 um, ten times the sensor's resolution, is no movement of a hand
   constexpr double kLeast = 20e-6;
   const double way = p.open - p.closed, squeeze = p.closed - p.squeezed;
-  if (std::abs(way) < kLeast) return "Open and just closed are the same to " + mm(kLeast) + ". Is the sensor held in its swivels?";
+  if (std::abs(way) < kLeast) return say::kSamePoses(mm(kLeast));
   if (way * squeeze <= 0 || std::abs(squeeze) < kLeast)
-    return "Squeezed must go on from just closed, away from open: open " + mm(p.open) + ", closed " + mm(p.closed) + ", squeezed " +
-           mm(p.squeezed) + ".";
+    return say::kSqueezedBack(mm(p.open), mm(p.closed), mm(p.squeezed));
   if (!stored.known()) return "";
   const auto off = [](double now, double then) { return std::abs(now - then) > 0.2 * std::abs(then); };
   if (off(way, stored.open - stored.closed) || off(squeeze, stored.closed - stored.squeezed))
-    return "The ways differ by more than a fifth from those of before (" + mm(stored.open - stored.closed) + " and " +
-           mm(stored.closed - stored.squeezed) + "; now " + mm(way) + " and " + mm(squeeze) + "). Is it the same needleholder?";
+    return say::kOtherHolder(mm(stored.open - stored.closed), mm(stored.closed - stored.squeezed), mm(way), mm(squeeze));
   return "";
 }
 
 double closed_share(const Poses& p, double length) { return (p.open - length) / (p.open - p.closed); }
 
 std::string set_zero(double length, Poses& p) {
-  if (!p.known()) return "There are no poses yet whose zero could be set. First: swage calibrate poses.";
+  if (!p.known()) return say::kNoPoses();
   const double off = length - p.open;
   if (!(std::abs(closed_share(p, length)) <= kMostZeroShare))
-    return "The handle rests " + mm(std::abs(off)) + " from where it was open, more than a fifth of its way (" + mm(std::abs(p.open - p.closed)) +
-           "). Is it let go? Otherwise measure all three poses.";
+    return say::kRestsElsewhere(mm(std::abs(off)), mm(std::abs(p.open - p.closed)));
   p.open += off, p.closed += off, p.squeezed += off;
   return "";
 }
@@ -173,15 +168,11 @@ std::string set_zero(double length, Poses& p) {
 std::string rest_trouble(const Poses& p, double length, double gauge) {
   const double share = closed_share(p, length);
   if (share > kMostZeroShare) return "";
-  char text[320];
-  if (std::abs(share) > kZeroShare)
-    std::snprintf(text, sizeof text, "The handle reads %.2f mm %s than open (%.0f %% of its way).", 1e3 * std::abs(length - p.open),
-                  share > 0 ? "less" : "more", 1e2 * std::abs(share));
-  else if (std::abs(gauge) > kZeroForce)
-    std::snprintf(text, sizeof text, "The gauge on the handle reads %.2f N while the handle is open.", gauge);
-  else
-    return "";
-  return text + std::string(" If nobody holds it, set its zero: swage calibrate zero, or Setup, Jaw sensors, Calibrate, Poses.");
+  if (std::abs(share) > kZeroShare) {
+    const std::string off = digits("%.2f", 1e3 * std::abs(length - p.open)), part = digits("%.0f", 1e2 * std::abs(share));
+    return (share > 0 ? say::kReadsLess(off, part) : say::kReadsMore(off, part)) + say::kSetZero();
+  }
+  return std::abs(gauge) > kZeroForce ? say::kGaugeReads(digits("%.2f", gauge)) + say::kSetZero() : "";
 }
 
 std::string check_geometry(const Geometry& g, const Poses& p) {
@@ -189,39 +180,32 @@ std::string check_geometry(const Geometry& g, const Poses& p) {
   const double open = g.gap + p.open - p.closed, squeezed = g.gap + p.squeezed - p.closed;
   for (const double d : {g.gap, open, squeezed})
     if (!(d > std::abs(g.a - g.b) && d < g.a + g.b))
-      return "Swivels at " + mm(g.a) + " and " + mm(g.b) + " from the pivot cannot be " + mm(d) + " apart.";
-  return p.open < p.closed ? "With this geometry the sensor is longest when the handle is open; here it is shortest." : "";
+      return say::kNoTriangle(mm(g.a), mm(g.b), mm(d));
+  return p.open < p.closed ? say::kLongestOpen() : "";
 }
 
 std::string check_table_size(std::size_t points) {
-  return points >= 5 && points <= 11 ? "" : "A table of forces has 5 to 11 points; there are " + std::to_string(points) + ".";
+  return points >= 5 && points <= 11 ? "" : say::kTipCount(points);
 }
 
 std::string set_tip(std::vector<MonotoneCurve::Point> points, MonotoneCurve& out) {
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-  if (!points.empty() && points.front().x < 0) return "A force at the handle below what closes it presses nothing; leave that point out.";
+  if (!points.empty() && points.front().x < 0) return say::kPressesNothing();
   if (points.empty() || points.front().x > 0) points.insert(points.begin(), {0, 0});
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    char text[128];
-    std::snprintf(text, sizeof text, "The force at the tips goes up with that at the handle; at %.3g N it does not.", points[i].x);
-    if (points[i].x <= points[i - 1].x || points[i].y < points[i - 1].y) return text;
-  }
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].x <= points[i - 1].x || points[i].y < points[i - 1].y) return say::kTipFalls(digits("%.3g", points[i].x));
   return out.set(std::move(points));
 }
 
 std::string check_tip(const TipCheck& c) {
   if (std::abs(c.measured - c.wanted) <= kCheckShare * c.wanted) return "";
-  char text[192];
-  std::snprintf(text, sizeof text, "%.2f N at the tips are measured as %.2f N, %.0f %% off; allowed are %.0f %%. Measure the forces anew.", c.wanted,
-                c.measured, 1e2 * std::abs(c.measured / c.wanted - 1), 1e2 * kCheckShare);
-  return text;
+  return say::kTipOff(digits("%.2f", c.wanted), digits("%.2f", c.measured), digits("%.0f", 1e2 * std::abs(c.measured / c.wanted - 1)),
+                      digits("%.0f", 1e2 * kCheckShare));
 }
 
 std::string calibration_trouble(const Calibration& c, const std::string& serial, const std::string& today) {
-  if (!c.serial.empty() && !serial.empty() && c.serial != serial)
-    return "The calibration is that of the sensor " + c.serial + ", and this one is " + serial + ".";
-  if (!c.expires.empty() && today > c.expires)
-    return "The calibration of " + c.date + " expired on " + c.expires + ". Make a new one: swage calibrate displacement.";
+  if (!c.serial.empty() && !serial.empty() && c.serial != serial) return say::kOtherSensor(c.serial, serial);
+  if (!c.expires.empty() && today > c.expires) return say::kExpired(c.date, c.expires);
   if (c.check.known()) return check_tip(c.check);
   return "";
 }

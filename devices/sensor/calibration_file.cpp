@@ -15,6 +15,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "sensor/sentences.hpp"
 #include "toolkit/read_file.hpp"
 
 namespace swage::sensor {
@@ -33,14 +34,14 @@ struct Wrong {
 
 double number(const Json& in, const std::string& place, const char* key) {
   const auto it = in.find(key);
-  if (it == in.end() || !it->is_number() || !std::isfinite(it->get<double>())) throw Wrong{place + key + " is a number"};
+  if (it == in.end() || !it->is_number() || !std::isfinite(it->get<double>())) throw Wrong{say::kNumber(place, key)};
   return it->get<double>();
 }
 
 std::string text(const Json& in, const char* key) {
   const auto it = in.find(key);
   if (it == in.end()) return "";
-  if (!it->is_string()) throw Wrong{std::string(key) + " is a text"};
+  if (!it->is_string()) throw Wrong{say::kText(key)};
   return it->get<std::string>();
 }
 
@@ -48,31 +49,31 @@ std::string text(const Json& in, const char* key) {
 const Json* part(const Json& in, const char* key, std::initializer_list<const char*> known) {
   const auto it = in.find(key);
   if (it == in.end()) return nullptr;
-  if (!it->is_object()) throw Wrong{std::string(key) + " is an object"};
+  if (!it->is_object()) throw Wrong{say::kObject(key)};
   for (const auto& [name, value] : it->items())
     if (std::none_of(known.begin(), known.end(), [&n = name](const char* k) { return n == k; }))
-      throw Wrong{std::string(key) + "/" + name + " is not known"};
+      throw Wrong{say::kUnknown(std::string(key) + "/" + name)};
   return &*it;
 }
 
 void rows(const Json& in, const std::string& place, std::size_t columns, const std::function<void(const Json&)>& take) {
-  if (!in.is_array()) throw Wrong{place + " is a list"};
+  if (!in.is_array()) throw Wrong{say::kList(place)};
   for (const Json& row : in) {
     const bool whole = row.is_array() && row.size() == columns &&
                        std::all_of(row.begin(), row.end(), [](const Json& x) { return x.is_number() || x.is_boolean(); });
-    if (!whole) throw Wrong{place + " has rows of " + std::to_string(columns) + " numbers"};
+    if (!whole) throw Wrong{say::kRows(place, columns)};
     take(row);
   }
 }
 
 void read_displacement(const Json& in, Displacement& out) {
   const Json* d = part(in, "displacement", {"slope", "offset", "worst", "rms", "points"});
-  if (d == nullptr) throw Wrong{"displacement is missing"};
+  if (d == nullptr) throw Wrong{say::kMissing()};
   out.slope = number(*d, "displacement/", "slope");
   out.offset = number(*d, "displacement/", "offset");
   out.worst = number(*d, "displacement/", "worst");
   out.rms = number(*d, "displacement/", "rms");
-  if (out.slope == 0) throw Wrong{"displacement/slope is not 0"};
+  if (out.slope == 0) throw Wrong{say::kNoSlope()};
   if (!d->contains("points")) return;
   rows(d->at("points"), "displacement/points", 4, [&](const Json& r) {
     out.points.push_back({r[0].get<double>(), r[1].get<double>(), r[2].get<double>(), r[3].get<bool>()});
@@ -82,13 +83,13 @@ void read_displacement(const Json& in, Displacement& out) {
 void read(const Json& in, Calibration& out) {
   static const std::vector<std::string> kKeys = {"format", "serial",       "name",  "date",     "by",
                                                  "expires", "displacement", "force", "tip", "check", "geometry", "poses", "gauge_zero"};
-  if (!in.is_object() || text(in, "format") != kFormat) throw Wrong{std::string("format is \"") + kFormat + "\""};
+  if (!in.is_object() || text(in, "format") != kFormat) throw Wrong{say::kFormatIs(kFormat)};
   for (const auto& [key, value] : in.items())
-    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) throw Wrong{key + " is not known"};
+    if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) throw Wrong{say::kUnknown(key)};
   out.serial = text(in, "serial"), out.name = text(in, "name");
   out.date = text(in, "date"), out.by = text(in, "by"), out.expires = text(in, "expires");
   for (const std::string* date : {&out.date, &out.expires})
-    if (!date->empty() && days_after(*date, 0) != *date) throw Wrong{"\"" + *date + "\" is no date; one is 2026-11-22"};
+    if (!date->empty() && days_after(*date, 0) != *date) throw Wrong{say::kNoDate(*date)};
   read_displacement(in, out.displacement);
   for (const auto& [key, curve] : {std::pair{"force", &out.force}, {"tip", &out.tip}}) {
     if (!in.contains(key)) continue;
@@ -156,7 +157,7 @@ std::string load_calibration(const std::string& path, Calibration& out) {
   std::string bytes, why;
   if (!toolkit::read_file(path, std::size_t{1} << 20, bytes, why)) return path + ": " + why;
   const Json json = Json::parse(bytes, nullptr, false);
-  if (json.is_discarded()) return path + ": It is not JSON.";
+  if (json.is_discarded()) return say::kNoJson(path);
   Calibration found;
   try {
     read(json, found);
@@ -180,7 +181,7 @@ std::string save_calibration(const std::string& path, const Calibration& calibra
   if (good && std::rename(beside.c_str(), path.c_str()) == 0) return "";
   const std::string why = std::strerror(errno);
   std::remove(beside.c_str());
-  return path + " cannot be written: " + why + ".";
+  return say::kNotWritten(path, why);
 }
 
 std::string today() {

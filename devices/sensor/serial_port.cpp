@@ -14,6 +14,7 @@
 #include <filesystem>
 
 #include "nodes/nodes.hpp"
+#include "sensor/sentences.hpp"
 
 namespace swage::sensor {
 
@@ -27,12 +28,10 @@ constexpr Rate kRates[] = {{9600, B9600},     {19200, B19200},   {38400, B38400}
                            {230400, B230400}, {460800, B460800}, {921600, B921600}, {1000000, B1000000}};
 
 std::string why_not(const std::string& path, int error) {
-  if (error == ENOENT) return path + " is not there. Is the sensor plugged in? Its lasting name is below /dev/serial/by-id.";
-  if (error == EACCES)
-    return path + " may not be opened. Install the udev rule 70-swage.device.jaw_sensor.rules, or add yourself to the group dialout (sudo adduser $USER "
-                  "dialout) and log in again.";
-  if (error == EBUSY) return path + " is in use by another program. Close that one, or remove the package modemmanager or brltty.";
-  return path + " cannot be opened: " + std::strerror(error) + ".";
+  if (error == ENOENT) return say::kNotThere(path);
+  if (error == EACCES) return say::kMayNotOpen(path);
+  if (error == EBUSY) return say::kBusy(path);
+  return say::kNotOpened(path, std::strerror(error));
 }
 
 // An adapter of FTDI keeps bytes back for 16 ms unless it is told to be quick. Others know no such thing.
@@ -58,13 +57,13 @@ std::string SerialPort::open(const std::string& path, int bits_per_s) {
   close();
   const auto* rate = std::find_if(std::begin(kRates), std::end(kRates),
                                   [&](const Rate& r) { return r.bits_per_s == bits_per_s; });
-  if (rate == std::end(kRates)) return "A port cannot be opened at " + std::to_string(bits_per_s) + " bit/s.";
+  if (rate == std::end(kRates)) return say::kNoSuchRate(bits_per_s);
   const int file = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return why_not(path, errno);
   termios settings{};
   if (tcgetattr(file, &settings) != 0) {
     ::close(file);
-    return path + " is no serial port.";
+    return say::kNoSerialPort(path);
   }
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;

@@ -139,7 +139,7 @@ struct Binding {
   static uint32_t mark(swage_lesson_binder* raw, const swage_mark* mark) {
     Binding& self = of(raw);
     std::vector<judge::Script::Mark>& marks = self.rig.script.marks;
-    const std::string wrong = mark != nullptr ? self.check(*mark) : "mark() needs a mark.";
+    const std::string wrong = mark != nullptr ? self.check(*mark) : say::kNullMark();
     if (!wrong.empty()) {
       self.errors.push_back(wrong);
       return kNone;
@@ -153,24 +153,24 @@ struct Binding {
 
   std::string check(const swage_mark& mark) const {
     if (rig.script.marks.size() >= snapshot::kMaxMarks)
-      return "A lesson has at most " + std::to_string(snapshot::kMaxMarks) + " marks.";
+      return say::kManyMarks(snapshot::kMaxMarks);
     if (mark.meaning.data == nullptr || mark.meaning.size == 0)
-      return "A mark needs a meaning such as \"region.target\".";
+      return say::kMarkMeaning();
     if (mark.kind == SWAGE_MARK_POINT) {
       const bool place = std::isfinite(mark.p_W.x) && std::isfinite(mark.p_W.y) && std::isfinite(mark.p_W.z);
-      return place && mark.number[0] > 0 ? "" : "A mark of a point needs a place and a radius > 0 m.";
+      return place && mark.number[0] > 0 ? "" : say::kPointMark();
     }
-    if (mark.kind != SWAGE_MARK_ARC_RANGE) return "Mark kind " + std::to_string(mark.kind) + " is unknown.";
+    if (mark.kind != SWAGE_MARK_ARC_RANGE) return say::kMarkKind(mark.kind);
     if (mark.object >= rig.objects.size())
-      return "A mark names object " + std::to_string(mark.object) + ", which is not there.";
+      return say::kMarkOfNobody(mark.object);
     if (!(mark.number[0] >= 0 && mark.number[0] <= mark.number[1] && mark.number[1] <= 1))
-      return "A mark of an arc goes from a share to a larger one, both in 0..1.";
+      return say::kArcMarkRange();
     const ObjectSlot& slot = rig.objects[mark.object];
     for (uint32_t i = 0; i < slot.shape.count; ++i) {
       const int32_t kind = rig.world.shape[slot.shape.first + i].kind;
       if (kind == SWAGE_SHAPE_ARC || kind == SWAGE_SHAPE_CHAIN) return "";
     }
-    return "A mark of an arc names \"" + slot.instance->name + "\", which has none.";
+    return say::kArcMarkOf(slot.instance->name);
   }
 
   static void error(swage_lesson_binder* raw, const char* message) {

@@ -112,4 +112,14 @@ inline constexpr auto kRefusedPair = "\"{}\" refused to join \"{}\" and \"{}\" w
 inline constexpr auto kRefusedScene = "\"{}\" refused this scene without a reason."_sentence;
 inline constexpr auto kRefusedSight = "\"{}\" refused to look at this scene without a reason."_sentence;
 
+// marks of a lesson
+inline constexpr auto kNullMark = "mark() needs a mark."_sentence;
+inline constexpr auto kManyMarks = "A lesson has at most {} marks."_sentence;
+inline constexpr auto kMarkMeaning = "A mark needs a meaning such as \"region.target\"."_sentence;
+inline constexpr auto kPointMark = "A mark of a point needs a place and a radius > 0 m."_sentence;
+inline constexpr auto kMarkKind = "Mark kind {} is unknown."_sentence;
+inline constexpr auto kMarkOfNobody = "A mark names object {}, which is not there."_sentence;
+inline constexpr auto kArcMarkRange = "A mark of an arc goes from a share to a larger one, both in 0..1."_sentence;
+inline constexpr auto kArcMarkOf = "A mark of an arc names \"{}\", which has none."_sentence;
+
 }  // namespace swage::assembly::say

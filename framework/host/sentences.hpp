@@ -154,4 +154,46 @@ inline constexpr auto kControl = "{} says something with control characters."_se
 // quarantine
 inline constexpr auto kQuarantine = "{} ({} {}) {} in {}() at step {} and is in quarantine."_sentence;
 
+// how a test of a plugin ended
+inline constexpr auto kNoProcess = "No process could be started for it."_sentence;
+inline constexpr auto kNotDone = "It was not done within {} s{}."_sentence;
+inline constexpr auto kCrashed = "It crashed{}: {}."_sentence;
+inline constexpr auto kEndedIn = "It ended its process{}."_sentence;
+inline constexpr auto kEndedWith = "It ended its process with code {}."_sentence;
+inline constexpr auto kNotLoaded = "The library cannot be loaded."_sentence;
+
+// what the tests of a plugin find
+inline constexpr auto kNoElf = "It is no 64-bit ELF library."_sentence;
+inline constexpr auto kLoadsTwo = "Loading it twice gives two libraries."_sentence;
+inline constexpr auto kSlowLoad = "Loading took {} ms of processor time; 100 ms is much."_sentence;
+inline constexpr auto kCreatesAnything = "create(\"{}\") must answer NULL: there is no such plugin here."_sentence;
+inline constexpr auto kTableOfNobody = "The table of parameters of an unknown id must be NULL with a count of 0."_sentence;
+inline constexpr auto kAnyFactory = "get_factory of an unknown factory must answer NULL."_sentence;
+inline constexpr auto kSameId = "The id \"{}\" is there twice."_sentence;
+inline constexpr auto kAnyDescriptor = "descriptor() beyond the count must answer NULL."_sentence;
+inline constexpr auto kNoPluginJson = "There is no plugin.json beside it; each start has to ask the library itself."_sentence;
+inline constexpr auto kOldPluginJson = "plugin.json beside it was made from another binary; run swage-describe again."_sentence;
+inline constexpr auto kOwnDefault = "{}: its own default is refused: {}"_sentence;
+inline constexpr auto kEarlyActivate = "{} lets itself be activated before it was configured."_sentence;
+inline constexpr auto kAnyExtension = "{}: get_extension of an unknown id must answer NULL."_sentence;
+inline constexpr auto kRefusesDefaults = "{} refuses its own defaults and does not say why."_sentence;
+inline constexpr auto kConfiguresOnce = "{} cannot be configured a second time."_sentence;
+inline constexpr auto kTraitNotOffered = "{} lists the trait \"{}\" and does not offer it."_sentence;
+inline constexpr auto kActivates = "{} cannot be activated the {}. time: {}"_sentence;
+inline constexpr auto kWrongThread = "{} called the host {} times from a thread that may not: text in the step, or random numbers outside of it."_sentence;
+inline constexpr auto kRewinds = "{} gives other results after a rewind: it remembers something outside of its state."_sentence;
+inline constexpr auto kSecondInstance = "{} gives other results in a second instance: it depends on more than parameters and state."_sentence;
+inline constexpr auto kRefusesSilently = "{}: {} refuses without a reason."_sentence;
+inline constexpr auto kNoCount = "This program does not count allocations."_sentence;
+inline constexpr auto kAllocates = "{} allocated memory {} times in {} steps; nothing on [rt] may."_sentence;
+
+// files of translations
+inline constexpr auto kWordsNoJson = "These translations are not used: the file is not JSON."_sentence;
+inline constexpr auto kWordsFormat = "These translations are not used: the format is not \"{}\"."_sentence;
+inline constexpr auto kWordsLanguage = "These translations are not used: the language is not \"{}\", as the file is called."_sentence;
+inline constexpr auto kWordsNone = "These translations are not used: there are no \"words\"."_sentence;
+inline constexpr auto kTranslation = "The translation of \"{}\" {}."_sentence;
+inline constexpr auto kNoTranslation = "has no text"_sentence;
+inline constexpr auto kOtherPlaces = "has other places in braces than the words it translates"_sentence;
+
 }  // namespace swage::host::say

@@ -17,6 +17,7 @@
 #include "host/child.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
+#include "host/sentences.hpp"
 
 namespace swage::host {
 
@@ -84,20 +85,20 @@ std::string encode(const Finding& finding) {
 }
 
 Finding decode(const ChildResult& child, double limit_s) {
-  if (!child.started) return {Mark::kSkipped, "No process could be started for it."};
+  if (!child.started) return {Mark::kSkipped, say::kNoProcess()};
   if (child.timed_out || child.exit_code == kTimeUp) {
     char limit[16];
     snprintf(limit, sizeof limit, "%g", limit_s);
     return {Mark::kCrashed,
-            "It was not done within " + std::string(limit) + " s" + last_call_text(child.err) + "."};
+            say::kNotDone(std::string(limit), last_call_text(child.err))};
   }
   if (child.signal != 0)
     return {Mark::kCrashed,
-            "It crashed" + last_call_text(child.err) + ": " + signal_text(child.signal) + "."};
+            say::kCrashed(last_call_text(child.err), signal_text(child.signal))};
   if (child.exit_code == kEnded)
-    return {Mark::kCrashed, "It ended its process" + last_call_text(child.err) + "."};
+    return {Mark::kCrashed, say::kEndedIn(last_call_text(child.err))};
   if (child.exit_code != 0 || child.out.empty())
-    return {Mark::kCrashed, "It ended its process with code " + std::to_string(child.exit_code) + "."};
+    return {Mark::kCrashed, say::kEndedWith(child.exit_code)};
   const int mark = child.out[0] - '0';
   return {static_cast<Mark>(std::clamp(mark, 0, 4)), child.out.substr(1)};
 }
@@ -166,7 +167,7 @@ std::vector<ValidateResult> validate(const std::string& path, const std::vector<
     // only the first test can say anything about a library that cannot be described
     const bool loads = !subject.plugins.empty() || test.name == "load";
     result.finding =
-        loads ? run_one(test, subject, options) : Finding{Mark::kSkipped, "The library cannot be loaded."};
+        loads ? run_one(test, subject, options) : Finding{Mark::kSkipped, say::kNotLoaded()};
     result.seconds = 1e-9 * static_cast<double>(base::wall_ns() - begin);
     if (progress) progress(result);
     results.push_back(std::move(result));

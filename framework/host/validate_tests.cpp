@@ -12,6 +12,7 @@
 #include "host/lesson_card.hpp"
 #include "host/malloc_guard.hpp"
 #include "host/nearest.hpp"
+#include "host/sentences.hpp"
 #include "host/tables.hpp"
 #include "host/trial.hpp"
 #include "host/validate.hpp"
@@ -85,7 +86,7 @@ void each_trial(const Subject& subject, Findings& f, F&& run) {
 Finding test_load(const Subject& subject) {
   Findings f;
   std::vector<std::string> symbols;
-  if (!exported_symbols(subject.library_path, symbols)) f.fail("It is no 64-bit ELF library.");
+  if (!exported_symbols(subject.library_path, symbols)) f.fail(say::kNoElf());
   std::erase(symbols, SWAGE_ENTRY_SYMBOL);
   if (!symbols.empty())
     f.fail("It exports more than " SWAGE_ENTRY_SYMBOL ": " +
@@ -94,14 +95,13 @@ Finding test_load(const Subject& subject) {
            ".");
   const Library* library = load(subject, f);
   if (library == nullptr) return f.take();
-  if (load(subject, f) != library) f.fail("Loading it twice gives two libraries.");
+  if (load(subject, f) != library) f.fail(say::kLoadsTwo());
   std::vector<PluginInfo> plugins;
   std::string error;
   if (!describe(*library, plugins, error)) f.fail(error);
   // a start with thirty plugins must not take seconds
   if (library->load_seconds() > 0.1)
-    f.warn("Loading took " + std::to_string(static_cast<int>(library->load_seconds() * 1e3)) +
-           " ms of processor time; 100 ms is much.");
+    f.warn(say::kSlowLoad(static_cast<int>(library->load_seconds() * 1e3)));
   return f.take();
 }
 
@@ -111,14 +111,14 @@ void check_factory(const Library& library, const PluginInfo& plugin, Findings& f
   for (const std::string& id : {plugin.id + "x", std::string("org.example.nobody"), std::string()}) {
     swage_instance* made = factory.create(services.abi(), id.c_str());
     if (made == nullptr) continue;
-    f.fail("create(\"" + id + "\") must answer NULL: there is no such plugin here.");
+    f.fail(say::kCreatesAnything(id));
     if (made->destroy != nullptr) made->destroy(made);
   }
   uint32_t count = 0;
   if (library.params("org.example.nobody", &count) != nullptr || count != 0)
-    f.fail("The table of parameters of an unknown id must be NULL with a count of 0.");
+    f.fail(say::kTableOfNobody());
   if (library.entry().get_factory("swage.factory.nobody/1") != nullptr)
-    f.fail("get_factory of an unknown factory must answer NULL.");
+    f.fail(say::kAnyFactory());
 }
 
 Finding test_descriptor(const Subject& subject) {
@@ -133,11 +133,11 @@ Finding test_descriptor(const Subject& subject) {
     std::vector<std::string> faults = plugin_faults(bare);
     card_faults(plugin, faults);
     for (const std::string& fault : faults) f.fail(plugin.id + ": " + fault);
-    if (!ids.insert(plugin.id).second) f.fail("The id \"" + plugin.id + "\" is there twice.");
+    if (!ids.insert(plugin.id).second) f.fail(say::kSameId(plugin.id));
     check_factory(*library, plugin, f);
   }
   if (library->factory().descriptor(static_cast<uint32_t>(subject.plugins.size())) != nullptr)
-    f.fail("descriptor() beyond the count must answer NULL.");
+    f.fail(say::kAnyDescriptor());
 
   // the sidecar says what the binary says
   std::string text, why;
@@ -145,9 +145,9 @@ Finding test_descriptor(const Subject& subject) {
   const std::string fresh =
       write_sidecar(subject.library_path, content_hash(subject.library_path), subject.plugins);
   if (text.empty()) {
-    f.warn("There is no plugin.json beside it; each start has to ask the library itself.");
+    f.warn(say::kNoPluginJson());
   } else if (text != fresh) {
-    f.fail("plugin.json beside it was made from another binary; run swage-describe again.");
+    f.fail(say::kOldPluginJson());
   }
   return f.take();
 }
@@ -169,7 +169,7 @@ Finding test_parameters(const Subject& subject) {
     ParamValues read;
     base::Problems problems;
     check_params("{" + json + "}", no_files, {plugin.id, "/", "", {}}, read, problems);
-    for (const base::Problem& p : problems) f.fail(plugin.id + ": its own default is refused: " + p.message);
+    for (const base::Problem& p : problems) f.fail(say::kOwnDefault(plugin.id, p.message));
   }
   return f.take();
 }
@@ -196,9 +196,9 @@ void lifecycle_of(const Library& library, const PluginInfo& plugin, Findings& f)
   if (!create()) return f.fail(error);
   const auto early = create();
   if (early && early->activate(1e-3, error))
-    f.warn(plugin.id + " lets itself be activated before it was configured.");
+    f.warn(say::kEarlyActivate(plugin.id));
   if (early && early->extension("org.example.nobody/1") != nullptr)
-    f.fail(plugin.id + ": get_extension of an unknown id must answer NULL.");
+    f.fail(say::kAnyExtension(plugin.id));
 
   // configured twice, each time into a world of its own; then on and off a hundred times
   const auto twice = create();
@@ -210,18 +210,18 @@ void lifecycle_of(const Library& library, const PluginInfo& plugin, Findings& f)
     Builder builder({plugin.kind, "trial", 0, {{0, 0, 0}, {1, 0, 0, 0}}, {}}, world, script, problems);
     if (twice->configure(default_values(plugin.params, plugin.bundle_dir), builder, error)) continue;
     const bool said = !error.empty() || !problems.empty() || !twice->services->take_reports().empty();
-    if (!said) f.fail(plugin.id + " refuses its own defaults and does not say why.");
-    if (i == 1) f.fail(plugin.id + " cannot be configured a second time.");
+    if (!said) f.fail(say::kRefusesDefaults(plugin.id));
+    if (i == 1) f.fail(say::kConfiguresOnce(plugin.id));
     return;
   }
   if (!twice) return;
   if (const std::string gap = tables_of(*twice, plugin.kind); !gap.empty()) f.fail(gap);
   for (const std::string& trait : plugin.traits)
     if (twice->extension(trait.c_str()) == nullptr)
-      f.fail(plugin.id + " lists the trait \"" + trait + "\" and does not offer it.");
+      f.fail(say::kTraitNotOffered(plugin.id, trait));
   for (int i = 0; i < 100; ++i) {
     if (!twice->activate(1e-3, error))
-      return f.fail(plugin.id + " cannot be activated the " + std::to_string(i + 1) + ". time: " + error);
+      return f.fail(say::kActivates(plugin.id, i + 1, error));
     twice->deactivate();
   }
 }
@@ -238,9 +238,7 @@ Finding test_threads(const Subject& subject) {
   each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library&) {
     if (trial.run(kSteps) != 0) f.fail(trouble(trial, plugin.id));
     if (const uint32_t n = trial.instance()->services->role_breaches())
-      f.fail(plugin.id + " called the host " + std::to_string(n) +
-             " times from a thread that may not: text in the step, or "
-             "random numbers outside of it.");
+      f.fail(say::kWrongThread(plugin.id, n));
   });
   return f.take();
 }
@@ -265,15 +263,14 @@ Finding test_state(const Subject& subject) {
     const auto first = record(trial, kSteps / 3);
     trial.restore(saved);
     if (record(trial, kSteps / 3) != first)
-      f.fail(plugin.id + " gives other results after a rewind: it remembers something outside of its state.");
+      f.fail(say::kRewinds(plugin.id));
     // another run of the same instance, and of a second one beside it
     trial.reset();
     const auto again = record(trial, kSteps / 3);
     Trial other(library, plugin, default_values(plugin.params, plugin.bundle_dir));
     other.reset();
     if (record(other, kSteps / 3) != again)
-      f.fail(plugin.id +
-             " gives other results in a second instance: it depends on more than parameters and state.");
+      f.fail(say::kSecondInstance(plugin.id));
   });
   return f.take();
 }
@@ -303,7 +300,7 @@ void try_values(const Library& library, const PluginInfo& plugin, ParamValues va
   if (!trial.configured()) {
     if (trial.instance() != nullptr && trial.instance()->quarantined.load() != 0)
       f.fail(which + ": " + trial.error());
-    if (reasons(trial).empty()) f.fail(which + ": " + plugin.id + " refuses without a reason.");
+    if (reasons(trial).empty()) f.fail(say::kRefusesSilently(which, plugin.id));
   } else if (trial.steps() && trial.run(20) != 0 && trial.instance()->quarantined.load() != 0) {
     f.fail(which + ": " + quarantine_text(*trial.instance()));
   }
@@ -353,13 +350,12 @@ Finding test_chains(const Subject& subject) {
 
 Finding test_real_time(const Subject& subject) {
   Findings f;
-  if (!counts_allocations()) return {Mark::kSkipped, "This program does not count allocations."};
+  if (!counts_allocations()) return {Mark::kSkipped, say::kNoCount()};
   each_trial(subject, f, [&](Trial& trial, const PluginInfo& plugin, const Library&) {
     trial.run(kSteps);
     if (trial.instance()->quarantined.load() != 0) return;  // a throw allocates; test "threads" tells of it
     if (trial.allocations() > 0)
-      f.fail(plugin.id + " allocated memory " + std::to_string(trial.allocations()) + " times in " +
-             std::to_string(kSteps) + " steps; nothing on [rt] may.");
+      f.fail(say::kAllocates(plugin.id, trial.allocations(), kSteps));
   });
   return f.take();
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "host/sentences.hpp"
 #include "judge/host_events.hpp"
 
 namespace swage::host {
@@ -34,8 +35,8 @@ std::vector<std::string> places(std::string_view text) {
 
 // "" or what is wrong with one translation
 std::string fault(const std::string& key, const ordered_json& value) {
-  if (!value.is_string() || value.get<std::string>().empty()) return "has no text";
-  if (places(key) != places(value.get<std::string>())) return "has other places in braces than the words it translates";
+  if (!value.is_string() || value.get<std::string>().empty()) return say::kNoTranslation();
+  if (places(key) != places(value.get<std::string>())) return say::kOtherPlaces();
   return "";
 }
 
@@ -97,17 +98,17 @@ void parse_words(const std::string& text, const std::string& path, const std::st
     problems.push_back({base::Severity::kWarning, path + place, message});
   };
   const ordered_json file = ordered_json::parse(text, nullptr, false, true);
-  if (file.is_discarded()) return complain("", "These translations are not used: the file is not JSON.");
+  if (file.is_discarded()) return complain("", say::kWordsNoJson());
   if (text_of(file, "format") != kFormat)
-    return complain(" #/format", std::string("These translations are not used: the format is not \"") + kFormat + "\".");
+    return complain(" #/format", say::kWordsFormat(kFormat));
   if (text_of(file, "language") != language)
-    return complain(" #/language", "These translations are not used: the language is not \"" + language + "\", as the file is called.");
+    return complain(" #/language", say::kWordsLanguage(language));
   const auto words = file.find("words");
   if (words == file.end() || !words->is_object())
-    return complain(" #/words", "These translations are not used: there are no \"words\".");
+    return complain(" #/words", say::kWordsNone());
   for (const auto& [key, value] : words->items()) {
     if (const std::string wrong = fault(key, value); !wrong.empty())
-      complain(" #/words", "The translation of \"" + key + "\" " + wrong + ".");
+      complain(" #/words", say::kTranslation(key, wrong));
     else
       out.emplace(key, value.get<std::string>());
   }

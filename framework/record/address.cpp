@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "record/sentences.hpp"
+
 namespace swage::record {
 namespace {
 
@@ -59,9 +61,7 @@ std::string address_problem(std::string_view where) {
   if (where.find('\0') != std::string_view::npos) return "The name of the store holds a zero byte.";
   const std::string_view kind = scheme(where);
   if (kind.empty() || is_postgres(where)) return "";
-  return "\"" + std::string(kind) +
-         "://\" is no store that Swage knows. A store is a file (/folder/attempts.db) or a PostgreSQL database "
-         "(postgresql://user@host/database).";
+  return say::kNoStoreKind(std::string(kind));
 }
 
 std::string shown(std::string_view where) {

@@ -13,6 +13,7 @@
 #include "record/attempt_rows.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -184,7 +185,7 @@ bool backup_store(const std::string& store, const std::string& file, Copied& out
   }
   if (good) return true;
   unlink(part.c_str());
-  error = shown(store) + " cannot be backed up to " + file + ". " + error;
+  error = say::kNotBackedUp(shown(store), file, error);
   return false;
 }
 
@@ -196,7 +197,7 @@ bool restore_store(const std::string& file, const std::string& store, Copied& ou
   if (!to) return false;
   const uint64_t before = count(*to, "attempt");
   if (!copy_all(*from, *to, error)) {
-    error = file + " cannot be restored into " + shown(store) + ". " + error;
+    error = say::kNotRestored(file, shown(store), error);
     return false;
   }
   out.people = count(*from, "person");

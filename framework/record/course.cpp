@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -42,7 +43,7 @@ json rule_json(const judge::PassRule& r) {
 judge::PassRule rule_from(const json& j) {
   judge::PassRule r;
   const std::string kind = j.at("kind");
-  if (kind != "streak" && kind != "lc-cusum") throw std::invalid_argument("no rule is called \"" + kind + "\"; \"streak\" and \"lc-cusum\" are");
+  if (kind != "streak" && kind != "lc-cusum") throw std::invalid_argument(say::kNoSuchRule(kind));
   r.kind = kind == "streak" ? judge::PassRule::Kind::kStreak : judge::PassRule::Kind::kLcCusum;
   r.in_a_row = j.value("in_a_row", r.in_a_row);
   r.later_day = j.value("later_day", r.later_day);
@@ -75,16 +76,16 @@ CourseStep step_from(const json& j) {
 
 // "" for a course that can be used
 std::string fault_of(const Course& c) {
-  if (c.title.empty()) return "A course needs a title.";
+  if (c.title.empty()) return say::kNeedsTitle();
   for (std::size_t i = 0; i < c.steps.size(); ++i) {
     const CourseStep& s = c.steps[i];
-    const std::string at = "Step " + std::to_string(i + 1) + " of the course \"" + c.title + "\": ";
-    if (s.lesson_id.empty()) return at + "a lesson is needed.";
+    const std::string at = say::kOfStep(i + 1, c.title);
+    if (s.lesson_id.empty()) return say::kNeedsLesson(at);
     if (const std::string wrong = judge::problem_of(s.rule); !wrong.empty()) return at + wrong;
     for (const judge::Limit& l : s.limits) {
-      if (l.metric.empty()) return at + "a limit needs a metric.";
-      if (!(l.least <= l.most)) return at + "the limit of " + l.metric + " asks for at least more than at most.";
-      if (!std::isfinite(l.least) && !std::isfinite(l.most)) return at + "the limit of " + l.metric + " has no number.";
+      if (l.metric.empty()) return say::kNeedsMetric(at);
+      if (!(l.least <= l.most)) return say::kEmptyLimit(at, l.metric);
+      if (!std::isfinite(l.least) && !std::isfinite(l.most)) return say::kNoLimit(at, l.metric);
     }
   }
   return "";

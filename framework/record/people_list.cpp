@@ -5,6 +5,8 @@
 #include <cctype>
 #include <map>
 
+#include "record/sentences.hpp"
+
 namespace swage::record {
 namespace {
 
@@ -51,7 +53,7 @@ bool read_head(const std::vector<std::string>& fields, std::vector<std::string>&
   if (!std::any_of(fields.begin(), fields.end(), [](const std::string& f) { return lower(f) == "name"; })) return true;
   for (const std::string& f : fields) {
     if (!is_column(f)) {
-      error = "The column \"" + f + "\" is not known: name, code, handedness and group are.";
+      error = say::kColumn(f);
       return false;
     }
     columns.push_back(lower(f));
@@ -63,7 +65,7 @@ std::string handedness(const std::string& said, std::string& problem) {
   const std::string s = lower(said);
   if (s.empty() || s == "left" || s == "right") return s;
   if (s == "l" || s == "r") return s == "l" ? "left" : "right";
-  problem = "\"" + said + "\" is no handedness; \"left\" and \"right\" are.";
+  problem = say::kNoHandedness(said);
   return "";
 }
 
@@ -90,14 +92,14 @@ bool read_people(const std::string& text, std::span<const Person> known, std::sp
     }
     ListedPerson p;
     p.line = number;
-    if (fields.size() > columns.size()) p.problem = "It has " + std::to_string(fields.size()) + " fields, " + std::to_string(columns.size()) + " are expected.";
+    if (fields.size() > columns.size()) p.problem = say::kManyFields(fields.size(), columns.size());
     for (std::size_t i = 0; i < std::min(fields.size(), columns.size()); ++i) {
       if (columns[i] == "name") p.person.name = fields[i];
       if (columns[i] == "code") p.person.code = fields[i];
       if (columns[i] == "group") p.group = fields[i];
       if (columns[i] == "handedness") p.person.handedness = handedness(fields[i], p.problem);
     }
-    if (p.person.name.empty() && p.problem.empty()) p.problem = "It has no name.";
+    if (p.person.name.empty() && p.problem.empty()) p.problem = say::kNoName();
     for (const Group& g : groups)
       if (g.name == p.group) p.person.group_id = g.id;
     p.is_there = std::any_of(there.begin(), there.end(), [&](const Person& other) {
@@ -112,7 +114,7 @@ bool read_people(const std::string& text, std::span<const Person> known, std::sp
 int add_people(School& school, std::span<ListedPerson> list, std::string& error) {
   for (const ListedPerson& p : list)
     if (!p.problem.empty()) {
-      error = "Line " + std::to_string(p.line) + ": " + p.problem + " Nobody was added.";
+      error = say::kOfLine(p.line, p.problem);
       return -1;
     }
   std::map<std::string, std::string> groups;

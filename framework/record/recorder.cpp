@@ -23,6 +23,7 @@
 #include "record/journal.hpp"
 #include "record/schema.hpp"
 #include "record/seal.hpp"
+#include "record/sentences.hpp"
 #include "record/store.hpp"
 
 namespace swage::record {
@@ -198,21 +199,19 @@ class FileRecorder final : public Recorder {
     if (!journal_ || full_) return;
     full_ = true;
     tell(base::Severity::kError,
-         "The fallback file " + journal_->path() +
-             " is full too: from here on nothing of this attempt is kept. Free space on "
-             "that disk.");
+         say::kFallbackFull(journal_->path()));
   }
 
   std::string reason(Trouble why, const std::string& error) const {
     switch (why) {
       case Trouble::kLocked:
-        return "is locked by another program";
+        return say::kLocked();
       case Trouble::kFull:
-        return "cannot grow: the disk is full, or files may not be that large (ulimit -f)";
+        return say::kDiskFull();
       case Trouble::kUnreachable:
-        return "does not answer (" + (error.ends_with('.') ? error.substr(0, error.size() - 1) : error) + ")";
+        return say::kNoAnswer((error.ends_with('.') ? error.substr(0, error.size() - 1) : error));
       default:
-        return "cannot be written (" + error + ")";
+        return say::kNotWritten(error);
     }
   }
 
@@ -221,21 +220,18 @@ class FileRecorder final : public Recorder {
   bool fall_back(Trouble why, const std::string error) {
     db_.reset();
     healthy_.store(false, std::memory_order_relaxed);
-    const std::string what = "The store " + reason(why, error);
+    const std::string what = say::kStoreFails(reason(why, error));
     if (!journal_ || !journal_->append(attempt_rows(id_, info_))) {
       tell(base::Severity::kError,
-           what +
-               ", and no file can be written beside it: from here on nothing of this attempt "
-               "is kept. Free space there or choose another store.");
+           say::kNothingKept(what));
       journal_.reset();
       return false;
     }
     tell(base::Severity::kWarning,
-         what + ". The attempt goes on and is kept in " + journal_->path() +
-             "; it is merged when the store is next opened." +
-             (why == Trouble::kFull      ? " Free space on that disk now: the file has room for a minute or two."
-              : why == Trouble::kDamaged ? remedy(store_, why)
-                                         : ""));
+         say::kGoesOn(what, journal_->path(),
+                      why == Trouble::kFull      ? say::kFreeSpaceNow()
+                      : why == Trouble::kDamaged ? remedy(store_, why)
+                                                 : std::string()));
     return true;
   }
 
@@ -282,7 +278,7 @@ class FileRecorder final : public Recorder {
         journal_->remove();
         seal_attempt(*again, id_);
         db_ = std::move(again);
-        tell(base::Severity::kNote, "The store can be written again: the attempt has been merged into it.");
+        tell(base::Severity::kNote, say::kMerged());
       }
     }
   }
@@ -305,11 +301,10 @@ class FileRecorder final : public Recorder {
       kept_.missing_steps = std::max(kept_.missing_steps, taken_ - std::min(taken_, there));
     }
     if (kept_.where == Kept::Where::kNowhere)
-      tell(base::Severity::kError, "This attempt is not kept. " + error);
+      tell(base::Severity::kError, say::kAttemptNotKept(error));
     else if (kept_.missing_steps > 0)
       tell(base::Severity::kWarning,
-           std::to_string(kept_.missing_steps) +
-               " steps of this attempt could not be kept: it can be replayed up to the first of them only.");
+           say::kStepsLost(kept_.missing_steps));
   }
 
   const std::string store_, id_;

@@ -6,6 +6,7 @@
 #include "record/codec.hpp"
 #include "record/recorder.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 #include "record/store.hpp"
 
 namespace swage::record {
@@ -63,7 +64,7 @@ bool has_no_giants(Database& db, const std::string& id, std::string& error) {
     if (db.trouble() == Trouble::kNone && found.empty()) continue;
     error = db.trouble() != Trouble::kNone
                 ? "Attempt " + id + " cannot be read: " + db.error() + "."
-                : "Attempt " + id + " is damaged: its table \"" + table + "\" holds more than Swage ever writes.";
+                : say::kDamagedTable(id, table);
     return false;
   }
   return true;
@@ -77,7 +78,7 @@ bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::stri
       " JOIN person p ON p.person_id = s.person_id WHERE a.attempt_id = ?",
       {id});
   if (rows.empty()) {
-    error = db.trouble() == Trouble::kNone ? "There is no attempt " + id + "." : db.error() + ".";
+    error = db.trouble() == Trouble::kNone ? say::kNoAttemptAtAll(id) : db.error() + ".";
     return false;
   }
   const Row& r = rows[0];
@@ -95,7 +96,7 @@ bool read_info(Database& db, const std::string& id, AttemptInfo& info, std::stri
       from_json(text(r[9]), info.script))
     return true;
   error =
-      "The head of attempt " + id + " is damaged: its plugins, devices or names are not what Swage writes.";
+      say::kDamagedHead(id);
   return false;
 }
 
@@ -111,7 +112,7 @@ bool read_attachments(Database& db, const std::string& id, AttemptInfo& info, st
        db.rows("SELECT name, crc32c, data FROM file WHERE attempt_id = ? ORDER BY name", {id})) {
     const Blob& data = blob(r[2]);
     if (crc32c(data.data(), data.size()) != static_cast<uint32_t>(integer(r[1]))) {
-      error = "The file \"" + text(r[0]) + "\" of attempt " + id + " does not fit its checksum.";
+      error = say::kFileChecksum(text(r[0]), id);
       return false;
     }
     std::string bytes(data.begin(), data.end());
@@ -138,8 +139,7 @@ bool make_room(Database& db, const std::string& id, Recording& out, std::string&
   const double bytes = hashes * 16 + inputs * sizeof(swage_sample) + traces * sizeof(float) +
                        commands * sizeof(CommandRecord);
   if (!(bytes <= static_cast<double>(kMostBytes))) {
-    error = "Attempt " + id + " is too long to be opened: it has more than " +
-            std::to_string(kMostBytes / 1'000'000) + " MB of samples and signals.";
+    error = say::kTooLong(id, kMostBytes / 1'000'000);
     return false;
   }
   out.step.reserve(static_cast<std::size_t>(hashes));
@@ -154,7 +154,7 @@ bool make_room(Database& db, const std::string& id, Recording& out, std::string&
 bool read_streams(Database& db, const std::string& id, Recording& out, bool keep, std::string& error) {
   const std::size_t devices = out.info.devices.size(), signals = out.info.script.signals.size();
   if (devices > snapshot::kMaxDevices || signals > snapshot::kMaxSignals) {
-    error = "Attempt " + id + " claims more devices or signals than a scene can have.";
+    error = say::kTooManyDevices(id);
     return false;
   }
   uint64_t steps = 0, input_rows = 0, signal_rows = 0;
@@ -194,7 +194,7 @@ bool read_streams(Database& db, const std::string& id, Recording& out, bool keep
       !read_stream<uint64_t>(db, id, kCommandStream, kCommandWords, error, commands))
     return false;
   if (input_rows == (devices > 0 ? steps : 0) && signal_rows == (signals > 0 ? steps : 0)) return true;
-  error = "The recording of attempt " + id + " is damaged: its streams are not equally long.";
+  error = say::kUnlikeStreams(id);
   return false;
 }
 

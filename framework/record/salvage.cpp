@@ -17,6 +17,7 @@
 #include "record/identity.hpp"
 #include "record/schema.hpp"
 #include "record/seal.hpp"
+#include "record/sentences.hpp"
 #include "record/sqlite_pages.hpp"
 
 namespace swage::record {
@@ -222,13 +223,13 @@ bool salvage(const std::string& damaged, const std::string& fresh, Salvaged& out
   out = Salvaged();
   SqlitePages pages;
   if (is_postgres(damaged)) {
-    error = "A database of a server is not salvaged but restored from its newest backup.";
+    error = say::kServerNotSalvaged();
     return false;
   }
   if (!pages.open(damaged, error)) return false;
   std::error_code code;
   if (fs::exists(fresh, code)) {
-    error = fresh + " is there already: name a file that is not.";
+    error = say::kThereAlready(fresh);
     return false;
   }
   const std::unique_ptr<Database> db = open_store(fresh, error);
@@ -240,7 +241,7 @@ bool salvage(const std::string& damaged, const std::string& fresh, Salvaged& out
   }
   if (!ok) error = fresh + " cannot be written: " + db->error() + ".";
   if (ok && out.rows == 0) {
-    error = "Nothing of Swage's is left in " + damaged + ".";
+    error = say::kNothingLeft(damaged);
     ok = false;
   }
   return ok;
@@ -251,7 +252,7 @@ bool salvage_in_place(const std::string& store, Salvaged& out, std::string& erro
     for (const char* end : {"", "-wal", "-shm"}) unlink((path + end).c_str());
   };
   if (!is_postgres(store) && is_in_use(store)) {
-    error = store + " is in use: close every Swage program first.";
+    error = say::kInUse(store);
     return false;
   }
   const std::string fresh = store + ".salvaging", old = store + ".damaged-" + utc_now();

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "record/identity.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -182,8 +183,7 @@ bool take_steps(Database& db, std::span<const Step> steps, int version) {
 }
 
 std::string too_new(int version, std::size_t known) {
-  return "It was written by a newer Swage (tables of version " + std::to_string(version) +
-         ", this program knows " + std::to_string(known) + "): update Swage.";
+  return say::kNewerTables(version, known);
 }
 
 // Programs that start at once on a new database must not make its tables at once; the lock goes with the transaction.
@@ -231,7 +231,7 @@ bool bring_up_to_date(Database& db, std::span<const Step> steps, std::string& er
     done = version >= 0 && take_steps(db, steps, version) && db.commit();
     if (!done) db.rollback();
   }
-  if (!done) error = "Its tables cannot be made or upgraded: " + db.error() + ".";
+  if (!done) error = say::kNoUpgrade(db.error());
   return done;
 }
 
@@ -244,18 +244,18 @@ std::string foreign_tables(Database& db, bool alone) {
   const std::unique_ptr<Database> model = Database::open(kInMemory, Access::kWrite, error);
   if (version < 1 || static_cast<std::size_t>(version) > kSteps.size() || !model ||
       !bring_up_to_date(*model, schema_steps().first(static_cast<std::size_t>(version)), error))
-    return "Its tables cannot be compared with those of Swage: " + error;
+    return say::kNotCompared(error);
   std::vector<Row> there = db.rows(kObjects);
-  if (db.trouble() != Trouble::kNone) return "Its list of tables cannot be read: " + db.error() + ".";
+  if (db.trouble() != Trouble::kNone) return say::kNoTableList(db.error());
   for (const Row& wanted : model->rows(kObjects)) {
     const auto found = std::find(there.begin(), there.end(), wanted);
     if (found == there.end())
-      return "Its " + text(wanted[0]) + " \"" + text(wanted[1]) + "\" is not as Swage makes it.";
+      return say::kOtherTable(text(wanted[0]), text(wanted[1]));
     there.erase(found);
   }
   for (const Row& more : there)
     if (alone && text(more[3]) != kExportTable)
-      return "It holds a " + text(more[0]) + " that Swage does not make.";
+      return say::kStrangeTable(text(more[0]));
   return "";
 }
 
@@ -280,7 +280,7 @@ std::unique_ptr<Database> open_store(const std::string& where, std::string& erro
   if (trouble == Trouble::kOther && !db->on_postgres()) trouble = Trouble::kDamaged;
   if (trouble == Trouble::kNone) trouble = Trouble::kOther;
   if (why != nullptr) *why = trouble;
-  error = shown(where) + " cannot be used as the store of attempts. " + error + remedy(where, trouble);
+  error = say::kUnusable(shown(where), error, remedy(where, trouble));
   return nullptr;
 }
 
@@ -295,7 +295,7 @@ std::unique_ptr<Database> open_for_reading(const std::string& where, std::string
   if (version >= 1 && static_cast<std::size_t>(version) <= schema_steps().size()) {
     const std::string foreign = foreign_tables(*db, false);
     if (foreign.empty()) return db;
-    error = shown(where) + " cannot be used. " + foreign + remedy(where, Trouble::kDamaged);
+    error = say::kForeign(shown(where), foreign, remedy(where, Trouble::kDamaged));
     if (why != nullptr) *why = Trouble::kDamaged;
     return nullptr;
   }
@@ -304,27 +304,25 @@ std::unique_ptr<Database> open_for_reading(const std::string& where, std::string
   if (version > 0)
     error = shown(where) + ": " + too_new(version, schema_steps().size());
   else if (version == 0)
-    error = shown(where) + " is a database, but not one of Swage attempts.";
+    error = say::kOtherDatabase(shown(where));
   else if (db->error().find("not a database") != std::string::npos)
-    error = where + " is not a file of Swage attempts (its first bytes are not those of an SQLite file)." +
-            remedy(where, trouble);
+    error = say::kNoStoreFile(where, remedy(where, trouble));
   else
-    error = shown(where) + " cannot be read: " + db->error() + "." + remedy(where, trouble);
+    error = say::kUnreadable(shown(where), db->error(), remedy(where, trouble));
   return nullptr;
 }
 
 std::string remedy(const std::string& where, Trouble why) {
   switch (why) {
     case Trouble::kDamaged:
-      if (is_postgres(where)) return " Restore its newest backup.";
-      return " If it was a store, \"swage attempts salvage --store " + where +
-             "\" makes a new one of what can still be read.";
+      if (is_postgres(where)) return say::kRestoreBackup();
+      return say::kSalvageIt(where);
     case Trouble::kFull:
-      return " Free space on that disk, or raise the limit on the size of files (ulimit -f).";
+      return say::kFreeSpace();
     case Trouble::kReadOnly:
-      return " Choose another store with --store.";
+      return say::kOtherStore();
     case Trouble::kUnreachable:
-      return " Check that the server runs and lets this station in.";
+      return say::kCheckServer();
     default:
       return "";
   }

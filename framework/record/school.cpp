@@ -8,6 +8,7 @@
 #include "record/roster.hpp"
 #include "record/schema.hpp"
 #include "record/seal.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -30,7 +31,7 @@ class SqlSchool final : public School {
     if (!may_be_called(p)) return false;
     const bool given = !p.code.empty();
     if (given && !rows("SELECT 1 FROM person WHERE pseudonym = ?", {p.code}).empty())
-      return fail("The code \"" + p.code + "\" is another person's already.");
+      return fail(say::kCodeTaken(p.code));
     while (p.code.empty()) {
       const std::string code = make_code();
       if (rows("SELECT 1 FROM person WHERE pseudonym = ?", {code}).empty()) p.code = code;
@@ -45,13 +46,13 @@ class SqlSchool final : public School {
 
   bool change_person(const Person& p) override {
     if (rows("SELECT 1 FROM person WHERE person_id = ?", {p.id}).empty())
-      return fail("The person is no longer in the store.");
+      return fail(say::kPersonGone());
     return may_be_called(p) && change([&] { return put_roster(p); });
   }
 
   bool remove_person(const std::string& id) override {
     if (!rows("SELECT 1 FROM session WHERE person_id = ? LIMIT 1", {id}).empty())
-      return fail("The person has attempts: archive or erase instead.");
+      return fail(say::kHasAttempts());
     return change([&] {
       return db_->run("DELETE FROM assignment WHERE to_group = 0 AND who_id = ?", {id}) &&
              db_->run("DELETE FROM person WHERE person_id = ?", {id});
@@ -67,16 +68,16 @@ class SqlSchool final : public School {
           out = p;
           return true;
         }
-    return error_.empty() && fail("Nobody in the store is called \"" + who + "\".");
+    return error_.empty() && fail(say::kNobody(who));
   }
 
   bool erase_person(const std::string& id) override {
     if (rows("SELECT 1 FROM person WHERE person_id = ?", {id}).empty())
-      return error_.empty() && fail("The person is no longer in the store.");
+      return error_.empty() && fail(say::kPersonGone());
     for (const Row& r : rows("SELECT a.attempt_id FROM attempt a JOIN session s ON s.session_id = a.session_id"
                              " WHERE s.person_id = ? AND a.state = 'running'",
                              {id}))
-      if (is_recording(where_, text(r[0]))) return fail("An attempt of this person is running: end it first.");
+      if (is_recording(where_, text(r[0]))) return fail(say::kIsRunning());
     if (!change([&] { return erase_rows(*db_, id); })) return false;
     forget_deleted(*db_);
     return true;
@@ -110,9 +111,9 @@ class SqlSchool final : public School {
   }
 
   bool add_group(Group& g) override {
-    if (g.name.empty()) return fail("A group needs a name.");
+    if (g.name.empty()) return fail(say::kNeedsGroupName());
     for (const Group& other : groups())
-      if (other.name == g.name && other.id != g.id) return fail("A group is called \"" + g.name + "\" already.");
+      if (other.name == g.name && other.id != g.id) return fail(say::kGroupTaken(g.name));
     if (g.id.empty()) g.id = make_id();
     if (g.created_utc.empty()) g.created_utc = utc_now();
     return change([&] {
@@ -125,7 +126,7 @@ class SqlSchool final : public School {
   }
 
   bool change_group(const Group& g) override {
-    if (g.name.empty()) return fail("A group needs a name.");
+    if (g.name.empty()) return fail(say::kNeedsGroupName());
     return change([&] {
       return db_->run("UPDATE people_group SET name = ?, archived_utc = ? WHERE group_id = ?", {g.name, g.archived_utc, g.id});
     });
@@ -176,7 +177,7 @@ class SqlSchool final : public School {
     for (const Row& r : rows("SELECT course_id, title, body, created_utc, changed_utc, published_utc, archived_utc FROM course")) {
       Course c;
       std::string why;
-      if (!from_json(text(r[2]), c, why) && wrong.empty()) wrong = "The course \"" + text(r[1]) + "\" cannot be read. " + why;
+      if (!from_json(text(r[2]), c, why) && wrong.empty()) wrong = say::kBadCourse(text(r[1]), why);
       if (!why.empty()) continue;
       c.id = text(r[0]);
       c.created_utc = text(r[3]);
@@ -221,9 +222,9 @@ class SqlSchool final : public School {
   bool assign(Assignment& a) override {
     const char* there = a.to_group ? "SELECT 1 FROM people_group WHERE group_id = ?" : "SELECT 1 FROM person WHERE person_id = ?";
     if (rows(there, {a.who_id}).empty())
-      return error_.empty() && fail(a.to_group ? "The group is no longer in the store." : "The person is no longer in the store.");
+      return error_.empty() && fail(a.to_group ? say::kGroupGone() : say::kPersonGone());
     if (rows("SELECT 1 FROM course WHERE course_id = ?", {a.course_id}).empty())
-      return error_.empty() && fail("The course is no longer in the store.");
+      return error_.empty() && fail(say::kCourseGone());
     if (a.id.empty()) a.id = make_id();
     if (a.made_utc.empty()) a.made_utc = utc_now();
     return change([&] {
@@ -247,7 +248,7 @@ class SqlSchool final : public School {
   }
 
   bool save_note(Note& n) override {
-    if (n.text.empty()) return fail("A note needs some words.");
+    if (n.text.empty()) return fail(say::kNeedsWords());
     if (!has_attempt(n.attempt_id)) return false;
     if (n.id.empty()) n.id = make_id();
     if (n.made_utc.empty()) n.made_utc = utc_now();
@@ -272,7 +273,7 @@ class SqlSchool final : public School {
   }
 
   bool set_void(const std::string& attempt_id, bool is_void, const std::string& reason, const std::string& by) override {
-    if (reason.empty()) return fail("Say why: who reads this later must know.");
+    if (reason.empty()) return fail(say::kNeedsReason());
     return has_attempt(attempt_id) &&
            change([&] { return rule(attempt_id, is_void ? Ruling::Kind::kVoid : Ruling::Kind::kCounts, reason, by); });
   }
@@ -308,12 +309,12 @@ class SqlSchool final : public School {
   }
 
   bool may_be_called(const Person& p) {
-    if (p.name.empty()) return fail("A person needs a name.");
+    if (p.name.empty()) return fail(say::kNeedsName());
     if (p.handedness != "" && p.handedness != "left" && p.handedness != "right")
-      return fail("\"" + p.handedness + "\" is no handedness; \"left\" and \"right\" are.");
+      return fail(say::kNoHandedness(p.handedness));
     for (const Person& other : people())
       if (other.id != p.id && (other.name == p.name || other.code == p.name) && other.archived_utc.empty())
-        return fail("Somebody is called \"" + p.name + "\" already: add what tells the two apart.");
+        return fail(say::kNameTaken(p.name));
     return error_.empty();
   }
 
@@ -338,7 +339,7 @@ class SqlSchool final : public School {
 
   bool has_attempt(const std::string& id) {
     if (!rows("SELECT 1 FROM attempt WHERE attempt_id = ?", {id}).empty()) return true;
-    return error_.empty() && fail("There is no attempt " + id + " in the store.");
+    return error_.empty() && fail(say::kNoAttempt(id));
   }
 
   bool rule(const std::string& attempt_id, Ruling::Kind kind, const std::string& reason, const std::string& by) {
@@ -360,12 +361,12 @@ bool SqlSchool::name_attempt(const std::string& attempt_id, const std::string& p
            {attempt_id});
   const std::vector<Row> to = rows("SELECT pseudonym FROM person WHERE person_id = ?", {person_id});
   if (found.empty()) return has_attempt(attempt_id);
-  if (to.empty()) return error_.empty() && fail("The person is no longer in the store.");
+  if (to.empty()) return error_.empty() && fail(say::kPersonGone());
   const std::string from = text(found[0][0]), session = make_id();
   if (text(found[0][2]) == person_id) return true;
-  if (text(found[0][3]) == "running") return fail("Attempt " + attempt_id + " is still running.");
+  if (text(found[0][3]) == "running") return fail(say::kStillRunning(attempt_id));
   if (from != kGuest && !even_if_named)
-    return fail("Attempt " + attempt_id + " is no guest's: it belongs to " + from + ".");
+    return fail(say::kNoGuest(attempt_id, from));
   return change([&] {
     return db_->run("INSERT INTO session (session_id, person_id, station, app_version, started_utc)"
                     " SELECT CAST(? AS TEXT), CAST(? AS TEXT), station, app_version, started_utc FROM session WHERE session_id = ?",

@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "record/patience.hpp"
+#include "record/sentences.hpp"
 #include "record/sql_connect.hpp"
 
 namespace swage::record {
@@ -154,7 +155,7 @@ struct Database::Connection {
     error = without_password(what.text().simplified().toStdString(), where);
     if (patience && patience->at_an_end()) {
       trouble = Trouble::kUnreachable;
-      error = "the server has not answered for 3 s";
+      error = say::kServerSilent();
     }
     return false;
   }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "record/address.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -92,7 +93,7 @@ bool file_ready(const std::string& where, Access access, std::string& error, Tro
   struct stat facts {};
   const bool there = stat(where.c_str(), &facts) == 0;
   const bool good = !there || S_ISREG(facts.st_mode);
-  if (!good) error = where + " is not a file: it is a folder, a device or a pipe.";
+  if (!good) error = say::kNotAFile(where);
   bool ready = good && access == Access::kWrite && make_private_file(where, error);
   if (good && access == Access::kRead) {
     ready = ::access(where.c_str(), R_OK) == 0;

@@ -10,6 +10,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "record/sentences.hpp"
+
 namespace swage::record {
 namespace {
 
@@ -121,7 +123,7 @@ bool SqlitePages::open(const std::string& path, std::string& error) {
   struct stat facts {};
   file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file_ < 0 || fstat(file_, &facts) != 0 || !S_ISREG(facts.st_mode)) {
-    error = path + " cannot be read: " + (file_ < 0 ? std::strerror(errno) : "it is no file") + ".";
+    error = say::kNoPages(path, (file_ < 0 ? std::strerror(errno) : "it is no file"));
     return false;
   }
   uint8_t head[kFileHeader] = {};

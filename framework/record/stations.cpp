@@ -6,6 +6,7 @@
 
 #include "record/identity.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -158,7 +159,7 @@ bool SqlStations::enter(const std::string& wanted, const std::string& program, s
     name = name_ = next;
     return true;
   }
-  return fail("There are " + std::to_string(kMostNames) + " stations called \"" + wanted + "\": give this one another name with --station.");
+  return fail(say::kManyStations(kMostNames, wanted));
 }
 
 // The roster's name leads to the person; it is looked up once for each name that is found.
@@ -253,14 +254,14 @@ bool SqlStations::mark(const std::string& station, const std::string& words, con
   if (!all(now)) return false;
   const auto at = std::find_if(now.begin(), now.end(), [&](const StationNow& n) { return n.station == station; });
   const bool runs = at != now.end() && !at->lost() && (at->state == StationState::kRunning || at->state == StationState::kPaused);
-  if (!runs) return fail("No attempt runs at " + station + ".");
-  if (at->attempt_id.empty()) return fail("The attempt at " + station + " is not recorded: there is nothing to pin a mark to.");
+  if (!runs) return fail(say::kNothingRuns(station));
+  if (at->attempt_id.empty()) return fail(say::kNotRecorded(station));
   const double since = at->state == StationState::kRunning ? at->silent_s : 0;
   time_s = std::max(0.0, at->time_s + since - kBeforeMark_s);
   const double steps_per_s = at->time_s > 0 ? static_cast<double>(at->step) / at->time_s : 0;
   const std::vector<Row> there = db_->rows("SELECT 1 FROM attempt WHERE attempt_id = ?", {at->attempt_id});
   if (!done(db_->trouble() == Trouble::kNone)) return false;
-  if (there.empty()) return fail("The attempt at " + station + " is kept at the station itself for now: mark it in Review once it has come in.");
+  if (there.empty()) return fail(say::kKeptThere(station));
   return done(db_->run("INSERT INTO note (note_id, attempt_id, step, t_us, made_utc, made_by, body) VALUES (?, ?, ?, ?, ?, ?, ?)",
                        {make_id(), at->attempt_id, static_cast<int64_t>(std::llround(time_s * steps_per_s)),
                         static_cast<int64_t>(std::llround(time_s * 1e6)), utc_now(), by, words.empty() ? std::string("Mark") : words}));

@@ -18,6 +18,7 @@
 #include "record/schema.hpp"
 #include "record/school.hpp"
 #include "record/seal.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -277,10 +278,10 @@ bool read_models(const SyntheticSchool& what, std::vector<Model>& out, std::stri
     if (!store->attempt(lesson.expert, m.expert) || !read_recording(what.from, lesson.expert, m.expert_recording, error)) return false;
     for (const std::string& id : lesson.novices) store->attempt(id, m.novices.emplace_back());
     for (const std::string& id : lesson.failed) store->attempt(id, m.failed.emplace_back());
-    if (m.novices.empty()) return error = "A synthetic lesson needs a novice.", false;
+    if (m.novices.empty()) return error = say::kNeedsNovice(), false;
     out.push_back(std::move(m));
   }
-  if (out.empty()) error = "A synthetic school needs a lesson.";
+  if (out.empty()) error = say::kSchoolNeedsLesson();
   return !out.empty();
 }
 
@@ -288,14 +289,14 @@ bool read_models(const SyntheticSchool& what, std::vector<Model>& out, std::stri
 
 bool write_synthetic_school(const std::string& where, const SyntheticSchool& what, std::string& error) {
   std::vector<Model> models;
-  if (what.people == 0 || what.attempts == 0) return error = "A synthetic school needs people and attempts.", false;
+  if (what.people == 0 || what.attempts == 0) return error = say::kSchoolNeedsPeople(), false;
   if (!read_models(what, models, error)) return false;
   const auto school = School::open(where, error);
   const auto to = school ? open_store(where.empty() ? Store::default_path() : where, error) : nullptr;
   const auto from = to ? open_for_reading(what.from, error) : nullptr;
   if (!from) return false;
   if (!to->rows("SELECT 1 FROM provenance WHERE is_synthetic = 1 LIMIT 1").empty())
-    return error = shown(where) + " holds a synthetic school already.", false;
+    return error = say::kSyntheticAlready(shown(where)), false;
   return Writer(*to, *from, *school, what).write(models, error);
 }
 

@@ -14,6 +14,7 @@
 #include "record/identity.hpp"
 #include "record/recorder.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -136,13 +137,13 @@ bool check_file(Database& file, std::string& id, std::string& error) {
   }
   const std::vector<Row> attempts = file.rows("SELECT attempt_id FROM attempt LIMIT 2");
   if (attempts.size() != 1) {
-    error = attempts.empty() ? "It holds no attempt."
-                             : "It holds more than one attempt: it is a store, not an export.";
+    error = attempts.empty() ? say::kHoldsNoAttempt()
+                             : say::kHoldsMore();
     return false;
   }
   id = text(attempts[0][0]);
   if (!is_id(id)) {
-    error = "Its attempt has an identifier that Swage does not make.";
+    error = say::kStrangeId();
     return false;
   }
 
@@ -153,7 +154,7 @@ bool check_file(Database& file, std::string& id, std::string& error) {
     return true;
   });
   if (read && digest.size() == 1 && text(digest[0][0]) == std::to_string(hash.value())) return true;
-  error = "It is damaged: its rows do not fit the checksum that was written with them.";
+  error = say::kRowsChecksum();
   return false;
 }
 
@@ -161,7 +162,7 @@ bool check_file(Database& file, std::string& id, std::string& error) {
 
 bool write_attempt_file(Database& store, const std::string& id, const std::string& file, std::string& error) {
   if (store.rows("SELECT attempt_id FROM attempt WHERE attempt_id = ?", {id}).empty()) {
-    error = "There is no attempt " + id + " in the store.";
+    error = say::kNoAttempt(id);
     return false;
   }
   const std::string part = file + ".part";
@@ -173,14 +174,14 @@ bool write_attempt_file(Database& store, const std::string& id, const std::strin
   }
   if (ok) return true;
   unlink(part.c_str());
-  error = "Attempt " + id + " cannot be exported to " + file + ". " + error;
+  error = say::kNotExported(id, file, error);
   return false;
 }
 
 bool read_attempt_file(Database& store, const std::string& file, std::string& id, std::string& error) {
   std::error_code code;
   if (std::filesystem::is_regular_file(file, code) && std::filesystem::file_size(file, code) > kMostFile) {
-    error = file + " is refused. It is larger than 1 GiB, which no exported attempt is.";
+    error = say::kTooLarge(file);
     return false;
   }
   const std::unique_ptr<Database> in = open_for_reading(file, error);
@@ -188,7 +189,7 @@ bool read_attempt_file(Database& store, const std::string& file, std::string& id
   std::string found, digest, reason;
   const auto was_erased = [&] {
     if (store.rows("SELECT 1 FROM erased WHERE erased_id = ?", {found}).empty()) return false;
-    reason = "Its attempt was erased from this store for good, with the person who made it.";
+    reason = say::kErased();
     return true;
   };
   if (check_file(*in, found, reason) && check_recording(file, found, reason) && !was_erased() &&

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/nearest.hpp"
+#include "session/sentences.hpp"
 
 namespace swage::session {
 
@@ -46,10 +47,10 @@ bool live_commands(const host::Instance& instance, uint32_t ordinal, const host:
     const auto same = [&](const host::Param& p) { return p.id == item.key(); };
     if (std::none_of(table.begin(), table.end(), same) || std::any_of(live.begin(), live.end(), same))
       continue;
-    const std::string may = live.empty() ? "Nothing of it can." : "What can: " + host::join(ids(live)) + ".";
+    const std::string may = live.empty() ? say::kLiveNothing() : say::kLiveAre(host::join(ids(live)));
     found.push_back(
         {base::Severity::kError, instance.name + " #/" + item.key(),
-         "\"" + item.key() + "\" of " + instance.plugin_id + " cannot change while the scene runs. " + may});
+         say::kNotLive(item.key(), instance.plugin_id, may)});
   }
   host::ParamValues values;
   host::ParamSource source;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "session/sentences.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::session {
@@ -43,14 +44,13 @@ double spread(std::span<const Touched> points, swage_vec3 Touched::* of, const V
 }  // namespace
 
 std::string fit_registration(std::span<const Touched> points, Registration& out) {
-  if (points.size() < 3) return "A registration needs three points, and four to be checked; there are " + std::to_string(points.size()) + ".";
+  if (points.size() < 3) return say::kFewPoints(points.size());
   for (const Touched& t : points)
-    if (!toolkit::vec(t.p_S).allFinite() || !toolkit::vec(t.p_D).allFinite()) return "A point of the registration is not a number.";
+    if (!toolkit::vec(t.p_S).allFinite() || !toolkit::vec(t.p_D).allFinite()) return say::kPointNoNumber();
   const Vec3 c_S = middle(points, &Touched::p_S), c_D = middle(points, &Touched::p_D);
   const double least = std::min(spread(points, &Touched::p_S, c_S), spread(points, &Touched::p_D, c_D));
   if (least < kLeastSpread)
-    return "The points lie in one place or one line, " + millimetres(least) + " wide; " + millimetres(kLeastSpread) +
-           " are needed. Does the arm say where its tip is?";
+    return say::kOneLine(millimetres(least), millimetres(kLeastSpread));
   Mat3 cross = Mat3::Zero();
   for (const Touched& t : points) cross += (toolkit::vec(t.p_S) - c_S) * (toolkit::vec(t.p_D) - c_D).transpose();
   const Eigen::JacobiSVD<Mat3> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -66,8 +66,7 @@ std::string fit_registration(std::span<const Touched> points, Registration& out)
   }
   found.rms = std::sqrt(found.rms);
   if (found.worst > kMostResidual)
-    return "One point is " + millimetres(found.worst) + " off the others; " + millimetres(kMostResidual) +
-           " are allowed. Was the arm moved meanwhile, or the tip led to another mark?";
+    return say::kPointOff(millimetres(found.worst), millimetres(kMostResidual));
   out = found;
   return "";
 }

@@ -9,6 +9,7 @@
 #include "host/guard.hpp"
 #include "host/services.hpp"
 #include "session/lesson_rig.hpp"
+#include "session/sentences.hpp"
 
 namespace swage::session {
 
@@ -28,7 +29,7 @@ std::unique_ptr<Rehearsal> Rehearsal::open(const Options& options, const char* h
     return std::any_of(device.choices.begin(), device.choices.end(), [hand](const assembly::DeviceChoice& c) { return c.as == hand; });
   };
   if (std::none_of(file.devices.begin(), file.devices.end(), scripted)) {
-    problems.push_back({Severity::kError, options.lesson_path, "This lesson has no hand called \"" + std::string(hand) + "\"."});
+    problems.push_back({Severity::kError, options.lesson_path, say::kNoHand(std::string(hand))});
     return nullptr;
   }
   auto rig = assembly::assemble(file, catalogue, {hand, {}, options.mode, eyes_of(options.display)}, problems);
@@ -46,14 +47,14 @@ bool Rehearsal::build(Problems& problems) {
   for (host::DeviceSlot& slot : rig_->devices) {
     host::Instance& instance = *slot.instance;
     if ((slot.device->flags & SWAGE_DEVICE_LOCKSTEP) == 0) {
-      problems.push_back({Severity::kError, instance.name, instance.plugin_id + " is a live device and has a clock of its own."});
+      problems.push_back({Severity::kError, instance.name, say::kOwnClock(instance.plugin_id)});
       return false;
     }
     swage_result result = SWAGE_ERROR;
     host::guarded(instance, host::Call::kOpen, 0, [&] { return result = slot.device->open(instance.raw); });
     for (Problem& p : instance.services->take_reports()) problems.push_back(std::move(p));
     if (result < 0) {
-      problems.push_back({Severity::kError, instance.name, instance.plugin_id + " could not be opened."});
+      problems.push_back({Severity::kError, instance.name, say::kNotOpened(instance.plugin_id)});
       return false;
     }
     opened_.push_back(&slot);

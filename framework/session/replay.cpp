@@ -6,6 +6,7 @@
 
 #include "record/recorder.hpp"
 #include "session/playback.hpp"
+#include "session/sentences.hpp"
 #include "session/session.hpp"
 
 namespace swage::session {
@@ -69,11 +70,11 @@ bool replay(const record::Recording& recording, const std::vector<std::string>& 
   for (const host::Instance* i : host::instances(rig)) out.plugins.emplace_back(i->plugin_id, i->plugin_version);
   for (std::size_t i = 0; i < recording.step.size(); ++i) {
     if (i >= again->count()) {
-      out.reason = "step " + std::to_string(i) + " was not recorded";
+      out.reason = say::kNotRecorded(i);
       return true;
     }
     if (i >= last) {
-      out.reason = "a plugin was in quarantine from step " + std::to_string(last) + " on";
+      out.reason = say::kQuarantined(last);
       break;
     }
     again->step();

@@ -18,6 +18,7 @@
 #include "record/store.hpp"
 #include "session/bounded_call.hpp"
 #include "session/live.hpp"
+#include "session/sentences.hpp"
 #include "step/limits.hpp"
 #include "step/overlaps.hpp"
 #include "toolkit/read_file.hpp"
@@ -41,9 +42,7 @@ constexpr double kMarkBack = 2.0;  // s
 constexpr std::size_t kMostAttached = std::size_t{16} << 20;
 
 std::string lost_text(const host::Instance& device, const char* call, double limit_s) {
-  return "The device (" + device.plugin_id + " " + device.plugin_version + ") has not come back from " + call + "() for " +
-         host::format_number(limit_s) +
-         " s and is left behind. Restart the program before you use it again.";
+  return say::kLeftBehind(device.plugin_id, device.plugin_version, call, host::format_number(limit_s));
 }
 
 // what a replay elsewhere needs beside the samples: who held the instruments, and the files that the lesson names
@@ -60,8 +59,7 @@ void add_attachments(const host::Rig& rig, record::AttemptInfo& info, Problems& 
     total += bytes.size();
     if (!read)
       problems.push_back({Severity::kWarning, file.path,
-                          "This file is not kept with the attempt: it cannot be read, or the files of this "
-                          "lesson are more than 16 MiB. Replaying it needs the file at its place."});
+                          say::kFileNotKept()});
     else
       info.files.push_back({file.written, std::move(bytes)});
   }
@@ -159,7 +157,7 @@ void Run::open_devices(Problems& problems) {
     for (Problem& p : said) problems.push_back(std::move(p));
     if (*result < 0) {
       if (!told)
-        problems.push_back({Severity::kError, instance.name, instance.plugin_id + " could not be opened."});
+        problems.push_back({Severity::kError, instance.name, say::kNotOpened(instance.plugin_id)});
       continue;
     }
     opened_.push_back(&slot);
@@ -175,17 +173,13 @@ void Run::open_port(host::DeviceSlot& slot, Problems& problems) {
     ports_.push_back(std::make_unique<IoPort>(slot, watchdog_->stalled_flag()));
     if (!realtime())
       problems.push_back({Severity::kError, instance.name,
-                          instance.plugin_id +
-                              " is a live device with a clock of its own: a scene without a clock would run away from it. Run "
-                              "in real time, or choose a scripted hand."});
+                          say::kWithoutClock(instance.plugin_id)});
     return;
   }
   ports_.push_back(std::make_unique<StepPort>(slot, rig_->world.dt, !realtime()));
   if (force && realtime())
     problems.push_back({Severity::kNote, instance.name,
-                        instance.plugin_id +
-                            " runs in the step and gets no forces in real time: nobody could release "
-                            "the hand if the step hung."});
+                        say::kNoForces(instance.plugin_id)});
 }
 
 // What devices tell follows the scene's own signals, in the record and on the screen.
@@ -196,7 +190,7 @@ void Run::add_signals(Problems& problems) {
     std::string wrong;
     const host::DeviceSignals signals(instance, wrong);
     if (all.size() + signals.count() > snapshot::kMaxSignals)
-      wrong = "What it tells of itself is not shown: a scene has " + std::to_string(snapshot::kMaxSignals) + " signals at most.";
+      wrong = say::kManySignals(snapshot::kMaxSignals);
     if (!wrong.empty()) {
       problems.push_back({Severity::kWarning, instance.name, wrong});
       continue;
@@ -316,7 +310,7 @@ bool Run::change(const std::string& instance_name, const std::string& params_jso
     for (const step::Command& c : commands) loop_->command(c);
     return true;
   }
-  problems.push_back({Severity::kError, instance_name, "There is nothing of this name in the scene."});
+  problems.push_back({Severity::kError, instance_name, say::kNobody()});
   return false;
 }
 

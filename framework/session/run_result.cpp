@@ -9,6 +9,7 @@
 #include "host/services.hpp"
 #include "host/units.hpp"
 #include "session/run.hpp"
+#include "session/sentences.hpp"
 #include "step/limits.hpp"
 
 namespace swage::session {
@@ -39,9 +40,7 @@ const char* text(Ending ending) {
 }
 
 std::string impossible_text(double force) {
-  return "Two surfaces pressed on each other with " + host::format_quantity(std::round(force), "N") +
-         ", more than any hand can (" + host::format_quantity(step::kMaxContactForce, "N") +
-         "): the attempt is void. A stiffness, a density or the rate of this lesson does not fit its scene.";
+  return say::kPressed(host::format_quantity(std::round(force), "N"), host::format_quantity(step::kMaxContactForce, "N"));
 }
 
 }  // namespace
@@ -88,21 +87,10 @@ void Run::tell_circumstances(Result& out) const {
   const double made = static_cast<double>(out.health.executed), lost = static_cast<double>(out.health.dropped);
   if (made + lost > 0) out.speed = made / (made + lost);
   out.forces_off_s = loop_->forces_off_s();
-  char text[256];
-  if (realtime() && out.speed < kSlow) {
-    std::snprintf(text, sizeof text,
-                  "The attempt ran at %.0f %% of real speed, because the machine could not keep up: %.1f s were left "
-                  "out. Its times and speeds are not those of the hand.",
-                  1e2 * out.speed, lost * rig_->world.dt);
-    out.problems.push_back({Severity::kWarning, "loop", text});
-  }
-  if (out.forces_off_s > 0) {
-    std::snprintf(text, sizeof text,
-                  "For %.1f s of this attempt no force was given: the force guard had switched off after a fault. "
-                  "Pause and resume to switch it on again.",
-                  out.forces_off_s);
-    out.problems.push_back({Severity::kWarning, "forces", text});
-  }
+  const auto tenths = [](double s) { return host::format_number(0.1 * std::round(10 * s)); };
+  if (realtime() && out.speed < kSlow)
+    out.problems.push_back({Severity::kWarning, "loop", say::kTooSlow(std::lround(1e2 * out.speed), tenths(lost * rig_->world.dt))});
+  if (out.forces_off_s > 0) out.problems.push_back({Severity::kWarning, "forces", say::kForcesOff(tenths(out.forces_off_s))});
 }
 
 record::AttemptEnd Run::make_end(const Result& result) const {
@@ -146,11 +134,7 @@ void Run::hung() {
                                   : "the step itself";
   const uint64_t step = loop_->steps();
   save_void("host.hung");
-  std::fprintf(stderr,
-               "swage: step %llu has not come back for half a second: %s. The attempt was saved. Start in "
-               "safe mode to "
-               "leave out every plugin that did not come with Swage.\n",
-               static_cast<unsigned long long>(step), who.c_str());
+  std::fprintf(stderr, "swage: %s\n", say::kHung(step, who).c_str());
   std::fflush(stderr);
   _exit(kExitHung);
 }

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "host/guard.hpp"
+#include "session/sentences.hpp"
 
 namespace swage::session {
 
@@ -169,19 +170,14 @@ base::Problem Sentinel::problem(const Report& report) {
   out.severity = base::Severity::kWarning;
   out.where = report.instance.empty() ? "swage" : report.instance;
   if (report.instance.empty() && !report.plugin.empty()) {
-    out.message = "The last run ended without a word: somebody ended the program, or a plugin did. Plugins that did not come with "
-                  "Swage took part: " + report.plugin + ". What was recorded until then is safe.";
+    out.message = say::kEndedUntold(report.plugin);
     return out;
   }
   if (report.instance.empty()) {
-    out.message = "The last run ended badly (" + report.cause + ") outside of any plugin.";
+    out.message = say::kEndedOutside(report.cause);
     return out;
   }
-  out.message = "The last run ended badly (" + report.cause + ") in " + report.call + "() of \"" +
-                report.instance + "\" (" + report.plugin + ") at step " + std::to_string(report.step) +
-                ". What was recorded until then is safe. Start in safe mode to leave out every plugin that "
-                "did not come "
-                "with Swage.";
+  out.message = say::kEndedInPlugin(report.cause, report.call, report.instance, report.plugin, report.step);
   return out;
 }
 

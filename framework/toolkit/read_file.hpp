@@ -12,6 +12,8 @@
 #include <cstring>
 #include <string>
 
+#include "toolkit/sentences.hpp"
+
 namespace swage::toolkit {
 
 /// A lesson, a needle or a table has kilobytes, a hand of five minutes at 1 kHz 30 megabytes; more is a mistake, and what is made of
@@ -32,10 +34,10 @@ inline int open_file(const std::string& path) {
 /// Why an open file is not to be read, "" when it is.
 inline std::string file_refusal(int file, std::size_t most) {
   struct stat status {};
-  if (fstat(file, &status) != 0) return std::string("It cannot be read: ") + std::strerror(errno) + ".";
-  if (S_ISDIR(status.st_mode)) return "It is a folder, not a file.";
-  if (!S_ISREG(status.st_mode)) return "It is a pipe or a device, not a file.";
-  return static_cast<std::size_t>(status.st_size) > most ? "It is larger than " + bytes_text(most) + "." : "";
+  if (fstat(file, &status) != 0) return say::kUnreadable(std::strerror(errno));
+  if (S_ISDIR(status.st_mode)) return say::kFolder();
+  if (!S_ISREG(status.st_mode)) return say::kPipe();
+  return static_cast<std::size_t>(status.st_size) > most ? say::kTooLarge(bytes_text(most)) : std::string();
 }
 
 }  // namespace detail
@@ -44,8 +46,7 @@ inline std::string file_refusal(int file, std::size_t most) {
 inline std::string file_refusal(const std::string& path, std::size_t most) {
   const int file = detail::open_file(path);
   if (file < 0)
-    return errno == ENOENT ? "There is no such file."
-                           : std::string("It cannot be read: ") + std::strerror(errno) + ".";
+    return errno == ENOENT ? say::kNoFile() : say::kUnreadable(std::strerror(errno));
   std::string why = detail::file_refusal(file, most);
   close(file);
   return why;
@@ -58,18 +59,18 @@ std::string read_blocks(const std::string& path, std::size_t most, Take take) {
   std::string why = file_refusal(path, most);
   if (!why.empty()) return why;
   const int file = detail::open_file(path);
-  if (file < 0) return std::string("It cannot be read: ") + std::strerror(errno) + ".";
+  if (file < 0) return say::kUnreadable(std::strerror(errno));
   why = detail::file_refusal(file, most);  // it may be another one by now
   char block[1 << 16];
   std::size_t total = 0;
   while (why.empty()) {
     const ssize_t n = read(file, block, sizeof block);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) why = std::string("It cannot be read: ") + std::strerror(errno) + ".";
+    if (n < 0) why = say::kUnreadable(std::strerror(errno));
     if (n <= 0) break;
     total += static_cast<std::size_t>(n);
     if (total > most)
-      why = "It is larger than " + detail::bytes_text(most) + ".";
+      why = say::kTooLarge(detail::bytes_text(most));
     else
       take(static_cast<const char*>(block), static_cast<std::size_t>(n));
   }

@@ -22,6 +22,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   lessons::require_ordered(builder, "force", params.force);
   lessons::require_ordered(builder, "tip_zone", params.tip_zone);
   if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
+  if (has_far() && params.task != Task::kStitch) builder.error("far", "a bite goes through two edges in the task \"stitch\"");
   builder.state<Kept>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
     if (i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood)) return !params.suture.empty();
@@ -32,6 +33,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
   phase_[index(Stage::kDrive)] = builder.phase("drive", "Drive it in along its own curve.");
+  if (has_far()) phase_[index(Stage::kCross)] = builder.phase("cross", "On across the gap, into the other edge and out of it.");
   phase_[index(Stage::kRelease)] = builder.phase("release", "The point is out: let go.");
   phase_[index(Stage::kRetake)] = builder.phase("retake", "Take it where it came out.");
   phase_[index(Stage::kPull)] = builder.phase("pull", "Pull it through along its curve.");
@@ -40,6 +42,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
   damaged_ = builder.event("suture.damaged", "The needle was grasped at the swage, which damages the suture.");
   missed_ = builder.event("entry.missed", "The point went in too far from the mark.");
+  if (has_far()) far_first_ = builder.event("entry.far_first", "The point went into the other edge, and not through the first one.");
   const auto failure = [&](End end, const char* code, const char* doc) {
     failed_[index(end)] = builder.event(code, doc);
   };
@@ -51,6 +54,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
           "Time ran out before the needle was where it should be.");
   failure(End::kOffAngle, "failed.off_angle",
           "The needle was not perpendicular to the tissue for long enough.");
+  if (has_far()) failure(End::kStep, "failed.step", "The two edges were taken at unlike depths: they heal with a step.");
   failure(End::kPulledOff, "failed.pulled_off", "The thread was pulled out of the needle.");
   failure(End::kTailLost, "failed.tail_lost", "The thread was drawn too far: its tail is too short or gone.");
   failure(End::kLost, "failed.lost", "The needle has gone where nobody can reach it.");
@@ -72,7 +76,14 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   if (scene->object[needle_object_].n_body == 0 || scene->object[tissue_object_].n_body == 0)
     binder.error("needle and tissue must have bodies");
   bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
-  find_pierce(scene, binder);
+  const auto pierces = [&](const swage_scene_signal& signal) {
+    return view(signal.id) == "pierce.state" && (!has_far() || view(signal.owner) != params_.far_pierce);
+  };
+  const std::span signals(scene->signal, scene->n_signal);
+  const auto owner = std::find_if(signals.begin(), signals.end(), pierces);
+  if (owner == signals.end()) return binder.error("nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
+  pierce_ = find_pierce(scene, binder, std::string(view(owner->owner)));
+  if (has_far()) find_far(scene, binder);
   if (!params_.suture.empty()) find_suture(scene, binder);
   if (params_.suture.empty() && params_.tail + params_.loop > 0)
     binder.error("a tail or loops are asked for, and \"suture\" names no thread");
@@ -86,13 +97,7 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   if (has_exit()) exit_ = binder.mark_point({0, 0, 0}, kMarkRadius, "exit.point");
 }
 
-void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
-  std::string owner;
-  for (uint32_t i = 0; i < scene->n_signal && owner.empty(); ++i)
-    if (view(scene->signal[i].id) == "pierce.state") owner = view(scene->signal[i].owner);
-  if (owner.empty())
-    return binder.error(
-        "nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
+InsertionLesson::Pierce InsertionLesson::find_pierce(const Scene& scene, Binder& binder, const std::string& owner) const {
   const auto signal = [&](const std::string& word) {
     const Signal found = scene.find_signal(owner, "pierce." + word);
     if (!found.valid()) binder.missing(scene, "signal", owner, "pierce." + word, "which this lesson watches");
@@ -103,24 +108,24 @@ void InsertionLesson::find_pierce(const Scene& scene, Binder& binder) {
     if (!found.valid()) binder.missing(scene, "event", owner, "pierce." + word, "which this lesson watches");
     return found;
   };
-  pierce_ = {signal("state"),
-             signal("angle"),
-             signal("cosine"),
-             signal("s"),
-             {signal("entry_x"), signal("entry_y"), signal("entry_z")},
-             signal("wound"),
-             signal("area_ratio"),
-             signal("swept"),
-             signal("below"),
-             signal("pull"),
-             signal("depth"),
-             {signal("exit_x"), signal("exit_y"), signal("exit_z")},
-             scene.find_signal(owner, "pierce.wound_wide"),
-             scene.find_signal(owner, "pierce.exit_wound"),
-             event("entered"),
-             event("exited"),
-             event("passed"),
-             event("deflected")};
+  return {signal("state"),
+          signal("angle"),
+          signal("cosine"),
+          signal("s"),
+          {signal("entry_x"), signal("entry_y"), signal("entry_z")},
+          signal("wound"),
+          signal("area_ratio"),
+          signal("swept"),
+          signal("below"),
+          signal("pull"),
+          signal("depth"),
+          {signal("exit_x"), signal("exit_y"), signal("exit_z")},
+          scene.find_signal(owner, "pierce.wound_wide"),
+          scene.find_signal(owner, "pierce.exit_wound"),
+          event("entered"),
+          event("exited"),
+          event("passed"),
+          event("deflected")};
 }
 
 void InsertionLesson::activate(double dt_s) {
@@ -147,6 +152,7 @@ void InsertionLesson::activate(double dt_s) {
   rules.suture.loop = p.loop;
   rules.suture.loop_tolerance = p.loop_tolerance;
   rules.suture.tension = p.tension;
+  rules.far = {has_far(), p.step};
   judge_ = Judge(rules, dt_s);
 }
 
@@ -184,10 +190,10 @@ Vec3 InsertionLesson::place(const View& scene, const Signal (&signal)[3]) {
 }
 
 /// A hole and the way to the nearest edge: where the distance from it falls quickest.
-Hole InsertionLesson::hole(const Step& tissue, const Vec3& p_W) const {
+Hole InsertionLesson::hole(const Peer& peer, const Step& tissue, const Vec3& p_W) {
   Hole hole;
   hole.p_W = p_W;
-  const auto here = tissue_.inside(tissue, toolkit::raw(p_W));
+  const auto here = peer.inside(tissue, toolkit::raw(p_W));
   if (!here) return hole;
   hole.edge = here->edge;
   hole.wall = here->depth - here->beyond;
@@ -195,13 +201,20 @@ Hole InsertionLesson::hole(const Step& tissue, const Vec3& p_W) const {
   const Vec3 u = hole.normal_W.unitOrthogonal(), v = hole.normal_W.cross(u);
   const auto slope = [&](const Vec3& way) {
     constexpr double kBeside = 10e-6;  // m, less than any bite and more than rounding
-    const auto ahead = tissue_.inside(tissue, toolkit::raw(Vec3(p_W + kBeside * way)));
-    const auto behind = tissue_.inside(tissue, toolkit::raw(Vec3(p_W - kBeside * way)));
+    const auto ahead = peer.inside(tissue, toolkit::raw(Vec3(p_W + kBeside * way)));
+    const auto behind = peer.inside(tissue, toolkit::raw(Vec3(p_W - kBeside * way)));
     return ahead && behind ? (ahead->edge - behind->edge) / (2 * kBeside) : 0.0;
   };
   const Vec3 down = -slope(u) * u - slope(v) * v;
   if (down.norm() > 0) hole.edge_W = down.normalized();
   return hole;
+}
+
+/// Of the exit in this step, rad; negative: there was none.
+double InsertionLesson::exit_angle(const View& scene, const Pierce& pierce) {
+  for (const swage_view_event& event : scene.events())
+    if (event.event == pierce.exited) return event.value;
+  return -1;
 }
 
 bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) const {
@@ -226,6 +239,7 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.diameter = 2 * point->radius;
   read_pierce(scene, look);
   read_stray(scene, *jaws, look);
+  if (has_far()) read_far(scene, kept, *jaws, look);
   if (thread_.valid()) read_suture(scene, look);
   return true;
 }
@@ -237,17 +251,14 @@ void InsertionLesson::read_pierce(const View& scene, Look& look) const {
   look.entered = scene.happened(pierce_.entered);
   look.passed = scene.happened(pierce_.passed);
   look.deflected = scene.happened(pierce_.deflected);
-  for (const swage_view_event& event : scene.events()) {
-    if (event.event != pierce_.exited) continue;
-    look.exited = true;
-    look.exit_angle = event.value;
-  }
+  look.exit_angle = exit_angle(scene, pierce_);
+  look.exited = look.exit_angle >= 0;
   look.angle = number(pierce_.angle);
   look.cosine = number(pierce_.cosine);
   look.s = number(pierce_.s);
   look.entry_W = place(scene, pierce_.entry);
   if (look.entered || look.exited)
-    look.hole = hole(scene.object(tissue_object_), look.exited ? place(scene, pierce_.exit) : look.entry_W);
+    look.hole = hole(tissue_, scene.object(tissue_object_), look.exited ? place(scene, pierce_.exit) : look.entry_W);
   look.wound = number(pierce_.wound);
   look.area_ratio = number(pierce_.area_ratio);
   if (pierce_.wound_wide.valid()) look.wound_wide = number(pierce_.wound_wide);
@@ -325,6 +336,7 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   if (finding.dropped) verdict.event(dropped_);
   if (finding.damaged) verdict.event(damaged_);
   if (finding.missed) verdict.event(missed_, kept.memory.entry_distance);
+  if (finding.far_first) verdict.event(far_first_);
   verdict.phase(phase_[index(finding.stage)]);
 
   // the end

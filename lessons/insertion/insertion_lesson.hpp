@@ -44,6 +44,8 @@ struct InsertionParams {
   double swage_zone = SutureRules{}.swage_zone, tail = 0, tail_tolerance = SutureRules{}.tail_tolerance;  // m
   double loop = 0, loop_tolerance = SutureRules{}.loop_tolerance;  // m
   double tension = 0;                                              // N
+  std::string far, far_pierce = "far_pierce";  // "": one edge
+  double step = FarRules{}.step;               // m
 };
 
 class InsertionLesson final : public Lesson<InsertionParams> {
@@ -150,6 +152,14 @@ class InsertionLesson final : public Lesson<InsertionParams> {
       real<&InsertionParams::tension>("tension", "Tension", "N", "mN", 0, 10,
                                       "Of the thread at the swage: above it a stitch is drawn too hard; 0: not asked.")
           .group("Suture"),
+      text<&InsertionParams::far>("far", "Far edge", "Name of the other edge of a wound, which the same bite goes through; without one: none.")
+          .group("Two edges"),
+      text<&InsertionParams::far_pierce>("far_pierce", "Coupling of the far edge", "Name of the coupling by which the needle pierces the far edge.")
+          .group("Two edges")
+          .hidden(),
+      real<&InsertionParams::step>("step", "Step", "m", "mm", 0, 0.1,
+                                   "By so much the depths may differ at which the point leaves the near edge and goes into the far one; 0: not asked.")
+          .group("Two edges"),
   };
 
   void build(const InsertionParams& params, LessonBuilder& builder) override;
@@ -179,7 +189,11 @@ class InsertionLesson final : public Lesson<InsertionParams> {
     Event pulled_off, through;
   };
 
-  void find_pierce(const Scene& scene, Binder& binder);
+  Pierce find_pierce(const Scene& scene, Binder& binder, const std::string& owner) const;
+  void find_far(const Scene& scene, Binder& binder);
+  void read_far(const View& view, const Kept& kept, const swage_gripper_state& jaws, Look& look) const;
+  void report_far(const Look& look, const Memory& memory, const Verdict& verdict) const;
+  bool has_far() const { return !params_.far.empty(); }
   void find_suture(const Scene& scene, Binder& binder);
   void read_suture(const View& view, Look& look) const;
   void show_tail(const View& view, const Kept& kept, const Verdict& verdict) const;
@@ -189,7 +203,8 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   bool draw(const View& view, Kept& kept);
   void next_mark(const View& view, Kept& kept) const;
   static Vec3 place(const View& view, const Signal (&signal)[3]);
-  Hole hole(const Step& tissue, const Vec3& p_W) const;
+  static Hole hole(const Peer& peer, const Step& tissue, const Vec3& p_W);
+  static double exit_angle(const View& view, const Pierce& pierce);
   bool read(const View& view, const Kept& kept, Look& look) const;
   void read_pierce(const View& view, Look& look) const;
   void read_stray(const View& view, const swage_gripper_state& jaws, Look& look) const;
@@ -204,19 +219,19 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   InsertionParams params_;
   Judge judge_;
   lessons::GraspSignals grasp_;
-  Pierce pierce_;
+  Pierce pierce_, far_pierce_;
   Suture suture_;
   StrandPeer thread_;
   uint32_t thread_object_ = kNone;
-  Peer gripper_, needle_, tissue_;
+  Peer gripper_, needle_, tissue_, far_;
   uint32_t gripper_object_ = kNone, gripper_body_ = kNone, needle_object_ = kNone, needle_body_ = kNone,
-           tissue_object_ = kNone, tissue_body_ = kNone;
+           tissue_object_ = kNone, tissue_body_ = kNone, far_object_ = kNone;
   Mark target_, exit_, tail_, region_;
   Metric metric_[static_cast<size_t>(Measure::kCount)];
   Cue cue_[static_cast<size_t>(Sign::kCount)];
-  Phase phase_[7];                      // by Stage
+  Phase phase_[8];                      // by Stage
   Signal bending_;
-  Event dropped_, missed_, damaged_, failed_[static_cast<size_t>(End::kCount)];  // by End
+  Event dropped_, missed_, damaged_, far_first_, failed_[static_cast<size_t>(End::kCount)];  // by End
 };
 
 }  // namespace swage::lesson_insertion

@@ -29,6 +29,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   }
   path_.look(memory.path, look.tip_W, look.time_s);
   follow_entry(memory, look, finding);
+  if (rules_.far.there) follow_far(memory, look, finding);
   integrate(memory, look);
   grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
   if (look.held) memory.reach_s += look.tip_reach * look.dt_s;
@@ -59,56 +60,85 @@ void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) con
     finding.missed = memory.missed != 0;
     Stitches::enter(memory.stitch, look.hole);
   }
-  if (look.exited) {
+  if (look.exited && !rules_.far.there) {
     memory.exited = 1;
     memory.exit_angle = look.exit_angle;
     memory.exit_distance = along_surface(look.hole.p_W - look.exit_target_W, look.hole.normal_W);
     Stitches::exit(memory.stitch, look.hole, 2 * look.diameter);
   }
-  if (look.passed) memory.through = 1;
+  if (look.passed && !rules_.far.there) memory.through = 1;
 
   // where it is going to go in
   const Vec3 ahead = look.point_W - look.target_W;
-  finding.near = !look.in_tissue && look.held && ahead.norm() < 4 * rules_.tolerance &&
+  finding.near = !inside(look) && look.held && ahead.norm() < 4 * rules_.tolerance &&
                  along_surface(ahead, look.normal_W) < rules_.tolerance;
   finding.exit_near = rules_.exit_mark && memory.exited != 0 && memory.exit_distance < rules_.tolerance;
 }
 
+/// The same bite on: out of the near edge, into the far one, out of that. What goes back the way it came begins that part anew.
+void Judge::follow_far(Memory& memory, const Look& look, Finding& finding) const noexcept {
+  FarState& far = memory.far;
+  if (look.entered) far.near_out = far.near_passed = 0;
+  if (look.exited) far.near_out = 1, far.near_edge = look.hole.edge;
+  if (look.passed) far.near_passed = 1;
+  if (!look.in_tissue && far.near_passed == 0) far.near_out = 0;
+  if (look.far.deflected) memory.deflections += 1;
+  if (look.far.entered) finding.far_first = FarEdge::enter(far, look.far, look.in_tissue);
+  if (look.far.exited && far.in != 0) {
+    memory.exited = 1;
+    memory.exit_angle = look.far.exit_angle;
+    memory.exit_distance = along_surface(look.far.hole.p_W - look.exit_target_W, look.far.hole.normal_W);
+    Stitches::exit(memory.stitch, look.far.hole, 2 * look.diameter);
+  }
+  if (look.far.passed) far.passed = far.in;
+  if (!look.far.in_tissue && far.passed == 0 && far.in != 0) far.in = memory.exited = memory.let_go = memory.retaken = 0;
+  if (far.near_passed != 0 && far.passed != 0) memory.through = 1;
+}
+
 // Everything about the angle is weighted by the needle's way through its entry: waiting costs nothing and mends nothing.
 void Judge::integrate(Memory& memory, const Look& look) const noexcept {
-  if (!look.in_tissue) {
-    memory.tracked = 0;
-    return;
+  const auto add = [&](double& tracked, double& last_s, double s, double angle, double cosine, double arc_error) {
+    const double way = tracked != 0 ? std::abs(s - last_s) * look.length : 0;
+    last_s = s;
+    tracked = 1;
+    memory.travel += way;
+    if (angle <= rules_.in_angle) memory.travel_in += way;
+    memory.angle2 += angle * angle * way;
+    memory.arc2 += arc_error * arc_error * way;
+    memory.inside_s += look.dt_s;
+    memory.cosine_s += cosine * look.dt_s;
+  };
+  const FarLook& far = look.far;
+  if (!look.in_tissue) memory.tracked = 0;
+  if (!far.in_tissue) memory.far.tracked = 0;
+  if (look.in_tissue) {
+    add(memory.tracked, memory.last_s, look.s, look.angle, look.cosine, look.arc_error);
+    memory.deepest = std::max(memory.deepest, look.s);
+    memory.pull_s += look.pull * look.dt_s;
   }
-  const double way = memory.tracked != 0 ? std::abs(look.s - memory.last_s) * look.length : 0;
-  memory.last_s = look.s;
-  memory.tracked = 1;
-  memory.deepest = std::max(memory.deepest, look.s);
-  memory.travel += way;
-  if (look.angle <= rules_.in_angle) memory.travel_in += way;
-  memory.angle2 += look.angle * look.angle * way;
-  memory.arc2 += look.arc_error * look.arc_error * way;
-  memory.inside_s += look.dt_s;
-  memory.cosine_s += look.cosine * look.dt_s;
-  memory.pull_s += look.pull * look.dt_s;
+  if (far.in_tissue) {
+    add(memory.far.tracked, memory.far.last_s, far.s, far.angle, far.cosine, far.arc_error);
+    memory.pull_s += far.pull * look.dt_s;
+  }
 }
 
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
   // what sticks in the tissue has not been dropped
-  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || look.in_tissue);
+  finding.dropped = drop_.look(memory.drop, look.needle_W, look.held || inside(look));
   if (finding.dropped) memory.drops += 1;
-  finding.stuck = look.in_tissue && !look.held;
-  finding.angle_off = look.in_tissue && look.angle > rules_.in_angle;
-  finding.angle_good = look.in_tissue && !finding.angle_off;
-  finding.torn = look.wound > kGoodWound;
+  finding.stuck = inside(look) && !look.held;
+  finding.angle_off = (look.in_tissue && look.angle > rules_.in_angle) || (look.far.in_tissue && look.far.angle > rules_.in_angle);
+  finding.angle_good = inside(look) && !finding.angle_off;
+  finding.torn = wound(look) > kGoodWound;
 
   // the other side: let go once the point is out, and taken where it came out
+  const double crossed = rules_.far.there ? look.far.s : look.s;
   if (memory.exited != 0 && !look.held) memory.let_go = 1;
-  if (memory.let_go != 0 && look.held && look.grip_s < look.s - kOtherSide) memory.retaken = 1;
+  if (memory.let_go != 0 && look.held && look.grip_s < crossed - kOtherSide) memory.retaken = 1;
 }
 
 void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  follow_stray(memory.stray, look.needle_astray, look.jaws_astray, look.dt_s);
+  follow_stray(memory.stray, look.needle_astray || look.far.needle_astray, look.jaws_astray || look.far.jaws_astray, look.dt_s);
   if (rules_.task != Task::kStitch || memory.through == 0 || memory.retaken == 0) return;
   if (memory.missed != 0 || !SutureWatch::drawn(rules_.suture, memory.suture)) return;
   Stitches::finish(memory.stitch);
@@ -116,6 +146,7 @@ void Judge::follow_stitch(Memory& memory, const Look& look, Finding& finding) co
   memory.worst_wound = std::max(memory.worst_wound, look.wound);
   if (memory.stitch.count >= rules_.stitches) return;
   memory.exited = memory.let_go = memory.retaken = memory.through = 0;
+  FarEdge::finish(memory.far, look.far.wound);
   finding.stitched = true;
 }
 
@@ -123,12 +154,13 @@ Stage Judge::stage(const Memory& memory, const Look& look) const noexcept {
   if (memory.retaken != 0) return Stage::kPull;
   if (memory.let_go != 0 && rules_.task == Task::kStitch) return Stage::kRetake;
   if (memory.exited != 0 && rules_.task == Task::kStitch) return Stage::kRelease;
-  if (look.in_tissue) return Stage::kDrive;
+  if (memory.far.near_out != 0) return Stage::kCross;
+  if (inside(look)) return Stage::kDrive;
   return look.held ? Stage::kAim : Stage::kTake;
 }
 
 Grip Judge::how_held(const Look& look) const noexcept {
-  if (!look.held || look.in_tissue || rules_.region_high <= rules_.region_low) return Grip::kNone;
+  if (!look.held || inside(look) || rules_.region_high <= rules_.region_low) return Grip::kNone;
   const bool place = look.grip_s >= rules_.region_low && look.grip_s <= rules_.region_high;
   const bool tips = look.tip_reach >= rules_.tip_low && look.tip_reach <= rules_.tip_high;
   if (place) return tips ? Grip::kGood : Grip::kPointOnly;
@@ -140,16 +172,17 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
                                                  : memory.through != 0 && memory.retaken != 0 &&
                                                        SutureWatch::drawn(rules_.suture, memory.suture);
   if (done)
-    finding.end = memory.missed != 0                                 ? End::kMissed
+    finding.end = memory.missed != 0                               ? End::kMissed
+                  : FarEdge::uneven(rules_.far, memory.far)        ? End::kStep
                   : in_angle_share(memory) < rules_.least_in_angle ? End::kOffAngle
                                                                    : End::kPassed;
-  else if (look.wound > rules_.max_wound)
+  else if (wound(look) > rules_.max_wound)
     finding.end = End::kTorn;
   else if (memory.drops > rules_.max_drops)
     finding.end = End::kDropped;
   else if (memory.deflections > rules_.max_deflections)
     finding.end = End::kDeflected;
-  else if (!look.held && !look.in_tissue && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
+  else if (!look.held && !inside(look) && (look.needle_W - look.target_W).norm() > rules_.lost_distance)
     finding.end = End::kLost;
   else if (memory.suture.off != 0)
     finding.end = End::kPulledOff;
@@ -166,7 +199,7 @@ void Judge::decide(const Memory& memory, const Look& look, Finding& finding) con
 Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   const double late = task_time(memory, look.time_s) / rules_.par_time - 1;
   Points lost;
-  lost.wound = 30 * std::clamp((std::max(look.wound, memory.worst_wound) - 1) / 2, 0.0, 1.0);
+  lost.wound = 30 * std::clamp((std::max({wound(look), memory.worst_wound, memory.far.worst_wound}) - 1) / 2, 0.0, 1.0);
   lost.angle = 30 * std::clamp(angle_rms(memory) / (0.25 * std::numbers::pi), 0.0, 1.0);
   lost.entry = 15 * std::clamp(std::max(memory.entry_distance, memory.worst_entry) / rules_.tolerance, 0.0, 1.0);
   lost.bending = lessons::bending_points(memory.bending);
@@ -176,6 +209,8 @@ Points Judge::points(const Memory& memory, const Look& look) const noexcept {
   lost.time = 15 * std::clamp(late, 0.0, 1.0);
   lost.loops = 15 * std::clamp(2 * SutureWatch::unlike_loops(rules_.suture, memory.suture), 0.0, 1.0);
   lost.tension = 15 * std::clamp(SutureWatch::over_tension(rules_.suture, memory.suture), 0.0, 1.0);
+  lost.step = FarEdge::points(rules_.far, memory.far);
+  if (rules_.far.there) lost.bites = 10 * std::clamp(Stitches::asymmetry(memory.stitch), 0.0, 1.0);
   if (rules_.stitches < 2) return lost;
   lost.even = 10 * std::clamp(2 * Stitches::unevenness(memory.stitch), 0.0, 1.0);
   lost.bites = 10 * std::clamp(Stitches::unequal(memory.stitch), 0.0, 1.0);

@@ -8,6 +8,7 @@
 
 #include "common/grip.hpp"
 #include "common/watches.hpp"
+#include "far.hpp"
 #include "stitch.hpp"
 #include "stray.hpp"
 #include "suture.hpp"
@@ -49,6 +50,7 @@ struct Rules {
   double region_low = 0, region_high = 0;  // where the needle should be held, 0 point .. 1 swage; both 0: anywhere
   double tip_low = 0, tip_high = 0.3e-3;   // m, how far the tips should reach past it
   SutureRules suture;
+  FarRules far;
 };
 
 /// What one step shows. The pierce.* signals under short names.
@@ -77,6 +79,7 @@ struct Look {
   double wound = 0, area_ratio = 0, swept = 0, below = 0, pull = 0;  // 1, 1, m2, m, N
   double wound_wide = 0, exit_wound = 0;  // 1: from the wound's own centre; of the exit, 0 before
   SutureLook suture;
+  FarLook far;
 };
 
 /// Everything remembered from step to step: doubles only.
@@ -101,11 +104,12 @@ struct Memory {
   StitchState stitch;
   StrayState stray;
   SutureState suture;
+  FarState far;
 };
 
-enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone };
+enum class Stage { kTake, kAim, kDrive, kRelease, kRetake, kPull, kDone, kCross };
 enum class End {
-  kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kCount
+  kRunning, kPassed, kDropped, kMissed, kTorn, kDeflected, kOutOfTime, kLost, kOffAngle, kPulledOff, kTailLost, kStep, kCount
 };
 
 /// How the needle is held before it goes in: place and tips right or wrong.
@@ -115,8 +119,9 @@ enum class Grip { kNone, kWrong, kTipsOnly, kPointOnly, kGood };
 struct Points {
   double wound = 0, angle = 0, entry = 0, bending = 0, refused = 0, drops = 0, suture = 0, time = 0;
   double even = 0, bites = 0, oblique = 0, loops = 0, tension = 0;  // of several stitches; of a thread
+  double step = 0;                                                       // of two edges
   double sum() const {
-    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension;
+    return wound + angle + entry + bending + refused + drops + suture + time + even + bites + oblique + loops + tension + step;
   }
 };
 
@@ -132,6 +137,7 @@ struct Finding {
   bool torn = false;                           // the wound is beyond what is good
   bool too_hard = false;
   bool dropped = false, missed = false;  // in this step
+  bool far_first = false;                // in this step: it went into the far edge and not through the near one
   bool stitched = false;                 // in this step: a stitch is through, and another one is asked for
   bool swage_held = false;               // grasped where the thread is swaged in
   bool damaged = false;                  // that, in this step for the first time
@@ -153,6 +159,7 @@ class Judge {
 
  private:
   void follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  void follow_far(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
@@ -167,6 +174,11 @@ class Judge {
   DropWatch drop_;
   GripWatch grip_;
 };
+
+/// Some of the needle is in the tissue, or in the far edge.
+inline bool inside(const Look& look) { return look.in_tissue || look.far.in_tissue; }
+/// The greater wound of the two edges.
+inline double wound(const Look& look) { return std::max(look.wound, look.far.wound); }
 
 /// Time since the hand set off, s.
 inline double task_time(const Memory& memory, double time_s) {

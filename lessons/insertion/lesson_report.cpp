@@ -44,6 +44,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kPull, m.pull_s);
   tell(Measure::kSwept, look.swept);
   report_stitches(look, m, verdict);
+  if (has_far()) report_far(look, m, verdict);
 }
 
 void InsertionLesson::report_points(const Points& lost, const Verdict& verdict) const {

@@ -95,7 +95,8 @@ void InsertionLesson::report_suture(const Memory& m, const Verdict& verdict) con
 void InsertionLesson::report_running(const Points& lost, const Verdict& verdict) const {
   const auto tell = [&](Measure measure, double value) { verdict.metric(metric_[index(measure)], value); };
   if (params_.stitches > 2) tell(Measure::kPointsEven, lost.even);
-  if (params_.stitches > 1) tell(Measure::kPointsBites, lost.bites);
+  if (params_.stitches > 1 || has_far()) tell(Measure::kPointsBites, lost.bites);
+  if (has_far()) tell(Measure::kPointsStep, lost.step);
   if (params_.stitches > 1) tell(Measure::kPointsOblique, lost.oblique);
   if (params_.loop > 0) tell(Measure::kPointsLoops, lost.loops);
   if (params_.tension > 0) tell(Measure::kPointsTension, lost.tension);

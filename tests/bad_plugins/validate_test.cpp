@@ -8,6 +8,9 @@
 
 #include <cstdlib>
 
+#include "host/sentences.hpp"
+#include "toolkit/sentences.hpp"
+
 using namespace swage::host;
 using testing::HasSubstr;
 
@@ -44,15 +47,13 @@ TEST(Validate, AGoodPluginPasses) {
     EXPECT_EQ(r.finding.mark, Mark::kSuccess) << r.name << ": " << r.finding.text;
   }
   EXPECT_EQ(says(all, "descriptor"),
-            "warning: There is no plugin.json beside it; each start has to ask the library itself.");
+            "warning: " + say::kNoPluginJson());
   EXPECT_TRUE(passed(all)) << "a warning is no failure";
 }
 
 TEST(Validate, StepsOfBadPlugins) {
   EXPECT_EQ(says("org.example.bad.nan", "threads"),
-            "failed: trial (org.example.bad.nan 1.0.0) wrote a number that is not finite in forces() at step "
-            "10 and is in "
-            "quarantine.");
+            "failed: " + say::kQuarantine("trial", "org.example.bad.nan", "1.0.0", text(FaultKind::kNotFinite), "forces", 10));
   EXPECT_THAT(says("org.example.bad.nan", "bounds"),
               testing::StartsWith("failed: \"radius\" at min: trial (org.example"));
   EXPECT_THAT(says("org.example.bad.throws", "threads"),
@@ -60,15 +61,9 @@ TEST(Validate, StepsOfBadPlugins) {
   EXPECT_THAT(says("org.example.bad.huge", "threads"),
               HasSubstr("wrote a number beyond the limit of the scene"));
   EXPECT_EQ(says("org.example.bad.talks", "threads"),
-            "failed: org.example.bad.talks called the host 300 times from a thread that may not: text in the "
-            "step, or "
-            "random numbers outside of it.");
+            "failed: " + say::kWrongThread("org.example.bad.talks", 300));
   EXPECT_EQ(says("org.example.bad.remembers", "state"),
-            "failed: org.example.bad.remembers gives other results after a rewind: it remembers something "
-            "outside of its "
-            "state.\norg.example.bad.remembers gives other results in a second instance: it depends on more "
-            "than parameters "
-            "and state.");
+            "failed: " + say::kRewinds("org.example.bad.remembers") + "\n" + say::kSecondInstance("org.example.bad.remembers"));
 }
 
 TEST(Validate, MemoryTakenInTheStep) {
@@ -76,14 +71,13 @@ TEST(Validate, MemoryTakenInTheStep) {
   if (said.starts_with("skipped")) GTEST_SKIP() << said;
   EXPECT_EQ(
       said,
-      "failed: org.example.bad.allocates allocated memory 300 times in 300 steps; nothing on [rt] may.");
+      "failed: " + say::kAllocates("org.example.bad.allocates", 300, 300));
 }
 
 TEST(Validate, CrashesAreResultsAndNameTheCall) {
   const auto all = results("org.example.bad.crashes_in_step");
   EXPECT_EQ(says(all, "threads"),
-            "crashed: It crashed in forces() of org.example.bad.crashes_in_step at step 10: signal 11 "
-            "(Segmentation fault).");
+            "crashed: " + say::kCrashed(" in forces() of org.example.bad.crashes_in_step at step 10", "signal 11 (Segmentation fault)"));
   EXPECT_EQ(says(all, "lifecycle"), "success") << "the other tests go on";
   EXPECT_FALSE(passed(all));
 }
@@ -99,49 +93,45 @@ TEST(Validate, HangsAreStoppedAndNamed) {
   const auto all = validate(bundle("org.example.bad.hangs_in_step"), host_tests(), options);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].finding.text,
-            "It was not done within 3 s in forces() of org.example.bad.hangs_in_step at step 10.");
+            say::kNotDone("3", " in forces() of org.example.bad.hangs_in_step at step 10"));
   EXPECT_EQ(all[0].finding.mark, Mark::kCrashed);
 }
 
 TEST(Validate, WhatCannotBeLoaded) {
   const auto wrong = results("org.example.bad.wrong_abi");
   EXPECT_EQ(says(wrong, "load"),
-            "failed: It was built for plugin interface 2.0; this program offers 1.0. Build it against this "
-            "program's SDK.");
-  EXPECT_EQ(says(wrong, "state"), "skipped: The library cannot be loaded.");
+            "failed: " + say::kOtherAbi("2.0", "1.0", say::kOtherMajor()));
+  EXPECT_EQ(says(wrong, "state"), "skipped: " + say::kNotLoaded());
   EXPECT_EQ(says("org.example.bad.crashes_on_load", "load"),
-            "crashed: It crashed in load() of org.example.bad.crashes_on_load at step 0: signal 11 (Segmentation fault).");
+            "crashed: " + say::kCrashed(" in load() of org.example.bad.crashes_on_load at step 0", "signal 11 (Segmentation fault)"));
 #ifndef SWAGE_SANITIZED_THREADS  // which delivers a timer's signal late
   EXPECT_EQ(says(results("../bundles_hanging/org.example.bad.hangs_on_load", 0.5), "load"),
-            "crashed: It was not done within 0.5 s in load() of org.example.bad.hangs_on_load at step 0.");
+            "crashed: " + say::kNotDone("0.5", " in load() of org.example.bad.hangs_on_load at step 0"));
 #endif
 #if defined(__x86_64__)
   EXPECT_THAT(says("org.example.bad.fast_math", "load"), HasSubstr("linked with -ffast-math?"));
 #endif
   EXPECT_EQ(
       says("org.example.bad.no_plugin", "load"),
-      "failed: It exports more than swage_plugin_entry: answer.\nIt is not a Swage plugin: it exports no "
-      "swage_plugin_entry.");
+      "failed: It exports more than swage_plugin_entry: answer.\nIt is not a Swage plugin: it exports no swage_plugin_entry.");
   EXPECT_EQ(says("org.example.bad.none", "load"),
-            "failed: It is no 64-bit ELF library.\nThere is no such file.");
+            "failed: " + say::kNoElf() + "\n" + swage::toolkit::say::kNoFile());
 }
 
 TEST(Validate, FactoriesAndTables) {
   EXPECT_THAT(
       says("org.example.bad.leaks_ids", "descriptor"),
       HasSubstr(
-          "failed: create(\"org.example.bad.leaks_idsx\") must answer NULL: there is no such plugin here."));
+          "failed: " + say::kCreatesAnything("org.example.bad.leaks_idsx")));
   EXPECT_THAT(says("org.example.bad.bad_table", "parameters"),
-              HasSubstr("\"radius\": the id is there twice."));
+              HasSubstr("\"radius\": " + say::kIdTwice()));
   EXPECT_EQ(says("org.example.bad.gaps", "lifecycle"),
-            "failed: The table swage.object/1 of org.example.bad.gaps has gaps.\norg.example.bad.gaps lists "
-            "the trait "
-            "\"swage.trait.graspable/1\" and does not offer it.");
+            "failed: The table swage.object/1 of org.example.bad.gaps has gaps.\n" + say::kTraitNotOffered("org.example.bad.gaps", "swage.trait.graspable/1"));
   EXPECT_EQ(says("org.example.bad.no_params", "parameters"), "success");
   EXPECT_EQ(says("org.example.bad.silent", "lifecycle"),
-            "failed: org.example.bad.silent refuses its own defaults and does not say why.");
-  EXPECT_THAT(says("org.example.bad.silent", "bounds"), HasSubstr("refuses without a reason."));
-  EXPECT_THAT(says("org.example.bad.greedy", "threads"), HasSubstr("state() of 2147483647 numbers is too large."));
+            "failed: " + say::kRefusesDefaults("org.example.bad.silent"));
+  EXPECT_THAT(says("org.example.bad.silent", "bounds"), HasSubstr(say::kRefusesSilently.words(2)));
+  EXPECT_THAT(says("org.example.bad.greedy", "threads"), HasSubstr(say::kLargeState(2147483647)));
 }
 
 TEST(Validate, LevelsAndNamesChooseTests) {

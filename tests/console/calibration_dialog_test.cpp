@@ -10,6 +10,7 @@
 
 #include "devices/sensor_thread.hpp"
 #include "sensor/calibration_file.hpp"
+#include "sensor/sentences.hpp"
 #include "temp_folder.hpp"
 #include "window_fixture.hpp"
 
@@ -198,7 +199,7 @@ TEST_F(CalibrationTest, TheZeroAloneIsSet) {
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
   measure(dialog, "calibration_zero", 4.5);  // a quarter of the way: a hand is at it
   in<QPushButton>(dialog, "calibration_keep")->click();
-  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("more than a fifth of its way"))) << said(dialog, "calibration_said").toStdString();
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QString::fromStdString(sensor::say::kRestsElsewhere.words(1)))) << said(dialog, "calibration_said").toStdString();
   in<QLabel>(dialog, "calibration_said")->clear();
   measure(dialog, "calibration_zero", 5.2);
   in<QPushButton>(dialog, "calibration_keep")->click();
@@ -238,7 +239,7 @@ TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
   CalibrationDialog dialog(console::UiTheme::stock(QStringLiteral("dark")), QStringLiteral("Mei"));
   dialog.set_seconds(0.1);
   connect_to(dialog);
-  EXPECT_TRUE(said(dialog, "calibration_said").contains(QStringLiteral("is not there"))) << said(dialog, "calibration_said").toStdString();
+  EXPECT_TRUE(said(dialog, "calibration_said").contains(QString::fromStdString(sensor::say::kNotThere.words(1)))) << said(dialog, "calibration_said").toStdString();
   auto sensor = plug();
   connect_to(dialog);
   ASSERT_TRUE(eventually([&] { return said(dialog, "calibration_sensor").startsWith(QStringLiteral("● B7")); }));
@@ -248,7 +249,7 @@ TEST_F(CalibrationTest, WhatCannotBeIsToldAndNothingIsKept) {
     while (moves) length_mm_ = 2 + 0.05 * static_cast<double>(static_cast<int>(20 * length_mm_) % 2 == 0), nap(5e-3);
   });
   in<QPushButton>(dialog, "calibration_measure")->click();
-  EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_said").contains(QStringLiteral("It moved meanwhile")); }))
+  EXPECT_TRUE(eventually([&] { return said(dialog, "calibration_said").contains(QString::fromStdString(sensor::say::kMoved.words(0))); }))
       << said(dialog, "calibration_said").toStdString();
   moves = false;
   hand.join();

@@ -317,7 +317,9 @@ TEST(Legend, WritesAllItsWordsSmallerWhereOneIsTooLong) {
     return legend.has_long_words();
   };
   EXPECT_TRUE(long_words_at(260));
+  EXPECT_TRUE(legend.has_cut_words());
   EXPECT_FALSE(long_words_at(1200));
+  EXPECT_FALSE(legend.has_cut_words());
 }
 
 // Nothing is said of the cues of a lesson that is not there: of one without cues it is.

@@ -3,6 +3,7 @@
 // The guide on the Run page: asked for by a key, remembered, never in a test, noted in the attempt.
 #include <algorithm>
 
+#include "session/sentences.hpp"
 #include "window_fixture.hpp"
 
 namespace swage::test {
@@ -87,7 +88,7 @@ TEST_F(GuideOnPage, ThereIsNoneInATest) {
 }
 
 TEST_F(GuideOnPage, ALessonWithoutAnExpertSaysSoAndRuns) {
-  no_expert = "This lesson has no hand called \"expert\".";
+  no_expert = session::say::kNoHand("expert");
   open();
   click("guide");
   click("start");

@@ -169,6 +169,18 @@ TEST_F(GermanWindow, ShowsNoEnglishAndClipsNoButton) {
   EXPECT_EQ(child<QPushButton>("page_people")->text(), "Personen");
 }
 
+// The insertion of a hanging needle has the most cues of all lessons without a thread, and the longest words.
+TEST_F(GermanWindow, CutsNoWordOfTheLegend) {
+  open();
+  console::CueLegend* legend = page()->legend();
+  legend->set_meanings({"grasp.wrong", "grasp.tips_only", "grasp.point_only", "grasp.good", "grip.too_hard", "target.near", "insert.good",
+                        "insert.angle_off", "needle.stuck", "tissue.tear", "target.done", "needle.bent", "tissue.deflected", "needle.dropped",
+                        "target.left"});
+  ASSERT_TRUE(eventually([&] { return legend->isVisible() && legend->width() > 200; }));
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(legend->has_cut_words()) << legend->width() << " px";
+}
+
 TEST_F(GermanWindow, WritesNumbersAndDatesAsGermansDo) {
   EXPECT_EQ(console::quantity_text(0.6, QStringLiteral("N")), QStringLiteral("0,60") + QChar(0x202f) + QStringLiteral("N"));
   EXPECT_TRUE(console::when_text(QStringLiteral("2026-11-19T09:23:00Z")).startsWith(QStringLiteral("19. Nov")));

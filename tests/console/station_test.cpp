@@ -9,6 +9,7 @@
 #include "console/app/station_dialog.hpp"
 #include "assembly/lesson_text.hpp"
 #include "console/models/instrument.hpp"
+#include "session/sentences.hpp"
 #include "toolkit/math.hpp"
 #include "window_fixture.hpp"
 
@@ -157,7 +158,7 @@ TEST_F(StationTest, FourMarksRegisterAnArmAndAWrongOneIsRefused) {
   });
   lead(dialog, X_SD, 2);
   EXPECT_FALSE(dialog.station().registered);
-  EXPECT_TRUE(said(dialog, "station_step").contains(QStringLiteral("off the others"))) << said(dialog, "station_step").toStdString();
+  EXPECT_TRUE(said(dialog, "station_step").contains(QString::fromStdString(session::say::kPointOff.words(1)))) << said(dialog, "station_step").toStdString();
   lead(dialog, X_SD);
   ASSERT_TRUE(dialog.station().registered) << said(dialog, "station_step").toStdString();
   const session::Registration& arm = dialog.station().arm;

@@ -9,8 +9,10 @@
 
 #include "program.hpp"
 #include "sensor/calibration_file.hpp"
+#include "sensor/sentences.hpp"
 #include "sensor_thread.hpp"
 #include "test_places.hpp"
+#include "toolkit/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -73,7 +75,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   EXPECT_EQ(answer("calibrate check --tip-force 0.75" + port, {{-1, ""}, {-2, ""}}), 0) << said();
   EXPECT_THAT(said(), HasSubstr("0.750 N at the tips by the calibration, 0.750 N by the gauge"));
   EXPECT_EQ(answer("calibrate check" + port, {{-1, ""}, {-2, ""}}), 1);
-  EXPECT_THAT(said(), HasSubstr("0.60 N at the tips are measured as 0.75 N, 25 % off"));
+  EXPECT_THAT(said(), HasSubstr(sensor::say::kTipOff("0.60", "0.75", "25", "10")));
   EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("0.60 N checked on " + sensor::today() + ": +25 %"));
   ASSERT_EQ(answer("calibrate check --tip-force 0.75" + port, {{-1, ""}, {-2, ""}}), 0) << said();
   ASSERT_EQ(answer("calibrate poses --a 40 --b 40 --gap 10" + port, {{2, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
@@ -94,7 +96,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
 
   // a sensor that drifted by 0.1 V: the zero alone is set anew; a handle that is held is no zero
   EXPECT_EQ(answer("calibrate zero" + port, {{0.9, ""}}), 1);
-  EXPECT_THAT(said(), HasSubstr("more than a fifth of its way (3 mm). Is it let go?"));
+  EXPECT_THAT(said(), HasSubstr(sensor::say::kRestsElsewhere.words(1) + "3 mm" + sensor::say::kRestsElsewhere.words(2)));
   ASSERT_EQ(answer("calibrate zero" + port, {{2.1, ""}}), 0) << said();
   EXPECT_THAT(said(), HasSubstr("all poses moved by 0.100 mm"));
   ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), c), "");
@@ -104,7 +106,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
 
   // another needleholder under the same sensor is noticed, and taken when it is meant
   EXPECT_EQ(answer("calibrate poses" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 1);
-  EXPECT_THAT(said(), HasSubstr("Is it the same needleholder? Nothing is kept."));
+  EXPECT_THAT(said(), HasSubstr(sensor::say::kOtherHolder.words(4) + " Nothing is kept."));
   EXPECT_EQ(answer("calibrate poses --another-needleholder" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
 }
 
@@ -114,18 +116,18 @@ TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
     EXPECT_EQ(s.code, code) << s.out;
     EXPECT_THAT(s.err, HasSubstr(words));
   };
-  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7", "--by", "Ada"}, 2, "no such file");
-  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, "Say who calibrates");
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7", "--by", "Ada"}, 2, toolkit::say::kNoFile());
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, sensor::say::kWhoCalibrates());
   write("bent.csv", "mm,V\n0,0\n1,1.2\n2,1.8\n3,3.4\n4,3.7\n5,5.5\n6,5.5\n");
   fails({"calibrate", "displacement", "--table", path("bent.csv"), "--serial", "B7", "--by", "Ada"}, 1, "Nothing is kept");
   fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada"}, 2, "serial number with --serial");
-  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, "cannot name a file");
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, sensor::say::kNoFileName("../x"));
   write("words.csv", "mm,V\n0,0\n1,one\n");
   fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, "line 3: a row has 2 numbers");
   write("f.csv", "0 0.2\n1 4\n2 3\n");
   fails({"calibrate", "tip", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
   fails({"calibrate", "force", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
-  fails({"calibrate", "poses", "--port", path("nothing")}, 2, "is not there");
+  fails({"calibrate", "poses", "--port", path("nothing")}, 2, sensor::say::kNotThere(path("nothing")));
   EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("No calibration is kept"));
 }
 

@@ -12,7 +12,9 @@
 #include "sensor/bench.hpp"
 #include "sensor/calibration.hpp"
 #include "sensor/calibration_file.hpp"
+#include "sensor/sentences.hpp"
 #include "temp_folder.hpp"
+#include "toolkit/sentences.hpp"
 
 namespace swage::sensor {
 namespace {
@@ -74,20 +76,20 @@ TEST(Displacement, WhatIsNoSensorIsRefused) {
   Displacement fit;
   std::vector<BenchPoint> points = bench(1);
   for (std::size_t i = 0; i < points.size(); i += 3) points[i].volts += 0.2;
-  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr("off, allowed are 0.06 mm"));
+  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr(say::kNoLine.words(2) + "0.06 mm"));
   points = bench(1);
   for (BenchPoint& p : points) p.volts *= 2;
-  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr("this sensor has 1 mm/V"));
+  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr(say::kOtherSlope.words(1) + "1" + say::kOtherSlope.words(2)));
   FitLimits any;
   any.nominal = 0;
   EXPECT_EQ(fit_displacement(points, any, fit), "") << "where the data sheet is not known";
-  EXPECT_THAT(fit_displacement(bench(1, 0, 6), {}, fit), HasSubstr("7 points or more"));
+  EXPECT_THAT(fit_displacement(bench(1, 0, 6), {}, fit), HasSubstr(say::kFewPoints.words(0) + "7" + say::kFewPoints.words(1)));
   points = bench(1);
   points[4].volts = std::nan("");
-  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr("not a number"));
+  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr(say::kNoPoint()));
   points = bench(1);
   points[4].length_m = points[5].length_m;
-  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr("same length"));
+  EXPECT_THAT(fit_displacement(points, {}, fit), HasSubstr(say::kSameLength.words(0)));
   for (BenchPoint& p : points = bench(1)) p.volts = 1;
   EXPECT_NE(fit_displacement(points, {}, fit), "") << "a cable that is off";
 }
@@ -152,9 +154,9 @@ TEST(Curve, NeverLeavesItsPointsAndItsSlopeIsItsSlope) {
 TEST(Curve, AWrongTableIsRefused) {
   MonotoneCurve curve;
   EXPECT_NE(curve.set({{0, 1}}), "");
-  EXPECT_THAT(curve.set({{0, 0}, {1, 2}, {1, 3}}), HasSubstr("travel"));
-  EXPECT_THAT(curve.set({{0, 0}, {1, 2}, {2, 1}}), HasSubstr("never goes down"));
-  EXPECT_THAT(curve.set({{0, 0}, {1, std::nan("")}}), HasSubstr("not a number"));
+  EXPECT_THAT(curve.set({{0, 0}, {1, 2}, {1, 3}}), HasSubstr(say::kTravelFalls.words(0)));
+  EXPECT_THAT(curve.set({{0, 0}, {1, 2}, {2, 1}}), HasSubstr(say::kForceFalls.words(0)));
+  EXPECT_THAT(curve.set({{0, 0}, {1, std::nan("")}}), HasSubstr(say::kForceNoNumber()));
   EXPECT_TRUE(curve.empty());
 }
 
@@ -220,8 +222,8 @@ TEST(Tips, AreACurveOfTheHandlesForceFromNothingOn) {
   EXPECT_EQ(curve.value(0), 0);
   // error of a monotone cubic between points 3 N apart of a parabola with y'' = 0.01 /N: below h^2 y''/8 = 11 mN, that of a straight line
   for (double f = 0.5; f <= 10; f += 0.01) EXPECT_NEAR(curve.value(f), tips(f), 11e-3) << f;
-  EXPECT_THAT(set_tip({{1, 0.2}, {2, 0.1}}, curve), HasSubstr("at 2 N it does not"));
-  EXPECT_THAT(set_tip({{-1, 0}, {2, 0.1}}, curve), HasSubstr("leave that point out"));
+  EXPECT_THAT(set_tip({{1, 0.2}, {2, 0.1}}, curve), HasSubstr(say::kTipFalls("2")));
+  EXPECT_THAT(set_tip({{-1, 0}, {2, 0.1}}, curve), HasSubstr(say::kPressesNothing()));
   for (const std::size_t n : {0u, 4u, 12u}) EXPECT_NE(check_table_size(n), "") << n;
   for (const std::size_t n : {5u, 11u}) EXPECT_EQ(check_table_size(n), "") << n;
 
@@ -239,11 +241,11 @@ TEST(Tips, ACheckOnAGaugeHoldsToTenPercent) {
   EXPECT_EQ(check_tip({0.6, 0.6, ""}), "");
   EXPECT_EQ(check_tip({0.6, 0.6 * 1.0999, ""}), "");
   EXPECT_EQ(check_tip({0.6, 0.6 * 0.9001, ""}), "");
-  EXPECT_THAT(check_tip({0.6, 0.67, ""}), HasSubstr("0.60 N at the tips are measured as 0.67 N, 12 % off"));
+  EXPECT_THAT(check_tip({0.6, 0.67, ""}), HasSubstr(say::kTipOff("0.60", "0.67", "12", "10")));
   EXPECT_NE(check_tip({0.6, 0.53, ""}), "");
   Calibration c = holder_calibration();
   c.check = {0.6, 0.75, "2026-11-23"};
-  EXPECT_THAT(calibration_trouble(c, "A1", "2026-11-23"), HasSubstr("25 % off"));
+  EXPECT_THAT(calibration_trouble(c, "A1", "2026-11-23"), HasSubstr("25" + say::kTipOff.words(3)));
   c.check.measured = 0.58;
   EXPECT_EQ(calibration_trouble(c, "A1", "2026-11-23"), "");
 }
@@ -265,7 +267,7 @@ TEST(Drafts, PosesAndForcesOfASessionNeedNoBench) {
   EXPECT_EQ(c.date, stored.date) << "the bench is that of before";
   EXPECT_EQ(c.force.points().size(), 7u) << "and so are the forces";
   draft.pose_volts[0] = volts(9e-3);
-  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("same needleholder"));
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr(say::kOtherHolder.words(4)));
   draft.pose_volts[0] = volts(5.1e-3);
 
   // five forces of the handle with those of the tips, and a check
@@ -274,7 +276,7 @@ TEST(Drafts, PosesAndForcesOfASessionNeedNoBench) {
     draft.force_rows[i] = {holder(s), tips(holder(s) - holder(0)), volts(2.05e-3 - s)};
   }
   draft.force_rows[4].volts.reset();
-  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("5 to 11 points; there are 4"));
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr(say::kTipCount(4)));
   draft.force_rows[4].volts = volts(2.05e-3 - 1e-3);
   ASSERT_EQ(draft.finish("2026-11-25", c), "");
   EXPECT_EQ(c.force.points().size(), 5u);
@@ -287,19 +289,19 @@ TEST(Drafts, PosesAndForcesOfASessionNeedNoBench) {
   EXPECT_NEAR(c.check.measured, tips(holder(0.75e-3) - holder(0)), 1e-9);
   draft.pose_volts[1].reset();
   draft.rows()[0].volts = 0.1;
-  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr("no fit yet")) << "a bench that has begun is made to its end";
+  EXPECT_THAT(draft.finish("2026-11-25", c), HasSubstr(say::kNoFit())) << "a bench that has begun is made to its end";
 }
 
 TEST(Poses, AreCheckedAgainstThemselvesAndThoseOfBefore) {
   EXPECT_EQ(check_poses({5e-3, 2e-3, 0.5e-3}, {}), "");
   EXPECT_EQ(check_poses({0.5e-3, 2e-3, 5e-3}, {}), "") << "mounted the other way round";
-  EXPECT_THAT(check_poses({5e-3, 5e-3, 4e-3}, {}), HasSubstr("the same"));
-  EXPECT_THAT(check_poses({5e-3, 2e-3, 3e-3}, {}), HasSubstr("Squeezed must go on"));
-  EXPECT_THAT(check_poses({std::nan(""), 2e-3, 3e-3}, {}), HasSubstr("not a number"));
+  EXPECT_THAT(check_poses({5e-3, 5e-3, 4e-3}, {}), HasSubstr(say::kSamePoses.words(0)));
+  EXPECT_THAT(check_poses({5e-3, 2e-3, 3e-3}, {}), HasSubstr(say::kSqueezedBack.words(0)));
+  EXPECT_THAT(check_poses({std::nan(""), 2e-3, 3e-3}, {}), HasSubstr(say::kPoseNoNumber()));
   EXPECT_EQ(check_poses({5.1e-3, 2e-3, 0.6e-3}, {5e-3, 2e-3, 0.5e-3}), "");
-  EXPECT_THAT(check_poses({6e-3, 2e-3, 0.5e-3}, {5e-3, 2e-3, 0.5e-3}), HasSubstr("same needleholder"));
+  EXPECT_THAT(check_poses({6e-3, 2e-3, 0.5e-3}, {5e-3, 2e-3, 0.5e-3}), HasSubstr(say::kOtherHolder.words(4)));
   EXPECT_EQ(check_geometry({40e-3, 40e-3, 10e-3}, {5e-3, 2e-3, 0.5e-3}), "");
-  EXPECT_THAT(check_geometry({4e-3, 4e-3, 10e-3}, {5e-3, 2e-3, 0.5e-3}), HasSubstr("cannot be"));
+  EXPECT_THAT(check_geometry({4e-3, 4e-3, 10e-3}, {5e-3, 2e-3, 0.5e-3}), HasSubstr(say::kNoTriangle.words(2)));
 }
 
 TEST(CalibrationFile, ComesBackAsItWas) {
@@ -340,28 +342,28 @@ TEST(CalibrationFile, EachFaultHasItsSentence) {
     return load_calibration(path, c);
   };
   EXPECT_EQ(load(good + "}"), "");
-  EXPECT_THAT(load("no"), HasSubstr("not JSON"));
+  EXPECT_THAT(load("no"), HasSubstr(say::kNoJson.words(1)));
   EXPECT_THAT(load("{}"), HasSubstr("format"));
-  EXPECT_THAT(load(good + R"(,"color":1})"), HasSubstr("color is not known"));
-  EXPECT_THAT(load(good + R"(,"force":[[0,1],[1,0]]})"), HasSubstr("never goes down"));
-  EXPECT_THAT(load(good + R"(,"force":[[0,"x"],[1,0]]})"), HasSubstr("rows of 2 numbers"));
-  EXPECT_THAT(load(good + R"(,"poses":{"open":1,"closed":1,"squeezed":1}})"), HasSubstr("the same"));
-  EXPECT_THAT(load(good + R"(,"geometry":{"a":1}})"), HasSubstr("geometry/b is a number"));
-  EXPECT_THAT(load(good + R"(,"geometry":[1]})"), HasSubstr("geometry is an object"));
-  EXPECT_THAT(load(R"({"format":"swage-calibration/1","date":"22.11.2026"})"), HasSubstr("no date"));
-  EXPECT_THAT(load(R"({"format":"swage-calibration/1"})"), HasSubstr("displacement is missing"));
+  EXPECT_THAT(load(good + R"(,"color":1})"), HasSubstr(say::kUnknown("color")));
+  EXPECT_THAT(load(good + R"(,"force":[[0,1],[1,0]]})"), HasSubstr(say::kForceFalls.words(0)));
+  EXPECT_THAT(load(good + R"(,"force":[[0,"x"],[1,0]]})"), HasSubstr(say::kRows("force", 2)));
+  EXPECT_THAT(load(good + R"(,"poses":{"open":1,"closed":1,"squeezed":1}})"), HasSubstr(say::kSamePoses.words(0)));
+  EXPECT_THAT(load(good + R"(,"geometry":{"a":1}})"), HasSubstr(say::kNumber("geometry/", "b")));
+  EXPECT_THAT(load(good + R"(,"geometry":[1]})"), HasSubstr(say::kObject("geometry")));
+  EXPECT_THAT(load(R"({"format":"swage-calibration/1","date":"22.11.2026"})"), HasSubstr(say::kNoDate("22.11.2026")));
+  EXPECT_THAT(load(R"({"format":"swage-calibration/1"})"), HasSubstr(say::kMissing()));
   EXPECT_THAT(load(R"({"format":"swage-calibration/1","displacement":{"slope":0,"offset":0,"worst":0,"rms":0}})"),
-              HasSubstr("slope is not 0"));
+              HasSubstr(say::kNoSlope()));
   Calibration c;
-  EXPECT_THAT(load_calibration(folder / "none.json", c), HasSubstr("no such file"));
-  EXPECT_THAT(save_calibration("/proc/none/a.json", holder_calibration()), HasSubstr("cannot be written"));
+  EXPECT_THAT(load_calibration(folder / "none.json", c), HasSubstr(toolkit::say::kNoFile()));
+  EXPECT_THAT(save_calibration("/proc/none/a.json", holder_calibration()), HasSubstr(say::kNotWritten.words(1)));
 }
 
 TEST(CalibrationFile, ExpiresAndBelongsToOneSensor) {
   const Calibration c = holder_calibration();
   EXPECT_EQ(calibration_trouble(c, "A1", "2027-11-22"), "");
-  EXPECT_THAT(calibration_trouble(c, "A1", "2027-11-23"), HasSubstr("expired on 2027-11-22"));
-  EXPECT_THAT(calibration_trouble(c, "B2", "2026-11-23"), HasSubstr("this one is B2"));
+  EXPECT_THAT(calibration_trouble(c, "A1", "2027-11-23"), HasSubstr(say::kExpired.words(1) + "2027-11-22"));
+  EXPECT_THAT(calibration_trouble(c, "B2", "2026-11-23"), HasSubstr(say::kOtherSensor("A1", "B2")));
   EXPECT_EQ(days_after("2026-11-22", 365), "2027-11-22");
   EXPECT_EQ(days_after("2028-02-28", 1), "2028-02-29");
   EXPECT_EQ(days_after("yesterday", 1), "");

@@ -14,6 +14,7 @@
 #include <random>
 
 #include "sensor/calibration_file.hpp"
+#include "sensor/sentences.hpp"
 #include "sensor_thread.hpp"
 #include "temp_folder.hpp"
 
@@ -88,11 +89,11 @@ class Driver : public testing::Test {
 TEST_F(Driver, ASensorThatIsAbsentIsNamedWithTheRemedy) {
   Bench bench;
   EXPECT_FALSE(start(bench));
-  EXPECT_THAT(said(bench), HasSubstr("is not there. Is the sensor plugged in?"));
+  EXPECT_THAT(said(bench), HasSubstr(sensor::say::kNotThere.words(1)));
   Bench none;
   none.set_text("port", "/dev/null");
   EXPECT_FALSE(none.start());
-  EXPECT_THAT(said(none), HasSubstr("/dev/null is no serial port"));
+  EXPECT_THAT(said(none), HasSubstr(sensor::say::kNoSerialPort("/dev/null")));
 }
 
 TEST_F(Driver, ASilentOneAndOneThatSpeaksOtherwiseAreToldApart) {
@@ -164,7 +165,7 @@ TEST_F(Driver, TheStoredCalibrationOfTheSensorIsUsedAndTold) {
   volts_ = 1.001;
   ASSERT_TRUE(start(bench));
   EXPECT_THAT(said(bench), HasSubstr("calibrated on 2026-11-01 by Ada, residuals up to 27 um"));
-  EXPECT_THAT(said(bench), HasSubstr("expired on 2000-01-01"));
+  EXPECT_THAT(said(bench), HasSubstr(sensor::say::kExpired.words(1) + "2000-01-01"));
   EXPECT_EQ(calibration_of(bench), sensor::calibration_text(c)) << "what the host keeps with the attempt";
   ask_for(bench, 50);
   EXPECT_NEAR(bench.sample.closure, 0.6, 1e-3);
@@ -192,14 +193,14 @@ TEST_F(Driver, AHandleThatDoesNotRestWhereItWasOpenIsToldOnce) {
     for (const double until = now_s() + 1; now_s() < until;) ask(bench, 0.1);
     ask_for(bench, 200);
     int times = 0;
-    for (const std::string& r : bench.host.reports) times += r.find("set its zero") != std::string::npos;
+    for (const std::string& r : bench.host.reports) times += r.find(sensor::say::kSetZero()) != std::string::npos;
     EXPECT_LE(times, 1);
     return times == 1 ? said(bench) : "";
   };
   EXPECT_EQ(told(4, 0.3), "");
-  EXPECT_THAT(told(3.7, 0.3), HasSubstr("The handle reads 0.30 mm less than open (10 % of its way)"));
-  EXPECT_THAT(told(4.4, 0.3), HasSubstr("0.40 mm more than open"));
-  EXPECT_THAT(told(4, 0.8), HasSubstr("The gauge on the handle reads 0.50 N while the handle is open"));
+  EXPECT_THAT(told(3.7, 0.3), HasSubstr(sensor::say::kReadsLess("0.30", "10")));
+  EXPECT_THAT(told(4.4, 0.3), HasSubstr("0.40" + sensor::say::kReadsMore.words(1)));
+  EXPECT_THAT(told(4, 0.8), HasSubstr(sensor::say::kGaugeReads("0.50")));
   EXPECT_EQ(told(1, 5), "") << "a hand holds it";
 }
 

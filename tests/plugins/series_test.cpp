@@ -29,7 +29,7 @@ const char* const kLessons[] = {
     "041_grasp_advanced_2_quarter", "042_grasp_advanced_2_three_eighths", "045_pass_the_needle",
     "050_suture_grasp", "051_suture_carry", "055_ring_on_hoop", "110_insertion", "113_insertion_left_half",
     "115_stitch", "116_insertion_hanging", "116_insertion_hanging_left", "117_needle_with_thread", "118_stitch_and_pull_through",
-    "118_stitch_dry", "118_stitch_under_water", "130_loop", "131_half_knot"};
+    "118_stitch_dry", "118_stitch_under_water", "119_two_edges", "130_loop", "131_half_knot"};
 #else
 // A lesson of each plugin: under a sanitizer a step takes thirty times as long, the whole list three hours.
 const char* const kLessons[] = {"010_practice_solids", "020_grasp_basic", "040_grasp_advanced_2",
@@ -81,7 +81,8 @@ TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
   EXPECT_GT(expert.verdict().score, 95);
   EXPECT_GT(expert.verdict().score, novice.verdict().score + 3);
   EXPECT_GT(novice.verdict().score, clumsy.verdict().score + 3);
-  const bool thread = std::string(GetParam()) >= "117";
+  // of lessons with a thread: from 117 on, but for the two edges, whose needle is taken out of its pad as in 115
+  const bool thread = std::string(GetParam()) >= "117" && std::string(GetParam()) != "119_two_edges";
   EXPECT_EQ(thread ? base::text(expert.engine().stats().health) : std::string(), "");
   EXPECT_EQ(expert.engine().quarantined() + novice.engine().quarantined() + clumsy.engine().quarantined(),
             0u);

@@ -3,6 +3,7 @@
 // What the files of the series say, without running them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -36,21 +37,43 @@ TEST(SeriesTexts, NameNoColour) {
   }
 }
 
-// 5 mm in a lesson are 5 mm in those that are based on it, and the file says of what
-TEST(SeriesTexts, MeasureNeedlesAsTheLessonTheyAreBasedOn) {
+/// Keys of "values" of every needle of the library.
+std::vector<std::pair<std::string, nlohmann::json>> library() {
+  std::vector<std::pair<std::string, nlohmann::json>> needles;
+  for (const auto& entry : std::filesystem::directory_iterator(SWAGE_SOURCE_DIR "/resources/needles")) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream in(entry.path());
+    needles.emplace_back(entry.path().filename(), nlohmann::json::parse(in)["values"]);
+  }
+  return needles;
+}
+
+// the size of a needle is the length of its wire, as makers give it: in every lesson, every variant and the library
+TEST(SeriesTexts, MeasureEveryNeedleByItsLength) {
+  const auto known = library();
+  for (const auto& [name, values] : known) EXPECT_TRUE(values.contains("length") && !values.contains("chord")) << name;
+  const auto is_known = [&](const std::string& model) {
+    return std::any_of(known.begin(), known.end(), [&](const auto& needle) { return needle.first == model; });
+  };
   int needles = 0, variants = 0;
   for (const auto& [path, lesson] : all()) {
     const auto set = lesson.value("set", nlohmann::json::object());
-    EXPECT_FALSE(set.contains("needle.size_of") || set.contains("needle.size")) << path;
-    variants += set.contains("needle.arc") ? 1 : 0;
+    EXPECT_FALSE(set.contains("needle.size_of") || set.contains("needle.size")) << path << " is another needle than it says";
+    variants += set.contains("needle.arc") || set.contains("needle.model") ? 1 : 0;
     for (const auto& object : lesson.value("objects", nlohmann::json::array())) {
-      if (object["plugin"] != "swage.object.needle" || !object["params"].contains("size")) continue;
-      EXPECT_TRUE(object["params"].contains("size_of")) << path;
+      if (object["plugin"] != "swage.object.needle") continue;
       ++needles;
+      const auto& params = object["params"];
+      if (params.contains("model")) {
+        EXPECT_TRUE(is_known(params["model"])) << path;
+        EXPECT_FALSE(params.contains("arc") || params.contains("size") || params.contains("size_of")) << path << " says it twice";
+      } else {
+        EXPECT_EQ(params.value("size_of", "nothing"), "length") << path;
+      }
     }
   }
-  EXPECT_GT(needles, 5);
-  EXPECT_GT(variants, 5);
+  EXPECT_GE(needles, 15);
+  EXPECT_GE(variants, 8);
 }
 
 }  // namespace

@@ -227,12 +227,12 @@ TEST(Assemble, RequirementsAreComparedWithWhatIsThere) {
 
 TEST(Assemble, MarksAreChecked) {
   EXPECT_THAT(make(replaced(kScene, R"("arc_of": "tool")", R"("arc_of": "ball")")).said,
-              ElementsAre("a.json:14 #/lesson: A mark of an arc names \"ball\", which has none."));
+              ElementsAre("a.json:14 #/lesson: " + say::kArcMarkOf("ball")));
   EXPECT_THAT(make(replaced(kScene, R"("arc_of": "tool")", R"("arc_of": "nobody")")).said,
-              ElementsAre("a.json:14 #/lesson: A mark names object 4294967295, which is not there."));
+              ElementsAre("a.json:14 #/lesson: " + say::kMarkOfNobody(4294967295u)));
   EXPECT_THAT(
       make(replaced(kScene, R"("arc_of": "tool")", R"("arc_of": "tool", "from": "95 %")")).said,
-      ElementsAre("a.json:14 #/lesson: A mark of an arc goes from a share to a larger one, both in 0..1."));
+      ElementsAre("a.json:14 #/lesson: " + say::kArcMarkRange()));
 }
 
 TEST(Assemble, TooManyObjectsAreRefused) {

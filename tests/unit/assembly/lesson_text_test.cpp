@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -14,6 +16,7 @@
 #include "assembly/lesson_file.hpp"
 #include "assembly/sentences.hpp"
 #include "host/nearest.hpp"
+#include "toolkit/sentences.hpp"
 
 namespace swage::assembly {
 namespace {
@@ -165,10 +168,10 @@ TEST_F(LessonTexts, ABaseThatIsNoFileIsRefused) {
   std::ofstream(folder_ / "huge.json").close();
   std::filesystem::resize_file(folder_ / "huge.json", std::uintmax_t{8} << 30);
   const std::pair<std::string, std::string> bases[] = {
-      {"loop.json", "Too many levels of symbolic links."},
-      {"pipe.json", "It is a pipe or a device, not a file."},
-      {"folder.json", "It is a folder, not a file."},
-      {"huge.json", "It is larger than 4 MiB."},
+      {"loop.json", std::strerror(ELOOP)},
+      {"pipe.json", toolkit::say::kPipe()},
+      {"folder.json", toolkit::say::kFolder()},
+      {"huge.json", toolkit::say::kTooLarge("4 MiB")},
       {std::string(300, 'a') + ".json", "File name too long."}};
   for (const auto& [base, why] : bases) {
     write("b.json", variant(base, R"("seed": 9)"));

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../../temp_folder.hpp"
+#include "host/sentences.hpp"
 
 using namespace swage;
 using namespace swage::host;
@@ -42,19 +43,18 @@ TEST(Words, AWordThatWouldMisleadIsLeftOutAndTheOthersStay) {
   const Parsed p(file(R"({ "Hold it for {hold_time}.": "{hold} lang halten.", "A": "", "B": 3, "Lift it.": "Heben." })"));
   EXPECT_THAT(p.words, ElementsAre(Pair("Lift it.", "Heben.")));
   ASSERT_EQ(p.problems.size(), 3u);
-  EXPECT_EQ(p.said(), "words.de.json #/words: The translation of \"Hold it for {hold_time}.\" has other places in braces than the "
-                      "words it translates.");
+  EXPECT_EQ(p.said(), "words.de.json #/words: " + say::kTranslation("Hold it for {hold_time}.", say::kOtherPlaces()));
   // the same places in another order are the same
   EXPECT_THAT(Parsed(file(R"({ "{a} of {b}": "von {b} {a}" })")).words, testing::SizeIs(1));
 }
 
 TEST(Words, AFileThatIsNoneIsNotUsedAndSaysWhy) {
-  const std::pair<const char*, const char*> wrong[] = {
-      {"{", "the file is not JSON"},
-      {"[]", "the format is not \"swage-words/1\""},
-      {R"({ "format": 1 })", "the format is not"},
-      {R"({ "format": "swage-words/1", "language": "fr", "words": {} })", "the language is not \"de\""},
-      {R"({ "format": "swage-words/1", "language": "de", "words": [] })", "there are no \"words\""}};
+  const std::pair<const char*, std::string> wrong[] = {
+      {"{", say::kWordsNoJson()},
+      {"[]", say::kWordsFormat("swage-words/1")},
+      {R"({ "format": 1 })", say::kWordsFormat("swage-words/1")},
+      {R"({ "format": "swage-words/1", "language": "fr", "words": {} })", say::kWordsLanguage("de")},
+      {R"({ "format": "swage-words/1", "language": "de", "words": [] })", say::kWordsNone()}};
   for (const auto& [text, why] : wrong) {
     const Parsed p(text);
     EXPECT_THAT(p.words, IsEmpty()) << text;

@@ -8,6 +8,7 @@
 #include "attempt.hpp"
 #include "postgres_server.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -63,7 +64,7 @@ TEST(Backup, AFileThatCannotBeWrittenLeavesTheOldOne) {
   Copied out;
   ASSERT_TRUE(backup_store(folder / "a.db", folder / "b.backup", out, error));
   EXPECT_FALSE(backup_store(folder / "a.db", "/proc/b.backup", out, error));
-  EXPECT_THAT(error, testing::HasSubstr("cannot be backed up to /proc/b.backup"));
+  EXPECT_THAT(error, testing::HasSubstr(say::kNotBackedUp(folder / "a.db", "/proc/b.backup", "")));
   EXPECT_TRUE(restore_store(folder / "b.backup", folder / "c.db", out, error)) << error;
   EXPECT_FALSE(restore_store(folder / "absent.backup", folder / "c.db", out, error));
   EXPECT_THAT(error, testing::HasSubstr("absent.backup cannot be read"));

@@ -14,6 +14,7 @@
 #include "base/clock.hpp"
 #include "postgres_server.hpp"
 #include "record/identity.hpp"
+#include "record/sentences.hpp"
 #include "record/sql.hpp"
 
 namespace swage::record::test {
@@ -137,13 +138,13 @@ TEST_F(FrozenServer, CostsNoStepAndNoMinute) {
   EXPECT_EQ(recorder->kept().missing_steps, 0u);
   const base::Problems said = recorder->problems();
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_THAT(said[0].message, testing::HasSubstr("The store does not answer (the server has not answered for 3 s). The attempt goes on and is kept in "));
+  EXPECT_THAT(said[0].message, testing::StartsWith(say::kStoreFails(say::kNoAnswer(say::kServerSilent()))));
 
   start = base::wall_ns();
   std::string error;
   EXPECT_FALSE(Store::open(where_, error));
   EXPECT_LT(seconds_since(start), 5.0);
-  EXPECT_THAT(error, testing::HasSubstr("Check that the server runs"));
+  EXPECT_THAT(error, testing::HasSubstr(say::kCheckServer()));
 
   // it thaws: the attempt comes in, whole, and once
   server_.freeze(false);
@@ -169,7 +170,7 @@ TEST_F(FrozenServer, AListThatIsNotAnsweredIsNotAnEmptyOne) {
   const int64_t start = base::wall_ns();
   EXPECT_TRUE(store->attempts("").empty());
   EXPECT_LT(seconds_since(start), 5.0);
-  EXPECT_THAT(store->trouble(), testing::HasSubstr("the server has not answered for 3 s"));
+  EXPECT_THAT(store->trouble(), testing::HasSubstr(say::kServerSilent()));
 }
 
 // A station whose server is away from the start goes on by itself, and brings its attempts in later, once.

@@ -9,6 +9,7 @@
 #include "attempt.hpp"
 #include "record/people_list.hpp"
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -163,11 +164,11 @@ TEST(PeopleList, IsReadAsItIsPasted) {
   EXPECT_EQ(list[0].person.name, "Li; Anna");
   EXPECT_EQ(list[0].person.handedness, "left");
   EXPECT_EQ(list[0].person.group_id, "g");
-  EXPECT_THAT(list[1].problem, HasSubstr("\"both\" is no handedness"));
-  EXPECT_EQ(list[2].problem, "It has no name.");
-  EXPECT_THAT(list[3].problem, HasSubstr("4 fields, 3 are expected"));
+  EXPECT_THAT(list[1].problem, HasSubstr(say::kNoHandedness("both")));
+  EXPECT_EQ(list[2].problem, say::kNoName());
+  EXPECT_THAT(list[3].problem, HasSubstr(say::kManyFields(4, 3)));
   EXPECT_FALSE(read_people("name,shoe size\nAda,43\n", known, groups, list, error));
-  EXPECT_THAT(error, HasSubstr("\"shoe size\" is not known"));
+  EXPECT_THAT(error, HasSubstr(say::kColumn("shoe size")));
 }
 
 TEST(PeopleList, IsAddedWholeOrNotAtAll) {
@@ -177,7 +178,7 @@ TEST(PeopleList, IsAddedWholeOrNotAtAll) {
   std::vector<ListedPerson> list;
   ASSERT_TRUE(read_people("name,group,handedness\nAda,Residents,left\nBo,Residents,\n,x,\n", school->people(), school->groups(), list, error));
   EXPECT_EQ(add_people(*school, list, error), -1);
-  EXPECT_THAT(error, HasSubstr("Line 4: It has no name. Nobody was added."));
+  EXPECT_THAT(error, HasSubstr(say::kOfLine(4, say::kNoName())));
   EXPECT_TRUE(school->people().empty());
   list.pop_back();
   EXPECT_EQ(add_people(*school, list, error), 2) << error;

@@ -8,6 +8,7 @@
 
 #include "attempt.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -101,7 +102,7 @@ TEST(Salvage, RefusesWhatIsInUseAndWhatIsNothing) {
   }
   Salvaged out;
   EXPECT_FALSE(salvage_in_place(two.folder / "letter.db", out, two.error));
-  EXPECT_THAT(two.error, HasSubstr("Nothing of Swage's is left"));
+  EXPECT_THAT(two.error, HasSubstr(say::kNothingLeft(two.folder / "letter.db")));
   EXPECT_TRUE(std::filesystem::exists(two.folder / "letter.db"));
   EXPECT_FALSE(std::filesystem::exists(two.folder / "letter.db.salvaging"));
   EXPECT_FALSE(salvage(two.path, two.path, out, two.error));

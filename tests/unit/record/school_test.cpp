@@ -15,6 +15,7 @@
 #include "postgres_server.hpp"
 #include "record/backup.hpp"
 #include "record/identity.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -93,22 +94,22 @@ TEST_P(SchoolTest, RefusesWhatWouldBeMistaken) {
   Person again;
   again.name = "Ada";
   EXPECT_FALSE(school_->add_person(again));
-  EXPECT_THAT(school_->error(), HasSubstr("Somebody is called \"Ada\" already"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNameTaken("Ada")));
   again.name = "Ada 2";
   again.code = ada.code;
   EXPECT_FALSE(school_->add_person(again));
-  EXPECT_THAT(school_->error(), HasSubstr("another person's already"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kCodeTaken(again.code)));
   again.code = "";
   again.handedness = "both";
   EXPECT_FALSE(school_->add_person(again));
-  EXPECT_THAT(school_->error(), HasSubstr("\"both\" is no handedness"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNoHandedness("both")));
   EXPECT_EQ(school_->people().size(), 1u);
   Person found;
   EXPECT_FALSE(school_->find_person("Bo", found));
-  EXPECT_THAT(school_->error(), HasSubstr("Nobody in the store is called \"Bo\""));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNobody("Bo")));
   record_attempt(where_, 10, 1, "Ada");
   EXPECT_FALSE(school_->remove_person(ada.id));
-  EXPECT_THAT(school_->error(), HasSubstr("archive or erase"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kHasAttempts()));
 }
 
 TEST_P(SchoolTest, GroupsAndTheirPeople) {
@@ -143,11 +144,11 @@ TEST_P(SchoolTest, AGuestsAttemptIsGivenANameLater) {
   EXPECT_EQ(rulings[0].reason, "Guest -> " + ada.code);
   EXPECT_FALSE(attempt(first).is_void);
   EXPECT_FALSE(school_->name_attempt(first, bo.id, "Mei"));
-  EXPECT_THAT(school_->error(), HasSubstr("is no guest's: it belongs to " + ada.code));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNoGuest(first, ada.code)));
   ASSERT_TRUE(school_->name_attempt(first, bo.id, "Mei", true));
   EXPECT_EQ(attempt(first).person_name, "Bo");
   EXPECT_FALSE(school_->name_attempt("nobody", bo.id, "Mei"));
-  EXPECT_THAT(school_->error(), HasSubstr("There is no attempt nobody"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNoAttempt("nobody")));
 }
 
 TEST_P(SchoolTest, AVoidAttemptSaysWhyAndByWhomAndCanCountAgain) {
@@ -239,7 +240,7 @@ TEST_P(SchoolTest, CoursesComeBackAsTheyWere) {
   Course wrong = c;
   wrong.steps[0].limits[0].least = 5;
   EXPECT_FALSE(school_->save_course(wrong));
-  EXPECT_THAT(school_->error(), HasSubstr("Step 1 of the course \"Basic course\": the limit of wound.size asks for at least more"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kEmptyLimit(say::kOfStep(1, "Basic course"), "wound.size")));
   wrong = c;
   wrong.steps[1].rule.in_a_row = 0;
   EXPECT_FALSE(school_->save_course(wrong));
@@ -281,7 +282,7 @@ TEST_P(SchoolTest, WhoIsErasedDoesNotComeBack) {
   // neither a file nor a backup brings back what was erased
   std::string id;
   EXPECT_FALSE(store->import_attempt(folder_ / "gone.swage", id, error_));
-  EXPECT_THAT(error_, HasSubstr("was erased from this store for good"));
+  EXPECT_THAT(error_, HasSubstr(say::kErased()));
   ASSERT_TRUE(restore_store(folder_ / "old.backup", where_, copied, error_)) << error_;
   EXPECT_EQ(copied.added, 0u);
   expect_gone();

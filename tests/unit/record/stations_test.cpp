@@ -19,6 +19,7 @@
 #include "record/identity.hpp"
 #include "record/schema.hpp"
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -178,7 +179,7 @@ TEST_F(StationsTest, AMarkIsPinnedToTheRunningAttempt) {
   ASSERT_TRUE(recorder);
   double time_s = 0;
   EXPECT_FALSE(desk->mark("Table 1", "", "Desk", time_s));
-  EXPECT_EQ(desk->error(), "No attempt runs at Table 1.");
+  EXPECT_EQ(desk->error(), say::kNothingRuns("Table 1"));
   ASSERT_TRUE(table->say(running("Ada", recorder->attempt_id())));
   const int64_t said = base::wall_ns();
   ASSERT_TRUE(desk->mark("Table 1", "tips too far", "Desk", time_s)) << desk->error();
@@ -197,7 +198,7 @@ TEST_F(StationsTest, AMarkIsPinnedToTheRunningAttempt) {
   // an attempt that is kept at its station is not there yet
   ASSERT_TRUE(table->say(running("Ada", "0190a000-0000-7000-8000-000000000000")));
   EXPECT_FALSE(desk->mark("Table 1", "", "Desk", time_s));
-  EXPECT_THAT(desk->error(), HasSubstr("kept at the station itself"));
+  EXPECT_THAT(desk->error(), HasSubstr(say::kKeptThere("Table 1")));
 }
 
 TEST_F(StationsTest, WhatIsErasedIsNoLongerSaid) {

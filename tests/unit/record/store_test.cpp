@@ -12,6 +12,7 @@
 
 #include "attempt.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -133,11 +134,10 @@ TEST(Store, UpgradesStepByStepAndRefusesANewerOne) {
     EXPECT_EQ(text(db->rows("SELECT grade FROM attempt WHERE attempt_id = ?", {id})[0][0]), "old");
   }
   EXPECT_FALSE(Store::open(path, error));
-  EXPECT_THAT(error, HasSubstr("newer Swage"));
-  EXPECT_THAT(error, HasSubstr("update Swage"));
+  EXPECT_THAT(error, HasSubstr(say::kNewerTables(later.size(), schema_steps().size())));
   Recording recording;
   EXPECT_FALSE(read_recording(path, id, recording, error));
-  EXPECT_THAT(error, HasSubstr("newer Swage"));
+  EXPECT_THAT(error, HasSubstr(say::kNewerTables(later.size(), schema_steps().size())));
 }
 
 TEST(Store, AFailedUpgradeLeavesTheStoreAsItWas) {
@@ -150,7 +150,7 @@ TEST(Store, AFailedUpgradeLeavesTheStoreAsItWas) {
   {
     const auto db = Database::open(path, Access::kWrite, error);
     EXPECT_FALSE(bring_up_to_date(*db, wrong, error));
-    EXPECT_THAT(error, HasSubstr("cannot be made or upgraded"));
+    EXPECT_THAT(error, HasSubstr(say::kNoUpgrade.words(0)));
   }
   const auto store = Store::open(path, error);
   ASSERT_TRUE(store) << error;
@@ -166,7 +166,7 @@ TEST(Store, RefusesWhatIsNotAStore) {
     fclose(file);
   }
   EXPECT_FALSE(Store::open(folder / "letter.txt", error));
-  EXPECT_THAT(error, HasSubstr("letter.txt cannot be used as the store"));
+  EXPECT_THAT(error, HasSubstr("letter.txt" + say::kUnusable.words(1)));
   EXPECT_FALSE(Store::open("/proc/no/such/folder/a.db", error));
   EXPECT_THAT(error, HasSubstr("/proc/no"));
   Recording recording;
@@ -174,7 +174,7 @@ TEST(Store, RefusesWhatIsNotAStore) {
   EXPECT_THAT(error, HasSubstr("No such file"));
   record_attempt(folder / "a.db", 10);
   EXPECT_FALSE(read_recording(folder / "a.db", "x", recording, error));
-  EXPECT_THAT(error, HasSubstr("There is no attempt x"));
+  EXPECT_THAT(error, HasSubstr(say::kNoAttemptAtAll("x")));
 }
 
 TEST(Store, TheUsersOwnStoreFollowsXdg) {
@@ -196,14 +196,14 @@ TEST(Store, SomewhereElseThanAFileOrAServerIsNoStore) {
   std::filesystem::current_path(folder.path());
   std::string error;
   EXPECT_FALSE(Store::open("mysql://ada@host/swage", error));
-  EXPECT_THAT(error, HasSubstr("\"mysql://\" is no store that Swage knows"));
+  EXPECT_THAT(error, testing::StartsWith(say::kNoStoreKind("mysql")));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
   ASSERT_EQ(mkfifo((folder / "pipe.db").c_str(), 0600), 0);
   for (const std::string& what : {std::string("/dev/zero"), folder / "pipe.db", folder.path().string()}) {
     EXPECT_FALSE(Store::open(what, error));
-    EXPECT_THAT(error, HasSubstr("is not a file"));
+    EXPECT_THAT(error, HasSubstr(say::kNotAFile(what)));
     EXPECT_FALSE(Store::open_to_read(what, error));
-    EXPECT_THAT(error, HasSubstr("is not a file"));
+    EXPECT_THAT(error, HasSubstr(say::kNotAFile(what)));
   }
   std::filesystem::current_path("/");
 }

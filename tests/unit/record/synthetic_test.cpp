@@ -8,6 +8,7 @@
 #include "judge/learning.hpp"
 #include "record/progress.hpp"
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -79,7 +80,7 @@ TEST_F(Synthetic, IsMarkedInEveryAttemptAndWhole) {
   }
   EXPECT_EQ(with_recording, 4);
   EXPECT_FALSE(write_synthetic_school(path_, school_, error_));
-  EXPECT_THAT(error_, HasSubstr("holds a synthetic school already"));
+  EXPECT_THAT(error_, HasSubstr(say::kSyntheticAlready(path_)));
 }
 
 TEST_F(Synthetic, WhatHoldsInEveryRealAttemptHoldsInEachDrawnOne) {
@@ -157,10 +158,10 @@ TEST_F(Synthetic, TheSameSeedDrawsTheSameNumbers) {
 TEST_F(Synthetic, NeedsSomethingToDrawBetween) {
   school_.lessons[0].novices.clear();
   EXPECT_FALSE(write_synthetic_school(path_, school_, error_));
-  EXPECT_THAT(error_, HasSubstr("needs a novice"));
+  EXPECT_THAT(error_, HasSubstr(say::kNeedsNovice()));
   school_.lessons.clear();
   EXPECT_FALSE(write_synthetic_school(path_, school_, error_));
-  EXPECT_THAT(error_, HasSubstr("needs a lesson"));
+  EXPECT_THAT(error_, HasSubstr(say::kSchoolNeedsLesson()));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "base/rng.hpp"
 #include "record/codec.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -86,16 +87,16 @@ TEST(Transfer, SaysWhatIsMissing) {
   const auto store = Store::open(e.folder / "a.db", e.error);
   std::string id;
   EXPECT_FALSE(store->export_attempt("nobody", e.folder / "x.swage", e.error));
-  EXPECT_THAT(e.error, HasSubstr("There is no attempt nobody"));
+  EXPECT_THAT(e.error, HasSubstr(say::kNoAttempt("nobody")));
   EXPECT_FALSE(store->export_attempt(e.id, "/proc/x.swage", e.error));
   EXPECT_THAT(e.error, HasSubstr("/proc/x.swage"));
   EXPECT_FALSE(store->import_attempt(e.folder / "absent.swage", id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("absent.swage cannot be read: No such file"));
+  EXPECT_THAT(e.error, HasSubstr(say::kNoPages(e.folder / "absent.swage", std::strerror(ENOENT))));
   spill(e.folder / "text.swage", "just some words");
   EXPECT_FALSE(store->import_attempt(e.folder / "text.swage", id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("is not a file of Swage attempts"));
+  EXPECT_THAT(e.error, HasSubstr(say::kNoStoreFile(e.folder / "text.swage", "")));
   EXPECT_FALSE(store->import_attempt(e.folder / "a.db", id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("more than one attempt"));
+  EXPECT_THAT(e.error, HasSubstr(say::kHoldsMore()));
 }
 
 TEST(Transfer, TruncatedAndFuzzedFilesAreRefusedWithASentence) {
@@ -157,7 +158,7 @@ TEST(Transfer, LiesInsideAWellFormedFileAreFound) {
   Database::open(file, Access::kWrite, e.error)->run("UPDATE attempt SET score = 100");
   std::string id;
   EXPECT_FALSE(Store::open(e.folder / "b.db", e.error)->import_attempt(file, id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("do not fit the checksum"));
+  EXPECT_THAT(e.error, HasSubstr(say::kRowsChecksum()));
 }
 
 // What a stranger can put into a file that is well-formed for SQLite.
@@ -205,7 +206,7 @@ TEST(Transfer, AnIdentifierIsNoPath) {
   }
   std::string id;
   EXPECT_FALSE(Store::open(e.folder / "b.db", e.error)->import_attempt(file, id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("an identifier that Swage does not make"));
+  EXPECT_THAT(e.error, HasSubstr(say::kStrangeId()));
 }
 
 // 4096 rows of zeros are some bytes; a file of 600 kB full of them was 6 GB in memory.
@@ -231,7 +232,7 @@ TEST(Transfer, ASmallFileDoesNotFillTheMemory) {
   std::ofstream("/proc/self/clear_refs") << "5";  // the peak counts from here
   Recording recording;
   EXPECT_FALSE(read_recording(file, "", recording, e.error));
-  EXPECT_THAT(e.error, HasSubstr("is too long to be opened: it has more than 900 MB"));
+  EXPECT_THAT(e.error, HasSubstr(say::kTooLong.words(1) + "900"));
   recording = {};
   EXPECT_TRUE(check_recording(file, "", e.error)) << e.error;
   int64_t peak_kB = 0;
@@ -249,12 +250,12 @@ TEST(Transfer, WhatIsNoFileOrTooLargeIsNotOpened) {
   ASSERT_EQ(mkfifo((e.folder / "pipe.swage").c_str(), 0600), 0);
   for (const std::string& what : {std::string("/dev/zero"), e.folder / "pipe.swage", e.folder.path().string()}) {
     EXPECT_FALSE(store->import_attempt(what, id, e.error));
-    EXPECT_THAT(e.error, HasSubstr("is not a file"));
+    EXPECT_THAT(e.error, HasSubstr(say::kNotAFile(what)));
   }
   std::ofstream(e.folder / "huge.swage") << "SQLite format 3";
   std::filesystem::resize_file(e.folder / "huge.swage", uint64_t{8} << 30);
   EXPECT_FALSE(store->import_attempt(e.folder / "huge.swage", id, e.error));
-  EXPECT_THAT(e.error, HasSubstr("larger than 1 GiB"));
+  EXPECT_THAT(e.error, HasSubstr(say::kTooLarge(e.folder / "huge.swage")));
 }
 
 }  // namespace

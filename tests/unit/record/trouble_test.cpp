@@ -11,6 +11,7 @@
 #include "attempt.hpp"
 #include "record/journal.hpp"
 #include "record/schema.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -51,7 +52,7 @@ TEST(Trouble, AStoreLockedFromTheStartIsCaughtUpLater) {
   EXPECT_FALSE(recorder->healthy());
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].severity, base::Severity::kWarning);
-  EXPECT_THAT(problems[0].message, AllOf(HasSubstr("locked by another program"), HasSubstr(".journal")));
+  EXPECT_THAT(problems[0].message, AllOf(HasSubstr(say::kLocked()), HasSubstr(".journal")));
   for (uint64_t i = 0; i < 700; ++i) recorder->step(make_step(7, i));
   recorder->finish(make_end());
   EXPECT_EQ(recorder->dropped(), 0u);
@@ -164,7 +165,7 @@ void expect_accounted(const std::string& out) {
   EXPECT_EQ(number(out, "gap"), number(out, "dropped")) << out;
   if (number(out, "healthy") == 1) return;
   EXPECT_THAT(out,
-              AllOf(HasSubstr("cannot grow: the disk is full"), HasSubstr("Free space on that disk now")));
+              AllOf(HasSubstr(say::kDiskFull()), HasSubstr(say::kFreeSpaceNow())));
   EXPECT_EQ(number(out, "dropped") > 0, out.find("nothing of this attempt is kept") != std::string::npos)
       << out;
 }
@@ -197,7 +198,7 @@ TEST(Trouble, AStoreDamagedInTheMiddleIsNamedWithItsReason) {
   recorder->finish(make_end());
   const base::Problems said = recorder->problems();
   ASSERT_GE(said.size(), 1u);
-  EXPECT_THAT(said[0].message, HasSubstr("cannot be written (no such table: chunk Unable"));
+  EXPECT_THAT(said[0].message, HasSubstr(say::kNotWritten.words(0) + "no such table: chunk Unable"));
   EXPECT_EQ(recorder->kept().where, Kept::Where::kBeside);
   EXPECT_EQ(journals(folder), std::vector<std::string>{recorder->kept().file});
 }
@@ -243,7 +244,7 @@ TEST(Trouble, NothingKeptIsSaid) {
   const base::Problems said = recorder->problems();
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(said.back().severity, base::Severity::kError);
-  EXPECT_THAT(said.back().message, HasSubstr("This attempt is not kept."));
+  EXPECT_THAT(said.back().message, HasSubstr(say::kAttemptNotKept("")));
 }
 
 TEST(Trouble, TheFirstAttemptOfAllHasItsJournalToo) {

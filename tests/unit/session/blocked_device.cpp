@@ -12,6 +12,7 @@
 
 #include "record/store.hpp"
 #include "session/bounded_call.hpp"
+#include "session/sentences.hpp"
 #include "session/session.hpp"
 #include "test_places.hpp"
 
@@ -89,7 +90,7 @@ TEST_F(BlockedDevice, InExchangeIsLeftBehindAfterTheResult) {
   const int status = attempt(said);
   ASSERT_TRUE(WIFEXITED(status)) << said;
   EXPECT_EQ(WEXITSTATUS(status), 0) << said;
-  EXPECT_NE(said.find("hand: The device (org.example.bad.device.exchange_blocks 1.0.0) has not come back from exchange()"),
+  EXPECT_NE(said.find("hand: " + say::kLeftBehind.words(0) + "org.example.bad.device.exchange_blocks 1.0.0" + say::kLeftBehind.words(2) + "exchange"),
             std::string::npos)
       << said;
   EXPECT_EQ(kept_reason(), "time.limit");

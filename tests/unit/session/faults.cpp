@@ -12,6 +12,7 @@
 #include <string>
 
 #include "record/store.hpp"
+#include "session/sentences.hpp"
 #include "session/session.hpp"
 #include "test_places.hpp"
 
@@ -157,7 +158,7 @@ TEST_F(Faults, ACrashIsRememberedAndTheRecordIsSafe) {
   with_good_lesson();
   ASSERT_NE(Session::open(options, problems), nullptr);
   const std::string all = told(problems);
-  EXPECT_NE(all.find("forces() of \"bad\" (org.example.bad.crashes_in_step) at step 10"), std::string::npos)
+  EXPECT_NE(all.find(say::kEndedInPlugin.words(1) + "forces() of \"bad\" (org.example.bad.crashes_in_step" + say::kEndedInPlugin.words(4) + "10"), std::string::npos)
       << all;
   EXPECT_NE(all.find("safe mode"), std::string::npos);
   problems.clear();
@@ -173,7 +174,7 @@ TEST_F(Faults, AHangEndsTheProgramWithTheAttemptSaved) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 70);
   EXPECT_NE(said.find("forces() of \"bad\" (org.example.bad.hangs_in_step"), std::string::npos) << said;
-  EXPECT_NE(said.find("The attempt was saved"), std::string::npos);
+  EXPECT_NE(said.find(say::kHung.words(2)), std::string::npos);
   const record::AttemptRow row = only_attempt();
   EXPECT_TRUE(row.is_void);
   EXPECT_NE(row.state, "running");

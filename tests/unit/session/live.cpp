@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "session/sentences.hpp"
+
 namespace swage::session {
 namespace {
 
@@ -47,7 +49,7 @@ TEST_F(Live, WhatIsNotLiveSaysWhatIs) {
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0].where, "holder #/mass");
   EXPECT_EQ(problems[0].message,
-            "\"mass\" of swage.object.jaws cannot change while the scene runs. What can: grip, pull.");
+            say::kNotLive("mass", "swage.object.jaws", say::kLiveAre("grip, pull")));
 }
 
 TEST_F(Live, ValuesAreCheckedLikeThoseOfALesson) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "session/sentences.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::session {
@@ -72,17 +73,17 @@ TEST(Registration, WhatCannotBeOneIsToldAndLeavesTheOldOne) {
   kept.worst = 7;
   const auto why = [&](const std::vector<Touched>& points) { return fit_registration(points, kept); };
   std::vector<Touched> points = touched(some_pose(1), 0);
-  EXPECT_NE(why({points[0], points[1]}).find("needs three points"), std::string::npos);
-  EXPECT_NE(why({points[0], points[0], points[0], points[0]}).find("one place or one line"), std::string::npos);
+  EXPECT_NE(why({points[0], points[1]}).find(say::kFewPoints(2)), std::string::npos);
+  EXPECT_NE(why({points[0], points[0], points[0], points[0]}).find(say::kOneLine.words(0)), std::string::npos);
   std::vector<Touched> still = points;
   for (Touched& t : still) t.p_D = {};
-  EXPECT_NE(why(still).find("Does the arm say where its tip is?"), std::string::npos);
+  EXPECT_NE(why(still).find(say::kOneLine.words(2)), std::string::npos);
   std::vector<Touched> wrong = points;
   std::swap(wrong[0].p_D, wrong[1].p_D);
-  EXPECT_NE(why(wrong).find("off the others"), std::string::npos) << why(wrong);
+  EXPECT_NE(why(wrong).find(say::kPointOff.words(1)), std::string::npos) << why(wrong);
   wrong = points;
   wrong[2].p_D.y = std::nan("");
-  EXPECT_NE(why(wrong).find("not a number"), std::string::npos);
+  EXPECT_NE(why(wrong).find(say::kPointNoNumber()), std::string::npos);
   EXPECT_EQ(kept.worst, 7);
   // three points are a registration, and say nothing of a wrong one
   EXPECT_EQ(why({points[0], points[1], points[2]}), "");

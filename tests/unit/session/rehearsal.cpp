@@ -3,6 +3,7 @@
 // A lesson as its scripted hand plays it, beside a session: the same motion, and neither disturbs the other.
 #include "session/rehearsal.hpp"
 
+#include "session/sentences.hpp"
 #include "session_bed.hpp"
 
 namespace swage::session {
@@ -31,7 +32,7 @@ TEST_F(SessionTest, ARehearsalIsWhatTheExpertDoesInASession) {
 TEST_F(SessionTest, ARehearsalNeedsAScriptedHand) {
   Problems problems;
   EXPECT_EQ(Rehearsal::open(options, "master", problems), nullptr);
-  EXPECT_NE(told(problems).find("This lesson has no hand called \"master\"."), std::string::npos) << told(problems);
+  EXPECT_NE(told(problems).find(say::kNoHand("master")), std::string::npos) << told(problems);
 }
 
 TEST_F(SessionTest, ARehearsalOfTheSameSeedGoesToTheSameTarget) {

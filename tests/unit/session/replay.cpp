@@ -7,6 +7,7 @@
 
 #include "host/services.hpp"
 #include "session/playback.hpp"
+#include "session/sentences.hpp"
 #include "session_bed.hpp"
 #include "test_places.hpp"
 
@@ -173,7 +174,7 @@ TEST_F(SessionTest, ReplaySaysWhatItCannotDo) {
   attempt.step[50] = 60;
   ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
   EXPECT_FALSE(again.identical);
-  EXPECT_EQ(again.reason, "step 50 was not recorded");
+  EXPECT_EQ(again.reason, say::kNotRecorded(50));
   attempt.info.plugins[0].second = "0.0.1";
   attempt.step[50] = 50;
   ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));

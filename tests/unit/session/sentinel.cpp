@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "host/guard.hpp"
+#include "session/sentences.hpp"
 
 namespace swage::session {
 namespace {
@@ -75,9 +76,7 @@ TEST_F(SentinelTest, NamesThePluginThatCrashed) {
   EXPECT_EQ(problem.where, "clip");
   EXPECT_EQ(
       problem.message,
-      "The last run ended badly (signal 11) in forces() of \"clip\" (org.example.clip) at step 812. What was "
-      "recorded until then is safe. Start in safe mode to leave out every plugin that did not come with "
-      "Swage.");
+      say::kEndedInPlugin("signal 11", "forces", "clip", "org.example.clip", 812));
   EXPECT_FALSE(Sentinel::take(folder, report));  // told once
 }
 
@@ -86,7 +85,7 @@ TEST_F(SentinelTest, DoesNotAccuseAPluginOfOurOwnCrash) {
   Sentinel::Report report;
   ASSERT_TRUE(Sentinel::take(folder, report));
   EXPECT_EQ(report.plugin, "");
-  EXPECT_NE(Sentinel::problem(report).message.find("outside of any plugin"), std::string::npos);
+  EXPECT_NE(Sentinel::problem(report).message.find(say::kEndedOutside.words(1)), std::string::npos);
 }
 
 // each call keeps a page of the stack that the next one reads: no compiler makes a loop of it

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "record/store.hpp"
+#include "session/sentences.hpp"
 #include "session_bed.hpp"
 
 namespace swage::session {
@@ -178,7 +179,7 @@ TEST_F(SessionTest, LiveChangesAreCheckedAndRecorded) {
   Problems problems;
   EXPECT_FALSE(session->change("nobody", "{}", problems));
   EXPECT_FALSE(session->change("needle", R"({"arc": "1/2"})", problems));
-  EXPECT_NE(told(problems).find("cannot change while the scene runs"), std::string::npos) << told(problems);
+  EXPECT_NE(told(problems).find(say::kNotLive.words(2)), std::string::npos) << told(problems);
 }
 
 // the real clock: steps pass like time passes, whatever the machine drops is told
@@ -221,7 +222,7 @@ TEST_F(SessionTest, AnAttemptThatCouldNotKeepUpSaysSo) {
   const Result result = session->result();
   EXPECT_LT(result.speed, 0.8);
   EXPECT_GT(result.speed, 0);
-  EXPECT_NE(told(result.problems).find("because the machine could not keep up"), std::string::npos) << told(result.problems);
+  EXPECT_NE(told(result.problems).find(say::kTooSlow.words(1)), std::string::npos) << told(result.problems);
 }
 
 TEST_F(SessionTest, PausedTimeStandsStill) {

@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "../../temp_folder.hpp"
+#include "toolkit/sentences.hpp"
 
 namespace swage::toolkit {
 namespace {
@@ -37,27 +40,27 @@ TEST_F(ReadFile, GivesTheBytes) {
 
 TEST_F(ReadFile, RefusesWhatIsNoFile) {
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  EXPECT_EQ(refused(folder_ / "pipe"), "It is a pipe or a device, not a file.") << "and did not wait for a writer";
-  EXPECT_EQ(refused("/dev/zero"), "It is a pipe or a device, not a file.");
-  EXPECT_EQ(refused(folder_.path()), "It is a folder, not a file.");
-  EXPECT_EQ(refused(folder_ / "none"), "There is no such file.");
+  EXPECT_EQ(refused(folder_ / "pipe"), say::kPipe()) << "and did not wait for a writer";
+  EXPECT_EQ(refused("/dev/zero"), say::kPipe());
+  EXPECT_EQ(refused(folder_.path()), say::kFolder());
+  EXPECT_EQ(refused(folder_ / "none"), say::kNoFile());
   fs::create_symlink("loop", folder_ / "loop");
-  EXPECT_EQ(refused(folder_ / "loop"), "It cannot be read: Too many levels of symbolic links.");
-  EXPECT_EQ(refused(folder_ / std::string(300, 'a')), "It cannot be read: File name too long.");
+  EXPECT_EQ(refused(folder_ / "loop"), say::kUnreadable(std::strerror(ELOOP)));
+  EXPECT_EQ(refused(folder_ / std::string(300, 'a')), say::kUnreadable(std::strerror(ENAMETOOLONG)));
 }
 
 TEST_F(ReadFile, RefusesWhatIsLargerBeforeReadingIt) {
   std::ofstream(folder_ / "large").close();
   fs::resize_file(folder_ / "large", std::uintmax_t{8} << 30);  // a hole: no such disk is needed
-  EXPECT_EQ(refused(folder_ / "large", std::size_t{4} << 20), "It is larger than 4 MiB.");
+  EXPECT_EQ(refused(folder_ / "large", std::size_t{4} << 20), say::kTooLarge("4 MiB"));
   std::ofstream(folder_ / "six") << "123456";
-  EXPECT_EQ(refused(folder_ / "six", 5), "It is larger than 5 bytes.");
+  EXPECT_EQ(refused(folder_ / "six", 5), say::kTooLarge("5 bytes"));
   EXPECT_EQ(file_refusal(folder_ / "six", 6), "");
 }
 
 // a file of /proc says that it has no bytes, and has
 TEST_F(ReadFile, EndsAtTheLimitWhateverTheFileSaysOfItself) {
-  EXPECT_EQ(refused("/proc/self/maps", 100), "It is larger than 100 bytes.");
+  EXPECT_EQ(refused("/proc/self/maps", 100), say::kTooLarge("100 bytes"));
 }
 
 }  // namespace

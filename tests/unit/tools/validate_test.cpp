@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 
+#include "host/sentences.hpp"
 #include "program.hpp"
 #include "test_places.hpp"
 
@@ -72,7 +73,7 @@ TEST_F(Validate, SteppingTestsFindWhatTheyAskFor) {
 TEST_F(Validate, ATestEndsAtTheLimitThatIsAskedFor) {
   const Said said = swage({"validate", bad("hangs_in_step"), "--only", "stepping", "--limit", "0.5"});
   EXPECT_EQ(said.code, 1) << said.out << said.err;
-  EXPECT_THAT(said.out, HasSubstr("It was not done within 0.5 s"));
+  EXPECT_THAT(said.out, HasSubstr(host::say::kNotDone.words(0) + "0.5" + host::say::kNotDone.words(1)));
 }
 
 // what is not known is no number and good; what is infinite is a fault of the driver
