@@ -16,6 +16,8 @@ static_assert(toolkit::Band<10>::kStride == SWAGE_BAND_COLUMN && SWAGE_BAND_REAC
               BandedBody::kUnknowns == SWAGE_BAND_UNKNOWNS);
 
 namespace {
+constexpr uint32_t kBack = (SWAGE_BAND_REACH + SWAGE_BAND_UNKNOWNS - 1) / SWAGE_BAND_UNKNOWNS;  // vertices within reach
+
 /// 0 x is 0 for all but infinity and NaN, in whatever order it is summed.
 bool finite(const double* x, size_t n) noexcept {
   return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
@@ -30,6 +32,7 @@ BandedBody::BandedBody(uint32_t object, uint32_t vertices)
       block_(3 * static_cast<size_t>(vertices)) {
   for (std::vector<double>* v : {&gradient_, &free_, &q_, &line_}) v->assign(unknowns(), 0.0);
   column_.assign(size_t{kUnknowns} * unknowns() * vertices, 0.0);
+  side_.assign(size_t{kUnknowns} * unknowns(), 0.0);
   column_from_.assign(vertices, vertices);
 }
 
@@ -38,17 +41,18 @@ void BandedBody::begin() noexcept {
   std::fill(free_.begin(), free_.end(), 0.0);
 }
 
-bool BandedBody::linearise(FlexibleBody& object) noexcept {
+bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
+  from_last_ = from_last;
   for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
     A_.set_zero();
     std::fill(gradient_.begin(), gradient_.end(), 0.0);
     if (!object.linearise(stiffer, A_.column(0), gradient_.data())) return false;
     if (!finite(gradient_.data(), unknowns())) return false;
     hold();
-    factors_ = A_;  // of the same size: nothing allocates
+    take_factors();
     if (!factors_.factor()) continue;  // nor is what is no number
     for (uint32_t i = 0; i < unknowns(); ++i) free_[i] = -gradient_[i];
-    factors_.solve(free_.data());
+    solve(free_.data());
     has_blocks_ = false;
     std::fill(column_from_.begin(), column_from_.end(), vertices_);
     return true;
@@ -69,14 +73,48 @@ void BandedBody::hold() noexcept {
   }
 }
 
-const double* BandedBody::column(uint32_t vertex, uint32_t least) noexcept {
+/// Of the same size: nothing allocates.
+void BandedBody::take_factors() noexcept {
+  if (!from_last_) {
+    factors_ = A_;
+    return;
+  }
+  const int n = A_.size();
+  for (int j = 0; j < n + SWAGE_BAND_REACH; ++j) {
+    double* to = factors_.column(j);
+    for (int k = 0; k < SWAGE_BAND_COLUMN; ++k) to[k] = k <= SWAGE_BAND_REACH && j + k < n ? A_.column(n - 1 - j - k)[k] : 0;
+  }
+}
+
+/// What is zero in front stays so.
+void BandedBody::solve(double* x) const noexcept {
+  const auto n = static_cast<std::ptrdiff_t>(unknowns());
+  if (from_last_) std::reverse(x, x + n);
+  const auto first = std::find_if(x, x + n, [](double f) { return f != 0; });
+  if (first != x + n) factors_.solve(x, static_cast<int>(first - x));
+  if (from_last_) std::reverse(x, x + n);
+}
+
+const double* BandedBody::column(uint32_t vertex, uint32_t least, uint32_t most) noexcept {
   constexpr int kSides = static_cast<int>(kUnknowns);
-  double* to = column_.data() + size_t{kUnknowns} * unknowns() * vertex;
-  if (column_from_[vertex] <= least) return to;
-  std::fill_n(to, size_t{kUnknowns} * unknowns(), 0.0);
-  for (uint32_t k = 0; k < kUnknowns; ++k) to[kUnknowns * (kUnknowns * vertex + k) + k] = 1;
-  factors_.solve<kSides>(to, kSides * static_cast<int>(vertex), kSides * static_cast<int>(least));
-  column_from_[vertex] = least;
+  const size_t of_vertex = size_t{kUnknowns} * kUnknowns;
+  double* to = column_.data() + of_vertex * vertices_ * vertex;
+  const auto placed = [&](uint32_t v) { return from_last_ ? vertices_ - 1 - v : v; };
+  const uint32_t at = placed(vertex), from = placed(from_last_ ? most : least);
+  if (column_from_[vertex] <= from) return to;
+  double* side = from_last_ ? side_.data() : to;
+  // the sweep forward looks back as far as a band reaches
+  const uint32_t clear = std::min(from, at - std::min(at, kBack));
+  std::fill(side + of_vertex * clear, side + of_vertex * vertices_, 0.0);
+  for (uint32_t k = 0; k < kUnknowns; ++k) {
+    const uint32_t unknown = from_last_ ? kUnknowns - 1 - k : k;
+    side[kUnknowns * (kUnknowns * at + unknown) + k] = 1;
+  }
+  factors_.solve<kSides>(side, kSides * static_cast<int>(at), kSides * static_cast<int>(from));
+  if (from_last_)
+    for (uint32_t i = kUnknowns * from; i < unknowns(); ++i)
+      std::copy_n(side + kUnknowns * i, kUnknowns, to + kUnknowns * (unknowns() - 1 - i));
+  column_from_[vertex] = from;
   return to;
 }
 
@@ -129,7 +167,7 @@ void BandedBody::to_free(double* d) const noexcept {
 
 double BandedBody::merit(const double* F) const noexcept {
   std::copy_n(F, unknowns(), line_.begin());
-  factors_.solve(line_.data());
+  solve(line_.data());
   double sum = 0;
   for (uint32_t i = 0; i < unknowns(); ++i) sum += F[i] * line_[i];
   return sum;

@@ -37,8 +37,9 @@ class BandedBody {
 
   /// Begins a step, at the state to which the chain advanced.
   void begin() noexcept;
-  /// Asks its object for A and g. False: there is no such step.
-  bool linearise(FlexibleBody& object) noexcept;
+  /// Asks its object for A and g. False: there is no such step. `from_last`: it is eliminated from its last vertex on, and columns of
+  /// vertices near the first one are short; else the other way round.
+  bool linearise(FlexibleBody& object, bool from_last = false) noexcept;
   /// q += d.
   void go(const double* d) noexcept;
   /// Moves to the state without contacts. False when it is there already.
@@ -53,14 +54,14 @@ class BandedBody {
   /// d = A^-1 F. Not from columns: forces that balance each other move little, and columns a great deal that must cancel.
   void apply_inverse(const double* F, double* d) const noexcept {
     std::copy_n(F, unknowns(), d);
-    factors_.solve(d);
+    solve(d);
   }
   /// F' A^-1 F.
   double merit(const double* F) const noexcept;
   void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) noexcept;
-  /// How unknowns go with forces on those of one vertex: a column of A^-1, four numbers an unknown, of the vertices from `least` on.
-  /// Solved for once a step.
-  const double* column(uint32_t vertex, uint32_t least) noexcept;
+  /// How unknowns go with forces on those of one vertex: a column of A^-1, four numbers an unknown, of the vertices from `least` to
+  /// `most`, of which it is one. Solved for once a step.
+  const double* column(uint32_t vertex, uint32_t least, uint32_t most) noexcept;
 
   /// The Jacobian of a point with respect to q: `turn` = tangent x arm.
   toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
@@ -74,14 +75,17 @@ class BandedBody {
   using Matrix = toolkit::Band<10>;
   static toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn, const double* q) noexcept;
   void hold() noexcept;
+  void take_factors() noexcept;
+  void solve(double* x) const noexcept;
   void find_blocks() noexcept;
 
   const uint32_t object_, vertices_;
   Matrix A_, factors_;
   std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A, 3 below each other per vertex
   bool has_blocks_ = false;            // of this step
-  std::vector<double> column_;         // of A^-1, vertex by vertex
-  std::vector<uint32_t> column_from_;  // of this step, per vertex: the first vertex of which it is there
+  bool from_last_ = false;             // factors_ have the unknowns in the reverse order
+  std::vector<double> column_, side_;  // of A^-1, vertex by vertex; one of them, in the order of the factors
+  std::vector<uint32_t> column_from_;  // of this step, per vertex: the first vertex, in that order, of which it is there
   std::vector<double> gradient_, free_, q_;
   mutable std::vector<double> line_;
 };

@@ -128,15 +128,15 @@ void ContactSpace::add_banded(const DofBlock& block) noexcept {
     }
     for (size_t i = 0; i < 3; ++i) free_[3 * a.constraint + i] += moves[index(i)];
   }
-  uint32_t least = UINT32_MAX;
-  for (const JacobianBlock& a : arm_) least = std::min(least, a.first / kOfVertex);
+  uint32_t least = UINT32_MAX, most = 0;
+  for (const JacobianBlock& a : arm_) least = std::min(least, a.first / kOfVertex), most = std::max(most, a.first / kOfVertex + 1);
   const auto sides = [&](size_t p, uint32_t vertex) {
     return Eigen::Map<const Sides>(Jt_[kColumns * p + kOfVertex * vertex].data());
   };
   for (size_t p = 0; p < arm_.size(); ++p) {
     const JacobianBlock& a = arm_[p];
     const uint32_t first = a.first / kOfVertex;
-    const double* column[2] = {block.band->column(first, least), block.band->column(first + 1, least)};
+    const double* column[2] = {block.band->column(first, least, most), block.band->column(first + 1, least, most)};
     for (size_t q = p; q < arm_.size(); ++q) {
       const JacobianBlock& b = arm_[q];
       Mat3 W_ba = Mat3::Zero();

@@ -82,6 +82,13 @@ uint32_t FlexibleBodies::nearest(uint32_t slot, const Vec3& p_W) const noexcept 
   return nearest;
 }
 
+/// Whether the points of a chain are nearer to its first end.
+bool FlexibleBodies::nearer_first(const Object& o) noexcept {
+  uint32_t low = UINT32_MAX, high = 0;
+  for (uint32_t i = 0; i < o.points; ++i) low = std::min(low, o.place[i].segment), high = std::max(high, o.place[i].segment);
+  return low + high + 2 < o.band->vertices();
+}
+
 uint32_t FlexibleBodies::ask(double h) noexcept {
   uint32_t unanswered = 0;
   for (uint32_t i = 0; i < flexible_.size(); ++i) {
@@ -91,7 +98,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
     if (n == 0) continue;
     if (o.band) {
       std::fill_n(o.force.begin(), n, 0.0);
-      o.sound = o.band->linearise(*flexible_[i]);
+      o.sound = o.band->linearise(*flexible_[i], nearer_first(o));
       unanswered += o.sound ? 0 : o.points;
       continue;
     }

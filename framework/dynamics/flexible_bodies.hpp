@@ -100,6 +100,7 @@ class FlexibleBodies {
     bool displaced = false, sound = false;
     BandedBody* band = nullptr;  // of this step
   };
+  static bool nearer_first(const Object& o) noexcept;
   static Vec3 at(const std::vector<double>& v, uint32_t point) noexcept {
     return {v[3 * point], v[3 * point + 1], v[3 * point + 2]};
   }

@@ -19,7 +19,7 @@ Heading heading(const World& w) noexcept {
 
 void Writer::put_bytes(const void* data, size_t size) noexcept {
   const auto* bytes = static_cast<const std::byte*>(data);
-  hash_.add(bytes, size / 8);
+  if (!stores_) hash_.add(bytes, size / 8);
   if (stores_ && size > 0) {
     if (ok_ && size <= buffer_.size() - size_) {
       std::memcpy(buffer_.data() + size_, bytes, size);
@@ -29,6 +29,13 @@ void Writer::put_bytes(const void* data, size_t size) noexcept {
     }
   }
   size_ += size;
+}
+
+uint64_t Writer::hash() const noexcept {
+  if (!stores_) return hash_.value();
+  StateHash of_buffer;
+  of_buffer.add(buffer_.data(), size_ / 8);
+  return of_buffer.value();
 }
 
 void Reader::get_bytes(void* data, size_t size) noexcept {

@@ -52,7 +52,7 @@ class StateHash {
   uint64_t count_ = 0;
 };
 
-/// Appends plain values to a buffer of fixed size, or only counts and hashes when there is no buffer.
+/// Appends plain values to a buffer of fixed size, or only counts and hashes them when there is no buffer.
 class Writer {
  public:
   Writer() = default;
@@ -72,7 +72,8 @@ class Writer {
   void put_bytes(const void* data, size_t size) noexcept;
 
   size_t size() const noexcept { return size_; }
-  uint64_t hash() const noexcept { return hash_.value(); }
+  /// Of what has been put, or of the buffer: an image that is kept in case a step is taken back costs no hash.
+  uint64_t hash() const noexcept;
   /// False when the buffer was too small; nothing is written past it.
   bool ok() const noexcept { return ok_; }
 
