@@ -70,6 +70,9 @@ void Judge::follow_knot(Memory& memory, const Look& look, Finding& finding) cons
   finding.wrong = look.tangled || like < throws;
   memory.wrong += finding.wrong && memory.is_wrong == 0;
   memory.is_wrong = finding.wrong ? 1 : 0;
+  // while throws are still to come a wrong one can be undone
+  const bool another = finding.wrong && throws >= static_cast<int>(rules_.asked.throws);
+  memory.wrong_s = another ? memory.wrong_s + look.dt_s : 0;
   finding.tied = !look.tangled && look.word.is(rules_.asked);
   finding.sliding = throws > 0 && look.sliding > 0;
   finding.together = look.gap <= rules_.most_gap;
@@ -98,6 +101,7 @@ End Judge::end(const Memory& memory, const Look& look) const noexcept {
   if (memory.cut > rules_.most_cut) return End::kCut;
   if (memory.drops > rules_.max_drops) return End::kDropped;
   if (rules_.ends && memory.over_s > rules_.max_over_time) return End::kTooHard;
+  if (rules_.ends && memory.wrong_s >= rules_.wrong_time) return End::kWrong;
   return rules_.ends && look.time_s >= rules_.max_time ? End::kOutOfTime : End::kRunning;
 }
 

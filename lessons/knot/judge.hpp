@@ -37,6 +37,7 @@ struct Rules {
   double par_time = 30;                     // s
   double max_time = 240;                    // s
   double max_over_time = 2;                 // s
+  double wrong_time = 10;                   // s, for which another knot may be there
   int max_drops = 2;
   bool ends = true;  // limits of force and time end the attempt
 };
@@ -66,11 +67,11 @@ struct Memory {
   double throws = 0, most_like = 0, undone = 0, wrong = 0, is_wrong = 0, drops = 0, passages = 0;
   double held_s = 0, over_s = 0, taut_s = 0;
   double least_gap = 1, cut = 0, tail = 0;  // m
-  double hold_s = 0, best_hold_s = 0, passed = 0;
+  double hold_s = 0, best_hold_s = 0, wrong_s = 0, passed = 0;
 };
 
 enum class Stage { kTake, kWind, kTail, kDraw, kLay, kHold, kDone };
-enum class End { kRunning, kPassed, kPassage, kBroken, kDrawnOut, kCut, kDropped, kTooHard, kOutOfTime };
+enum class End { kRunning, kPassed, kPassage, kBroken, kDrawnOut, kCut, kDropped, kTooHard, kWrong, kOutOfTime };
 
 /// What is lost of 100.
 struct Points {

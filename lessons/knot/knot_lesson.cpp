@@ -61,6 +61,7 @@ void KnotLesson::build(const P& params, LessonBuilder& builder) {
   failed(End::kCut, "failed.cut", "The thread has cut through the tissue.");
   failed(End::kDropped, "failed.dropped", "The thread got out of the jaws too often.");
   failed(End::kTooHard, "failed.too_hard", "The thread was gripped too hard for too long.");
+  failed(End::kWrong, "failed.wrong", "Another knot was tied than the one that is asked for.");
   failed(End::kOutOfTime, "failed.out_of_time", "Time ran out before the knot was tied and drawn down.");
 }
 
@@ -111,6 +112,7 @@ void KnotLesson::activate(double dt_s) {
   rules.most_loop = p.most_loop;
   rules.tension = p.tension;
   rules.most_cut = p.most_cut;
+  rules.wrong_time = p.wrong_time;
   judge_ = Judge(rules, dt_s);
 }
 

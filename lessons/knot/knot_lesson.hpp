@@ -29,6 +29,7 @@ struct KnotLessonParams {
   double par_time = Rules{}.par_time;                        // s
   double max_time = Rules{}.max_time;                        // s
   double max_over_time = Rules{}.max_over_time;              // s
+  double wrong_time = Rules{}.wrong_time;                    // s
   int max_drops = Rules{}.max_drops;
 };
 
@@ -71,6 +72,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
       real<&P::par_time>("par_time", "Par time", "s", "s", 0.1, 3600, "Up to here no points are lost for time; twice this costs all that time can cost.").group("Limits"),
       real<&P::max_time>("max_time", "Time limit", "s", "s", 1, 36000, "The attempt fails when it is over.").group("Limits"),
       real<&P::max_over_time>("max_over_time", "Too hard for", "s", "s", 0, 600, "The attempt fails when the thread was gripped too hard for longer than this.").group("Limits"),
+      real<&P::wrong_time>("wrong_time", "Wrong for", "s", "s", 0.1, 600, "The attempt fails when another knot with all its throws has been there for this long.").group("Limits"),
       integer<&P::max_drops>("max_drops", "Drops", 0, 100, "The attempt fails when the thread got out of the jaws more often than this.").group("Limits"),
   };
 
@@ -105,7 +107,7 @@ class KnotLesson final : public Lesson<KnotLessonParams> {
   Signal turns_, through_, through_itself_, throws_, throw_[kThrows], kind_, sliding_, loop_, parted_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];
   Phase phase_[7];
-  Event dropped_, undone_, failed_[9];
+  Event dropped_, undone_, failed_[10];
   Metric metric_[static_cast<size_t>(Measure::kCount)];
 };
 

@@ -101,6 +101,26 @@ TEST(KnotJudge, AGrannyIsNoSquareKnot) {
   }
 }
 
+// a wrong throw may be undone while others are to come, and a knot with all its throws for ten seconds
+TEST(KnotJudge, AnotherKnotThatStaysFailsATest) {
+  for (const bool ends : {true, false}) {
+    Rules rules;
+    rules.asked = word({1, -1}), rules.ends = ends;
+    Attempt a(rules);
+    a.tie(word({2}));
+    EXPECT_EQ(a.go(12000).end, End::kRunning);
+    a.tie(word({1, 1}));
+    EXPECT_EQ(a.go(9000).end, End::kRunning);
+    a.tie(word({1}));
+    a.go(10);
+    a.tie(word({1, 1}));
+    EXPECT_EQ(a.go(9990).end, End::kRunning);
+    const Finding finding = a.go(20);
+    EXPECT_EQ(finding.end, ends ? End::kWrong : End::kRunning);
+    EXPECT_LE(finding.score, 40);
+  }
+}
+
 TEST(KnotJudge, AThrowThatComesUndoneCosts) {
   Attempt a;
   a.tie(word({1}));
