@@ -325,7 +325,9 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
     if (finding.end == End::kPassed) return verdict.mark(mark, sign(Sign::kDone), &p_W);
     verdict.mark(mark, near ? sign(Sign::kNear) : Cue(), &p_W);
   };
-  point(target_, kept.target, finding.near);
+  // a needle that has been drawn through went in there: nothing is to move there any more
+  const bool was_there = finding.stage == Stage::kPull && m.entry_distance <= params_.tolerance;
+  point(target_, kept.target, finding.near || was_there);
   if (finding.stage == Stage::kDrive && m.entry_distance > params_.tolerance) {
     const swage_vec3 p_W{kept.target[0], kept.target[1], kept.target[2]};
     verdict.mark(target_, sign(Sign::kLeft), &p_W);

@@ -220,9 +220,12 @@ TEST_F(InsertionOnStage, AStitchTellsItsBitesAndMovesTheMarkOn) {
   hold(0, 0.2, 0.7);
   observe();
   EXPECT_EQ(phase, stage.index_of(SWAGE_DECLARE_PHASE, "pull"));
+  EXPECT_EQ(mark_cues[0], cue("target.near")) << "it went in there; nothing is to be moved there";
   const swage_vec3 before = mark_p_W[0];
   happen("pierce.passed");
   observe();
+  observe();
+  EXPECT_EQ(mark_cues[0], SWAGE_NONE) << "the next one is yet to be reached";
   EXPECT_EQ(ends, 0);
   EXPECT_EQ(metric("stitch.count"), 1);
   EXPECT_NEAR(std::abs(mark_p_W[0].y - before.y), 0.7e-3, 1e-9);  // the edge leads along y
