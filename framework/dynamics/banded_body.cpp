@@ -79,11 +79,22 @@ void BandedBody::take_factors() noexcept {
     factors_ = A_;
     return;
   }
+  // entry k of column j is that of column n - 1 - j - k; beyond the end there is nothing
+  constexpr std::ptrdiff_t kNext = 1 - SWAGE_BAND_COLUMN;
   const int n = A_.size();
-  for (int j = 0; j < n + SWAGE_BAND_REACH; ++j) {
+  for (int j = 0; j < n; ++j) {
     double* to = factors_.column(j);
-    for (int k = 0; k < SWAGE_BAND_COLUMN; ++k) to[k] = k <= SWAGE_BAND_REACH && j + k < n ? A_.column(n - 1 - j - k)[k] : 0;
+    const double* from = A_.column(n - 1 - j);
+    const int last = std::min(n - 1 - j, SWAGE_BAND_REACH);
+    if (last == SWAGE_BAND_REACH) {
+#pragma GCC unroll 11
+      for (int k = 0; k <= SWAGE_BAND_REACH; ++k) to[k] = from[k * kNext];
+    } else {
+      for (int k = 0; k <= SWAGE_BAND_REACH; ++k) to[k] = k <= last ? from[k * kNext] : 0;
+    }
+    to[SWAGE_BAND_COLUMN - 1] = 0;
   }
+  std::fill_n(factors_.column(n), SWAGE_BAND_REACH * SWAGE_BAND_COLUMN, 0.0);
 }
 
 /// What is zero in front stays so.

@@ -77,15 +77,15 @@ bool accept(Instance& instance, Call call, uint64_t step, const double* data, st
   typedef double Two __attribute__((vector_size(16)));
   typedef long long Bits __attribute__((vector_size(16)));
   constexpr Bits kSize = {0x7FFFFFFFFFFFFFFF, 0x7FFFFFFFFFFFFFFF};  // all but the sign
-  Two sum[4] = {};  // no addition need wait for the last one
+  const auto size = [&](std::size_t i) __attribute__((always_inline)) {
+    const Two a = {data[i], data[i + 1]};
+    return __builtin_bit_cast(Two, __builtin_bit_cast(Bits, a) & kSize);
+  };
+  Two a = {}, b = {}, c = {}, d = {};  // no addition need wait for the last one
   std::size_t i = 0;
-  for (; i + 8 <= n; i += 8)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Two a = {data[i + 2 * k], data[i + 2 * k + 1]};
-      sum[k] += __builtin_bit_cast(Two, __builtin_bit_cast(Bits, a) & kSize);
-    }
-  for (; i < n; ++i) sum[0][0] += std::abs(data[i]);
-  const Two all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  for (; i + 8 <= n; i += 8) a += size(i), b += size(i + 2), c += size(i + 4), d += size(i + 6);
+  for (; i < n; ++i) a[0] += std::abs(data[i]);
+  const Two all = (a + b) + (c + d);
   if (all[0] + all[1] <= limit) return true;
 
   // no comparison holds for what is not a number
