@@ -10,6 +10,22 @@ namespace swage::console {
 namespace {
 constexpr double kBelowClock_px = 62;  // cues stand below the clock
 constexpr double kApart_px = 3;        // between two labels
+constexpr double kAboutText_px = 8;    // by which a label is higher than its text
+constexpr double kHintUp_px = 24;      // from the lower edge to the middle of the lowest line of a hint
+constexpr double kHintAround_px = 32;  // beside a line of a hint
+
+QStringList hint_lines(const QString& text, const QFontMetricsF& metrics, double width) {
+  const QString gap = QString::fromUtf16(kHintGap);
+  QStringList lines;
+  for (const QString& part : text.split(gap)) {
+    const QString longer = lines.isEmpty() ? QString() : lines.last() + gap + part;
+    if (!longer.isEmpty() && metrics.horizontalAdvance(longer) + kHintAround_px <= width)
+      lines.last() = longer;
+    else
+      lines += part;
+  }
+  return lines;
+}
 }  // namespace
 
 double nice_scale_mm(double mm_per_pixel, double most_px) {
@@ -29,7 +45,7 @@ QString length_text(double mm) {
 // where a label may be: inside the picture, and clear of those that are there
 QRectF Overlay::room(const QPointF& centre, const QString& text, const QFont& font, double extra_left) {
   const QFontMetricsF metrics(font);
-  const double h = metrics.height() + 8, w = metrics.horizontalAdvance(text) + extra_left + 20;
+  const double h = metrics.height() + kAboutText_px, w = metrics.horizontalAdvance(text) + extra_left + 20;
   QRectF r(centre.x() - 0.5 * w, centre.y() - 0.5 * h, w, h);
   r.moveLeft(std::clamp(r.left(), area_.left() + 6, std::max(area_.left() + 6, area_.right() - 6 - w)));
   r.moveTop(std::clamp(r.top(), area_.top() + 6, std::max(area_.top() + 6, area_.bottom() - 6 - h)));
@@ -200,21 +216,20 @@ void Overlay::message(const QString& text) {
   keep_clear(box);
 }
 
+double Overlay::hint_height(const QString& text, const QFont& font, double left, double right) {
+  if (text.isEmpty()) return 0;
+  const QFontMetricsF metrics(font);
+  const double line = metrics.height() + kAboutText_px;
+  const auto n = static_cast<double>(hint_lines(text, metrics, right - left).size());
+  return kHintUp_px + (n - 0.5) * line + (n - 1) * kApart_px;
+}
+
 void Overlay::hint(const QString& text, double left, double right) {
-  constexpr double kAround_px = 32, kUp_px = 24;
   const QFontMetricsF metrics(font_);
-  const QString gap = QString::fromUtf16(kHintGap);
-  QStringList lines;
-  for (const QString& part : text.split(gap)) {
-    const QString longer = lines.isEmpty() ? QString() : lines.last() + gap + part;
-    if (!longer.isEmpty() && metrics.horizontalAdvance(longer) + kAround_px <= right - left)
-      lines.last() = longer;
-    else
-      lines += part;
-  }
-  double y = area_.bottom() - kUp_px;
+  const QStringList lines = hint_lines(text, metrics, right - left);
+  double y = area_.bottom() - kHintUp_px;
   for (auto line = lines.crbegin(); line != lines.crend(); ++line, y = taken_.back().top() - kApart_px - 0.5 * taken_.back().height())
-    pill({0.5 * (left + right), y}, metrics.elidedText(*line, Qt::ElideRight, right - left - kAround_px), font_);
+    pill({0.5 * (left + right), y}, metrics.elidedText(*line, Qt::ElideRight, right - left - kHintAround_px), font_);
 }
 
 }  // namespace swage::console

@@ -48,6 +48,8 @@ class Overlay {
   void banner(const QString& text);
   /// Parts joined by kHintGap, in as many lines as they need between `left` and `right`, px of the picture; the last one lies lowest.
   void hint(const QString& text, double left, double right);
+  /// The height that it takes at the lower edge, px: labels of the picture stand above it.
+  static double hint_height(const QString& text, const QFont& font, double left, double right);
   /// What an instructor says: in the upper left corner, in as many lines as it takes, clear of what is worked on in the middle.
   void message(const QString& text);
 

@@ -104,14 +104,16 @@ QRectF PanelLayout::corner_at(int corner, double shape) const {
   return {x, corner == 2 ? kMargin_px : size_.height() - h - kMargin_px, w, h};
 }
 
-// never over the tips, nor over what they go for; nor over other things that can be taken, where another corner is free of them
+// never over the tips, what they go for, nor a mark of the lesson; nor over other things that can be taken, where another corner is free of them
 PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
   std::array<QRectF, 3> corners;
   for (int i = 0; i < 3; ++i) corners[static_cast<size_t>(i)] = with_room(corner_at(i, kSecondShape));
   std::vector<QPointF> rather;
   for (const Spot& s : scene_.parts().aim) rather.push_back(eye.project(scene_.place_of(s), size_));
-  const int best = least_covered(corners, second_.empty() ? -1 : corner_, {eye.project(tips, size_), eye.project(aim, size_)}, rather);
+  std::vector<QPointF> must{eye.project(tips, size_), eye.project(aim, size_)};
+  for (const QVector3D& mark : scene_.points()) must.push_back(eye.project(mark, size_));
+  const int best = least_covered(corners, second_.empty() ? -1 : corner_, must, rather);
   if (best == corner_) return Change::kNone;
   corner_ = best;
   return Change::kMoved;

@@ -62,8 +62,11 @@ void ScenePainter::paint_panel(QPainter& painter, const Job& job, const Panel& p
   painter.translate(panel.at.topLeft());
   painter.scale(panel.at.width() / panel.size.width(), panel.at.height() / panel.size.height());
   if (point_.microscope()) paint_field(painter, panel.size);
-  Overlay overlay(painter, QRectF(QPointF(), panel.size), shown_.ui);
-  if (panel.inset == Inset::kNone && !point_.stereo())
+  const bool whole = panel.inset == Inset::kNone && !point_.stereo();
+  // labels stand above the hint, which is written over the picture
+  const double below = whole ? Overlay::hint_height(job.words.hint, painter.font(), lower_edge(job).first, lower_edge(job).second) : 0;
+  Overlay overlay(painter, QRectF(QPointF(), panel.size - QSizeF(0, below)), shown_.ui);
+  if (whole)
     for (const Panel& other : job.panels)
       if (other.inset != Inset::kNone) overlay.keep_clear(other.at);
   marks_.paint(overlay, panel, job.leads);
@@ -159,14 +162,21 @@ void ScenePainter::paint_frame(QPainter& painter, const Panel& inset) const {
   overlay.scale_bar(inset.view.eye.mm_per_pixel(inset.at.height()));
 }
 
-void ScenePainter::paint_words(QPainter& painter, const Job& job) const {
-  const QRect all(QPoint(), job.canvas.size);
-  Overlay overlay(painter, all, shown_.ui);
-  double left = 0, right = all.width();  // what insets leave of the lower edge
+// from where to where the insets leave it free, px
+std::pair<double, double> ScenePainter::lower_edge(const Job& job) {
+  const QSizeF all = job.canvas.size;
+  double left = 0, right = all.width();
   for (const Panel& panel : job.panels) {
     if (panel.inset == Inset::kNone || panel.at.bottom() < all.height() / 2.0) continue;
     panel.at.center().x() < all.width() / 2.0 ? left = std::max(left, panel.at.right()) : right = std::min(right, panel.at.left());
   }
+  return {left, right};
+}
+
+void ScenePainter::paint_words(QPainter& painter, const Job& job) const {
+  const QRect all(QPoint(), job.canvas.size);
+  Overlay overlay(painter, all, shown_.ui);
+  const auto [left, right] = lower_edge(job);
   if (scene_.have_card()) overlay.scale_bar(job.panels.front().view.eye.mm_per_pixel(all.height()), left);
   if (!job.words.clock.isEmpty()) overlay.clock(job.words.clock);
   if (!job.words.hint.isEmpty()) overlay.hint(job.words.hint, left, right);

@@ -9,6 +9,7 @@
 #include <QPixmap>
 #include <QString>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "console/view3d/panels.hpp"
@@ -74,6 +75,7 @@ class ScenePainter {
   void paint_frame(QPainter& painter, const Panel& inset) const;
   QString wound_words() const;
   void paint_words(QPainter& painter, const Job& job) const;
+  static std::pair<double, double> lower_edge(const Job& job);
 
   const SceneState& scene_;
   const Shown& shown_;

@@ -97,6 +97,13 @@ std::optional<QVector3D> SceneState::first_point() const {
   return {};
 }
 
+std::vector<QVector3D> SceneState::points() const {
+  std::vector<QVector3D> out;
+  for (uint32_t m = 0; judged() && m < snapshot_->n_mark && m < card_.script.marks.size(); ++m)
+    if (card_.script.marks[m].mark.kind == SWAGE_MARK_POINT) out.push_back(to_mm(snapshot_->mark_p_W[m]));
+  return out;
+}
+
 bool SceneState::has_target() const {
   return std::any_of(card_.script.marks.begin(), card_.script.marks.end(),
                      [](const judge::Script::Mark& m) { return m.mark.kind == SWAGE_MARK_POINT; });

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "console/view3d/scene_parts.hpp"
 
@@ -52,6 +53,8 @@ class SceneState {
   QVector3D aim_near(const QVector3D& tips, float reach) const;
   /// Where the first mark is that is a point in the world.
   std::optional<QVector3D> first_point() const;
+  /// Where all of them are.
+  std::vector<QVector3D> points() const;
   bool has_target() const;
   /// The middle of what is watched, where one thing is and the snapshot has it.
   std::optional<QVector3D> watched() const;

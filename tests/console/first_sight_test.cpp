@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <algorithm>
+#include <utility>
 
 #include "console/pages/now_panel.hpp"
 #include "console/view3d/overlay.hpp"
@@ -133,6 +134,34 @@ TEST_F(FirstSight, ControlsAreToldUntilTheyWereUsed) {
   window.reset();
   open();
   EXPECT_TRUE(page()->used_controls().contains("close")) << "remembered";
+}
+
+// a mark near the lower edge is named above the hint, not beneath it
+TEST(Hint, LeavesTheLabelsOfThePictureToBeRead) {
+  constexpr int kWidth_px = 640, kHeight_px = 300;
+  const auto ui = console::UiTheme::stock(QStringLiteral("light"));
+  const QString text = QStringLiteral("Hold Space: close the jaws");
+  const auto rows = [&](const auto& paint) {  // the highest and the lowest that are drawn in the middle
+    QImage picture(kWidth_px, kHeight_px, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    QPainter painter(&picture);
+    paint(painter);
+    painter.end();
+    int high = kHeight_px, low = 0;
+    for (int y = 0; y < kHeight_px; ++y)
+      if (qGray(picture.pixel(kWidth_px / 2 + 30, y)) > 40) high = std::min(high, y), low = y;
+    return std::pair{high, low};
+  };
+  const int hint = rows([&](QPainter& p) { console::Overlay(p, QRectF(0, 0, kWidth_px, kHeight_px), ui).hint(text, 0, kWidth_px); }).first;
+  const int label = rows([&](QPainter& p) {
+                      const double below = console::Overlay::hint_height(text, p.font(), 0, kWidth_px);
+                      console::CueStyle style;
+                      style.text = QStringLiteral("Loose first throw");
+                      console::Overlay(p, QRectF(0, 0, kWidth_px, kHeight_px - below), ui).target({kWidth_px / 2.0, kHeight_px - 30.0}, 10, style);
+                    }).second;
+  EXPECT_GT(hint, kHeight_px - 60);
+  EXPECT_GT(label, kHeight_px / 2);
+  EXPECT_LT(label, hint);
 }
 
 // what has to be known is told beside the inset, and neither over it nor cut off

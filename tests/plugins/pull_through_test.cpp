@@ -240,5 +240,19 @@ TEST(PullThrough, starts_in_the_tissue_where_the_thread_lies) {
   EXPECT_EQ(s.troubles(), "");
 }
 
+/// A thread that is torn upwards, sideways and back through weak tissue: its ties stay sound, so that nothing is put in quarantine.
+TEST(PullThrough, may_be_torn_through_all_of_the_tissue) {
+  for (const Vec3& pull : {Vec3(0, 0, 30e-3), Vec3(30e-3, 0, 0), Vec3(-30e-3, 0, 10e-3), Vec3(0, 30e-3, 5e-3)}) {
+    Drawn s;
+    s.duration = 3.2;
+    s.strength = "5 kPa";
+    s.way = [pull](double t) { return Vec3(Vec3(0, 0, -4e-3 * std::min(t, 0.5)) + std::max(0.0, t - 0.5) * pull); };
+    s.start();
+    ASSERT_NE(s.engine, nullptr);
+    s.run_until(3.2, [&] { EXPECT_GE(s.signal("pull.inside"), 0); });
+    EXPECT_EQ(s.engine->quarantined(), 0u) << pull.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace swage::test

@@ -23,7 +23,7 @@ struct Held {
   bool down = false, bending = false, held = true;
   double length = 20e-3, depth = 0.25e-3;  // m
   int segments = 40;
-  std::string thread = R"("memory": 0)", swage = R"("depth": "0.25 mm")", keys, needle;
+  std::string start = "straight", thread = R"("memory": 0)", swage = R"("depth": "0.25 mm")", keys, needle;
 
   std::string number(double x) const {
     char text[40];
@@ -36,7 +36,7 @@ struct Held {
     const std::string turn = down ? R"("rpy": [0, "-90 deg", 0])" : R"("rpy": [0, 0, "180 deg"])";
     const std::string thread_at = down ? R"([0, 0, )" + number(depth) + "]" : "[" + number(-depth) + ", 0, 0]";
     std::string objects = R"({"name": "thread", "plugin": "swage.object.thread", "pose": {"p": )" + thread_at +
-                          R"(}, "params": {"start": ")" + (down ? "hanging" : "straight") + R"(", "length": )" + number(length) +
+                          R"(}, "params": {"start": ")" + start + R"(", "length": )" + number(length) +
                           R"(, "segments": )" + std::to_string(segments) + ", " + thread + R"(}},
       {"name": "needle", "plugin": "swage.object.needle", "pose": {)" + at + ", " + turn +
                           R"(}, "params": {"arc": "4/8", "size": "5 mm", "level": ")" + (bending ? "bending" : "rigid") + "\"" +
@@ -64,7 +64,7 @@ double heard(const ThreadScene& s, const std::string& id) {
 TEST(SwageInScene, bears_the_weight_of_a_hanging_thread) {
   for (const bool bending : {false, true}) {
     Held held;
-    held.down = true, held.bending = bending;
+    held.down = true, held.start = "hanging", held.bending = bending;
     ThreadScene s = held.scene();
     ASSERT_TRUE(s.engine);
     s.run(1500);
@@ -190,6 +190,23 @@ TEST(SwageInScene, takes_no_thread_that_is_not_there) {
   s.run(2);
   EXPECT_EQ(s.signal("swage.attached"), 0);
   EXPECT_LT(s.chain().v(0).norm(), 0.03);
+}
+
+/// A thread that lies bent with sharp corners, beyond its hole and half a millimetre or a millimetre from there: it stays in the needle, and nothing is put in quarantine.
+TEST(SwageInScene, a_thread_may_start_bent) {
+  for (const bool bending : {false, true})
+    for (const char* path : {"0 0 0, 0.5 0 0, 4 0 3, 4 6 3, 0 12 0 mm", "0 0 0, 1 0 0, 1 0 -3, 1 4 -3, 3 8 -3 mm"}) {
+      Held held;
+      held.bending = bending;
+      held.start = "path", held.thread = std::string(R"("memory": 0, "path": ")") + path + "\"";
+      ThreadScene s = held.scene();
+      ASSERT_TRUE(s.engine);
+      s.run(500);
+      EXPECT_EQ(s.troubles(), "") << bending << " " << path;
+      EXPECT_EQ(s.signal("swage.attached"), 1) << bending << " " << path;
+      EXPECT_LT(s.signal("swage.tension"), 50e-3) << bending << " " << path;
+      EXPECT_EQ(s.engine->quarantined(), 0u) << bending << " " << path;
+    }
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lesson 132: two throws on a wound by two hands. Wound the other way the second time they are a square knot, the same way a granny. The
-// thread snaps from one side of a tool to the other and a tenth of a millimetre decides to which, so a change of the solver may need
-// other plans: a soak test.
+// Lesson 132: two throws on a wound by two hands, and a surgeon's knot of three. Wound the other way the second time they are a square
+// knot, the same way a granny. The thread snaps from one side of a tool to the other and a tenth of a millimetre decides to which, so a
+// change of the solver may need other plans: a soak test.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "pulled_knot.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
 
@@ -60,6 +62,66 @@ TEST(SquareKnot, TheLeftHandTiesItsMirrorImage) {
   const Tied right = tie("expert"), left = tie("expert", true);
   expect_square(left);
   EXPECT_NEAR(left.score, right.score, 1e-6);
+}
+
+/// Both hands of a granny in the place of the expert's.
+void tie_a_granny(assembly::LessonFile& file) {
+  const std::string plans = SWAGE_SOURCE_DIR "/tests/plugins/granny/";
+  for (auto& device : file.devices)
+    for (auto& choice : device.choices) {
+      if (choice.as != "expert") continue;
+      const bool right = device.name == "right_hand";
+      choice.params = "{\"file\": \"" + plans + (right ? "holder" : "winder") + ".json\", \"gripper\": \"" + (right ? "holder" : "forceps") +
+                      "\", \"needle\": \"suture\", \"grasp\": \"" + (right ? "tail_grasp" : "grasp") + "\"}";
+    }
+}
+
+/// Cut free and pulled up to 0.1 N as it was tied, with that friction of the thread on itself.
+PulledKnot pulled(const LessonRun& attempt, double friction) {
+  return pull_apart(attempt, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "29.333 mm", "segments": 73)", friction, 0.1);
+}
+
+// wound the same way twice it is a granny: named, not passed, and it slips
+TEST(Granny, IsNamedAndFailsAndSlips) {
+  LessonRun granny(kLesson, {"expert", ""}, tie_a_granny);
+  ASSERT_EQ(granny.problems(), "");
+  granny.run(kLongest);
+  EXPECT_EQ(granny.outcome(), "failed");
+  EXPECT_EQ(granny.reason(), "failed.wrong");
+  EXPECT_LE(granny.verdict().score, 40);
+  EXPECT_EQ(granny.signal("knot", "knot.throws"), 2);
+  EXPECT_EQ(granny.signal("knot", "knot.throw_1") * granny.signal("knot", "knot.throw_2"), 1);
+  EXPECT_EQ(granny.signal("knot", "knot.kind"), 3) << "granny";
+  EXPECT_EQ(granny.metric("thread.passages"), 0);
+  const PulledKnot slips = pulled(granny, 0.3);
+  EXPECT_EQ(slips.trouble, "");
+  EXPECT_LT(slips.bears, 60e-3) << "N";
+  EXPECT_GE(slips.opens, 3e-3) << "m, with the knot slipping";
+}
+
+// Three throws, the first of them double, by the same means. What is not reached yet: the double throw gives way before the second one lies on
+// it, so that the edges do not stay together (lessons/knot/knot.md).
+TEST(SurgeonsKnot, TwoHandsTieIt) {
+  LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
+  ASSERT_EQ(attempt.problems(), "");
+  double most = 0;  // N, of the thread
+  while (attempt.outcome() == "running" && attempt.world().time() < 95) {
+    attempt.step();
+    most = std::max(most, attempt.signal("suture", "thread.tension"));
+  }
+  const auto knot = [&](const char* id) { return attempt.signal("knot", id); };
+  EXPECT_EQ(knot("knot.throws"), 3);
+  EXPECT_EQ(std::abs(knot("knot.throw_1")), 2);
+  EXPECT_EQ(knot("knot.throw_1") * knot("knot.throw_2"), -2);
+  EXPECT_EQ(knot("knot.throw_2") * knot("knot.throw_3"), -1);
+  EXPECT_EQ(knot("knot.kind"), 2) << "each throw is the other way round than the one before";
+  EXPECT_EQ(knot("knot.sliding"), 0);
+  EXPECT_EQ(attempt.metric("thread.passages"), 0);
+  EXPECT_EQ(attempt.metric("knot.right_throws"), 3);
+  EXPECT_EQ(attempt.metric("thread.drops"), 0);
+  EXPECT_GT(most, 60e-3) << "N: it bears what the hands draw";
+  EXPECT_LT(attempt.metric("tissue.cut"), 0.1e-3) << "m";
+  EXPECT_EQ(attempt.engine().quarantined(), 0u);
 }
 
 }  // namespace
