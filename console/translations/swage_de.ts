@@ -4793,23 +4793,23 @@ Alle 2 s wird es wieder versucht.</translation>
     <name>themes</name>
     <message>
         <source>Position wrong, without tips</source>
-        <translation>Stelle falsch, ohne Spitzen</translation>
+        <translation>Ort falsch, ohne Spitzen</translation>
     </message>
     <message>
         <source>Position wrong, with tips</source>
-        <translation>Stelle falsch, mit Spitzen</translation>
+        <translation>Ort falsch, mit Spitzen</translation>
     </message>
     <message>
         <source>Position right, without tips</source>
-        <translation>Stelle richtig, ohne Spitzen</translation>
+        <translation>Ort richtig, ohne Spitzen</translation>
     </message>
     <message>
         <source>Position right, tilted</source>
-        <translation>Stelle richtig, schräg</translation>
+        <translation>Ort richtig, schräg</translation>
     </message>
     <message>
         <source>Position right, with tips</source>
-        <translation>Stelle richtig, mit Spitzen</translation>
+        <translation>Ort richtig, mit Spitzen</translation>
     </message>
     <message>
         <source>Held</source>
@@ -4853,7 +4853,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Off-angle: follow the curve</source>
-        <translation>Schräg: der Krümmung nach drehen</translation>
+        <translation>Schräg: Krümmung folgen</translation>
     </message>
     <message>
         <source>Look here</source>

@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 
+#include "host/instance.hpp"
 #include "host/sentences.hpp"
 #include "toolkit/sentences.hpp"
 

@@ -117,11 +117,11 @@ TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
     EXPECT_THAT(s.err, HasSubstr(words));
   };
   fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7", "--by", "Ada"}, 2, toolkit::say::kNoFile());
-  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, sensor::say::kWhoCalibrates());
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, "Say who calibrates");
   write("bent.csv", "mm,V\n0,0\n1,1.2\n2,1.8\n3,3.4\n4,3.7\n5,5.5\n6,5.5\n");
   fails({"calibrate", "displacement", "--table", path("bent.csv"), "--serial", "B7", "--by", "Ada"}, 1, "Nothing is kept");
   fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada"}, 2, "serial number with --serial");
-  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, sensor::say::kNoFileName("../x"));
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, "cannot name a file");
   write("words.csv", "mm,V\n0,0\n1,one\n");
   fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, "line 3: a row has 2 numbers");
   write("f.csv", "0 0.2\n1 4\n2 3\n");
