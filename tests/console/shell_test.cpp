@@ -130,7 +130,7 @@ TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
   auto* metric = child<QComboBox>("limit_metric");
   metric->addItem(QStringLiteral("Active time"), QStringLiteral("time.task"));
   metric->setCurrentIndex(metric->count() - 1);
-  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  click("add_limit");
   const auto limits = [this] { return window->courses_page()->course().steps[0].limits; };
   ASSERT_EQ(limits().size(), 1u) << child<QLabel>("course_problem")->text().toStdString();
   auto* line = child<QTableWidget>("limits")->viewport()->findChild<QLineEdit*>();
@@ -139,7 +139,7 @@ TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
   QTest::keyClicks(line, QStringLiteral("40"));
   QTest::keyClick(line, Qt::Key_Return);
   EXPECT_TRUE(eventually([&] { return limits().size() == 1 && limits()[0].most == 40; }));
-  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+  click("remove_limit");
   EXPECT_TRUE(limits().empty());
 }
 
