@@ -62,6 +62,8 @@ inline constexpr auto kNameNoDoc = "\"{}\" has no doc."_sentence;
 inline constexpr auto kNameNoUnit = "\"{}\": \"{}\" is not an SI unit of the table ({})."_sentence;
 inline constexpr auto kDeclaredTwice = "\"{}\" is declared twice."_sentence;
 inline constexpr auto kUnknownWhat = "declare() does not know what {} is."_sentence;
+inline constexpr auto kGaps = "The table {} of {} has gaps."_sentence;
+inline constexpr auto kNotOffered = "{} does not offer {}."_sentence;
 inline constexpr auto kLargeState = "state() of {} numbers is too large."_sentence;
 
 // bodies, particles and hinges
@@ -164,6 +166,7 @@ inline constexpr auto kNotLoaded = "The library cannot be loaded."_sentence;
 
 // what the tests of a plugin find
 inline constexpr auto kNoElf = "It is no 64-bit ELF library."_sentence;
+inline constexpr auto kExportsMore = "It exports more than {}: {}."_sentence;
 inline constexpr auto kLoadsTwo = "Loading it twice gives two libraries."_sentence;
 inline constexpr auto kSlowLoad = "Loading took {} ms of processor time; 100 ms is much."_sentence;
 inline constexpr auto kCreatesAnything = "create(\"{}\") must answer NULL: there is no such plugin here."_sentence;
@@ -183,6 +186,7 @@ inline constexpr auto kActivates = "{} cannot be activated the {}. time: {}"_sen
 inline constexpr auto kWrongThread = "{} called the host {} times from a thread that may not: text in the step, or random numbers outside of it."_sentence;
 inline constexpr auto kRewinds = "{} gives other results after a rewind: it remembers something outside of its state."_sentence;
 inline constexpr auto kSecondInstance = "{} gives other results in a second instance: it depends on more than parameters and state."_sentence;
+inline constexpr auto kAtEnd = "\"{}\" at {}"_sentence;  // where what it says was found: at min, at max
 inline constexpr auto kRefusesSilently = "{}: {} refuses without a reason."_sentence;
 inline constexpr auto kNoCount = "This program does not count allocations."_sentence;
 inline constexpr auto kAllocates = "{} allocated memory {} times in {} steps; nothing on [rt] may."_sentence;
