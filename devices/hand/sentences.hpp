@@ -45,6 +45,7 @@ inline constexpr auto kQuaternion = "four numbers [w, x, y, z] are needed here"_
 inline constexpr auto kNoUnit = "the quaternion [w, x, y, z] is not a unit one"_sentence;
 inline constexpr auto kOneAttitude = R"(give one of "q", "rpy", or "axis" with "closing")"_sentence;
 inline constexpr auto kTogether = R"("axis" and "closing" are given together)"_sentence;
+inline constexpr auto kTremorBand = "the lowest frequency must be below the highest"_sentence;
 inline constexpr auto kSameDirection = "the axis and the closing direction must be two different directions"_sentence;
 
 }  // namespace swage::hand::say

@@ -34,8 +34,24 @@ inline constexpr auto kFromOrKeep = R"(give "from", the side from which it comes
 inline constexpr auto kEarlierAct = "the number of an act before this one"_sentence;
 inline constexpr auto kWithWhat = R"("needle" or "jaws" is needed here)"_sentence;
 
+// the scene
+inline constexpr auto kNoObject = R"(there is no object "{}" (parameter {}))"_sentence;
+inline constexpr auto kNotGraspable = R"("{}" is not graspable)"_sentence;
+inline constexpr auto kNoForce = R"(there is no signal "grasp.force" of "{}" (parameter grasp))"_sentence;
+inline constexpr auto kNoHole = R"(nothing here has a signal "pierce.s" by which to see where the needle goes in (parameter steady))"_sentence;
+inline constexpr auto kClosesToForce = R"({} closes to a force, but nothing here has a signal "grasp.force"; add a swage.coupling.grasp)"_sentence;
+inline constexpr auto kNoThread = R"({} reaches for a place of a thread, but "{}" is none)"_sentence;
+inline constexpr auto kDrawsToNothing = "{} draws up to a signal above 0"_sentence;
+inline constexpr auto kNoPoint = R"({} looks for the point "{}", which this lesson does not show)"_sentence;
+inline constexpr auto kWindsAbout = " winds about "_sentence;
+inline constexpr auto kJudges = " judges "_sentence;
+inline constexpr auto kAimsInto = " aims into "_sentence;
+inline constexpr auto kNotThere = R"({}{}"{}", which is not there)"_sentence;  // act, what it does, to what
+inline constexpr auto kNoTips = R"({}{}"{}", which has no tips)"_sentence;
+inline constexpr auto kNotPierced = R"({}: "{}" cannot be pierced)"_sentence;
+inline constexpr auto kNotTold = R"({} waits for "{}" of "{}", which nobody tells here)"_sentence;
+
 // the hand
-inline constexpr auto kTremorBand = "the lowest frequency must be below the highest"_sentence;
 inline constexpr auto kForearm = "the forearm needs a horizontal direction"_sentence;
 inline constexpr auto kRange = "the range must reach to both sides of 0"_sentence;
 

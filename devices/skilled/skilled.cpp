@@ -5,6 +5,7 @@
 #include <exception>
 #include <numbers>
 
+#include "hand/sentences.hpp"
 #include "sentences.hpp"
 
 namespace swage::skilled {
@@ -40,8 +41,7 @@ Mat3 frame(const Vec3& x, const Vec3& z) {
 
 void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
   params_ = params;
-  if (params.tremor_band.low >= params.tremor_band.high)
-    builder.error("tremor_band", say::kTremorBand());
+  if (params.tremor_band.low >= params.tremor_band.high) builder.error("tremor_band", hand::say::kTremorBand());
   try {
     plan_ = load_plan(params.file);
   } catch (const std::exception& problem) {
