@@ -13,6 +13,7 @@
 #include "host/services.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -90,8 +91,7 @@ class Driver {
       return {Mark::kWarning, format("An exchange took %.2f s; after %.1f s without a sample the hand counts as lost.", longest_,
                                      kSlow)};
     if (!odd_.empty()) return {Mark::kWarning, odd_};
-    return {Mark::kSuccess, format("%llu measurements; the longest exchange took %.1f ms.",
-                                   static_cast<unsigned long long>(measurements_), 1e3 * longest_)};
+    return {Mark::kSuccess, say::kMeasurements(measurements_, format("%.1f", 1e3 * longest_))};
   }
 
  private:
@@ -120,7 +120,7 @@ class Driver {
     double told[SWAGE_MOST_DEVICE_SIGNALS];
     const bool finite = signals_.read(n_, told);
     if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
-    if (!finite) wrong_ = "What it tells of itself is infinite.";
+    if (!finite) wrong_ = say::kInfinite();
   }
 
   void look(const swage_sample& s) {

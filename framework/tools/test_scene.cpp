@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "host/instance.hpp"
 #include "host/nearest.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 
@@ -102,7 +103,7 @@ std::string Stepped::fault() const {
   if (finite(w.X_WB) && finite(w.V_WB) && finite(w.particle_p_W) && finite(w.particle_v_W) &&
       finite(w.hinge_angle) && finite(w.plugin_state) && finite(w.signal))
     return "";
-  return "A number of the world is not finite in step " + std::to_string(w.step) + ".";
+  return say::kWorldNotFinite(w.step);
 }
 
 std::string Stepped::run(uint64_t steps) {
