@@ -163,6 +163,15 @@ inline constexpr auto kNoScene = "{} is no lesson that can be used: {}"_sentence
 inline constexpr auto kOwnThread = "It is asked on a thread of its own: see the test \"driver\"."_sentence;
 inline constexpr auto kWorldNotFinite = "A number of the world is not finite in step {}."_sentence;
 
+// the scene that a plugin is tested in
+inline constexpr auto kNeedsParams = "It has required parameters: run swage validate on a lesson file that uses it."_sentence;
+inline constexpr auto kLessonWithout = "The lesson {} does not use it."_sentence;
+inline constexpr auto kLessonNotBuilt = "The lesson {} cannot be built. {}"_sentence;
+inline constexpr auto kNoObject = "No object is installed."_sentence;
+inline constexpr auto kNoPair = "No two installed objects can be bound by it with their defaults. {}"_sentence;
+inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. {}"_sentence;
+inline constexpr auto kRefusedSilently = "It was refused without a reason."_sentence;
+
 // what lessons and couplings do with values in which nothing belongs together
 inline constexpr auto kInStep = "{} {} in step {}."_sentence;  // a plugin, what it did
 inline constexpr auto kScore = "gave a score of {}; it goes from 0 to 100"_sentence;
@@ -212,10 +221,48 @@ inline constexpr auto kOfCall = "{}() {}"_sentence;  // one of the next
 inline constexpr auto kPlaceRange = "gives a place s outside of 0 to 1."_sentence;
 inline constexpr auto kNotSquare = "gives a tangent and a normal that are not unit and square to each other."_sentence;
 inline constexpr auto kPlaceNoNumber = "gives a place that is no number."_sentence;
+inline constexpr auto kNoLength = "gives no length > 0 m."_sentence;
+inline constexpr auto kNoLengthRadius = "gives no length and radius > 0 m."_sentence;
+inline constexpr auto kNoJaw = "names a jaw that it has not declared."_sentence;
+inline constexpr auto kAxis = "gives an axis that is not unit."_sentence;
+inline constexpr auto kGripper = "gives tips, an opening or a closure that are none."_sentence;
+inline constexpr auto kTangent = "gives a tangent that is not unit."_sentence;
+inline constexpr auto kNormal = "gives a normal that is not unit."_sentence;
+inline constexpr auto kProperty = "gives a property that is negative or no number."_sentence;
+inline constexpr auto kStrand = "gives no length and radius > 0 m, or a strength that is negative or no number."_sentence;
+inline constexpr auto kElsewhere = "gives a place elsewhere than at s."_sentence;
+inline constexpr auto kStrandRange = "gives a place s outside of 0 to the length."_sentence;
+inline constexpr auto kTension = "gives a place or a tension that is no number."_sentence;
+inline constexpr auto kShear = "gives blades a force that is negative or no number."_sentence;
+inline constexpr auto kCutFails = "fails within the strand's length."_sentence;
+inline constexpr auto kStaysWhole = "leaves the strand whole where it was cut."_sentence;
+inline constexpr auto kNoStrand = "It can be cut, but has no trait {} that says how long it is."_sentence;
+inline constexpr auto kNoFunctions = "Its traits have no functions."_sentence;
 inline constexpr auto kNoBody = "names a body that it has not declared."_sentence;
 
 // what drivers answer
 inline constexpr auto kInfinite = "What it tells of itself is infinite."_sentence;
+inline constexpr auto kUnknownFlags = "It has unknown flags ({})."_sentence;
+inline constexpr auto kNoRate = "Its rate of {} Hz is none."_sentence;
+inline constexpr auto kForces = "It {} forces, and bears {} N."_sentence;  // "takes", "takes no"
+inline constexpr auto kOpensNot = "open() refuses and does not say why."_sentence;
+inline constexpr auto kDidNotOpen = "It did not open: {}"_sentence;
+inline constexpr auto kTableGaps = "The table {} has gaps."_sentence;
+inline constexpr auto kCalibrationNoJson = "The text of its calibration is no JSON object."_sentence;
+inline constexpr auto kSentNothing = "It opened and sent no measurement. What is connected to it?"_sentence;
+inline constexpr auto kSlowExchange = "An exchange took {} s; after {} s without a sample the hand counts as lost."_sentence;
+inline constexpr auto kTooSlowExchange =
+    "An exchange took {} s. Wait for a driver for 0.1 s at most, and say that nothing new came."_sentence;
+inline constexpr auto kCallsHost = "It called the host from a thread that may not."_sentence;
+inline constexpr auto kSampleNotFinite = "A sample has a number that is not finite."_sentence;
+inline constexpr auto kUnknownFields = "A sample says that unknown fields are valid ({})."_sentence;
+inline constexpr auto kBackwards = "The number of the measurements goes backwards."_sentence;
+inline constexpr auto kQuaternion = "A valid pose has a quaternion of length {}."_sentence;
+inline constexpr auto kClosure = "A valid closure is {}; it goes from 0 open to 1 closed."_sentence;
+inline constexpr auto kOlder = "A newer measurement has an older time."_sentence;
+inline constexpr auto kOtherClock = "The time of its measurements is not on the host's clock (CLOCK_MONOTONIC, s)."_sentence;
+inline constexpr auto kExchange = " Exchange {}."_sentence;
+inline constexpr auto kInTheStep = "It is asked in the step, as the other tests do."_sentence;
 inline constexpr auto kMeasurements = "{} measurements; the longest exchange took {} ms."_sentence;
 
 }  // namespace swage::tools::say

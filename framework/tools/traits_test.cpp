@@ -89,7 +89,7 @@ class Traits {
           twice("locate", place, [&](auto* out) { return t->locate(slot_.instance->raw, &view(), p, out); });
       if (!wrong.empty()) return wrong;
       if (!(place.s >= 0 && place.s <= 1)) return told("locate", say::kPlaceRange());
-      if (!positive(place.length)) return told("locate", "gives no length > 0 m.");
+      if (!positive(place.length)) return told("locate", say::kNoLength());
       if (!is_unit(place.tangent_W) || !is_unit(place.normal_W) || std::abs(dot(place.tangent_W, place.normal_W)) > 1e-6)
         return told("locate", say::kNotSquare());
       if (!host::finite(&place.p_W.x, 3)) return told("locate", say::kPlaceNoNumber());
@@ -107,10 +107,10 @@ class Traits {
       std::string wrong = twice("describe", g, [&](auto* out) { return t->describe(slot_.instance->raw, &view(), out); });
       if (!wrong.empty()) return wrong;
       if (g.left_body >= slot_.body.count || g.right_body >= slot_.body.count)
-        return told("describe", "names a jaw that it has not declared.");
-      if (!is_unit(g.axis_W) || !is_unit(g.closing_W)) return told("describe", "gives an axis that is not unit.");
+        return told("describe", say::kNoJaw());
+      if (!is_unit(g.axis_W) || !is_unit(g.closing_W)) return told("describe", say::kAxis());
       if (!host::finite(&g.tip_W.x, 3) || !std::isfinite(g.opening) || !(g.closure >= 0 && g.closure <= 1))
-        return told("describe", "gives tips, an opening or a closure that are none.");
+        return told("describe", say::kGripper());
     }
     return "";
   }
@@ -131,8 +131,8 @@ class Traits {
       for (const swage_piercing_place& at : place) {
         const char* who = &at == place ? "place" : "nearest";
         if (!(at.s >= 0 && at.s <= 1)) return told(who, say::kPlaceRange());
-        if (!positive(at.length) || !positive(at.radius)) return told(who, "gives no length and radius > 0 m.");
-        if (!is_unit(at.tangent_W) || !host::finite(&at.p_W.x, 3)) return told(who, "gives a tangent that is not unit.");
+        if (!positive(at.length) || !positive(at.radius)) return told(who, say::kNoLengthRadius());
+        if (!is_unit(at.tangent_W) || !host::finite(&at.p_W.x, 3)) return told(who, say::kTangent());
         if (at.body >= slot_.body.count) return told(who, say::kNoBody());
       }
     }
@@ -148,7 +148,7 @@ class Traits {
       return wrong;
     for (const double x : {law.stiffness, law.stiffening, law.friction, law.puncture_force, law.cutting_force, law.drag,
                            law.side_stiffness, law.failure_stress})
-      if (!at_least_0(x)) return told("law", "gives a property that is negative or no number.");
+      if (!at_least_0(x)) return told("law", say::kProperty());
     for (int i = 0; i < 200; ++i) {
       const swage_vec3 p = somewhere();
       swage_pierceable_place place;
@@ -158,7 +158,7 @@ class Traits {
       const double at[] = {place.depth, place.beyond, place.edge, place.p_W.x, place.p_W.y, place.p_W.z};
       for (const double x : at)
         if (std::isnan(x)) return told("locate", say::kPlaceNoNumber());
-      if (!is_unit(place.normal_W)) return told("locate", "gives a normal that is not unit.");
+      if (!is_unit(place.normal_W)) return told("locate", say::kNormal());
       if (place.body >= slot_.body.count) return told("locate", say::kNoBody());
     }
     return "";
@@ -172,7 +172,7 @@ class Traits {
     if (std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); }); !wrong.empty())
       return wrong;
     if (!positive(law.length) || !positive(law.radius) || !at_least_0(law.strength) || !at_least_0(law.pull_off))
-      return told("law", "gives no length and radius > 0 m, or a strength that is negative or no number.");
+      return told("law", say::kStrand());
     for (int i = 0; i < 200; ++i) {
       const double s = random_.uniform(-0.1, 1.1) * law.length;
       const swage_vec3 p = somewhere();
@@ -183,13 +183,13 @@ class Traits {
         wrong = twice("nearest", place[1], [&](auto* out) { return t->nearest(slot_.instance->raw, &view(), p, out); });
       if (!wrong.empty()) return wrong;
       const double nearest = std::clamp(s, 0.0, law.length);
-      if (!(std::abs(place[0].s - nearest) <= 1e-9 * law.length)) return told("place", "gives a place elsewhere than at s.");
+      if (!(std::abs(place[0].s - nearest) <= 1e-9 * law.length)) return told("place", say::kElsewhere());
       for (const swage_strand_place& at : place) {
         const char* who = &at == place ? "place" : "nearest";
-        if (!(at.s >= 0 && at.s <= law.length * (1 + 1e-9))) return told(who, "gives a place s outside of 0 to the length.");
+        if (!(at.s >= 0 && at.s <= law.length * (1 + 1e-9))) return told(who, say::kStrandRange());
         if (!is_unit(at.tangent_W) || !is_unit(at.normal_W) || std::abs(dot(at.tangent_W, at.normal_W)) > 1e-6)
           return told(who, say::kNotSquare());
-        if (!host::finite(&at.p_W.x, 3) || !std::isfinite(at.tension)) return told(who, "gives a place or a tension that is no number.");
+        if (!host::finite(&at.p_W.x, 3) || !std::isfinite(at.tension)) return told(who, say::kTension());
         if (at.body >= slot_.body.count) return told(who, say::kNoBody());
       }
     }
@@ -202,7 +202,7 @@ class Traits {
     if (t->law == nullptr) return say::kGaps(SWAGE_TRAIT_BLADES);
     swage_blades_law law;
     std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); });
-    if (wrong.empty() && !at_least_0(law.shear)) return told("law", "gives blades a force that is negative or no number.");
+    if (wrong.empty() && !at_least_0(law.shear)) return told("law", say::kShear());
     return wrong;
   }
 
@@ -214,13 +214,13 @@ class Traits {
     if (t->cut == nullptr) return say::kGaps(SWAGE_TRAIT_CUTTABLE);
     swage_strand_law law{};
     if (strand == nullptr || strand->law(slot_.instance->raw, &view(), &law) != SWAGE_OK)
-      return "It can be cut, but has no trait " SWAGE_TRAIT_STRAND " that says how long it is.";
+      return say::kNoStrand(SWAGE_TRAIT_STRAND);
     const double s = random_.uniform(0.2, 0.8) * law.length;
-    if (t->cut(slot_.instance->raw, &view(), s) != SWAGE_OK) return told("cut", "fails within the strand's length.");
+    if (t->cut(slot_.instance->raw, &view(), s) != SWAGE_OK) return told("cut", say::kCutFails());
     if (std::string wrong = scene_.run(10); !wrong.empty()) return wrong;
     swage_strand_place place{};
     if (strand->place(slot_.instance->raw, &view(), s, &place) != SWAGE_OK || place.parted == 0)
-      return told("cut", "leaves the strand whole where it was cut.");
+      return told("cut", say::kStaysWhole());
     return "";
   }
 
@@ -241,7 +241,7 @@ Finding traits(const TestScene& scene, uint64_t seed) {
   if (std::string wrong = s.run(10); !wrong.empty()) return {Mark::kFailed, wrong};
   Traits traits(s, scene.subject({}), seed);
   if (std::string wrong = traits.check(); !wrong.empty()) return {Mark::kFailed, wrong};
-  return traits.asked() > 0 ? Finding{} : Finding{Mark::kSkipped, "Its traits have no functions."};
+  return traits.asked() > 0 ? Finding{} : Finding{Mark::kSkipped, say::kNoFunctions()};
 }
 
 }  // namespace swage::tools
