@@ -8,6 +8,7 @@
 
 #include "hand/hand.hpp"
 #include "nodes/nodes.hpp"
+#include "sentences.hpp"
 
 namespace swage::gamepad {
 
@@ -68,15 +69,13 @@ void Gamepad::open() {
   battery_told_ = false;
   sdl_->GameControllerUpdate();
   last_s_ = now_s();
-  if (find()) return note("Pad: " + found_);
+  if (find()) return note(say::kPad(found_));
   std::string others;
   for (int i = 0; i < sdl_->NumJoysticks(); ++i)
     if (sdl_->IsGameController(i) != 0) others += std::string(others.empty() ? "" : ", ") + sdl_->GameControllerNameForIndex(i);
-  if (!others.empty()) return refuse("There is no game pad \"" + params().pad + "\". There is: " + others + ".");
-  if (const std::string pad = closed_pad(); !pad.empty())
-    return refuse(pad + " is there and may not be read. Install the udev rule 70-swage.device.gamepad.rules, or add yourself to the group "
-                  "input (sudo adduser $USER input) and log in again.");
-  refuse("There is no game pad. Plug one in, or pair it by Bluetooth.");
+  if (!others.empty()) return refuse(say::kNoSuchPad(params().pad, others));
+  if (const std::string pad = closed_pad(); !pad.empty()) return refuse(say::kMayNotRead(pad));
+  refuse(say::kNoPad());
 }
 
 void Gamepad::close() {
@@ -92,7 +91,7 @@ void Gamepad::look_at_battery(double now) {
   battery_ = battery_of(sdl_->JoystickCurrentPowerLevel(sdl_->GameControllerGetJoystick(pad_)));
   if (!(battery_ <= kLow) || battery_told_) return;
   battery_told_ = true;
-  warn("The battery of the pad " + found_ + " is low. Charge it, or put it on its wire.");
+  warn(say::kLowBattery(found_));
 }
 
 double Gamepad::axis(Axis a) const { return static_cast<double>(sdl_->GameControllerGetAxis(pad_, a)) / 32767; }

@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "sentences.hpp"
+
 namespace swage::gamepad {
 
 namespace {
@@ -15,7 +17,7 @@ constexpr const char* kLibrary = "libSDL2-2.0.so.0";
 template <class Function>
 bool find(void* library, const char* name, Function& out, std::string& why) {
   out = reinterpret_cast<Function>(dlsym(library, name));
-  if (out == nullptr) why = std::string(kLibrary) + " has no " + name + ". Install the package libsdl2-2.0-0 of Debian 12 or newer.";
+  if (out == nullptr) why = say::kLacks(kLibrary, name);
   return out != nullptr;
 }
 
@@ -49,7 +51,7 @@ const Sdl* load_sdl(std::string& why) {
   if (ready) return &sdl;
   void* library = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    why = std::string(kLibrary) + " is not installed. Install the package libsdl2-2.0-0 (sudo apt install libsdl2-2.0-0).";
+    why = say::kNoLibrary(kLibrary);
     return nullptr;
   }
   if (!find_all(library, sdl, why)) return nullptr;
@@ -57,7 +59,7 @@ const Sdl* load_sdl(std::string& why) {
   sdl.SetHint("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1");
   sdl.SetHint("SDL_NO_SIGNAL_HANDLERS", "1");
   if (sdl.InitSubSystem(kInitGameController) != 0) {
-    why = std::string("SDL does not start: ") + sdl.GetError() + ".";
+    why = say::kNotStarted(sdl.GetError());
     return nullptr;
   }
   sdl.GameControllerEventState(0);

@@ -10,12 +10,12 @@ namespace {
 
 Quat unit_quat(const Reader& reader, const Quat& q, const std::string& where) {
   const double norm = q.norm();
-  if (norm < 0.5 || norm > 2) reader.fail(where, "the quaternion [w, x, y, z] is not a unit one");
+  if (norm < 0.5 || norm > 2) reader.fail(where, say::kNoUnit());
   return Quat(q.coeffs() / norm);
 }
 
 Quat read_quat(const Reader& reader, const Json& value, const std::string& where) {
-  if (!value.is_array() || value.size() != 4) reader.fail(where, "four numbers [w, x, y, z] are needed here");
+  if (!value.is_array() || value.size() != 4) reader.fail(where, say::kQuaternion());
   std::array<double, 4> q{};
   for (size_t i = 0; i < 4; ++i) {
     q[i] = reader.number(value[i], Measure::kNumber, where + "/" + std::to_string(i));
@@ -27,7 +27,7 @@ Quat read_orientation(const Reader& reader, const Json& key, const Quat& before,
   const bool frame = key.contains("axis") || key.contains("closing");
   const int ways = (key.contains("q") ? 1 : 0) + (key.contains("rpy") ? 1 : 0) + (frame ? 1 : 0);
   if (ways == 0) return before;
-  if (ways > 1) reader.fail(where, "give one of \"q\", \"rpy\", or \"axis\" with \"closing\"");
+  if (ways > 1) reader.fail(where, say::kOneAttitude());
   if (key.contains("q")) return read_quat(reader, key["q"], where + "/q");
   if (key.contains("rpy")) {
     const Vec3 a = reader.vec3(key["rpy"], Measure::kAngle, where + "/rpy");
@@ -41,10 +41,10 @@ Quat read_orientation(const Reader& reader, const Json& key, const Quat& before,
 void read_turn(const Reader& reader, const Json& turn, Key& key, const std::string& where) {
   if (!turn.is_object() || turn.size() != 3 || !turn.contains("about") || !turn.contains("axis") ||
       !turn.contains("angle")) {
-    reader.fail(where, R"(a turn is {"about": [x, y, z], "axis": [x, y, z], "angle": "90 deg"})");
+    reader.fail(where, say::kTurn());
   }
   const Vec3 axis = reader.vec3(turn["axis"], Measure::kNumber, where + "/axis");
-  if (!(axis.norm() > 0)) reader.fail(where + "/axis", "the axis has no direction");
+  if (!(axis.norm() > 0)) reader.fail(where + "/axis", say::kNoAxis());
   key.turns = true;
   key.about_W = reader.vec3(turn["about"], Measure::kLength, where + "/about");
   key.turn_W = reader.number(turn["angle"], Measure::kAngle, where + "/angle") * axis.normalized();
@@ -55,15 +55,14 @@ void read_turn(const Reader& reader, const Json& turn, Key& key, const std::stri
 Key read_key(const Reader& reader, const Json& value, const Key& before, bool first,
              const std::string& where) {
   constexpr std::array kKnown = {"t", "p", "q", "rpy", "axis", "closing", "turn", "closure", "grip", "doc"};
-  if (!value.is_object()) reader.fail(where, "a key is an object like {\"t\": 1.5, \"closure\": 0.6}");
+  if (!value.is_object()) reader.fail(where, say::kKey());
   for (const auto& item : value.items()) {
     if (std::find(kKnown.begin(), kKnown.end(), item.key()) == kKnown.end()) {
-      reader.fail(where + "/" + item.key(),
-                  "unknown; a key has t, p, q or rpy or axis and closing, turn, closure, grip, doc");
+      reader.fail(where + "/" + item.key(), say::kKeyHas());
     }
   }
-  if (!value.contains("t")) reader.fail(where, "\"t\", the time, is missing");
-  if (first && !value.contains("p")) reader.fail(where, "the first key needs \"p\", the place");
+  if (!value.contains("t")) reader.fail(where, say::kNoTime());
+  if (first && !value.contains("p")) reader.fail(where, say::kNoPlace());
 
   Key key = before;
   key.turns = false;
@@ -71,10 +70,9 @@ Key read_key(const Reader& reader, const Json& value, const Key& before, bool fi
   if (value.contains("p")) key.X_WT.p = reader.vec3(value["p"], Measure::kLength, where + "/p");
   key.X_WT.q = read_orientation(reader, value, before.X_WT.q, where);
   if (value.contains("turn")) {
-    if (first) reader.fail(where + "/turn", "the first key stands; it cannot turn from anywhere");
+    if (first) reader.fail(where + "/turn", say::kFirstTurns());
     for (const char* pose : {"p", "q", "rpy", "axis", "closing"})
-      if (value.contains(pose))
-        reader.fail(where, std::string("give \"turn\" or \"") + pose + "\", not both");
+      if (value.contains(pose)) reader.fail(where, say::kTurnOr(pose));
     read_turn(reader, value["turn"], key, where + "/turn");
   }
   if (value.contains("closure")) {
@@ -86,7 +84,7 @@ Key read_key(const Reader& reader, const Json& value, const Key& before, bool fi
 
 Key read_sample(const Reader& reader, const Json& value, const std::string& where) {
   if (!value.is_array() || (value.size() != 9 && value.size() != 10)) {
-    reader.fail(where, "a sample is [t, px, py, pz, qw, qx, qy, qz, closure] and optionally grip");
+    reader.fail(where, say::kSample());
   }
   std::array<double, 10> n{};
   for (size_t i = 0; i < value.size(); ++i) {
@@ -106,9 +104,9 @@ Key read_sample(const Reader& reader, const Json& value, const std::string& wher
 void check_key(const Reader& reader, const Hand& hand, const std::string& where) {
   const Key& key = hand.keys.back();
   if (hand.keys.size() > 1 && !(key.t > hand.keys[hand.keys.size() - 2].t)) {
-    reader.fail(where, "times must rise from one to the next");
+    reader.fail(where, say::kTimesRise());
   }
-  if (key.closure < 0 || key.closure > 1) reader.fail(where, "closure goes from 0 (open) to 1 (closed)");
+  if (key.closure < 0 || key.closure > 1) reader.fail(where, say::kClosure());
 }
 
 }  // namespace
@@ -117,7 +115,7 @@ Quat orientation(const Vec3& axis, const Vec3& closing) {
   const Vec3 x = axis.normalized();
   const Vec3 square = closing - closing.dot(x) * x;
   if (!(axis.norm() > 0) || !(square.norm() > 1e-6 * closing.norm())) {
-    throw std::invalid_argument("the axis and the closing direction must be two different directions");
+    throw std::invalid_argument(say::kSameDirection());
   }
   toolkit::Mat3 R;
   R.col(0) = x;
@@ -127,7 +125,7 @@ Quat orientation(const Vec3& axis, const Vec3& closing) {
 }
 
 Quat read_attitude(const Reader& reader, const Json& value, const std::string& where) {
-  if (!value.contains("axis") || !value.contains("closing")) reader.fail(where, "\"axis\" and \"closing\" are given together");
+  if (!value.contains("axis") || !value.contains("closing")) reader.fail(where, say::kTogether());
   try {
     return orientation(reader.vec3(value["axis"], Measure::kNumber, where + "/axis"),
                        reader.vec3(value["closing"], Measure::kNumber, where + "/closing"));
@@ -138,17 +136,15 @@ Quat read_attitude(const Reader& reader, const Json& value, const std::string& w
 
 Hand parse_hand(const std::string& text, const std::string& name) {
   const Reader reader(name);
-  const Json file = object_of(reader, text, "swage-hand/1", {"format", "title", "doc", "keys", "samples"},
-                              "a hand has format, title, doc, and keys or samples");
-  if (file.contains("keys") == file.contains("samples"))
-    reader.fail("", "give either \"keys\" or \"samples\"");
+  const Json file = object_of(reader, text, "swage-hand/1", {"format", "title", "doc", "keys", "samples"}, say::kHandHas());
+  if (file.contains("keys") == file.contains("samples")) reader.fail("", say::kKeysOrSamples());
 
   Hand hand;
   hand.title = reader.text(file, "title");
   hand.sampled = file.contains("samples");
   const std::string list = hand.sampled ? "samples" : "keys";
   const Json& lines = file[list];
-  if (!lines.is_array() || lines.empty()) reader.fail("/" + list, "at least one is needed");
+  if (!lines.is_array() || lines.empty()) reader.fail("/" + list, say::kEmpty());
   for (size_t i = 0; i < lines.size(); ++i) {
     const std::string where = "/" + list + "/" + std::to_string(i);
     const Key before = i == 0 ? Key{} : hand.keys.back();

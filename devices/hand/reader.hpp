@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "hand/sentences.hpp"
 #include "toolkit/math.hpp"
 #include "toolkit/read_file.hpp"
 
@@ -46,7 +47,7 @@ class Reader {
 
   double number(const Json& value, Measure measure, const std::string& where) const {
     if (value.is_number()) return finite(value.get<double>(), where);
-    if (!value.is_string()) fail(where, "a number or a text like \"2.6 mm\" is needed here");
+    if (!value.is_string()) fail(where, say::kNumberNeeded());
     const std::string text = value.get<std::string>();
     // from_chars: the decimal point is a point in every language
     double amount = 0;
@@ -57,18 +58,18 @@ class Reader {
       if (status == std::errc{} && unit == u.name && u.measure == measure)
         return finite(amount * u.si, where);
     }
-    fail(where, "\"" + text.substr(0, 60) + "\" is not " + expected(measure));
+    fail(where, say::kOtherMeasure(text.substr(0, 60), expected(measure)));
   }
 
   /// The text at a key, "" where it is absent.
   std::string text(const Json& object, const char* key) const {
     if (!object.contains(key)) return "";
-    if (!object[key].is_string()) fail(std::string("/") + key, "a text is needed here");
+    if (!object[key].is_string()) fail(std::string("/") + key, say::kTextNeeded());
     return object[key].get<std::string>();
   }
 
   Vec3 vec3(const Json& value, Measure measure, const std::string& where) const {
-    if (!value.is_array() || value.size() != 3) fail(where, "three numbers are needed here");
+    if (!value.is_array() || value.size() != 3) fail(where, say::kThreeNeeded());
     Vec3 out;
     for (int i = 0; i < 3; ++i) {
       out[i] = number(value[static_cast<size_t>(i)], measure, where + "/" + std::to_string(i));
@@ -78,23 +79,23 @@ class Reader {
 
  private:
   double finite(double value, const std::string& where) const {
-    if (!std::isfinite(value)) fail(where, "the number is not finite");
+    if (!std::isfinite(value)) fail(where, say::kNotFinite());
     return value;
   }
-  static const char* expected(Measure measure) {
+  static std::string expected(Measure measure) {
     switch (measure) {
       case Measure::kLength:
-        return "a length (m, mm, um)";
+        return say::kLength();
       case Measure::kTime:
-        return "a time (s, ms)";
+        return say::kTime();
       case Measure::kAngle:
-        return "an angle (rad, deg)";
+        return say::kAngle();
       case Measure::kForce:
-        return "a force (N, mN)";
+        return say::kForce();
       case Measure::kNumber:
         break;
     }
-    return "a pure number";
+    return say::kPure();
   }
   std::string name_;
 };
@@ -113,13 +114,13 @@ inline Json object_of(const Reader& reader, const std::string& text, const std::
   try {
     file = Json::parse(text);
   } catch (const Json::parse_error& problem) {
-    reader.fail("", std::string("not JSON: ") + problem.what());
+    reader.fail("", say::kNoJson(problem.what()));
   }
   if (!file.is_object() || !file.contains("format") || file["format"] != format)
-    reader.fail("/format", "\"" + format + "\" is needed here");
+    reader.fail("/format", say::kFormat(format));
   for (const auto& item : file.items())
     if (std::find(known.begin(), known.end(), item.key()) == known.end())
-      reader.fail("/" + item.key(), "unknown; " + has);
+      reader.fail("/" + item.key(), say::kUnknownKey(has));
   return file;
 }
 

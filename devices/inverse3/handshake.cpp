@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstdint>
 
+#include "sentences.hpp"
+
 namespace swage::inverse3 {
 namespace {
 
@@ -90,10 +92,10 @@ std::string request_text(const std::string& host, int port, const std::string& p
 std::string check_answer(std::string_view answer, std::string_view key) {
   const std::string_view status = answer.substr(0, answer.find("\r\n"));
   if (!status.starts_with("HTTP/1.1 101"))
-    return "It answers \"" + std::string(status.substr(0, 60)) + "\" in place of opening a WebSocket.";
+    return say::kNoWebSocket(status.substr(0, 60));
   const bool upgraded = lower(field(answer, "Upgrade")) == "websocket" && lower(field(answer, "Connection")).find("upgrade") != std::string::npos;
-  if (!upgraded || field(answer, "Sec-WebSocket-Accept") != accept_for(key)) return "Its answer is not that of a WebSocket.";
-  if (!field(answer, "Sec-WebSocket-Extensions").empty()) return "It uses an extension that nobody asked for.";
+  if (!upgraded || field(answer, "Sec-WebSocket-Accept") != accept_for(key)) return say::kOtherAnswer();
+  if (!field(answer, "Sec-WebSocket-Extensions").empty()) return say::kExtension();
   return "";
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "hand/hand.hpp"
+#include "sentences.hpp"
 
 namespace swage::inverse3 {
 namespace {
@@ -59,8 +60,7 @@ std::string Inverse3::reach() {
   if (const std::string why = socket_.open(params().host, params().port, "/"); !why.empty()) return why;
   for (const double until = now_s() + kPatience; now_s() < until; nap()) {
     if (socket_.progress() == WebSocket::State::kClosed)
-      return "The Inverse Service does not answer at " + where + ": " + socket_.trouble() +
-             " Install it from docs.haply.co and start it (sudo systemctl enable --now haply-inverse-service).";
+      return say::kNoService(where, socket_.trouble());
     while (socket_.receive(text)) {
       const Message m = read_message(text, params().arm, params().grip);
       greeted |= m.readable;
@@ -70,9 +70,9 @@ std::string Inverse3::reach() {
     if (fresh_) return "";
     if (greeted) answer({}, now_s());
   }
-  if (!greeted) return where + " says nothing that is of the Inverse Service. Is its port right?";
-  if (!others.empty()) return "There is no arm \"" + params().arm + "\". There is: " + others + ".";
-  return "The Inverse Service knows no arm. Switch the Inverse3 on, plug it in, and calibrate it as its maker says.";
+  if (!greeted) return say::kOtherService(where);
+  if (!others.empty()) return say::kNoSuchArm(params().arm, others);
+  return say::kNoArm();
 }
 
 void Inverse3::open() {
@@ -86,10 +86,10 @@ void Inverse3::open() {
     socket_.close();
     return refuse(why);
   }
-  char battery[32] = "";
-  if (grip_known_ && grip_.battery) std::snprintf(battery, sizeof battery, ", battery %.0f %%", 1e2 * *grip_.battery);
-  note("Inverse3 " + arm_ + (now_.handedness.empty() ? "" : " (" + now_.handedness + "-handed)") +
-       (grip_known_ ? std::string(", with a VerseGrip") + battery : ", without a VerseGrip: the instrument does not turn"));
+  char percent[32] = "";
+  if (grip_known_ && grip_.battery) std::snprintf(percent, sizeof percent, "%.0f", 1e2 * *grip_.battery);
+  const std::string battery = *percent != '\0' ? say::kBattery(percent) : "";
+  note(say::kArm(arm_, now_.handedness.empty() ? "" : say::kHanded(now_.handedness), grip_known_ ? say::kWithGrip(battery) : say::kWithoutGrip()));
 }
 
 // The last word is no force, and it is heard before the connection ends: what is unread on either side would be lost with it.
@@ -121,7 +121,7 @@ void Inverse3::hear(const std::string& text, double now) {
   if (m.grip) grip_ = *m.grip;
   if (m.grip && grip_.battery.value_or(1) <= kLow && !battery_told_) {
     battery_told_ = true;
-    warn("The battery of the stylus is low. Charge the VerseGrip after this attempt.");
+    warn(say::kLowBattery());
   }
   grip_known_ |= grip_there_;
   heard_s_ = now;

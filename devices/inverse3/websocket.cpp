@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "handshake.hpp"
+#include "sentences.hpp"
 
 namespace swage::inverse3 {
 namespace {
@@ -33,7 +34,7 @@ std::string WebSocket::open(const std::string& host, int port, const std::string
   hints.ai_family = AF_INET;  // "localhost" is ::1 first on Debian, where services of this kind do not listen
   hints.ai_socktype = SOCK_STREAM;
   if (const int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found); error != 0)
-    return trouble_ = "The host " + host + " is not known (" + gai_strerror(error) + ").";
+    return trouble_ = say::kHostUnknown(host, gai_strerror(error));
   int error = ECONNREFUSED;
   for (const addrinfo* at = found; at != nullptr && file_ < 0; at = at->ai_next) {
     const int file = socket(at->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -46,7 +47,7 @@ std::string WebSocket::open(const std::string& host, int port, const std::string
     }
   }
   freeaddrinfo(found);
-  if (file_ < 0) return trouble_ = host + ":" + std::to_string(port) + " does not answer (" + std::strerror(error) + ").";
+  if (file_ < 0) return trouble_ = say::kHostSilent(host, port, std::strerror(error));
   const int on = 1;  // a force must not wait for the next one
   setsockopt(file_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   std::string bytes;
@@ -82,7 +83,7 @@ WebSocket::State WebSocket::progress() {
     socklen_t size = sizeof error;
     getsockopt(file_, SOL_SOCKET, SO_ERROR, &error, &size);
     if (error != 0) {
-      drop(std::string("It does not answer (") + std::strerror(error) + ").");
+      drop(say::kSilent(std::strerror(error)));
       return state_;
     }
     out_ = request_;
@@ -99,7 +100,7 @@ void WebSocket::flush() {
     const ssize_t n = ::send(file_, out_.data(), out_.size(), MSG_NOSIGNAL);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
-    if (n < 0) return drop(std::string("It takes nothing any more (") + std::strerror(errno) + ").");
+    if (n < 0) return drop(say::kTakesNothing(std::strerror(errno)));
     out_.erase(0, static_cast<std::size_t>(n));
   }
 }
@@ -110,7 +111,7 @@ void WebSocket::read_socket() {
     const ssize_t n = ::read(file_, bytes, sizeof bytes);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
-    if (n <= 0) return drop(n == 0 ? "It ended the connection." : std::string("The connection broke (") + std::strerror(errno) + ").");
+    if (n <= 0) return drop(n == 0 ? say::kEnded() : say::kBroke(std::strerror(errno)));
     in_.append(bytes, static_cast<std::size_t>(n));
   }
 }
@@ -118,7 +119,7 @@ void WebSocket::read_socket() {
 void WebSocket::shake() {
   const std::size_t end = in_.find("\r\n\r\n");
   if (end == std::string::npos) {
-    if (in_.size() > kMostHeader) drop("Its answer has no end.");
+    if (in_.size() > kMostHeader) drop(say::kEndless());
     return;
   }
   if (const std::string wrong = check_answer(std::string_view(in_).substr(0, end + 2), key_); !wrong.empty()) return drop(wrong);
@@ -149,7 +150,7 @@ void WebSocket::queue(int opcode, std::string_view payload) {
 bool WebSocket::send(std::string_view text) {
   if (state_ != State::kOpen) return false;
   if (out_.size() > kMostDue) {
-    drop("It takes nothing any more.");
+    drop(say::kHangs());
     return false;
   }
   queue(kText, text);
@@ -174,8 +175,8 @@ bool WebSocket::take_frame(std::string& text) {
   const int opcode = byte(0) & 15;
   std::size_t header = 2;
   uint64_t size = byte(1) & 127;
-  if ((byte(0) & 0x70) != 0 || (byte(1) & 0x80) != 0) return drop("It sends frames that no server may send."), false;
-  if (control && (size > 125 || !last)) return drop("It sends a control frame that is none."), false;
+  if ((byte(0) & 0x70) != 0 || (byte(1) & 0x80) != 0) return drop(say::kNoServerFrame()), false;
+  if (control && (size > 125 || !last)) return drop(say::kNoControl()), false;
   if (size >= 126) {
     const std::size_t more = size == 126 ? 2 : 8;
     if (in_.size() < 2 + more) return false;
@@ -183,12 +184,12 @@ bool WebSocket::take_frame(std::string& text) {
     for (std::size_t i = 0; i < more; ++i) size = size << 8 | byte(2 + i);
     header += more;
   }
-  if (size > kMostMessage || message_.size() + size > kMostMessage) return drop("It sends a message of more than 1 MiB."), false;
+  if (size > kMostMessage || message_.size() + size > kMostMessage) return drop(say::kHuge()), false;
   if (in_.size() < header + size) return false;
   const std::string payload = in_.substr(header, static_cast<std::size_t>(size));
   in_.erase(0, header + static_cast<std::size_t>(size));
   if (control) return take_control(opcode, payload);
-  if ((opcode == kContinuation) != fragmented_ || opcode > kBinary) return drop("Its frames are out of order."), false;
+  if ((opcode == kContinuation) != fragmented_ || opcode > kBinary) return drop(say::kFrameOrder()), false;
   message_ += payload;
   fragmented_ = !last;
   if (fragmented_) return false;
@@ -204,9 +205,9 @@ bool WebSocket::take_control(int opcode, const std::string& payload) {
   } else if (opcode == kClose) {
     queue(kClose, payload.substr(0, 2));
     flush();
-    drop("It ended the connection.");
+    drop(say::kEnded());
   } else if (opcode != kPong) {
-    drop("It sends a control frame that is none.");
+    drop(say::kNoControl());
   }
   return false;
 }

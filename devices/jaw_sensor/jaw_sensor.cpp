@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "sensor/calibration_file.hpp"
+#include "sentences.hpp"
 
 namespace swage::jaw_sensor {
 
@@ -37,7 +38,7 @@ void JawSensor::build(const P& p, DeviceBuilder& builder) {
   if (settings_.foreign)
     if (const std::string wrong = sensor::check_table(settings_.table); !wrong.empty()) builder.error("format", wrong);
   if (const std::string wrong = sensor::check_poses({p.volts[0], p.volts[1], p.volts[2]}, {}); !wrong.empty())
-    builder.error("volts", "open, just closed and squeezed lie in this order, up or down");
+    builder.error("volts", say::kPoseOrder());
   given_ = !p.calibration.empty();
   if (!given_) return;
   if (const std::string wrong = sensor::load_calibration(p.calibration, calibration_); !wrong.empty())
@@ -53,8 +54,7 @@ bool JawSensor::choose_port(sensor::LinkSettings& settings) {
   }
   std::string list;
   for (const std::string& one : all) list += " " + one;
-  refuse(all.empty() ? "There is no serial adapter below /dev/serial/by-id. Plug the sensor in, or name its port."
-                     : "There are several serial adapters; name the port of the sensor, one of:" + list);
+  refuse(all.empty() ? say::kNoAdapter() : say::kManyAdapters(list));
   return false;
 }
 
@@ -71,11 +71,7 @@ bool JawSensor::hear_it() {
     nanosleep(&pause, nullptr);
   }
   if (heard) return true;
-  const std::string rate = std::to_string(settings_.bits_per_s);
-  refuse(link_.bad() > 0 ? settings_.port + " sends what is no message of this dialect at " + rate +
-                               " bit/s. Is its dialect right, and its bits_per_s?"
-                         : settings_.port + " is there and says nothing at " + rate +
-                               " bit/s. Is the sensor powered, and is bits_per_s right?");
+  refuse(link_.bad() > 0 ? say::kOtherDialect(settings_.port, settings_.bits_per_s) : say::kSilent(settings_.port, settings_.bits_per_s));
   return false;
 }
 
@@ -113,10 +109,10 @@ void JawSensor::calibrate() {
     if (const std::string wrong = sensor::load_calibration(path, calibration_); !wrong.empty()) warn(wrong);
   Calibration use_this = calibration_;
   if (use_this.displacement.valid() && !use_this.poses.known())
-    warn("The calibration has no poses of this needleholder; it is not used. Make them: swage calibrate poses.");
+    warn(say::kNoPoses());
   if (!use_this.displacement.valid() || !use_this.poses.known()) {
     if (!use_this.displacement.valid())
-      note("Sensor " + (serial_.empty() ? "without a serial number" : serial_) + ": not calibrated. Its volts are taken as they are.");
+      note(say::kNotCalibrated(serial_.empty() ? say::kNoSerial() : serial_));
     use_this = {};
     use_this.displacement.slope = 1;
     const auto& v = params().volts;
@@ -124,13 +120,11 @@ void JawSensor::calibrate() {
     return use(use_this);
   }
   if (const std::string trouble = sensor::calibration_trouble(use_this, serial_, sensor::today()); !trouble.empty()) warn(trouble);
-  char said[512];
-  std::snprintf(said, sizeof said, "Sensor %s: calibrated on %s by %s, residuals up to %.0f um; poses of %s; %s%s.%s",
-                use_this.serial.c_str(), use_this.date.c_str(), use_this.by.c_str(), 1e6 * use_this.displacement.worst,
-                use_this.poses_date.c_str(), use_this.force.empty() ? "no table of forces" : "force by travel",
-                use_this.tip.empty() ? "" : ", force at the tips by that at the handle",
-                use_this.poses_date == sensor::today() ? "" : " The poses change with the hand and its warmth; measure them in each session: swage calibrate poses.");
-  note(said);
+  char worst[32];
+  std::snprintf(worst, sizeof worst, "%.0f", 1e6 * use_this.displacement.worst);
+  note(say::kCalibrated(use_this.serial, use_this.date, use_this.by, worst, use_this.poses_date,
+                        use_this.force.empty() ? say::kNoForces() : say::kByTravel(), use_this.tip.empty() ? "" : say::kByTips(),
+                        use_this.poses_date == sensor::today() ? "" : say::kMeasureAnew()));
   in_use_ = sensor::calibration_text(use_this);
   use(use_this);
 }
@@ -156,7 +150,7 @@ bool JawSensor::is_the_one() {
   if (now == serial_) return true;
   if (!now.empty() && !warned_) {
     warned_ = true;
-    warn("The sensor " + now + " is plugged in in place of " + serial_ + ", with which the lesson began. It is not used.");
+    warn(say::kOtherSensor(now, serial_));
   }
   return false;
 }

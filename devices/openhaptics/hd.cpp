@@ -6,6 +6,8 @@
 #include <array>
 #include <map>
 
+#include "sentences.hpp"
+
 namespace swage::openhaptics {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr std::array kNames = {"libHD.so", "libHD.so.3.5", "libHD.so.3.4", "libH
 template <class Function>
 bool find(void* library, const char* name, Function& out, std::string& why) {
   out = reinterpret_cast<Function>(dlsym(library, name));
-  if (out == nullptr) why = std::string("libHD.so has no ") + name + ": it is not the HD library of OpenHaptics 3.0 or later.";
+  if (out == nullptr) why = say::kLacks(name);
   return out != nullptr;
 }
 
@@ -53,8 +55,7 @@ const Hd* load_hd(const std::string& wanted, std::string& why) {
   std::string said;
   void* const library = load(wanted, said);
   if (library == nullptr) {
-    why = "The OpenHaptics library cannot be loaded (" + said +
-          "). Install OpenHaptics 3.4 and the driver of the arm from their maker; an old one may need the package libncurses5.";
+    why = say::kNoLibrary(said);
     return nullptr;
   }
   Hd hd{};

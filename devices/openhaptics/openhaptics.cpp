@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "nodes/nodes.hpp"
+#include "sentences.hpp"
 
 namespace swage::openhaptics {
 namespace {
@@ -57,7 +58,7 @@ unsigned Openhaptics::init(std::string& why) {
       hd_->DisableDevice(hd_->GetCurrentDevice());
     }
   }
-  if (why.empty()) why = "another program has it";
+  if (why.empty()) why = say::kTaken();
   return kBadHandle;
 }
 
@@ -67,17 +68,16 @@ bool Openhaptics::reach(std::string& why) {
   if (device_ == kBadHandle) {
     constexpr uint16_t k3dSystems = 0x2988;
     if (const std::string arm = nodes::closed_of_maker(k3dSystems); !arm.empty())
-      why = arm + " is there and may not be opened. Install the udev rule 70-swage.device.openhaptics.rules, or for a serial port add yourself "
-            "to the group dialout (sudo adduser $USER dialout) and log in again.";
+      why = say::kMayNotOpen(arm);
     else
-      why = "The arm does not answer: " + why + ". Switch it on, see that its maker's setup finds it, and that you may use its port.";
+      why = say::kNoArm(why);
     return false;
   }
   const unsigned calibration = hd_->CheckCalibration();
   if (calibration == kNeedsManualInput) {
     hd_->DisableDevice(device_);
     device_ = kBadHandle;
-    why = "The arm is not calibrated. Put its stylus into the inkwell, or run its maker's calibration, and start again.";
+    why = say::kNotCalibrated();
     return false;
   }
   double most = 0;
@@ -91,7 +91,7 @@ bool Openhaptics::reach(std::string& why) {
   scheduled_ = true;
   const HdError error = hd_->GetError();
   if (error.code == 0 || recoverable(error.code)) return true;
-  why = std::string("The scheduler of OpenHaptics does not start: ") + hd_->GetErrorString(error.code) + ".";
+  why = say::kNoScheduler(hd_->GetErrorString(error.code));
   close();
   return false;
 }
@@ -105,7 +105,7 @@ void Openhaptics::open() {
   last_s_ = tried_s_ = now_s();
   const char* const model = hd_->GetString(kModel);
   const char* const serial = hd_->GetString(kSerial);
-  note(std::string("Arm: ") + (model != nullptr ? model : "unknown") + ", serial number " + (serial != nullptr ? serial : "unknown"));
+  note(say::kArm(model != nullptr ? model : say::kUnknown(), serial != nullptr ? serial : say::kUnknown()));
 }
 
 // the force first, then the scheduler, then the arm

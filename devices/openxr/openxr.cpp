@@ -3,6 +3,8 @@
 
 #include <time.h>
 
+#include "sentences.hpp"
+
 namespace swage::openxr {
 namespace {
 
@@ -34,7 +36,7 @@ void Openxr::open() {
   std::string why;
   runtime_ = Runtime::share(why);
   if (runtime_ == nullptr) return refuse(why);
-  note("OpenXR runtime: " + (runtime_->name().empty() ? std::string("without a name") : runtime_->name()));
+  note(say::kRuntime(runtime_->name().empty() ? say::kUnnamed() : runtime_->name()));
 }
 
 void Openxr::exchange(const swage_command&, swage_sample& sample) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sentences.hpp"
+
 namespace swage::openxr {
 namespace {
 
@@ -24,7 +26,7 @@ std::shared_ptr<Runtime> Runtime::share(std::string& why) {
   if (auto there = shared.lock()) {
     const std::lock_guard<std::mutex> its(there->lock_);
     if (!there->lost_) return there;
-    why = "The OpenXR runtime has ended.";
+    why = say::kEnded();
     return nullptr;  // until its last holder lets it go
   }
   std::shared_ptr<Runtime> made(new Runtime);
@@ -48,9 +50,7 @@ bool Runtime::connect(std::string& why) {
   wanted.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
   XrSystemId system = XR_NULL_SYSTEM_ID;
   if (const XrResult result = xr_.GetSystem(instance_, &wanted, &system); result != XR_SUCCESS) {
-    why = name_ + " sees no headset (result " + std::to_string(result) +
-          "). Switch it on and plug it in; controllers are tracked by it. The package xr-hardware has the udev rules of many "
-          "(sudo apt install xr-hardware).";
+    why = say::kNoHeadset(name_, static_cast<int>(result));
     return false;
   }
   XrSessionCreateInfo session{};
@@ -64,7 +64,7 @@ bool Runtime::connect(std::string& why) {
   if (result == XR_SUCCESS) result = xr_.CreateReferenceSpace(session_, &space, &local_);
   if (result == XR_SUCCESS) result = make_actions(xr_, instance_, session_, actions_);
   if (result == XR_SUCCESS) return true;
-  why = name_ + " gives no session without pictures (result " + std::to_string(result) + "). Does another program hold it?";
+  why = say::kNoSession(name_, static_cast<int>(result));
   return false;
 }
 

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <vector>
 
+#include "sentences.hpp"
+
 namespace swage::openxr {
 namespace {
 
@@ -17,7 +19,7 @@ template <class Function>
 bool find(const Xr& xr, XrInstance instance, const char* name, Function& out, std::string& why) {
   PFN_xrVoidFunction found = nullptr;
   if (xr.GetInstanceProcAddr(instance, name, &found) != XR_SUCCESS || found == nullptr) {
-    why = std::string("The OpenXR runtime has no ") + name + ". Use a newer one.";
+    why = say::kLacks(name);
     return false;
   }
   out = reinterpret_cast<Function>(found);
@@ -47,13 +49,12 @@ std::string missing_extension(const Xr& xr, std::string& why) {
   const XrResult result = enumerate(nullptr, 0, &n, nullptr);
   std::vector<XrExtensionProperties> all(n, {XR_TYPE_EXTENSION_PROPERTIES, nullptr, "", 0});
   if (result != XR_SUCCESS || enumerate(nullptr, n, &n, all.data()) != XR_SUCCESS) {
-    why = "No OpenXR runtime answers. Install and start one (Monado, SteamVR), and see that it is the active one "
-          "(XR_RUNTIME_JSON, or active_runtime.json in ~/.config/openxr/1).";
+    why = say::kNoRuntime();
     return "?";
   }
   for (const char* wanted : kExtensions)
     if (std::none_of(all.begin(), all.end(), [&](const auto& e) { return std::strcmp(e.extensionName, wanted) == 0; })) {
-      why = std::string("The OpenXR runtime has no ") + wanted + ": it gives no controllers without pictures. Use one that does, Monado for instance.";
+      why = say::kNeedsPictures(wanted);
       return wanted;
     }
   return "";
@@ -64,7 +65,7 @@ std::string missing_extension(const Xr& xr, std::string& why) {
 bool make_instance(Xr& xr, XrInstance& instance, std::string& why) {
   static void* const library = dlopen(kLoader, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    why = std::string(kLoader) + " is not installed. Install the package libopenxr-loader1 (sudo apt install libopenxr-loader1) and an OpenXR runtime.";
+    why = say::kNoLoader(kLoader);
     return false;
   }
   xr.GetInstanceProcAddr = reinterpret_cast<PFN_xrGetInstanceProcAddr>(dlsym(library, "xrGetInstanceProcAddr"));
@@ -78,7 +79,7 @@ bool make_instance(Xr& xr, XrInstance& instance, std::string& why) {
   info.enabledExtensionCount = static_cast<uint32_t>(std::size(kExtensions));
   info.enabledExtensionNames = kExtensions;
   if (const XrResult result = create(&info, &instance); result != XR_SUCCESS) {
-    why = "The OpenXR runtime does not start (result " + std::to_string(result) + "). Is its service running, and does it see the headset?";
+    why = say::kNotStarted(static_cast<int>(result));
     return false;
   }
   if (find_all(xr, instance, why)) return true;

@@ -5,12 +5,14 @@
 #include <exception>
 #include <numbers>
 
+#include "hand/sentences.hpp"
+
 namespace swage::scripted {
 
 void Scripted::build(const ScriptedParams& params, DeviceBuilder& builder) {
   params_ = params;
   if (params.tremor_band.low >= params.tremor_band.high) {
-    builder.error("tremor_band", "the lowest frequency must be below the highest");
+    builder.error("tremor_band", hand::say::kTremorBand());
   }
   try {
     hand_ = hand::load_hand(params.file);

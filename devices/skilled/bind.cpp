@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the acts of a plan look for in a scene, found once, or the reason why the plan cannot be carried out there.
+#include "sentences.hpp"
 #include "skilled.hpp"
 
 namespace swage::skilled {
@@ -17,14 +18,13 @@ Signal find_signal(const Scene& scene, const std::string& id) {
 void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) {
   gripper_ = scene.find_object(params_.gripper);
   needle_ = scene.find_object(params_.needle);
-  if (gripper_ == kNone) return refuse("there is no object \"" + params_.gripper + "\" (parameter gripper)");
-  if (needle_ == kNone) return refuse("there is no object \"" + params_.needle + "\" (parameter needle)");
+  if (gripper_ == kNone) return refuse(say::kNoObject(params_.gripper, "gripper"));
+  if (needle_ == kNone) return refuse(say::kNoObject(params_.needle, "needle"));
   needle_peer_ = Peer(scene->object[needle_].instance);
   strand_ = StrandPeer(needle_peer_);
-  if (!needle_peer_.graspable()) return refuse("\"" + params_.needle + "\" is not graspable");
+  if (!needle_peer_.graspable()) return refuse(say::kNotGraspable(params_.needle));
   force_ = params_.grasp.empty() ? find_signal(scene, "grasp.force") : scene.find_signal(params_.grasp, "grasp.force");
-  if (!params_.grasp.empty() && !force_.valid())
-    return refuse("there is no signal \"grasp.force\" of \"" + params_.grasp + "\" (parameter grasp)");
+  if (!params_.grasp.empty() && !force_.valid()) return refuse(say::kNoForce(params_.grasp));
   hole_ = {};
   if (params_.steady > 0) {
     hole_.s = find_signal(scene, "pierce.s");
@@ -32,21 +32,15 @@ void Skilled::bind(const Scene& scene, std::span<const swage_scene_mark> marks) 
       hole_.entry[i] = find_signal(scene, std::string("pierce.entry_") + "xyz"[i]);
       hole_.at[i] = find_signal(scene, std::string("pierce.at_") + "xyz"[i]);
     }
-    if (!hole_.valid())
-      return refuse(
-          "nothing here has a signal \"pierce.s\" by which to see where the needle goes in (parameter "
-          "steady)");
+    if (!hole_.valid()) return refuse(say::kNoHole());
   }
 
   for (size_t i = 0; i < plan_.acts.size(); ++i) {
     const Act& act = plan_.acts[i];
     const std::string where = "act " + std::to_string(i + 1) + " of " + params_.file;
-    if (act.force > 0 && !force_.valid())
-      return refuse(
-          where +
-          " closes to a force, but nothing here has a signal \"grasp.force\"; add a swage.coupling.grasp");
-    if (act.keep && !strand_.valid()) return refuse(where + " reaches for a place of a thread, but \"" + params_.needle + "\" is none");
-    if (act.verb == Verb::kDraw && !(act.less > 0)) return refuse(where + " draws up to a signal above 0");
+    if (act.force > 0 && !force_.valid()) return refuse(say::kClosesToForce(where));
+    if (act.keep && !strand_.valid()) return refuse(say::kNoThread(where, params_.needle));
+    if (act.verb == Verb::kDraw && !(act.less > 0)) return refuse(say::kDrawsToNothing(where));
     if (!find_marks(marks, i, where) || !find_things(scene, i, where) || !find_signals(scene, i, where)) return;
   }
 }
@@ -58,7 +52,7 @@ uint32_t Skilled::find_mark(std::span<const swage_scene_mark> marks, const std::
 }
 
 bool Skilled::cannot_see(const std::string& meaning, const std::string& where) {
-  refuse(where + " looks for the point \"" + meaning + "\", which this lesson does not show");
+  refuse(say::kNoPoint(where, meaning));
   return false;
 }
 
@@ -84,20 +78,20 @@ bool Skilled::find_things(const Scene& scene, size_t i, const std::string& where
   Seeks& seeks = seeks_[i];
   if (act.verb == Verb::kAnswer || act.verb == Verb::kWind) {
     const std::string& thing = act.verb == Verb::kWind ? act.about : act.of;
-    const char* const does = act.verb == Verb::kWind ? " winds about \"" : " judges \"";
+    const std::string does = act.verb == Verb::kWind ? say::kWindsAbout() : say::kJudges();
     seeks.thing = scene.find_object(thing);
-    if (seeks.thing == kNone) return refuse(where + does + thing + "\", which is not there"), false;
+    if (seeks.thing == kNone) return refuse(say::kNotThere(where, does, thing)), false;
     seeks.thing_peer = Peer(scene->object[seeks.thing].instance);
     if (act.verb == Verb::kWind && !seeks.thing_peer.gripper())
-      return refuse(where + does + thing + "\", which has no tips"), false;
+      return refuse(say::kNoTips(where, does, thing)), false;
   }
   if (act.tissue.empty()) return true;
   seeks.tissue = scene.find_object(act.tissue);
   if (seeks.tissue == kNone)
-    return refuse(where + " aims into \"" + act.tissue + "\", which is not there"), false;
+    return refuse(say::kNotThere(where, say::kAimsInto(), act.tissue)), false;
   seeks.tissue_peer = Peer(scene->object[seeks.tissue].instance);
   if (!seeks.tissue_peer.has(SWAGE_TRAIT_PIERCEABLE))
-    return refuse(where + ": \"" + act.tissue + "\" cannot be pierced"), false;
+    return refuse(say::kNotPierced(where, act.tissue)), false;
   return true;
 }
 
@@ -106,7 +100,7 @@ bool Skilled::find_signals(const Scene& scene, size_t i, const std::string& wher
   if (act.signal.empty()) return true;
   seeks_[i].signal = scene.find_signal(act.of, act.signal);
   if (seeks_[i].signal.valid()) return true;
-  refuse(where + " waits for \"" + act.signal + "\" of \"" + act.of + "\", which nobody tells here");
+  refuse(say::kNotTold(where, act.signal, act.of));
   return false;
 }
 

@@ -8,6 +8,7 @@
 
 #include "hand/hand.hpp"
 #include "hand/reader.hpp"
+#include "sentences.hpp"
 
 namespace swage::skilled {
 namespace {
@@ -47,12 +48,12 @@ const std::map<std::string, Form>& forms() {
 
 Vec3 direction(const Reader& reader, const Json& value, const std::string& where) {
   const Vec3 v = reader.vec3(value, Measure::kNumber, where);
-  if (!(v.norm() > 0)) reader.fail(where, "the direction has no length");
+  if (!(v.norm() > 0)) reader.fail(where, say::kNoDirection());
   return v.normalized();
 }
 
 std::string word(const Reader& reader, const Json& value, const std::string& where) {
-  if (!value.is_string() || value.get<std::string>().empty()) reader.fail(where, "a name is needed here");
+  if (!value.is_string() || value.get<std::string>().empty()) reader.fail(where, say::kNameNeeded());
   return value.get<std::string>();
 }
 
@@ -62,10 +63,10 @@ void check_keys(const Reader& reader, const Json& value, const Form& form, const
     if (key == "act" || key == "time" || key == "doc" || form.keys.contains(key)) continue;
     std::string all = "time";
     for (const std::string& known : form.keys) all += ", " + known;
-    reader.fail(where + "/" + key, "unknown here; this act has: " + all);
+    reader.fail(where + "/" + key, say::kUnknownKey(all));
   }
   for (const std::string& key : form.needed)
-    if (!value.contains(key)) reader.fail(where, "\"" + key + "\" is missing");
+    if (!value.contains(key)) reader.fail(where, say::kMissing(key));
 }
 
 void read_numbers(const Reader& reader, const Json& value, const std::string& where, Act& act) {
@@ -91,10 +92,9 @@ void read_numbers(const Reader& reader, const Json& value, const std::string& wh
   number("along", Measure::kLength, act.along);
   if (act.verb == Verb::kBack || act.verb == Verb::kWind) number("by", Measure::kLength, act.by);
 
-  if (!(act.time > 0)) reader.fail(where + "/time", "an act takes some time");
-  if (act.closure < 0 || act.closure > 1)
-    reader.fail(where + "/closure", "closure goes from 0 (open) to 1 (closed)");
-  if (act.s < 0 || act.s > 1) reader.fail(where + "/s", "s goes from 0 (point) to 1 (swage)");
+  if (!(act.time > 0)) reader.fail(where + "/time", say::kTakesTime());
+  if (act.closure < 0 || act.closure > 1) reader.fail(where + "/closure", hand::say::kClosure());
+  if (act.s < 0 || act.s > 1) reader.fail(where + "/s", say::kPlaceOnNeedle());
 }
 
 // of a signal or of the needle at a mark, and never of both
@@ -106,12 +106,12 @@ void check_await(const Reader& reader, const Json& value, const std::string& whe
   const bool mark = all({"mark", "s", "near"});
   const bool mixed = value.contains("signal") && value.contains("mark");
   if (signal == mark || mixed)
-    reader.fail(where, R"(what is awaited is "of", "signal" and "more" or "less", or "mark", "s" and "near")");
+    reader.fail(where, say::kAwaited());
 }
 
 bool flag(const Reader& reader, const Json& value, const char* key, const std::string& where) {
   if (!value.contains(key)) return false;
-  if (!value[key].is_boolean()) reader.fail(where + "/" + key, "true or false is needed here");
+  if (!value[key].is_boolean()) reader.fail(where + "/" + key, say::kFlagNeeded());
   return value[key].get<bool>();
 }
 
@@ -120,7 +120,7 @@ void read_wind(const Reader& reader, const Json& value, const std::string& where
   int given = 0;
   for (const char* key : {"of", "signal", "more", "less", "by"}) given += value.contains(key);
   if (given != 0 && given != 5)
-    reader.fail(where, R"(a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
+    reader.fail(where, say::kDrawn());
   act.rolls = flag(reader, value, "rolls", where);
   act.follows = flag(reader, value, "follows", where);
 }
@@ -129,19 +129,19 @@ void read_wind(const Reader& reader, const Json& value, const std::string& where
 void check_again(const Reader& reader, const Json& value, const std::string& where) {
   const bool asks = value.contains("of") && value.contains("signal") && (value.contains("more") || value.contains("less"));
   const bool any = value.contains("of") || value.contains("signal") || value.contains("more") || value.contains("less");
-  if (any && !asks) reader.fail(where, R"(it goes on there while "of", "signal" and "more" or "less" say so together)");
+  if (any && !asks) reader.fail(where, say::kGoesOn());
 }
 
 // marks among which it chooses
 void read_among(const Reader& reader, const Json& value, const std::string& where, Act& act) {
-  if (!value.is_array() || value.empty()) reader.fail(where, "a list of marks is needed here");
+  if (!value.is_array() || value.empty()) reader.fail(where, say::kMarksNeeded());
   for (const Json& one : value) act.among.push_back(word(reader, one, where));
 }
 
 // by a way, or to a place
 void read_way(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.to_place = value.contains("at");
-  if (act.to_place == value.contains("by")) reader.fail(where, R"(give "by", a way, or "at", a place)");
+  if (act.to_place == value.contains("by")) reader.fail(where, say::kWayOrPlace());
   if (!act.to_place) act.way = reader.vec3(value["by"], Measure::kLength, where + "/by");
 }
 
@@ -149,25 +149,25 @@ void read_way(const Reader& reader, const Json& value, const std::string& where,
 void read_turn(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.turns_to = value.contains("axis") || value.contains("closing");
   if (!act.turns_to) return;
-  if (value.contains("roll")) reader.fail(where, R"(give "roll", or "axis" and "closing")");
+  if (value.contains("roll")) reader.fail(where, say::kRollOrTurn());
   act.attitude = hand::read_attitude(reader, value, where);
 }
 
 // from a side, or as the jaws are turned already
 void read_reach(const Reader& reader, const Json& value, const std::string& where, Act& act) {
   act.keep = flag(reader, value, "keep", where);
-  if (act.keep == value.contains("from")) reader.fail(where, R"(give "from", the side from which it comes, or "keep", its attitude)");
+  if (act.keep == value.contains("from")) reader.fail(where, say::kFromOrKeep());
 }
 
 Act read_act(const Reader& reader, const Json& value, const std::string& where) {
   if (!value.is_object() || !value.contains("act"))
-    reader.fail(where, R"(an act is an object like {"act": "wait"})");
+    reader.fail(where, say::kAct());
   const std::string name = word(reader, value["act"], where + "/act");
   const auto found = forms().find(name);
   if (found == forms().end()) {
     std::string all;
     for (const auto& [known, form] : forms()) all += (all.empty() ? "" : ", ") + known;
-    reader.fail(where + "/act", "there is no act \"" + name + "\"; there is: " + all);
+    reader.fail(where + "/act", say::kNoAct(name, all));
   }
   check_keys(reader, value, found->second, where);
 
@@ -182,7 +182,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   if (act.verb == Verb::kReach) read_reach(reader, value, where, act);
   if (act.verb == Verb::kAgain) {
     if (!value["from"].is_number_unsigned())
-      reader.fail(where + "/from", "the number of an act before this one");
+      reader.fail(where + "/from", say::kEarlierAct());
     act.from_act = value["from"];
   } else if (value.contains("from")) {
     act.from = direction(reader, value["from"], where + "/from");
@@ -191,7 +191,7 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
   if (value.contains("with")) {
     const std::string with = word(reader, value["with"], where + "/with");
     if (with != "needle" && with != "jaws")
-      reader.fail(where + "/with", "\"needle\" or \"jaws\" is needed here");
+      reader.fail(where + "/with", say::kWithWhat());
     act.jaws = with == "jaws";
   }
   if (value.contains("among")) read_among(reader, value["among"], where + "/among", act);
@@ -212,15 +212,14 @@ Act read_act(const Reader& reader, const Json& value, const std::string& where) 
 
 Plan parse_plan(const std::string& text, const std::string& name) {
   const Reader reader(name);
-  const Json file = hand::object_of(reader, text, "swage-plan/1", {"format", "title", "doc", "start", "acts"},
-                                    "a plan has format, title, doc, start, acts");
+  const Json file = hand::object_of(reader, text, "swage-plan/1", {"format", "title", "doc", "start", "acts"}, say::kPlanHas());
   if (!file.contains("start") || !file.contains("acts") || !file["acts"].is_array() || file["acts"].empty())
-    reader.fail("", "a plan needs \"start\", a pose, and \"acts\", a list of at least one");
+    reader.fail("", say::kPlanNeeds());
 
   Plan plan;
   plan.title = reader.text(file, "title");
   const Json& start = file["start"];
-  if (!start.is_object() || !start.contains("p")) reader.fail("/start", "a start has p, axis, closing and closure");
+  if (!start.is_object() || !start.contains("p")) reader.fail("/start", say::kStart());
   plan.start.p = reader.vec3(start["p"], Measure::kLength, "/start/p");
   plan.start.q = hand::read_attitude(reader, start, "/start");
   if (start.contains("closure"))
@@ -229,7 +228,7 @@ Plan parse_plan(const std::string& text, const std::string& name) {
     plan.acts.push_back(read_act(reader, file["acts"][i], "/acts/" + std::to_string(i)));
   for (size_t i = 0; i < plan.acts.size(); ++i)
     if (plan.acts[i].verb == Verb::kAgain && plan.acts[i].from_act >= i)
-      reader.fail("/acts/" + std::to_string(i) + "/from", "the number of an act before this one");
+      reader.fail("/acts/" + std::to_string(i) + "/from", say::kEarlierAct());
   return plan;
 }
 

@@ -5,6 +5,9 @@
 #include <exception>
 #include <numbers>
 
+#include "hand/sentences.hpp"
+#include "sentences.hpp"
+
 namespace swage::skilled {
 
 using toolkit::Mat3;
@@ -38,8 +41,7 @@ Mat3 frame(const Vec3& x, const Vec3& z) {
 
 void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
   params_ = params;
-  if (params.tremor_band.low >= params.tremor_band.high)
-    builder.error("tremor_band", "the lowest frequency must be below the highest");
+  if (params.tremor_band.low >= params.tremor_band.high) builder.error("tremor_band", hand::say::kTremorBand());
   try {
     plan_ = load_plan(params.file);
   } catch (const std::exception& problem) {
@@ -53,9 +55,9 @@ void Skilled::build(const SkilledParams& params, DeviceBuilder& builder) {
 void Skilled::build_wrist(DeviceBuilder& builder) {
   const SkilledParams& p = params_;
   const Vec3 forearm(p.forearm[0], p.forearm[1], 0);
-  if (!(forearm.norm() > 0)) builder.error("forearm", "the forearm needs a horizontal direction");
+  if (!(forearm.norm() > 0)) builder.error("forearm", say::kForearm());
   for (const auto& [key, range] : {std::pair{"rotation", &p.rotation}, {"flexion", &p.flexion}, {"deviation", &p.deviation}})
-    if (!(range->low < 0 && range->high > 0)) builder.error(key, "the range must reach to both sides of 0");
+    if (!(range->low < 0 && range->high > 0)) builder.error(key, say::kRange());
   const auto side = [](const Interval& i) { return Wrist::Range{i.low, i.high}; };
   wrist_ = Wrist({.left = p.wrist == WhoseWrist::kLeft,
                   .forearm_W = forearm,

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "sentences.hpp"
+
 namespace swage::spacemouse {
 
 static_assert(sizeof(SpnavEvent) == 32, "an event is eight numbers");
@@ -20,10 +22,10 @@ std::string SpnavSocket::open(const std::string& wanted) {
   const std::string path = !wanted.empty() ? wanted : given != nullptr ? given : "/var/run/spnav.sock";
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) return path + " is too long for the name of a socket.";
+  if (path.size() >= sizeof address.sun_path) return say::kLongName(path);
   std::memcpy(address.sun_path, path.c_str(), path.size());
   const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (file < 0) return std::string("There is no socket to be had: ") + std::strerror(errno) + ".";
+  if (file < 0) return say::kNoSocket(std::strerror(errno));
   if (connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
     file_ = file;
     have_ = 0;
@@ -31,9 +33,8 @@ std::string SpnavSocket::open(const std::string& wanted) {
   }
   const int error = errno;
   ::close(file);
-  if (error == EACCES) return path + " may not be opened. Ask who runs spacenavd on this machine to let you.";
-  return "spacenavd does not answer at " + path +
-         ". Install and start it (sudo apt install spacenavd; sudo systemctl enable --now spacenavd), and plug the 3D mouse in.";
+  if (error == EACCES) return say::kMayNotOpen(path);
+  return say::kNoDaemon(path);
 }
 
 void SpnavSocket::close() {

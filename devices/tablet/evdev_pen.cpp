@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "nodes/nodes.hpp"
+#include "sentences.hpp"
 
 namespace swage::tablet {
 
@@ -51,9 +52,6 @@ int try_open(const std::string& path, OpenPen& out) {
   return 0;
 }
 
-constexpr const char* kRights =
-    " Install the udev rule 70-swage.device.tablet.rules, or add yourself to the group input (sudo adduser $USER input) and log in again.";
-
 }  // namespace
 
 std::string open_pen(const std::string& path, const std::string& like, OpenPen& out) {
@@ -61,8 +59,8 @@ std::string open_pen(const std::string& path, const std::string& like, OpenPen& 
   if (!path.empty()) {
     const int found = try_open(path, out);
     if (found == 1) return "";
-    if (found == 0) return path + " is no pen tablet. Its node is named below /dev/input/by-id with event-mouse or event-pen.";
-    return errno == EACCES ? path + " may not be read." + kRights : path + " cannot be opened: " + std::strerror(errno) + ". Is the tablet plugged in?";
+    if (found == 0) return say::kNoPen(path);
+    return errno == EACCES ? say::kMayNotRead(path, say::kRights()) : say::kNotOpened(path, std::strerror(errno));
   }
   std::vector<std::string> nodes;
   std::error_code ignored;
@@ -76,8 +74,8 @@ std::string open_pen(const std::string& path, const std::string& like, OpenPen& 
     ::close(out.file);
     out = {};
   }
-  if (const std::string pen = nodes::closed_input(nodes::Tells::kPen); !pen.empty()) return pen + " is there and may not be read." + kRights;
-  return "There is no pen tablet" + (like.empty() ? std::string() : " \"" + like + "\"") + ". Plug one in; the kernel's drivers (wacom, hid-uclogic) need no package.";
+  if (const std::string pen = nodes::closed_input(nodes::Tells::kPen); !pen.empty()) return say::kClosed(pen, say::kRights());
+  return say::kNoTablet(like.empty() ? "" : say::kCalled(like));
 }
 
 }  // namespace swage::tablet

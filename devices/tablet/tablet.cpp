@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sentences.hpp"
+
 namespace swage::tablet {
 
 using toolkit::Vec3;
@@ -35,7 +37,7 @@ void Tablet::open() {
   was_near_ = false;
   last_s_ = now_s();
   left_s_ = 0;
-  note("Tablet: " + found_ + (pen_.ranges.tilt_x.present() ? "" : ", whose pen tells no tilt"));
+  note(say::kTablet(found_, pen_.ranges.tilt_x.present() ? "" : say::kNoTilt()));
 }
 
 void Tablet::close() {

@@ -212,7 +212,7 @@ bool read_sidecar(const std::string& text, std::string& hash, std::vector<Plugin
       out.push_back(std::move(plugin));
     }
   } catch (const std::exception& e) {
-    error = std::string("It is not a ") + kFormat + " file: " + e.what();
+    error = say::kOtherFile(kFormat, e.what());
     return false;
   }
   return true;

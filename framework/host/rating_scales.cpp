@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 
 namespace swage::host {
@@ -21,28 +22,28 @@ using Json = nlohmann::ordered_json;
 
 const Json& at(const Json& from, const char* key, Json::value_t type, const std::string& where) {
   const auto found = from.find(key);
-  if (found == from.end()) refuse(where + " has no \"" + key + "\".");
-  if (found->type() != type) refuse("\"" + std::string(key) + "\" of " + where + " is not " + (type == Json::value_t::string ? "text." : type == Json::value_t::object ? "an object." : "a list."));
+  if (found == from.end()) refuse(say::kNoKey(where, key));
+  if (found->type() != type) refuse(say::kOtherKind(key, where, type == Json::value_t::string ? "text" : type == Json::value_t::object ? "an object" : "a list"));
   return *found;
 }
 
 std::string text(const Json& from, const char* key, const std::string& where) {
   const std::string out = at(from, key, Json::value_t::string, where);
-  if (out.empty()) refuse("\"" + std::string(key) + "\" of " + where + " is empty.");
+  if (out.empty()) refuse(say::kEmptyKey(key, where));
   return out;
 }
 
 double number(const Json& from, const char* key, const std::string& where) {
   const auto found = from.find(key);
-  if (found == from.end() || !found->is_number()) refuse(where + " has no number \"" + key + "\".");
+  if (found == from.end() || !found->is_number()) refuse(say::kNoNumberKey(where, key));
   return found->get<double>();
 }
 
 // only keys that are known: a mistyped one would be passed over in silence
 void expect_keys(const Json& from, std::initializer_list<const char*> known, const std::string& where) {
-  if (!from.is_object()) refuse(where + " is not an object.");
+  if (!from.is_object()) refuse(say::kIsNoObject(where));
   for (const auto& [key, value] : from.items())
-    if (std::find(known.begin(), known.end(), key) == known.end()) refuse(where + " has an unknown key \"" + key + "\".");
+    if (std::find(known.begin(), known.end(), key) == known.end()) refuse(say::kUnknownKey(where, key));
 }
 
 judge::Words words(const Json& from, const std::string& where) {
@@ -72,8 +73,8 @@ judge::RatedBy rated_by(const Json& from, const std::string& item) {
   std::string unit;
   out.best = quantity(text(from, "best", where), "\"best\" of " + where, out.unit);
   out.worst = quantity(text(from, "worst", where), "\"worst\" of " + where, unit);
-  if (unit != out.unit) refuse("\"best\" and \"worst\" of " + where + " have different units.");
-  if (out.best == out.worst) refuse("\"best\" and \"worst\" of " + where + " are the same.");
+  if (unit != out.unit) refuse(say::kUnlikeUnits(where));
+  if (out.best == out.worst) refuse(say::kSameEnds(where));
   return out;
 }
 
@@ -84,7 +85,7 @@ judge::RatingItem item(const Json& from) {
   expect_keys(from, {"id", "title", "product", "metrics"}, where);
   out.title = words(from, where);
   if (const auto product = from.find("product"); product != from.end()) {
-    if (!product->is_boolean()) refuse("\"product\" of " + where + " is neither true nor false.");
+    if (!product->is_boolean()) refuse(say::kProductIsNoFlag(where));
     out.is_product = product->get<bool>();
   }
   for (const Json& metric : at(from, "metrics", Json::value_t::array, where)) out.by.push_back(rated_by(metric, where));
@@ -93,26 +94,26 @@ judge::RatingItem item(const Json& from) {
 
 judge::RatingScale scale(const Json& from) {
   expect_keys(from, {"format", "id", "title", "source", "lowest_points", "highest_points", "needs", "items"}, "the scale");
-  if (text(from, "format", "the scale") != "swage-scale/1") refuse("The format of a scale is \"swage-scale/1\".");
+  if (text(from, "format", "the scale") != "swage-scale/1") refuse(say::kScaleFormat("swage-scale/1"));
   judge::RatingScale out;
   out.id = text(from, "id", "the scale");
   out.title = words(from, "the scale");
   out.source = text(from, "source", "the scale");
   out.lowest = number(from, "lowest_points", "the scale");
   out.highest = number(from, "highest_points", "the scale");
-  if (!(out.lowest < out.highest)) refuse("\"lowest_points\" is not below \"highest_points\".");
+  if (!(out.lowest < out.highest)) refuse(say::kNotBelow());
   if (from.contains("needs")) {
     for (const Json& metric : at(from, "needs", Json::value_t::array, "the scale")) {
-      if (!metric.is_string()) refuse("\"needs\" of the scale is no list of metrics.");
+      if (!metric.is_string()) refuse(say::kNeedsIsNoList());
       out.needs.push_back(metric.get<std::string>());
     }
   }
   std::set<std::string> ids;
   for (const Json& one : at(from, "items", Json::value_t::array, "the scale")) {
     out.items.push_back(item(one));
-    if (!ids.insert(out.items.back().id).second) refuse("Two items are called \"" + out.items.back().id + "\".");
+    if (!ids.insert(out.items.back().id).second) refuse(say::kSameItem(out.items.back().id));
   }
-  if (out.items.empty()) refuse("The scale has no items.");
+  if (out.items.empty()) refuse(say::kNoItems());
   return out;
 }
 

@@ -34,6 +34,14 @@ inline constexpr auto kFileName = "the name of a file"_sentence;
 inline constexpr auto kNumbers = "a list of {} numbers{}"_sentence;
 inline constexpr auto kNumber = "a number"_sentence;
 
+// a number with a unit
+inline constexpr auto kNotAUnit = "\"{}\" is not a unit ({})."_sentence;
+inline constexpr auto kNotANumber = "\"{}\" is not a number with a unit; \"{}\" is {}."_sentence;
+inline constexpr auto kHasNoUnit = "\"{}\" has no unit; \"{}\" is {}."_sentence;
+inline constexpr auto kUnknownUnit = "\"{}\": \"{}\" is not a unit; \"{}\" is {}."_sentence;
+inline constexpr auto kOtherDimension = "\"{}\" is {}; \"{}\" is {}."_sentence;  // "a force", then a label and what it takes
+inline constexpr auto kTooLargeNumber = "\"{}\" is too large to be a number."_sentence;
+
 // a table of parameters
 inline constexpr auto kOfParam = "Parameter \"{}\": {}"_sentence;
 inline constexpr auto kNotSnakeCase = "the id is not snake_case."_sentence;
@@ -62,6 +70,8 @@ inline constexpr auto kNameNoDoc = "\"{}\" has no doc."_sentence;
 inline constexpr auto kNameNoUnit = "\"{}\": \"{}\" is not an SI unit of the table ({})."_sentence;
 inline constexpr auto kDeclaredTwice = "\"{}\" is declared twice."_sentence;
 inline constexpr auto kUnknownWhat = "declare() does not know what {} is."_sentence;
+inline constexpr auto kGaps = "The table {} of {} has gaps."_sentence;
+inline constexpr auto kNotOffered = "{} does not offer {}."_sentence;
 inline constexpr auto kLargeState = "state() of {} numbers is too large."_sentence;
 
 // bodies, particles and hinges
@@ -144,6 +154,7 @@ inline constexpr auto kNullDescriptor = "Its descriptor {} of {} is NULL."_sente
 inline constexpr auto kHoldsNone = "It holds no plugin."_sentence;
 inline constexpr auto kDescribeThrew = "It threw an exception while it was described."_sentence;
 inline constexpr auto kDescribeDid = "It {} while it was described."_sentence;
+inline constexpr auto kOtherFile = "It is not a {} file: {}"_sentence;
 inline constexpr auto kNoId = "Id \"{}\" is not a reverse domain in lower case such as \"org.example.clip\"."_sentence;
 inline constexpr auto kNoVersion = "Version \"{}\" is not three numbers such as \"1.2.0\"."_sentence;
 inline constexpr auto kNoKind = "Kind {} is not object, coupling, device or lesson."_sentence;
@@ -151,7 +162,24 @@ inline constexpr auto kTraitsOfObjects = "Only objects offer traits."_sentence;
 inline constexpr auto kHasNoText = "It has no {}."_sentence;
 inline constexpr auto kControl = "{} says something with control characters."_sentence;
 
+// files of rating scales
+inline constexpr auto kScaleFormat = "The format of a scale is \"{}\"."_sentence;
+inline constexpr auto kNoKey = "{} has no \"{}\"."_sentence;
+inline constexpr auto kOtherKind = "\"{}\" of {} is not {}."_sentence;  // text, an object, a list
+inline constexpr auto kEmptyKey = "\"{}\" of {} is empty."_sentence;
+inline constexpr auto kNoNumberKey = "{} has no number \"{}\"."_sentence;
+inline constexpr auto kIsNoObject = "{} is not an object."_sentence;
+inline constexpr auto kUnknownKey = "{} has an unknown key \"{}\"."_sentence;
+inline constexpr auto kUnlikeUnits = "\"best\" and \"worst\" of {} have different units."_sentence;
+inline constexpr auto kSameEnds = "\"best\" and \"worst\" of {} are the same."_sentence;
+inline constexpr auto kProductIsNoFlag = "\"product\" of {} is neither true nor false."_sentence;
+inline constexpr auto kNotBelow = "\"lowest_points\" is not below \"highest_points\"."_sentence;
+inline constexpr auto kNeedsIsNoList = "\"needs\" of the scale is no list of metrics."_sentence;
+inline constexpr auto kSameItem = "Two items are called \"{}\"."_sentence;
+inline constexpr auto kNoItems = "The scale has no items."_sentence;
+
 // quarantine
+
 inline constexpr auto kQuarantine = "{} ({} {}) {} in {}() at step {} and is in quarantine."_sentence;
 
 // how a test of a plugin ended
@@ -164,6 +192,7 @@ inline constexpr auto kNotLoaded = "The library cannot be loaded."_sentence;
 
 // what the tests of a plugin find
 inline constexpr auto kNoElf = "It is no 64-bit ELF library."_sentence;
+inline constexpr auto kExportsMore = "It exports more than {}: {}."_sentence;
 inline constexpr auto kLoadsTwo = "Loading it twice gives two libraries."_sentence;
 inline constexpr auto kSlowLoad = "Loading took {} ms of processor time; 100 ms is much."_sentence;
 inline constexpr auto kCreatesAnything = "create(\"{}\") must answer NULL: there is no such plugin here."_sentence;
@@ -183,6 +212,7 @@ inline constexpr auto kActivates = "{} cannot be activated the {}. time: {}"_sen
 inline constexpr auto kWrongThread = "{} called the host {} times from a thread that may not: text in the step, or random numbers outside of it."_sentence;
 inline constexpr auto kRewinds = "{} gives other results after a rewind: it remembers something outside of its state."_sentence;
 inline constexpr auto kSecondInstance = "{} gives other results in a second instance: it depends on more than parameters and state."_sentence;
+inline constexpr auto kAtEnd = "\"{}\" at {}"_sentence;  // where what it says was found: at min, at max
 inline constexpr auto kRefusesSilently = "{}: {} refuses without a reason."_sentence;
 inline constexpr auto kNoCount = "This program does not count allocations."_sentence;
 inline constexpr auto kAllocates = "{} allocated memory {} times in {} steps; nothing on [rt] may."_sentence;

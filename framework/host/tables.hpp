@@ -12,6 +12,7 @@
 #include <string>
 
 #include "host/instance.hpp"
+#include "host/sentences.hpp"
 
 namespace swage::host {
 
@@ -36,9 +37,9 @@ const Table* find_table(Instance& instance, const char* id, bool needed, std::st
   const auto* found = static_cast<const Table*>(instance.extension(id));
   if (found != nullptr && complete(*found)) return found;
   if (found != nullptr) {
-    error = "The table " + std::string(id) + " of " + instance.plugin_id + " has gaps.";
+    error = say::kGaps(id, instance.plugin_id);
   } else if (needed) {
-    error = instance.plugin_id + " does not offer " + id + ".";
+    error = say::kNotOffered(instance.plugin_id, id);
   }
   return nullptr;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "host/sentences.hpp"
 #include "host/units.hpp"
 
 #include <array>
@@ -64,7 +65,7 @@ constexpr std::array kUnits = {
     Unit{"%", 1e-2, "1", "a pure number"},
 };
 
-std::string quoted(std::string_view text) { return "\"" + base::shortened(text, 60) + "\""; }
+std::string brief(std::string_view text) { return base::shortened(text, 60); }
 
 // "a length (m, mm, um)"
 std::string expected(const Unit& unit) {
@@ -102,7 +103,7 @@ bool parse_quantity(std::string_view text, std::string_view si, std::string_view
                     std::string& error) {
   const Unit* wanted = find_unit(si);
   if (wanted == nullptr) {
-    error = quoted(si) + " is not a unit (" + unit_list() + ").";
+    error = say::kNotAUnit(brief(si), unit_list());
     return false;
   }
   const std::string_view body = trimmed(text);
@@ -112,28 +113,26 @@ bool parse_quantity(std::string_view text, std::string_view si, std::string_view
   const char* begin = body.data() + (body.size() > 1 && body[0] == '+' && body[1] != '-' ? 1 : 0);
   const auto [rest, status] = std::from_chars(begin, end, number);
   if (status != std::errc{} || !std::isfinite(number)) {
-    error =
-        quoted(text) + " is not a number with a unit; " + quoted(label) + " is " + expected(*wanted) + ".";
+    error = say::kNotANumber(brief(text), brief(label), expected(*wanted));
     return false;
   }
   const std::string_view symbol = trimmed({rest, static_cast<std::size_t>(end - rest)});
   if (symbol.empty() && std::strcmp(wanted->si, "1") != 0) {
-    error = quoted(text) + " has no unit; " + quoted(label) + " is " + expected(*wanted) + ".";
+    error = say::kHasNoUnit(brief(text), brief(label), expected(*wanted));
     return false;
   }
   const Unit* unit = symbol.empty() ? wanted : find_unit(symbol);
   if (unit == nullptr) {
-    error = quoted(text) + ": " + quoted(symbol) + " is not a unit; " + quoted(label) + " is " +
-            expected(*wanted) + ".";
+    error = say::kUnknownUnit(brief(text), brief(symbol), brief(label), expected(*wanted));
     return false;
   }
   if (std::strcmp(unit->si, wanted->si) != 0) {
-    error = quoted(text) + " is " + unit->dimension + "; " + quoted(label) + " is " + expected(*wanted) + ".";
+    error = say::kOtherDimension(brief(text), unit->dimension, brief(label), expected(*wanted));
     return false;
   }
   const double si_value = number * unit->scale;
   if (!std::isfinite(si_value)) {
-    error = quoted(text) + " is too large to be a number.";
+    error = say::kTooLargeNumber(brief(text));
     return false;
   }
   value = si_value;

@@ -89,10 +89,8 @@ Finding test_load(const Subject& subject) {
   if (!exported_symbols(subject.library_path, symbols)) f.fail(say::kNoElf());
   std::erase(symbols, SWAGE_ENTRY_SYMBOL);
   if (!symbols.empty())
-    f.fail("It exports more than " SWAGE_ENTRY_SYMBOL ": " +
-           join({symbols.begin(),
-                 symbols.begin() + static_cast<long>(std::min<std::size_t>(symbols.size(), 5))}) +
-           ".");
+    f.fail(say::kExportsMore(SWAGE_ENTRY_SYMBOL, join({symbols.begin(),
+                                                       symbols.begin() + static_cast<long>(std::min<std::size_t>(symbols.size(), 5))})));
   const Library* library = load(subject, f);
   if (library == nullptr) return f.take();
   if (load(subject, f) != library) f.fail(say::kLoadsTwo());
@@ -320,7 +318,7 @@ Finding test_bounds(const Subject& subject) {
         ParamValues values = default_values(plugin.params, plugin.bundle_dir);
         for (double& v : values.value[i].number) v = end;
         try_values(*library, plugin, std::move(values),
-                   "\"" + p.id + "\" at " + (end == p.min ? "min" : "max"), f);
+                   say::kAtEnd(p.id, end == p.min ? "min" : "max"), f);
       }
     }
     for (uint64_t k = 0; k < 200 && !plugin.params.empty(); ++k) {

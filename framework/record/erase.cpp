@@ -14,6 +14,7 @@
 
 #include "record/identity.hpp"
 #include "record/roster.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -60,31 +61,31 @@ Cleaned clean_backup(const std::string& path, const Person& person) {
   const auto school = School::open(path, error);
   Person there;
   if (!school) return {false, error};
-  if (!school->find_person(person.code, there)) return {true, path + " holds nothing of this person."};
+  if (!school->find_person(person.code, there)) return {true, say::kHoldsNothing(path)};
   if (!school->erase_person(there.id)) return {false, path + ": " + school->error()};
-  return {true, "The person was taken out of " + path + "."};
+  return {true, say::kTakenOut(path)};
 }
 
 }  // namespace
 
 Cleaned erase_from_file(const ExportedFile& e, const Person& person) {
   if (e.kind == "lrs")
-    return {false, "The record store " + e.file + " has statements of the code " + person.code + ": have them removed there."};
-  if (e.station != station()) return {false, e.file + " was written on the station " + e.station + ": delete it there."};
+    return {false, say::kStatementsThere(e.file, person.code)};
+  if (e.station != station()) return {false, say::kElsewhere(e.file, e.station)};
   std::error_code code;
-  if (!std::filesystem::exists(e.file, code)) return {true, e.file + " is no longer there."};
+  if (!std::filesystem::exists(e.file, code)) return {true, say::kFileGone(e.file)};
   if (e.kind == "backup") return clean_backup(e.file, person);
   if (e.whole) {
     std::filesystem::remove(e.file + ".about.json", code);
-    if (std::filesystem::remove(e.file, code)) return {true, e.file + " was deleted."};
-    return {false, e.file + " cannot be deleted: " + code.message() + "."};
+    if (std::filesystem::remove(e.file, code)) return {true, say::kDeleted(e.file)};
+    return {false, say::kNotDeleted(e.file, code.message())};
   }
   std::ifstream in(e.file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::string rest;
   const bool read = e.kind == "xapi" ? without_statements(text, person.code, rest) : (rest = without_lines(text, person.code), true);
-  if (!read || !put_file(e.file, rest)) return {false, e.file + " cannot be changed: delete it."};
-  return {true, "The person's rows were taken out of " + e.file + "."};
+  if (!read || !put_file(e.file, rest)) return {false, say::kNotChanged(e.file)};
+  return {true, say::kRowsTakenOut(e.file)};
 }
 
 bool erase_rows(Database& db, const std::string& person_id) {

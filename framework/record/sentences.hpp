@@ -35,6 +35,9 @@ inline constexpr auto kCheckServer = " Check that the server runs and lets this 
 inline constexpr auto kNoStoreKind =
     "\"{}://\" is no store that Swage knows. A store is a file (/folder/attempts.db) or a PostgreSQL database (postgresql://user@host/database)."_sentence;
 inline constexpr auto kNotAFile = "{} is not a file: it is a folder, a device or a pipe."_sentence;
+inline constexpr auto kNotOpened = "{} cannot be opened: {}."_sentence;
+inline constexpr auto kNoPartOfAddress =
+    "{}: \"{}\" is no part of an address that Swage knows; allowed are host, port, user, password, passfile and those that begin with ssl."_sentence;
 inline constexpr auto kServerSilent = "the server has not answered for 3 s"_sentence;
 inline constexpr auto kNoPages = "{} cannot be read: {}."_sentence;
 
@@ -75,6 +78,19 @@ inline constexpr auto kNothingLeft = "Nothing of Swage's is left in {}."_sentenc
 inline constexpr auto kServerNotSalvaged = "A database of a server is not salvaged but restored from its newest backup."_sentence;
 inline constexpr auto kThereAlready = "{} is there already: name a file that is not."_sentence;
 inline constexpr auto kInUse = "{} is in use: close every Swage program first."_sentence;
+
+// files that were exported, and what an erased person leaves in them
+inline constexpr auto kNoHome =
+    "\"{}\" cannot be the home of identifiers: an address such as https://school.example.org, without a slash at its end, is needed."_sentence;
+inline constexpr auto kHoldsNothing = "{} holds nothing of this person."_sentence;
+inline constexpr auto kTakenOut = "The person was taken out of {}."_sentence;
+inline constexpr auto kRowsTakenOut = "The person's rows were taken out of {}."_sentence;
+inline constexpr auto kStatementsThere = "The record store {} has statements of the code {}: have them removed there."_sentence;
+inline constexpr auto kElsewhere = "{} was written on the station {}: delete it there."_sentence;
+inline constexpr auto kFileGone = "{} is no longer there."_sentence;
+inline constexpr auto kDeleted = "{} was deleted."_sentence;
+inline constexpr auto kNotDeleted = "{} cannot be deleted: {}."_sentence;
+inline constexpr auto kNotChanged = "{} cannot be changed: delete it."_sentence;
 
 // people, groups, courses
 inline constexpr auto kCodeTaken = "The code \"{}\" is another person's already."_sentence;

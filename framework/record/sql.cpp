@@ -259,7 +259,7 @@ bool Database::connect(Access access, std::string& error) {
     return false;
   if (!c.db.open()) {
     c.failed(c.db.lastError());
-    error = shown(c.where) + " cannot be opened: " + c.error + ".";
+    error = say::kNotOpened(shown(c.where), c.error);
     return false;
   }
   if (c.postgres) {

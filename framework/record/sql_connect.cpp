@@ -72,9 +72,7 @@ bool configure_postgres(QSqlDatabase& db, const std::string& where, std::string&
     else if (key.startsWith(QLatin1String("ssl")) || key == QLatin1String("passfile"))
       options += QStringLiteral(";%1=%2").arg(key, value);
     else {
-      error = shown(where) + ": \"" + key.toStdString() +
-              "\" is no part of an address that Swage knows; allowed are host, port, user, password, passfile and "
-              "those that begin with ssl.";
+      error = say::kNoPartOfAddress(shown(where), key.toStdString());
       return false;
     }
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "record/export.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record {
 namespace {
@@ -112,7 +113,7 @@ bool is_home(const std::string& home) {
 
 bool xapi_statements(const std::vector<Exported>& list, const std::string& home, std::string& out, std::string& error) {
   if (!is_home(home)) {
-    error = "\"" + home + "\" cannot be the home of identifiers: an address such as https://school.example.org, without a slash at its end, is needed.";
+    error = say::kNoHome(home);
     return false;
   }
   Json statements = Json::array();

@@ -12,9 +12,11 @@
 #include "record/export.hpp"
 #include "record/identity.hpp"
 #include "record/recorder.hpp"
+#include "record/sentences.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -43,10 +45,10 @@ bool put_file(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
   file.close();
-  return file.good() || problem("\"" + path + "\" cannot be written.") == kPassed;
+  return file.good() || problem(say::kNotWritten(path)) == kPassed;
 }
 
-int say(const AttemptWords& o, const Json& json, const std::string& text) {
+int answer(const AttemptWords& o, const Json& json, const std::string& text) {
   if (o.json)
     print(json);
   else
@@ -63,7 +65,7 @@ void keep_in_mind(const std::string& where, const std::vector<record::Exported>&
   std::error_code ignored;
   const std::string path = std::filesystem::absolute(file, ignored).string();
   if (school && !people.empty() && school->log_export({people.begin(), people.end()}, kind, path)) return;
-  tell(base::Severity::kNote, file, "This store can only be read here: erasing a person will not find this file.");
+  tell(base::Severity::kNote, file, say::kFileNotFound());
 }
 
 int export_file(const std::string& where, const record::AttemptRow& row, const std::string& file) {
@@ -83,7 +85,7 @@ bool text_of(const AttemptWords& o, const std::vector<record::Exported>& list, s
   std::string error;
   if (o.as == "csv") text = record::csv_long(list);
   if (o.as == "csv-wide") text = record::csv_wide(list);
-  if (o.as == "xapi" && !record::xapi_statements(list, o.home, text, error)) return problem("--home: " + error), false;
+  if (o.as == "xapi" && !record::xapi_statements(list, o.home, text, error)) return problem(say::kOfHome(error)), false;
   return true;
 }
 
@@ -93,7 +95,7 @@ int void_attempt(const AttemptWords& o) {
   Found f;
   if (!find(o, f)) return kProblem;
   if (!f.school->set_void(f.attempt.id, !o.undo, o.text, by(o))) return problem(f.school->error());
-  return say(o, {{"attempt", f.attempt.id}, {"void", !o.undo}, {"reason", o.text}, {"by", by(o)}},
+  return answer(o, {{"attempt", f.attempt.id}, {"void", !o.undo}, {"reason", o.text}, {"by", by(o)}},
              f.attempt.id + (o.undo ? " counts again" : " is void: ") + (o.undo ? "" : o.text));
 }
 
@@ -101,9 +103,9 @@ int name_attempt(const AttemptWords& o) {
   Found f;
   record::Person p;
   if (!find(o, f)) return kProblem;
-  if (!f.school->find_person(o.person, p)) return problem(f.school->error() + " Add them: swage people add \"" + o.person + "\".");
+  if (!f.school->find_person(o.person, p)) return problem(say::kAddThem(f.school->error(), o.person));
   if (!f.school->name_attempt(f.attempt.id, p.id, by(o), o.even_if_named)) return problem(f.school->error());
-  return say(o, {{"attempt", f.attempt.id}, {"person", p.code}}, f.attempt.id + " is " + p.name + "'s");
+  return answer(o, {{"attempt", f.attempt.id}, {"person", p.code}}, f.attempt.id + " is " + p.name + "'s");
 }
 
 int note_attempt(const AttemptWords& o) {
@@ -111,7 +113,7 @@ int note_attempt(const AttemptWords& o) {
   if (!find(o, f)) return kProblem;
   if (!o.text.empty()) {
     if (!(o.at_s >= 0) || o.at_s > f.attempt.simulated_s)
-      return problem(format("--at: %g s is outside of the attempt, which has %.3f s.", o.at_s, f.attempt.simulated_s));
+      return problem(say::kOutsideAttempt(format("%g", o.at_s), format("%.3f", f.attempt.simulated_s)));
     record::Note n{"", f.attempt.id, static_cast<uint64_t>(std::llround(o.at_s * 1000)), o.at_s, "", by(o), o.text};
     if (!f.school->save_note(n)) return problem(f.school->error());
   }
@@ -127,10 +129,10 @@ int note_attempt(const AttemptWords& o) {
 bool write_trace(const std::string& file, const std::string& store, const std::string& attempt) {
   record::Recording r;
   std::vector<record::Exported> about;
-  std::string error = "the attempt was not kept";
+  std::string error = say::kNotKept();
   if (attempt.empty() || !record::read_recording(store, attempt, r, error) ||
       !record::read_for_export(store, {"", "", attempt}, about, error) || about.empty()) {
-    tell(base::Severity::kError, file, "No trace was written: " + error);
+    tell(base::Severity::kError, file, say::kNoTrace(error));
     return false;
   }
   std::ofstream out(file);
@@ -154,7 +156,7 @@ bool write_trace(const std::string& file, const std::string& store, const std::s
   }
   out.close();
   const bool good = out.good() && put_file(file + ".about.json", record::about_json(about[0]) + "\n");
-  if (!good) tell(base::Severity::kError, file, "The trace could not be written whole.");
+  if (!good) tell(base::Severity::kError, file, say::kTraceNotWhole());
   return good;
 }
 
@@ -171,12 +173,12 @@ int export_attempts(const AttemptWords& given) {
   const bool all = o.id == "all";
   if (!all && !find_attempt(*store, o.id, row, error)) return problem(error);
   if (!all) which.attempt_id = row.id;
-  if (row.state == "running") return problem("Attempt " + row.id + " is still running.");
-  if (all && (o.as == "swage" || o.as == "trace")) return problem("\"all\" is for tables and statements (--as csv, csv-wide, xapi). For the whole store: swage attempts backup.");
+  if (row.state == "running") return problem(record::say::kStillRunning(row.id));
+  if (all && (o.as == "swage" || o.as == "trace")) return problem(say::kAllIsTables());
   if (!o.person.empty()) {
     const auto people = store->people();
     const auto found = std::find_if(people.begin(), people.end(), [&](const record::Person& p) { return p.code == o.person || p.name == o.person; });
-    if (found == people.end()) return problem("Nobody in the store is called \"" + o.person + "\".");
+    if (found == people.end()) return problem(record::say::kNobody(o.person));
     which.person_id = found->id;
   }
   std::vector<record::Exported> list;
@@ -192,8 +194,8 @@ int export_attempts(const AttemptWords& given) {
     return kProblem;
   }
   keep_in_mind(where, list, o.as.starts_with("csv") ? "csv" : o.as, file);
-  if (!all) return say(o, {{"attempt", row.id}, {"file", file}}, file);
-  return say(o, {{"attempts", list.size()}, {"file", file}}, file + ": " + std::to_string(list.size()) + " attempts");
+  if (!all) return answer(o, {{"attempt", row.id}, {"file", file}}, file);
+  return answer(o, {{"attempts", list.size()}, {"file", file}}, file + ": " + std::to_string(list.size()) + " attempts");
 }
 
 }  // namespace swage::tools

@@ -12,9 +12,11 @@
 #include "record/identity.hpp"
 #include "record/salvage.hpp"
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 #include "record/store.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -34,7 +36,7 @@ std::unique_ptr<record::Store> open(const AttemptsOptions& o, bool may_make = fa
   // attempts whose program died are shown as what they are
   store->recover();
   if (store->read_only())
-    tell(base::Severity::kNote, record::shown(where), "This store can only be read here: nothing in it is changed.");
+    tell(base::Severity::kNote, record::shown(where), say::kOnlyRead());
   return store;
 }
 
@@ -80,8 +82,7 @@ int list_attempts(const AttemptsOptions& o) {
     }
     if (!store->trouble().empty()) return problem(store->trouble());
     if (person_id.empty())
-      return problem("Nobody in the store is called \"" + o.person + "\"." +
-                     host::did_you_mean(o.person, names));
+      return problem(record::say::kNobody(o.person) + host::did_you_mean(o.person, names));
   }
 
   const std::vector<record::AttemptRow> attempts = store->attempts(person_id, o.lesson);

@@ -14,6 +14,7 @@
 #include "host/guard.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -26,7 +27,7 @@ void print_level(const AuditLadder& ladder, const AuditLevel& level) {
   const auto i = static_cast<std::size_t>(&level - ladder.level.data());
   if (!run.problem.empty())
     return static_cast<void>(
-        std::printf("  %-17s cannot be played: %s\n", run.level.c_str(), run.problem.c_str()));
+        std::printf("  %-17s %s\n", run.level.c_str(), say::kNotPlayed(run.problem).c_str()));
   std::printf("  %-17s %-8s score %5.1f  %7.1f us a step  ", run.level.c_str(), run.outcome.c_str(),
               run.score, 1e6 * run.cpu_s);
   if (i == ladder.reference) return static_cast<void>(std::printf("reference\n"));
@@ -94,7 +95,7 @@ bool read_earlier(const std::string& out, const AuditRule& rule, std::vector<Aud
   if (!file) return true;
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   if (!read_audit_runs(text, lessons))
-    return problem("\"" + out + kRuns + "\" is no record of an audit; without --add it is written anew."), false;
+    return problem(say::kNoRecord(out + kRuns)), false;
   for (AuditLesson& lesson : lessons)
     for (AuditLadder& ladder : lesson.ladder) judge(rule, ladder);
   return true;
@@ -107,7 +108,7 @@ bool add_series(std::vector<std::string>& lessons) {
   if (folder.empty()) {
     std::string places;
     for (const std::string& place : searched) places += (places.empty() ? "" : ", ") + place;
-    return problem("There is no series of lessons here; looked in: " + places), false;
+    return problem(say::kNoSeries(places)), false;
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".json") found.push_back(entry.path().string());
@@ -140,12 +141,12 @@ int audit(const AuditOptions& o) {
   const AuditRule rule{o.tolerance};
   std::vector<std::string> paths = o.lessons;
   if (o.series && !add_series(paths)) return kProblem;
-  if (paths.empty()) return problem("Name lesson files, or say --series for those that come with Swage.");
+  if (paths.empty()) return problem(say::kNameLessons());
 
   bool good = true;
   Json all = Json::array();
   std::vector<AuditLesson> lessons;
-  if (o.add && o.out.empty()) return problem("--add needs --out: the folder of the audit to which lessons are added.");
+  if (o.add && o.out.empty()) return problem(say::kAddNeedsOut());
   if (o.add && !read_earlier(o.out, rule, lessons)) return kProblem;
   for (const std::string& path : paths) {
     AuditLesson lesson;
@@ -153,7 +154,7 @@ int audit(const AuditOptions& o) {
     if (!o.json)
       std::printf("%s%s: hand %s, tolerance %.3g %%\n", path == paths.front() ? "" : "\n", lesson.title.c_str(),
                   o.device.c_str(), 100 * o.tolerance);
-    if (lesson.ladder.empty()) return problem("\"" + path + "\" has no such ladder as --only names.");
+    if (lesson.ladder.empty()) return problem(say::kNoLadder(path));
     Json out = {{"lesson", path}, {"device", o.device}, {"tolerance", o.tolerance}};
     for (AuditLadder& ladder : lesson.ladder) {
       judge(rule, ladder);
@@ -169,7 +170,7 @@ int audit(const AuditOptions& o) {
   }
   if (o.json) print(all);
   if (!o.out.empty() && !write_all(o.out, lessons, rule))
-    return problem("\"" + o.out + "\" cannot be written.");
+    return problem(say::kNotWritten(o.out));
   return good ? kPassed : kNotPassed;
 }
 

@@ -8,6 +8,7 @@
 #include "step/step.hpp"
 #include "tools/audit.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -151,7 +152,7 @@ class Player {
     if (!rig) return out;
     for (const host::DeviceSlot& slot : rig->devices)
       if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
-        out.problem = "A device did not open.";
+        out.problem = say::kNotOpened();
     if (!out.problem.empty()) return out;
     try {
       step::Engine engine(*rig, options);
@@ -178,8 +179,7 @@ class Player {
       if (engine.hand_gone()) gone_s += engine.world().dt;
     }
     if (spent_s >= plan_.budget_s)
-      out.problem = format("too slow: stopped at %.2f s of the lesson after %.0f s of processor time",
-                           engine.world().time(), spent_s);
+      out.problem = say::kTooSlow(format("%.2f", engine.world().time()), format("%.0f", spent_s));
     look();
     out.cpu_s = spent_s / static_cast<double>(std::max<uint64_t>(1, steps));
     out.simulated_s = engine.world().time();

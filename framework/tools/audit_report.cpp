@@ -7,6 +7,7 @@
 
 #include "tools/audit.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/svg.hpp"
 
 namespace swage::tools {
@@ -25,12 +26,12 @@ std::string plain(double value) { return std::isfinite(value) ? format("%.9g", v
 std::string remark(const AuditLadder& ladder) {
   std::string out;
   const AuditLevel& own = ladder.level[ladder.own];
-  if (!own.enough) out = "**the lesson's level is not enough**: " + own.why;
+  if (!own.enough) out = say::kOwnNotEnough(own.why);
   for (std::size_t i = 0; i < ladder.chosen; ++i)
     if (ladder.level[i].enough)
-      out += (out.empty() ? "" : "; ") + ladder.level[i].run.level +
-             format(" would do and costs %.0f %% more",
-                    100 * (ladder.level[i].run.cpu_s / ladder.level[ladder.chosen].run.cpu_s - 1));
+      out += (out.empty() ? "" : "; ") +
+             say::kWouldDo(ladder.level[i].run.level,
+                           format("%.0f", 100 * (ladder.level[i].run.cpu_s / ladder.level[ladder.chosen].run.cpu_s - 1)));
   for (std::size_t i = ladder.reference + 1; i < ladder.level.size(); ++i)
     out += (out.empty() ? "" : "; ") + ladder.level[i].run.level + ": " + ladder.level[i].run.problem;
   return out;

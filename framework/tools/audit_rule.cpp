@@ -5,6 +5,7 @@
 
 #include "tools/audit.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -55,14 +56,14 @@ void compare(const AuditRule& rule, AuditLevel& level, const AuditRun& reference
       level.untold.push_back(b.id);
   }
   if (run.outcome != reference.outcome || run.reason != reference.reason)
-    return static_cast<void>(level.why = ending(run) + ", " + reference.level + " " + ending(reference));
+    return static_cast<void>(level.why = say::kOtherEnd(ending(run), reference.level, ending(reference)));
   const auto worst = std::max_element(
       level.difference.begin(), level.difference.end(),
       [](const AuditDifference& a, const AuditDifference& b) { return a.size() < b.size(); });
   level.worst = worst->size();
   level.enough = level.worst <= 1;
   if (level.worst > 0)
-    level.why = format("%s %.4g instead of %.4g", worst->id.c_str(), worst->value, worst->reference) +
+    level.why = say::kInstead(worst->id, format("%.4g", worst->value), format("%.4g", worst->reference)) +
                 (worst->unit.empty() || worst->unit == "1" ? "" : " " + worst->unit);
 }
 

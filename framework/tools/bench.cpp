@@ -8,6 +8,7 @@
 #include "host/nearest.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -15,21 +16,14 @@ namespace swage::tools {
 int bench(const BenchOptions& o) {
   static const std::vector<std::string> kKinds = {"charts", "stability", "bar"};
   if (std::find(kKinds.begin(), kKinds.end(), o.which) == kKinds.end())
-    return problem("swage bench knows " + host::join(kKinds) + ", not \"" + o.which + "\"." +
-                   host::did_you_mean(o.which, kKinds));
+    return problem(say::kBenchKnows(host::join(kKinds), o.which, host::did_you_mean(o.which, kKinds)));
   const std::string program = beside("swage-bench");
   if (program.empty())
-    return problem("The program swage-bench is not beside this one (" + program_folder() +
-                   "). It measures Swage against its peers and is part of a developer build, not of an "
-                   "installation: in the "
-                   "sources, scripts/setup.sh build test peer && scripts/build.sh dev swage-bench, then "
-                   "build/dev/bin/swage "
-                   "bench " +
-                   o.which + ".");
+    return problem(say::kNoBench(program_folder(), o.which));
   std::vector<std::string> arguments = {o.which};
   arguments.insert(arguments.end(), o.rest.begin(), o.rest.end());
   become(program, arguments);
-  return problem(program + " cannot be started: " + std::strerror(errno) + ".");
+  return problem(say::kNotStarted(program, std::strerror(errno)));
 }
 
 }  // namespace swage::tools

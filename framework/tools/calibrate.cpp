@@ -9,6 +9,7 @@
 #include "base/clock.hpp"
 #include "sensor/bench.hpp"
 #include "sensor/calibration_file.hpp"
+#include "tools/calibrate_sentences.hpp"
 #include "tools/number_table.hpp"
 #include "tools/print.hpp"
 #include "tools/sensor_verbs.hpp"
@@ -25,7 +26,7 @@ class Bench {
   std::string open(const CalibrateOptions& o) {
     if (std::string why = bench_.open(o.port, o.bits_per_s); !why.empty()) return why;
     for (const double until = sensor::now_s() + 4; sensor::now_s() < until && !bench_.known(); pause()) bench_.listen(sensor::now_s());
-    return bench_.known() ? "" : bench_.port() + " does not say who it is. Is it a sensor that speaks JAW1, and powered?";
+    return bench_.known() ? "" : say::kSaysNotWho(bench_.port());
   }
   std::string serial() const { return bench_.serial(); }
   std::string name() const { return bench_.name(); }
@@ -51,7 +52,7 @@ bool ask(const std::string& question, std::string& answer) {
 // the stored calibration of this sensor, or an empty one with its name
 std::string begin(const CalibrateOptions& o, const std::string& serial, const std::string& name, Calibration& c, std::string& path) {
   path = o.file.empty() ? sensor::calibration_path(serial) : o.file;
-  if (path.empty()) return "\"" + serial + "\" cannot name a file. Give a serial number of letters, digits, - _ and . with --serial.";
+  if (path.empty()) return say::kCannotName(serial);
   if (std::FILE* there = std::fopen(path.c_str(), "re")) {
     std::fclose(there);
     if (std::string wrong = sensor::load_calibration(path, c); !wrong.empty()) return wrong;
@@ -68,7 +69,7 @@ int keep(const std::string& path, const Calibration& c) {
 }
 
 int needs_who(const CalibrateOptions& o) {
-  return o.by.empty() ? problem("Say who calibrates, with --by.") : kPassed;
+  return o.by.empty() ? problem(say::kSayWho()) : kPassed;
 }
 
 // what a table is of, and what a person is asked for it
@@ -85,7 +86,7 @@ constexpr const char* kQuestion[] = {"length in mm:", "force in N:", "force at t
 std::string contact_by_hand(const CalibrateOptions& o, Bench& bench, const Calibration& known, const char* question, double& contact) {
   std::string nothing;
   double volts = 0;
-  if (!ask(question, nothing)) return "Nobody answers.";
+  if (!ask(question, nothing)) return say::kNobodyAnswers();
   if (std::string why = bench.mean(o.seconds, volts); !why.empty()) return why;
   contact = known.displacement.length(volts);
   return "";
@@ -106,7 +107,7 @@ std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, Of of, const C
     std::vector<double> typed;
     double volts = 0;
     if (!read_numbers(text, typed) || typed.size() != 1) {
-      std::printf("That is no number.\n");
+      std::printf("%s\n", say::kTypedNoNumber().c_str());
       continue;
     }
     if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) {
@@ -124,15 +125,15 @@ std::string rows_by_hand(const CalibrateOptions& o, Bench& bench, Of of, const C
 
 // what has to be calibrated before, "" when it is
 std::string lacks(Of of, const Calibration& c) {
-  if (of != Of::kLength && !c.displacement.valid()) return "Its volts have no meaning yet. First: swage calibrate displacement.";
-  return of == Of::kTip && c.force.empty() ? "Its travel has no force yet. First: swage calibrate force." : "";
+  if (of != Of::kLength && !c.displacement.valid()) return say::kVoltsFirst();
+  return of == Of::kTip && c.force.empty() ? say::kTravelFirst() : "";
 }
 
 // where the numbers come from: a table, or a person with the sensor
 std::string collect(const CalibrateOptions& o, Of of, Calibration& c, std::string& path, std::vector<std::vector<double>>& rows) {
   if (!o.table.empty()) {
     if (std::string wrong = read_number_table(o.table, 2, rows); !wrong.empty()) return wrong;
-    if (o.serial.empty()) return "Say whose table this is: the sensor's serial number with --serial.";
+    if (o.serial.empty()) return say::kWhoseTable();
     return begin(o, o.serial, o.name, c, path);
   }
   Bench bench;
@@ -144,7 +145,7 @@ std::string collect(const CalibrateOptions& o, Of of, Calibration& c, std::strin
 }
 
 int not_kept(const std::string& wrong) {
-  problem(wrong + " Nothing is kept.");
+  problem(wrong + say::kNothingKept());
   return kNotPassed;
 }
 
@@ -229,11 +230,11 @@ int calibrate_check(const CalibrateOptions& o) {
   if (const std::string missing = lacks(Of::kTip, c); !missing.empty()) return problem(missing);
   double contact = 0, volts = 0;
   if (std::string why = contact_by_hand(o, bench, c, "Close the jaws until they just touch the needle and press Enter (touching).", contact); !why.empty())
-    return problem(why + " Nothing is kept.");
+    return problem(why + say::kNothingKept());
   std::string nothing;
   if (!ask(format("Squeeze until the gauge shows %.2f N at the tips, hold, and press Enter.", o.tip_N), nothing))
-    return problem("Nobody answers; nothing is kept.");
-  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + " Nothing is kept.");
+    return problem(say::kNobodyKeeps());
+  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + say::kNothingKept());
   const double handle = handle_force(c, contact, volts);
   c.check = {o.tip_N, c.tip.empty() ? o.ratio * handle : c.tip.value(handle), sensor::today()};
   std::printf("%.3f N at the tips by the calibration, %.3f N by the gauge\n", c.check.measured, c.check.wanted);
@@ -250,7 +251,7 @@ int calibrate_poses(const CalibrateOptions& o) {
   std::string path;
   if (const std::string why = bench.open(o); !why.empty()) return problem(why);
   if (const std::string why = begin(o, bench.serial(), "", c, path); !why.empty()) return problem(why);
-  if (!c.displacement.valid()) return problem("Its volts have no meaning yet. First: swage calibrate displacement.");
+  if (!c.displacement.valid()) return problem(say::kVoltsFirst());
   if (o.a_mm > 0) c.geometry = {1e-3 * o.a_mm, 1e-3 * o.b_mm, 1e-3 * o.gap_mm};
   const sensor::Poses before = c.poses;
   double* const pose[] = {&c.poses.open, &c.poses.closed, &c.poses.squeezed};
@@ -259,8 +260,8 @@ int calibrate_poses(const CalibrateOptions& o) {
   for (int i = 0; i < 3; ++i) {
     std::string nothing;
     double volts = 0;
-    if (!ask(how[i], nothing)) return problem("Nobody answers; nothing is kept.");
-    if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + " Nothing is kept.");
+    if (!ask(how[i], nothing)) return problem(say::kNobodyKeeps());
+    if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + say::kNothingKept());
     *pose[i] = c.displacement.length(volts);
     std::printf("  %.3f mm\n", 1e3 * *pose[i]);
   }
@@ -280,8 +281,8 @@ int calibrate_zero(const CalibrateOptions& o) {
   if (const std::string why = bench.open(o); !why.empty()) return problem(why);
   if (const std::string why = begin(o, bench.serial(), "", c, path); !why.empty()) return problem(why);
   double volts = 0;
-  if (!ask("Let the handle go and press Enter (let go).", nothing)) return problem("Nobody answers; nothing is kept.");
-  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + " Nothing is kept.");
+  if (!ask("Let the handle go and press Enter (let go).", nothing)) return problem(say::kNobodyKeeps());
+  if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + say::kNothingKept());
   const double before = c.poses.open;
   if (const std::string wrong = sensor::set_zero(c.displacement.length(volts), c.poses); !wrong.empty()) return not_kept(wrong);
   std::printf("  all poses moved by %.3f mm\n", 1e3 * (c.poses.open - before));
@@ -317,7 +318,7 @@ int calibrate_show(const CalibrateOptions& o) {
     if (!trouble.empty()) std::printf("  %s\n", printable(trouble).c_str());
   }
   if (o.json) print(list);
-  if (!o.json && list.empty()) std::printf("No calibration is kept in %s\n", printable(sensor::calibration_folder()).c_str());
+  if (!o.json && list.empty()) std::printf("%s\n", say::kNoneKept(printable(sensor::calibration_folder())).c_str());
   return worst;
 }
 

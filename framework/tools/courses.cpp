@@ -16,6 +16,7 @@
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -31,7 +32,7 @@ bool find(record::School& school, const std::string& meant, record::Course& out)
     return true;
   }
   if (!school.error().empty()) return problem(school.error()), false;
-  return problem("No course is called \"" + meant + "\"." + host::did_you_mean(meant, titles)), false;
+  return problem(say::kNoCourse(meant, host::did_you_mean(meant, titles))), false;
 }
 
 // "in a row: 2, on a later day: 2, a day: 10"
@@ -81,7 +82,7 @@ bool attempts_of(record::Store& store, record::School& school, const std::string
     found = true;
     for (record::AttemptRow& a : store.attempts(p.id)) out.push_back(std::move(a));
   }
-  return found || problem("Neither a group nor a person is called \"" + who + "\".") == kPassed;
+  return found || problem(say::kNobodyAtAll(who)) == kPassed;
 }
 
 struct Odds {
@@ -132,20 +133,20 @@ int list_courses(const CourseOptions& o) {
 
 int add_course(const CourseOptions& o) {
   std::string text, why;
-  if (!toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why)) return problem(o.file + ": " + why);
+  if (!toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why)) return problem(say::kOfFile(o.file, why));
   std::string error;
   const auto school = record::School::open(store_place(o.store), error);
   if (!school) return problem(error);
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return problem(o.file + ": It is not JSON.");
+  if (json.is_discarded()) return problem(say::kOfFile(o.file, say::kNotJson()));
   if (!freeze_files(*school, std::filesystem::path(o.file).parent_path(), json)) return kProblem;
   record::Course course;
-  if (!record::from_json(json.dump(), course, error)) return problem(o.file + ": " + error);
+  if (!record::from_json(json.dump(), course, error)) return problem(say::kOfFile(o.file, error));
   // a course of that title is the same course, changed
   for (const record::Course& c : school->courses())
     if (c.title == course.title) course.id = c.id, course.created_utc = c.created_utc;
   course.published_utc = record::utc_now();
-  if (!school->save_course(course)) return problem(o.file + ": " + school->error());
+  if (!school->save_course(course)) return problem(say::kOfFile(o.file, school->error()));
   if (o.json)
     print({{"course", course.id}, {"title", course.title}, {"steps", course.steps.size()}});
   else
@@ -206,7 +207,7 @@ int assign_course(const CourseOptions& o) {
     if (a.to_group && g.name == o.group) a.who_id = g.id;
   record::Person p;
   if (!a.to_group && school->find_person(o.person, p)) a.who_id = p.id;
-  if (a.who_id.empty()) return problem(a.to_group ? "No group is called \"" + o.group + "\"." : school->error());
+  if (a.who_id.empty()) return problem(a.to_group ? say::kNoGroup(o.group) : school->error());
   for (const record::Assignment& known : school->assignments())
     if (known.course_id == a.course_id && known.who_id == a.who_id) a.id = known.id, a.made_utc = known.made_utc;
   if (!school->assign(a)) return problem(school->error());

@@ -13,6 +13,7 @@
 #include "host/schema.hpp"
 #include "host/units.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/test_scene.hpp"
 #include "tools/verbs.hpp"
 
@@ -205,7 +206,7 @@ std::vector<PluginInfo> in_bundle(const std::string& path, std::string& error) {
   for (const PluginInfo& p : catalogue.plugins())
     if (folder || fs::equivalent(p.library_path, path, ignored)) out.push_back(p);
   if (!out.empty()) return out;
-  error = path + " holds no plugin that can be described.";
+  error = say::kNoPluginIn(path);
   for (const auto& refused : catalogue.refused()) error += " " + refused.path + ": " + refused.reason;
   return out;
 }
@@ -221,7 +222,7 @@ int describe(const DescribeOptions& o) {
     plugins = in_bundle(o.what, error);
     if (plugins.empty()) return problem(error);
   } else if (is_path) {
-    return problem("There is no " + o.what + ".");
+    return problem(say::kNothingThere(o.what));
   } else {
     host::Catalogue::Options options;
     options.plugin_dirs = o.plugin_dirs;

@@ -21,6 +21,7 @@
 #include "tools/doctor_devices.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -91,8 +92,7 @@ std::string gl_text() {
 
 Finding graphics() {
   if (!has_display())
-    return {"graphics", State::kPoor, "no display: lessons run without a window",
-            "Start it from a desktop, or under xvfb-run."};
+    return {"graphics", State::kPoor, say::kWithoutWindow(), say::kStartDesktop()};
   // a driver that crashes must not take the doctor with it
   const host::ChildResult child = host::run_forked(gl_text, 10);
   if (child.ok() && !child.out.empty()) return {"graphics", State::kGood, child.out, ""};
@@ -122,11 +122,9 @@ std::vector<Finding> plugins(const DoctorOptions& o) {
        found > 0 ? ""
                  : "Install Swage's plugins, or name their folder with --plugin-dir or SWAGE_PLUGIN_PATH."});
   for (const auto& r : catalogue.refused())
-    out.push_back({"plugin " + r.id, State::kPoor, r.path + " is refused. " + r.reason,
-                   "Rebuild it against this version of Swage, or take it out of the folder."});
+    out.push_back({"plugin " + r.id, State::kPoor, say::kRefused(r.path, r.reason), say::kRebuild()});
   for (const auto& s : catalogue.shadowed())
-    out.push_back({"plugin " + s.id, State::kPoor, s.path + " (" + s.version + ") is hidden by " + s.by,
-                   "Take one of the two out of its folder."});
+    out.push_back({"plugin " + s.id, State::kPoor, say::kHidden(s.path, s.version, s.by), say::kTakeOneOut()});
   for (const DeviceState& d : ask_devices(catalogue))
     out.push_back({"device " + d.id, d.ready ? State::kGood : State::kPoor, d.text, d.remedy, d.command});
   return out;
@@ -142,15 +140,14 @@ fs::path existing(fs::path path) {
 Finding store(const std::string& where) {
   std::error_code ignored;
   const bool server = record::is_postgres(where);
-  const std::string remedy = server ? "Check the server's address, and that it runs and lets you in."
-                                    : "Choose another place with --store, or make that folder yours.";
+  const std::string remedy = server ? say::kCheckServer() : say::kOtherPlace();
   if (const std::string no = record::address_problem(where); !no.empty())
     return {"store", State::kBad, no, remedy};
   if (!server && !fs::exists(where, ignored)) {
     const fs::path folder = existing(fs::absolute(where, ignored));
     if (fs::is_directory(folder, ignored) && access(folder.c_str(), W_OK) == 0)
-      return {"store", State::kGood, where + " will be made with the first attempt", ""};
-    return {"store", State::kBad, where + " cannot be made: " + folder.string() + " is not yours to write",
+      return {"store", State::kGood, say::kWillBeMade(where), ""};
+    return {"store", State::kBad, say::kNotYours(where, folder.string()),
             remedy};
   }
   std::string error;

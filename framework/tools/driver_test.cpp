@@ -13,6 +13,7 @@
 #include "host/services.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -35,10 +36,10 @@ class Driver {
   /// "" or what is wrong with the table itself.
   std::string table() const {
     const swage_device& d = *slot_.device;
-    if ((d.flags & ~kKnownFlags) != 0) return format("It has unknown flags (%u).", d.flags & ~kKnownFlags);
-    if (!std::isfinite(d.rate_hz) || d.rate_hz <= 0) return format("Its rate of %g Hz is none.", d.rate_hz);
+    if ((d.flags & ~kKnownFlags) != 0) return say::kUnknownFlags(d.flags & ~kKnownFlags);
+    if (!std::isfinite(d.rate_hz) || d.rate_hz <= 0) return say::kNoRate(format("%g", d.rate_hz));
     if (!std::isfinite(d.max_force) || (d.max_force > 0) != ((d.flags & SWAGE_DEVICE_FORCE) != 0))
-      return format("It %s forces, and bears %g N.", (d.flags & SWAGE_DEVICE_FORCE) != 0 ? "takes" : "takes no", d.max_force);
+      return say::kForces((d.flags & SWAGE_DEVICE_FORCE) != 0 ? "takes" : "takes no", format("%g", d.max_force));
     return signals_wrong_;
   }
 
@@ -49,19 +50,19 @@ class Driver {
     if (result >= 0) return calibration();
     if (instance().quarantined.load() != 0 && said.empty() && result != SWAGE_ERROR)
       return {Mark::kFailed, host::quarantine_text(instance())};
-    if (said.empty()) return {Mark::kFailed, "open() refuses and does not say why."};
+    if (said.empty()) return {Mark::kFailed, say::kOpensNot()};
     // hardware that is not here is no fault of the plugin
-    return {Mark::kSkipped, "It did not open: " + said[0].message};
+    return {Mark::kSkipped, say::kDidNotOpen(said[0].message)};
   }
   /// Its calibration is JSON that the record can tell, or there is none.
   Finding calibration() {
     const auto* table = static_cast<const swage_device_calibration*>(instance().extension(SWAGE_EXT_CALIBRATION));
     if (table == nullptr) return {};
-    if (table->text == nullptr) return {Mark::kFailed, "The table " SWAGE_EXT_CALIBRATION " has gaps."};
+    if (table->text == nullptr) return {Mark::kFailed, say::kTableGaps(SWAGE_EXT_CALIBRATION)};
     const swage_str text = table->text(instance().raw);
     if (text.data == nullptr || text.size == 0) return {};
     if (nlohmann::json::parse(text.data, text.data + text.size, nullptr, false).is_object()) return {};
-    return {Mark::kFailed, "The text of its calibration is no JSON object."};
+    return {Mark::kFailed, say::kCalibrationNoJson()};
   }
   void close() {
     host::detail::contained(instance(), host::Call::kClose, 0, [&] { slot_.device->close(instance().raw); });
@@ -85,13 +86,11 @@ class Driver {
 
   Finding verdict() const {
     if (measurements_ == 0)
-      return {Mark::kWarning, "It opened and sent no measurement. What is connected to it?"};
+      return {Mark::kWarning, say::kSentNothing()};
     if (longest_ > kSlow)
-      return {Mark::kWarning, format("An exchange took %.2f s; after %.1f s without a sample the hand counts as lost.", longest_,
-                                     kSlow)};
+      return {Mark::kWarning, say::kSlowExchange(format("%.2f", longest_), format("%.1f", kSlow))};
     if (!odd_.empty()) return {Mark::kWarning, odd_};
-    return {Mark::kSuccess, format("%llu measurements; the longest exchange took %.1f ms.",
-                                   static_cast<unsigned long long>(measurements_), 1e3 * longest_)};
+    return {Mark::kSuccess, say::kMeasurements(measurements_, format("%.1f", 1e3 * longest_))};
   }
 
  private:
@@ -107,9 +106,9 @@ class Driver {
                                     [&] { return slot_.device->exchange(instance().raw, &command, &sample); });
     const double took = 1e-9 * static_cast<double>(base::wall_ns() - begin);
     longest_ = std::max(longest_, took);
-    if (took > kTooSlow) wrong_ = format("An exchange took %.2f s. Wait for a driver for 0.1 s at most, and say that nothing new came.", took);
+    if (took > kTooSlow) wrong_ = say::kTooSlowExchange(format("%.2f", took));
     if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
-    if (instance().services->role_breaches() > 0) wrong_ = "It called the host from a thread that may not.";
+    if (instance().services->role_breaches() > 0) wrong_ = say::kCallsHost();
     if (good && wrong_.empty()) look(sample);
     if (good && wrong_.empty()) listen();
   }
@@ -120,26 +119,26 @@ class Driver {
     double told[SWAGE_MOST_DEVICE_SIGNALS];
     const bool finite = signals_.read(n_, told);
     if (instance().quarantined.load() != 0) wrong_ = host::quarantine_text(instance());
-    if (!finite) wrong_ = "What it tells of itself is infinite.";
+    if (!finite) wrong_ = say::kInfinite();
   }
 
   void look(const swage_sample& s) {
-    if (!host::finite(&s.time_s, 16)) wrong_ = "A sample has a number that is not finite.";
-    if ((s.valid & ~kKnownBits) != 0) wrong_ = format("A sample says that unknown fields are valid (%u).", s.valid & ~kKnownBits);
-    if (s.sequence < last_.sequence) wrong_ = "The number of the measurements goes backwards.";
+    if (!host::finite(&s.time_s, 16)) wrong_ = say::kSampleNotFinite();
+    if ((s.valid & ~kKnownBits) != 0) wrong_ = say::kUnknownFields(s.valid & ~kKnownBits);
+    if (s.sequence < last_.sequence) wrong_ = say::kBackwards();
     const swage_quat& q = s.pose.q;
     const double norm = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
     if ((s.valid & SWAGE_VALID_POSE) != 0 && !(std::abs(norm - 1) < 1e-3))
-      wrong_ = format("A valid pose has a quaternion of length %g.", norm);
+      wrong_ = say::kQuaternion(format("%g", norm));
     if ((s.valid & SWAGE_VALID_CLOSURE) != 0 && !(s.closure >= 0 && s.closure <= 1))
-      odd_ = format("A valid closure is %g; it goes from 0 open to 1 closed.", s.closure);
+      odd_ = say::kClosure(format("%g", s.closure));
     if (s.sequence > last_.sequence) {
-      if (measurements_ > 0 && s.time_s < last_.time_s) wrong_ = "A newer measurement has an older time.";
+      if (measurements_ > 0 && s.time_s < last_.time_s) wrong_ = say::kOlder();
       if (std::abs(s.time_s - 1e-9 * static_cast<double>(base::wall_ns())) > 5)
-        odd_ = "The time of its measurements is not on the host's clock (CLOCK_MONOTONIC, s).";
+        odd_ = say::kOtherClock();
       ++measurements_;
     }
-    if (!wrong_.empty()) wrong_ += format(" Exchange %llu.", static_cast<unsigned long long>(n_));
+    if (!wrong_.empty()) wrong_ += say::kExchange(n_);
     last_ = s;
   }
 
@@ -160,7 +159,7 @@ Finding driver(const TestScene& scene, uint64_t) {
   if (!scene.make({}, s, error)) return {Mark::kFailed, error};
   Driver driver(s.rig->devices[0]);
   if (std::string wrong = driver.table(); !wrong.empty()) return {Mark::kFailed, wrong};
-  if (!scene.on_thread()) return {Mark::kSkipped, "It is asked in the step, as the other tests do."};
+  if (!scene.on_thread()) return {Mark::kSkipped, say::kInTheStep()};
   for (int round = 0; round < 3; ++round) {
     if (Finding f = driver.open(); f.mark != Mark::kSuccess) return f;
     std::string wrong = driver.run(kExchanges);

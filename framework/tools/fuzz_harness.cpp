@@ -11,6 +11,7 @@
 #include "host/services.hpp"
 #include "scene/view.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 
@@ -58,8 +59,8 @@ class Lesson final : public FuzzHarness {
     };
     verdict_.finish = [](const swage_verdict* v, int32_t passed, double score, uint32_t reason) {
       self(v).say("reason", reason, self(v).slot_.event.count, score, true);
-      if (!(score >= 0 && score <= 100)) self(v).report_fault(format("gave a score of %g; it goes from 0 to 100", score));
-      if (passed == 0 && reason == SWAGE_NONE) self(v).report_fault("failed an attempt without a reason");
+      if (!(score >= 0 && score <= 100)) self(v).report_fault(say::kScore(format("%g", score)));
+      if (passed == 0 && reason == SWAGE_NONE) self(v).report_fault(say::kFailedSilently());
     };
   }
 
@@ -85,8 +86,8 @@ class Lesson final : public FuzzHarness {
   void say(const char* what, uint32_t index, uint32_t count, double value, bool may_be_none) {
     said_.add(uint64_t{index}).add(value);
     if (index >= count && !(may_be_none && index == SWAGE_NONE))
-      report_fault(format("said %s %u; it has declared %u", what, index, count));
-    if (!std::isfinite(value)) report_fault(format("said a number that is not finite for %s %u", what, index));
+      report_fault(say::kUndeclared(what, index, count));
+    if (!std::isfinite(value)) report_fault(say::kSaidNotFinite(what, index));
   }
 
   host::LessonSlot& slot_;
@@ -109,7 +110,7 @@ class Coupling final : public FuzzHarness {
       auto& self = *static_cast<Coupling*>(s->host_data);
       self.said_.add(uint64_t{event}).add(value);
       if (event >= self.slot_.event.count)
-        self.report_fault(format("said event %u; it has declared %u", event, self.slot_.event.count));
+        self.report_fault(say::kUndeclared("event", event, self.slot_.event.count));
     };
   }
 
@@ -128,15 +129,14 @@ class Coupling final : public FuzzHarness {
     for (const swage_contact& c : contact_) {
       said_.add(c.friction).add(c.stiffness).add(c.restitution);
       if (!poisoned && resolved && !sensible(c))
-        report_fault(format("left a contact with friction %g, stiffness %g N/m, restitution %g", c.friction, c.stiffness,
-                      c.restitution));
+        report_fault(say::kContact(format("%g", c.friction), format("%g", c.stiffness), format("%g", c.restitution)));
     }
     for (swage_contact& c : contact_) push(c, random, poisoned);
     ties(random, poisoned);
     call(host::Call::kFinish, [&] { return slot_.coupling->finish(slot_.instance->raw, &step_); });
     for (uint32_t i = 0; i < step_.n_signal; ++i) {
       said_.add(step_.signal[i]);
-      if (!poisoned && !std::isfinite(step_.signal[i])) report_fault("wrote a signal that is not finite");
+      if (!poisoned && !std::isfinite(step_.signal[i])) report_fault(say::kSignalNotFinite());
     }
     draw(poisoned);
     said_.add(step_.state, step_.n_state * sizeof(double));
@@ -152,7 +152,7 @@ class Coupling final : public FuzzHarness {
     uint32_t n = 0;
     const bool given =
         call(host::Call::kTies, [&] { return slot_.ties->ties(slot_.instance->raw, &step_, kRoom, tie.data(), &n); });
-    if (n > kRoom) report_fault(format("gave %u ties where there is room for %u", n, kRoom));
+    if (n > kRoom) report_fault(say::kTooMany(n, "ties", kRoom));
     n = given ? std::min(n, kRoom) : 0;
     for (uint32_t i = 0; i < n && !poisoned; ++i) check(tie[i]);
     for (uint32_t i = 0; i < n; ++i) {
@@ -170,10 +170,10 @@ class Coupling final : public FuzzHarness {
       return index == SWAGE_NONE || index < rig().objects[object].body.count;
     };
     if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3))
-      report_fault("gave a tie with a place or axis that is none");
-    if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) report_fault("gave a tie to a body that is not there");
+      report_fault(say::kTiePlace());
+    if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) report_fault(say::kTieBody());
     for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back})
-      if (!(x >= 0)) report_fault(format("gave a tie with a stiffness or strength of %g", x));
+      if (!(x >= 0)) report_fault(say::kTieStiffness(format("%g", x)));
   }
 
   // what it draws: torn places, and what is known of them
@@ -183,17 +183,17 @@ class Coupling final : public FuzzHarness {
     if (slot_.tears != nullptr) {
       std::vector<swage_tear> tear(kRoom + 1);
       call(host::Call::kTears, [&] { return slot_.tears->tears(slot_.instance->raw, &step_, kRoom, tear.data(), &n); });
-      if (n > kRoom) report_fault(format("gave %u tears where there is room for %u", n, kRoom));
+      if (n > kRoom) report_fault(say::kTooMany(n, "tears", kRoom));
       for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-        if (!host::finite(&tear[i].a_W.x, 10)) report_fault("gave a tear that is no number");
+        if (!host::finite(&tear[i].a_W.x, 10)) report_fault(say::kTear());
     }
     if (slot_.wounds == nullptr) return;
     std::vector<swage_wound> wound(kRoom + 1);
     n = 0;
     call(host::Call::kWounds, [&] { return slot_.wounds->wounds(slot_.instance->raw, &step_, kRoom, wound.data(), &n); });
-    if (n > kRoom) report_fault(format("gave %u wounds where there is room for %u", n, kRoom));
+    if (n > kRoom) report_fault(say::kTooMany(n, "wounds", kRoom));
     for (uint32_t i = 0; i < std::min(n, kRoom); ++i)
-      if (!host::finite(&wound[i].p_W.x, 8)) report_fault("gave a wound that is no number");
+      if (!host::finite(&wound[i].p_W.x, 8)) report_fault(say::kWound());
   }
   static bool sensible(const swage_contact& c) {
     return std::isfinite(c.friction) && c.friction >= 0 && std::isfinite(c.stiffness) && c.stiffness >= 0 &&
@@ -266,13 +266,13 @@ bool FuzzHarness::call(host::Call which, F&& f) {
   allocations_ += host::thread_allocations() - before;
   if (fault_.empty() && instance_.quarantined.load() != 0) fault_ = host::quarantine_text(instance_);
   if (const uint32_t n = instance_.services->role_breaches(); n > 0)
-    report_fault(format("called the host %u times from the step with what belongs on the main thread", n));
+    report_fault(say::kMainThread(n));
   return kept;
 }
 
 void FuzzHarness::report_fault(const std::string& what) {
   if (fault_.empty())
-    fault_ = instance_.plugin_id + " " + what + format(" in step %llu.", static_cast<unsigned long long>(world_.step));
+    fault_ = say::kInStep(instance_.plugin_id, what, world_.step);
 }
 
 double FuzzHarness::wild(base::Xoshiro256& random) {
@@ -334,7 +334,7 @@ std::unique_ptr<FuzzHarness> make_fuzz_harness(const TestScene& scene, uint64_t 
   if (error = stepped->run(10); !error.empty()) return nullptr;
   if (scene.plugin().kind == SWAGE_KIND_LESSON) return std::make_unique<Lesson>(std::move(stepped), seed);
   if (scene.plugin().kind == SWAGE_KIND_COUPLING) return std::make_unique<Coupling>(std::move(stepped), seed);
-  error = "It does more than look.";
+  error = say::kDoesMore();
   return nullptr;
 }
 
@@ -366,7 +366,7 @@ bool rewinds(FuzzHarness& harness, const std::vector<uint64_t>& first) {
 
 host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
   const auto failed = [seed](const std::string& text) {
-    return host::Finding{host::Mark::kFailed, text + format(" Seed: %llu.", static_cast<unsigned long long>(seed))};
+    return host::Finding{host::Mark::kFailed, text + say::kSeed(seed)};
   };
   std::string error;
   const auto one = make_fuzz_harness(scene, seed, error), other = make_fuzz_harness(scene, seed, error);
@@ -375,24 +375,21 @@ host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
   const std::vector<uint64_t> first = look(*one, 0, kSteps);
   if (!one->fault().empty()) return failed(one->fault());
   if (one->allocations() > 0)
-    return failed(format("It allocated memory %llu times in %llu steps; nothing on [rt] may.",
-                         static_cast<unsigned long long>(one->allocations()), static_cast<unsigned long long>(kSteps)));
+    return failed(say::kAllocates(one->allocations(), kSteps));
   one->reset();
   if (look(*one, 0, kSteps) != first)
-    return failed("After a reset it says other things about the same steps: it remembers what reset() must forget.");
+    return failed(say::kForgets());
   other->reset();
   if (look(*other, 0, kSteps) != first)
-    return failed("A second instance says other things about the same steps: it depends on more than it is shown.");
+    return failed(say::kShares());
   if (!rewinds(*one, first))
-    return failed(
-        "After restoring its state it says other things about the same steps: it remembers something outside "
-        "of its declared state.");
+    return failed(say::kRemembers());
   // what no host sends must neither throw nor outlive a reset
   one->reset();
   for (uint64_t i = 0; i < 200; ++i) one->step(kElsewhere + i, true);
   one->reset();
   if (look(*one, 0, kSteps) != first && one->fault().empty())
-    return failed("A number that is not finite stays in it after a reset.");
+    return failed(say::kPoisoned());
   return one->fault().empty() ? host::Finding{} : failed(one->fault());
 }
 

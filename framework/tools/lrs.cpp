@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "tools/sentences.hpp"
+
 namespace swage::tools {
 namespace {
 
@@ -33,18 +35,18 @@ void set_up() {
 
 std::string problem_of(const LrsAddress& a) {
   if (a.url.find_first_of(" \t\n\r") != std::string::npos || a.url.find('@') != std::string::npos)
-    return "--to: \"" + a.url + "\" is no address; https://lrs.example.org/xapi is. A login goes into a file: --login.";
+    return say::kNoAddress(a.url);
   if (starts_with_any(a.url, {"https://"})) return "";
   // records of people are encrypted where they leave the machine
   if (starts_with_any(a.url, {"http://127.0.0.1:", "http://127.0.0.1/", "http://localhost:", "http://localhost/"})) return "";
-  return "--to: \"" + a.url + "\" is not encrypted: https:// is needed for anything but this machine.";
+  return say::kNotEncrypted(a.url);
 }
 
 LrsAnswer post_statements(const LrsAddress& address, const std::string& json) {
   LrsAnswer out;
   set_up();
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(curl_easy_init(), &curl_easy_cleanup);
-  if (!curl) return out.error = "libcurl does not start.", out;
+  if (!curl) return out.error = say::kNoCurl(), out;
   curl_slist* list = nullptr;
   for (const char* head : {"Content-Type: application/json", "X-Experience-API-Version: 1.0.3", "Expect:"})
     list = curl_slist_append(list, head);
@@ -71,10 +73,10 @@ LrsAnswer post_statements(const LrsAddress& address, const std::string& json) {
     curl_easy_setopt(c, CURLOPT_USERPWD, address.login.c_str());
   }
   const CURLcode code = curl_easy_perform(c);
-  if (code != CURLE_OK) return out.error = std::string("There is no answer: ") + (*why ? why : curl_easy_strerror(code)) + ".", out;
+  if (code != CURLE_OK) return out.error = say::kNoAnswer(*why ? why : curl_easy_strerror(code)), out;
   curl_easy_getinfo(c, CURLINFO_RESPONSE_CODE, &out.status);
   out.reached = true;
-  if (!out.kept()) out.error = "It answers " + std::to_string(out.status) + (said.empty() ? "." : ": " + said);
+  if (!out.kept()) out.error = say::kAnswers(out.status, said.empty() ? "." : ": " + said);
   return out;
 }
 

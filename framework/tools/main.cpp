@@ -17,6 +17,7 @@
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
 #include "tools/sensor_verbs.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace {
@@ -66,7 +67,7 @@ void add_run(CLI::App& app, Arguments& a) {
   verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which the attempt ends")
       ->check(CLI::Validator(
           [](std::string& text) {
-            return std::atof(text.c_str()) > 0 ? "" : text + " is not a time above 0";
+            return std::atof(text.c_str()) > 0 ? "" : say::kNoTime(text);
           },
           "SECONDS"));
   verb->add_flag("--json", o.json, "The result as JSON");
@@ -316,15 +317,15 @@ bool wrong_verb(const CLI::App& app, int argc, char** argv) {
     verbs.push_back(sub->get_name());
   if (verbs.empty() || (argc >= 2 && argv[1][0] == '-')) return false;
   const std::string name = app.get_name(),
-                    has = " It has: " + swage::host::join(verbs) + ". See: swage --help";
+                    has = say::kVerbs(swage::host::join(verbs));
   if (argc < 2) {
-    problem("Say what " + name + " shall do." + has);
+    problem(say::kSayVerb(name) + has);
     return true;
   }
   const std::string verb = argv[1];
   if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end())
     return wrong_verb(*app.get_subcommand(verb), argc - 1, argv + 1);
-  problem(name + " has no verb \"" + verb + "\"." + swage::host::did_you_mean(verb, verbs) + has);
+  problem(say::kNoVerb(name, verb, swage::host::did_you_mean(verb, verbs)) + has);
   return true;
 }
 
@@ -344,8 +345,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     const auto chosen = app.get_subcommands();
-    return problem(std::string(error.what()) + ". See: swage " +
-                   (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help");
+    return problem(say::kSeeHelp(error.what(), chosen.empty() ? "" : chosen[0]->get_name() + " "));
   }
   return a.chosen();
 }
@@ -368,6 +368,6 @@ int main(int argc, char** argv) {
   try {
     return swage::session::end_program(parse_and_run(argc, argv));
   } catch (const std::exception& error) {
-    return problem(std::string(error.what()) + " (this should not happen: please report it)");
+    return problem(say::kUnexpected(error.what()));
   }
 }

@@ -10,6 +10,7 @@
 #include "tools/needle_bench.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -23,7 +24,7 @@ bool read_library(std::vector<NeedleModel>& out) {
   std::vector<std::string> searched;
   const std::string folder = data_folder("needles", searched);
   if (folder.empty()) {
-    problem("The library of needles is not here. Looked in " + host::join(searched) + ".");
+    problem(say::kNoLibrary(host::join(searched)));
     return false;
   }
   std::vector<std::string> files;
@@ -73,8 +74,7 @@ bool find_model(const std::string& wanted, NeedleModel& out) {
     out = n;
     return true;
   }
-  problem("The library has no needle \"" + wanted + "\"." + host::did_you_mean(wanted, names) + " It has " +
-          host::join(names) + ".");
+  problem(say::kNoNeedle(wanted, host::did_you_mean(wanted, names), host::join(names)));
   return false;
 }
 

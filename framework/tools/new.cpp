@@ -12,6 +12,7 @@
 #include "host/nearest.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -100,37 +101,29 @@ std::string guide_page(const std::string& kind) {
 int make_new(const NewOptions& o) {
   static const std::vector<std::string> kKinds = {"object", "flexible", "coupling", "device", "hardware", "lesson"};
   if (std::find(kKinds.begin(), kKinds.end(), o.kind) == kKinds.end())
-    return problem("\"" + o.kind + "\" is no template; there are " + host::join(kKinds) + "." +
-                   host::did_you_mean(o.kind, kKinds));
+    return problem(say::kNoTemplate(o.kind, host::join(kKinds), host::did_you_mean(o.kind, kKinds)));
   if (!is_id(o.id))
-    return problem(
-        "\"" + o.id +
-        "\" is not an id. Write a reverse domain in lower case, with _ inside words: org.example.clip");
+    return problem(say::kNoId(o.id));
   if (o.id.starts_with("swage."))
-    return problem(
-        "Ids that begin with \"swage.\" are those of Swage itself. Take a domain of your own: org.example." +
-        o.id.substr(o.id.rfind('.') + 1));
+    return problem(say::kOwnDomain(o.id.substr(o.id.rfind('.') + 1)));
   if (!o.name.empty() && !is_class_name(o.name))
-    return problem("\"" + o.name +
-                   "\" cannot name a class. Write letters and digits, the first one large: FineClip");
+    return problem(say::kNoClass(o.name));
 
   std::vector<std::string> searched;
   const std::string templates = template_folder(searched);
   const fs::path from = fs::path(templates) / o.kind;
   std::error_code ignored;
   if (templates.empty() || !fs::is_directory(from, ignored))
-    return problem("The template of a new " + o.kind + " is not installed. Searched: " +
-                   (templates.empty() ? host::join(searched) : from.string()) +
-                   ". Install Swage's SDK again.");
+    return problem(say::kTemplateGone(o.kind, templates.empty() ? host::join(searched) : from.string()));
 
   const std::string file = o.id.substr(o.id.rfind('.') + 1);
   const fs::path to = o.dir.empty() ? fs::path(file) : fs::path(o.dir);
   if (fs::exists(to, ignored) && (!fs::is_directory(to, ignored) || !fs::is_empty(to, ignored)))
-    return problem(to.string() + " is there already and not empty. Choose another folder with --dir.");
+    return problem(say::kNotEmpty(to.string()));
   const Tokens tokens = {{"@ID@", o.id}, {"@NAME@", o.name.empty() ? camel(file) : o.name}, {"@FILE@", file}};
   std::vector<std::string> made;
   if (!copy(from, to, tokens, made))
-    return problem(made.back() + " cannot be written. Choose a folder that you may write to with --dir.");
+    return problem(say::kNoPlace(made.back()));
 
   for (const std::string& path : made) std::printf("%s\n", path.c_str());
   std::printf("Next: read %s\n", (to / "README.md").string().c_str());

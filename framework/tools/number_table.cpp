@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "toolkit/read_file.hpp"
+#include "tools/calibrate_sentences.hpp"
 
 namespace swage::tools {
 
@@ -27,7 +28,7 @@ bool read_numbers(const std::string& text, std::vector<double>& out) {
 
 std::string read_number_table(const std::string& path, std::size_t columns, std::vector<std::vector<double>>& out) {
   std::string bytes, why;
-  if (!toolkit::read_file(path, std::size_t{1} << 20, bytes, why)) return path + ": " + why;
+  if (!toolkit::read_file(path, std::size_t{1} << 20, bytes, why)) return say::kOfTable(path, why);
   out.clear();
   std::istringstream in(bytes);
   std::vector<double> row;
@@ -38,10 +39,10 @@ std::string read_number_table(const std::string& path, std::size_t columns, std:
     if (!numbers && out.empty() && number == 1) continue;  // a heading
     if (numbers && row.empty()) continue;
     if (!numbers || row.size() != columns)
-      return path + ", line " + std::to_string(number) + ": a row has " + std::to_string(columns) + " numbers.";
+      return say::kRowOf(path, number, columns);
     out.push_back(row);
   }
-  return out.empty() ? path + ": It has no row of numbers." : "";
+  return out.empty() ? say::kNoRow(path) : "";
 }
 
 }  // namespace swage::tools

@@ -19,6 +19,7 @@
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -148,15 +149,15 @@ int edit_person(const PeopleOptions& o) {
 
 int import_people(const PeopleOptions& o) {
   std::string text, error;
-  if (!read_list(o.file, text)) return problem(o.file + " cannot be read.");
+  if (!read_list(o.file, text)) return problem(say::kNotRead(o.file));
   const auto school = open(o.store);
   if (!school) return kProblem;
   std::vector<record::ListedPerson> list;
-  if (!record::read_people(text, school->people(), school->groups(), list, error)) return problem(o.file + ": " + error);
+  if (!record::read_people(text, school->people(), school->groups(), list, error)) return problem(say::kOfFile(o.file, error));
   int added = static_cast<int>(std::count_if(list.begin(), list.end(), [](const auto& p) { return !p.is_there && p.problem.empty(); }));
   const bool faulty = std::any_of(list.begin(), list.end(), [](const auto& p) { return !p.problem.empty(); });
   if (!o.dry_run || faulty)
-    if (added = record::add_people(*school, list, error); added < 0) return problem(o.file + ": " + error);
+    if (added = record::add_people(*school, list, error); added < 0) return problem(say::kOfFile(o.file, error));
   Json rows = Json::array();
   for (const record::ListedPerson& p : list) {
     rows.push_back({{"line", p.line}, {"name", p.person.name}, {"code", p.person.code}, {"group", p.group}, {"added", !p.is_there && !o.dry_run}, {"there", p.is_there}});
@@ -185,7 +186,7 @@ int erase_person(const PeopleOptions& o) {
   record::Person p;
   if (!school || !find(*school, o.who, p)) return kProblem;
   if (o.confirm != p.name && o.confirm != p.code)
-    return problem("Erasing " + p.name + " with " + std::to_string(p.attempts) + " attempts is final. To do so, add --confirm \"" + p.name + "\".");
+    return problem(say::kFinal(p.name, p.attempts, p.name));
   // files first: while the person is in the store, this can be repeated
   Json files = Json::array();
   bool all = true;

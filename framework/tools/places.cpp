@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "record/address.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 
@@ -65,7 +66,7 @@ std::unique_ptr<record::Store> existing_store(const std::string& where, std::str
   error = record::address_problem(where);
   if (!error.empty()) return nullptr;
   if (record::is_postgres(where) || fs::exists(where, ignored)) return record::Store::open_as_allowed(where, error);
-  error = "There is no store " + where + ": no attempt has been kept there yet.";
+  error = say::kNoStore(where);
   return nullptr;
 }
 
@@ -85,14 +86,13 @@ bool find_attempt(record::Store& store, const std::string& meant, record::Attemp
   for (record::AttemptRow& a : all)
     if (meant == "last" || a.id.starts_with(meant)) candidates.push_back(std::move(a));
   if (candidates.empty()) {
-    error = meant == "last" ? "The store holds no attempt yet."
-                            : "There is no attempt \"" + meant + "\". \"swage attempts list\" shows them.";
+    error = meant == "last" ? say::kNoAttemptYet()
+                            : say::kNoAttempt(meant);
     return false;
   }
   // newest first
   if (meant != "last" && candidates.size() > 1) {
-    error =
-        "\"" + meant + "\" may be " + std::to_string(candidates.size()) + " attempts: give more of the id.";
+    error = say::kManyAttempts(meant, candidates.size());
     return false;
   }
   out = candidates.front();

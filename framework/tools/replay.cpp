@@ -11,6 +11,7 @@
 #include "session/session.hpp"
 #include "tools/places.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -22,7 +23,7 @@ bool load(const ReplayOptions& o, record::Recording& out, std::string& id, std::
   if (std::filesystem::is_regular_file(o.what, ignored))
     return record::read_recording(o.what, "", out, error);
   if (o.what.ends_with(".swage")) {
-    error = "There is no file " + o.what + ".";
+    error = say::kNoFile(o.what);
     return false;
   }
   const std::string where = store_place(o.store);
@@ -38,14 +39,9 @@ std::string gap_text(const record::Recording& recording) {
   for (std::size_t i = 1; i < recording.step.size(); ++i) {
     const uint64_t expected = recording.step[i - 1] + 1;
     if (recording.step[i] != expected)
-      return format(
-          "%llu steps are missing from step %llu on: the machine was too slow to record them, so this "
-          "attempt "
-          "cannot be replayed.",
-          static_cast<unsigned long long>(recording.step[i] - expected),
-          static_cast<unsigned long long>(expected));
+      return say::kMissingSteps(recording.step[i] - expected, expected);
   }
-  return recording.step.empty() ? "It has no recorded step." : "";
+  return recording.step.empty() ? say::kNoSteps() : "";
 }
 
 // What was said then and what the lesson says now, one below the other.
@@ -96,7 +92,7 @@ Judged grade_one(record::Store& store, const std::string& where, const ReplayOpt
   session::Replay result;
   base::Problems problems;
   if (!record::read_recording(where, then.id, recording, error) || recording.step.empty()) {
-    tell(base::Severity::kError, then.id, error.empty() ? "It has no recorded step." : error);
+    tell(base::Severity::kError, then.id, error.empty() ? say::kNoSteps() : error);
     return Judged::kNot;
   }
   const std::string gap = gap_text(recording);

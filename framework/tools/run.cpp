@@ -22,6 +22,7 @@
 #include "tools/print.hpp"
 #include "tools/ratings.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -73,8 +74,7 @@ void open_window(const RunOptions& o) {
   const std::string console = beside("swage-console");
   if (console.empty() || !has_display()) {
     tell(base::Severity::kNote, "",
-         console.empty() ? "swage-console is not installed beside this program: running without a window."
-                         : "There is no display: running without a window.");
+         console.empty() ? say::kNoConsole() : say::kNoDisplay());
     return;
   }
   std::vector<std::string> arguments = {o.lesson};
@@ -87,7 +87,7 @@ void open_window(const RunOptions& o) {
   pass("--mode", o.mode);
   for (const std::string& dir : o.plugin_dirs) pass("--plugin-dir", dir);
   become(console, arguments);
-  tell(base::Severity::kWarning, console, "It cannot be started: running without a window.");
+  tell(base::Severity::kWarning, console, say::kNoWindow());
 }
 
 // without a window nobody can move a pointer: such an attempt would never end
@@ -104,9 +104,7 @@ bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
     for (const assembly::DeviceChoice& choice : device.choices)
       if (!choice.as.empty() && choice.plugin != mouse->plugin) hands.push_back(choice.as);
   tell(base::Severity::kError, o.lesson,
-       "\"" + mouse->name +
-           "\" is a mouse, and without a window nobody can move it. Choose another hand with --device" +
-           (hands.empty() ? "" : " (" + host::join(hands) + ")") + ", or an end with --max-time.");
+       say::kIsMouse(mouse->name, hands.empty() ? "" : " (" + host::join(hands) + ")"));
   return true;
 }
 
@@ -117,7 +115,7 @@ void tell_of_lost_hand(const session::Session& session, bool& told) {
   for (uint32_t i = 0; i < now.n_device && !told; ++i) {
     if (now.device[i].stale == 0) continue;
     tell(base::Severity::kWarning, session.card().devices[i].name,
-         "This hand is lost: its tool holds, and the lesson waits for it. Ctrl-C ends the attempt.");
+         say::kHandLost());
     told = true;
   }
 }
@@ -129,7 +127,7 @@ void drive(session::Session& session) {
     usleep(5'000);
     if (look % 40 == 39) tell_of_lost_hand(session, told);
   }
-  if (interrupts != 0) tell(base::Severity::kNote, "", "Interrupted: the attempt ends as aborted.");
+  if (interrupts != 0) tell(base::Severity::kNote, "", say::kInterrupted());
   session.stop();
 }
 
@@ -247,8 +245,7 @@ int refused(const RunOptions& o, const base::Problems& problems) {
 int run(const RunOptions& o) {
   if (!o.headless) open_window(o);
   if (o.lesson.ends_with(".swage"))
-    return problem(o.lesson + " is a kept attempt and no lesson. Step it again with: swage replay " + o.lesson +
-                   "   or look at it with: swage-console " + o.lesson);
+    return problem(say::kIsAttempt(o.lesson, o.lesson, o.lesson));
   session::Options options;
   options.lesson_path = o.lesson;
   options.plugin_dirs = o.plugin_dirs;

@@ -15,6 +15,7 @@
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -83,7 +84,7 @@ bool send_batch(const LrsAddress& to, const std::vector<Json>& batch, Receipts& 
   }
   sent.kept += ids.size();
   if (receipts.add(ids)) return true;
-  sent.why = "The receipts cannot be written.";
+  sent.why = say::kNoReceipts();
   return false;
 }
 
@@ -95,9 +96,9 @@ std::string receipts_file(const SendOptions& o) {
 bool read_login(const SendOptions& o, LrsAddress& to) {
   std::string why;
   if (o.login_file.empty()) return true;
-  if (!toolkit::read_file(o.login_file, 4096, to.login, why)) return problem("--login: \"" + o.login_file + "\": " + why), false;
+  if (!toolkit::read_file(o.login_file, 4096, to.login, why)) return problem(say::kOfLogin(o.login_file, why)), false;
   while (!to.login.empty() && (to.login.back() == '\n' || to.login.back() == '\r')) to.login.pop_back();
-  return to.login.find(':') != std::string::npos || (problem("--login: the file holds one line, user:password."), false);
+  return to.login.find(':') != std::string::npos || (problem(say::kLoginLine()), false);
 }
 
 }  // namespace
@@ -114,7 +115,7 @@ int send_attempts(const SendOptions& o) {
   std::erase_if(list, [](const record::Exported& e) {
     return e.attempt.is_scripted || e.attempt.is_synthetic || e.attempt.state == "running";
   });
-  if (!record::xapi_statements(list, o.home, text, error)) return problem("--home: " + error);
+  if (!record::xapi_statements(list, o.home, text, error)) return problem(say::kOfHome(error));
 
   Receipts receipts(receipts_file(o), o.to);
   std::vector<Json> queue;
@@ -140,7 +141,7 @@ int send_attempts(const SendOptions& o) {
   else
     std::printf("%zu sent, %zu wait, %zu refused\n", sent.kept, sent.waiting, sent.refused);
   if (sent.waiting + sent.refused == 0) return kPassed;
-  tell(base::Severity::kWarning, o.to, sent.why + (sent.waiting > 0 ? " What waits is sent the next time." : ""));
+  tell(base::Severity::kWarning, o.to, sent.why + (sent.waiting > 0 ? say::kWaits() : ""));
   return kNotPassed;
 }
 

@@ -19,6 +19,7 @@
 #include "toolkit/math.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -72,7 +73,7 @@ class Solver {
     Answer all, again;
     if (std::string wrong = ask(points, all); !wrong.empty()) return wrong;
     if (std::string wrong = ask(points, again); !wrong.empty()) return wrong;
-    if (!(all == again)) return "compliance() gives other bits when it is asked the same again.";
+    if (!(all == again)) return say::kOtherBits("compliance");
     if (std::string wrong = matrix(all.W); !wrong.empty()) return wrong;
     if (std::string wrong = part(points, all); !wrong.empty()) return wrong;
     if (std::string wrong = surface(points); !wrong.empty()) return wrong;
@@ -117,19 +118,17 @@ class Solver {
     if (std::string wrong = compliance(points, out.v_free.data(), out.W.data()); !wrong.empty())
       return wrong;
     if (out.v_free.allFinite() && out.W.allFinite()) return "";
-    return format("compliance() for %u points leaves a number unwritten, or writes one that is not finite.", n);
+    return say::kUnwritten(n);
   }
 
   static std::string matrix(const Matrix& W) {
     const double size = W.cwiseAbs().maxCoeff();
     const double skew = (W - W.transpose()).cwiseAbs().maxCoeff();
     if (skew > kExact * size)
-      return format("compliance() is not symmetric: entries differ by %.3g of %.3g m/s per N s.", skew, size);
+      return say::kSkew(format("%.3g", skew), format("%.3g", size));
     const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(W)).eigenvalues().minCoeff();
     if (least < -kExact * size)
-      return format("compliance() is not positive semi-definite: an eigenvalue is %.3g of %.3g m/s per N s. Pushing would "
-                    "give energy.",
-                    least, size);
+      return say::kPulls(format("%.3g", least), format("%.3g", size));
     return "";
   }
 
@@ -144,7 +143,7 @@ class Solver {
     const double size = all.W.cwiseAbs().maxCoeff(), speed = std::max(all.v_free.cwiseAbs().maxCoeff(), 1e-12);
     if ((some.W - all.W.topLeftCorner(n, n)).cwiseAbs().maxCoeff() > kExact * size ||
         (some.v_free - all.v_free.head(n)).cwiseAbs().maxCoeff() > kExact * speed)
-      return "compliance() of some points differs when more points are asked for.";
+      return say::kPart();
     return "";
   }
 
@@ -158,9 +157,9 @@ class Solver {
                                    [&] { return slot_.surface->displacement(raw(), &view(), n, points.point.data(), one.data()); });
           !wrong.empty())
         return wrong;
-      if (!one.allFinite()) return "displacement() leaves a number unwritten, or writes one that is not finite.";
+      if (!one.allFinite()) return say::kSurfaceUnwritten();
     }
-    return u[0] == u[1] ? "" : "displacement() gives other bits when it is asked the same again.";
+    return u[0] == u[1] ? "" : say::kOtherBits("displacement");
   }
 
   /// The band says of the points what compliance says: v_free and W are those of its linear step.
@@ -168,7 +167,7 @@ class Solver {
     std::string gap;
     const auto* table = host::find_table<swage_band>(*slot_.instance, SWAGE_EXT_BAND, false, gap);
     if (table == nullptr) return gap;
-    if (points.place.front().segment == SWAGE_NONE) return "It offers " SWAGE_EXT_BAND " without a chain.";
+    if (points.place.front().segment == SWAGE_NONE) return say::kBandNoChain(SWAGE_EXT_BAND);
     const scene::ChainView chain(world_, world_.chain[world_.shape[slot_.shape.first + points.point.front().shape].chain]);
     const int n = SWAGE_BAND_UNKNOWNS * static_cast<int>(chain.vertices());
     toolkit::Band<SWAGE_BAND_REACH> A(n);
@@ -198,10 +197,10 @@ class Solver {
           (1 - p.share) * chain.v(p.segment) + p.share * chain.v(p.segment + 1) + at(p, free) / h;
     }
     if ((W - all.W).cwiseAbs().maxCoeff() > kBand * all.W.cwiseAbs().maxCoeff())
-      return "linearise() gives another compliance than compliance() does.";
+      return say::kBandCompliance();
     const double speed = std::max(all.v_free.cwiseAbs().maxCoeff(), 1e-6);
     return (v_free - all.v_free).cwiseAbs().maxCoeff() > kBand * speed
-               ? "linearise() leads elsewhere than v_free of compliance() says."
+               ? say::kBandFree()
                : "";
   }
 
@@ -221,7 +220,7 @@ class Solver {
       for (const int k : held) A.column(k)[0] = 0;
       return "";
     }
-    return "linearise() gives no positive definite matrix, however often it is asked for a stiffer one.";
+    return say::kBandNotDefinite();
   }
 
   // the points after the impulses `j`, from the state of now, which is put back
@@ -234,7 +233,7 @@ class Solver {
     for (uint32_t i = 0; i < points.size(); ++i)
       v.segment<3>(3 * static_cast<Eigen::Index>(i)) = velocity(points, i, saved);
     world_ = saved;
-    if (wrong.empty() && !v.allFinite()) wrong = "yield() leaves a speed that is not finite.";
+    if (wrong.empty() && !v.allFinite()) wrong = say::kYieldNotFinite();
     return wrong;
   }
 
@@ -261,15 +260,14 @@ class Solver {
     const double whole = change.cwiseAbs().maxCoeff(), off = (with - without - change).cwiseAbs().maxCoeff();
     // tissue whose surface moves while its body stands says so; how that surface moves no table tells
     if (slot_.surface != nullptr && (with - without).cwiseAbs().maxCoeff() < 1e-3 * whole) {
-      note_ = "Motion after impulses was not compared: its surface does not move with its bodies.";
+      note_ = say::kNotCompared();
       return "";
     }
     if (off > kMotion * whole)
-      return format("After yield() the points do not move as v_free + W j says: %.3g m/s off, of a change of %.3g m/s.", off,
-                    whole);
+      return say::kYieldOff(format("%.3g", off), format("%.3g", whole));
     const double slip = (without - all.v_free).cwiseAbs().maxCoeff();
     if (slip > kMotion * std::max(all.v_free.cwiseAbs().maxCoeff(), whole))
-      return format("After yield() without impulses the points do not move as v_free says: %.3g m/s off.", slip);
+      return say::kYieldSlip(format("%.3g", slip));
     return "";
   }
 
@@ -354,9 +352,9 @@ std::string dents(Stepped& s, uint32_t object) {
     host::guarded(*slot.instance, host::Call::kDents, world.step,
                   [&] { return slot.dents->dents(slot.instance->raw, &view, room, out.data(), &n); });
     if (slot.instance->quarantined.load() != 0) return host::quarantine_text(*slot.instance);
-    if (n > room || out[room].radius != -7) return format("dents() writes %u dents where there is room for %u.", n, room);
+    if (n > room || out[room].radius != -7) return say::kManyDents(n, room);
     for (uint32_t i = 0; i < n; ++i)
-      if (!host::finite(&out[i].p_W.x, 7) || !(out[i].radius > 0)) return "dents() gives a dent that is no number, or no radius.";
+      if (!host::finite(&out[i].p_W.x, 7) || !(out[i].radius > 0)) return say::kDent();
   }
   return "";
 }
@@ -388,12 +386,12 @@ Finding solver(const TestScene& scene, uint64_t seed) {
       std::string wrong = s.run(7);
       if (wrong.empty()) wrong = dents(s, subject);
       if (wrong.empty() && solver.moves()) wrong = solver.check();
-      if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : " Parameters: " + params)};
+      if (!wrong.empty()) return {Mark::kFailed, wrong + (params == "{}" ? "" : say::kParameters(params))};
     }
     moved |= solver.moves();
     if (!solver.note().empty()) note = solver.note();
   }
-  if (!moved && !drawn) return {Mark::kSkipped, "It has no solver of its own."};
+  if (!moved && !drawn) return {Mark::kSkipped, say::kNoSolver()};
   return {Mark::kSuccess, note};
 }
 

@@ -14,6 +14,7 @@
 #include "tools/extension_tests.hpp"
 #include "tools/fuzz_harness.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/test_scene.hpp"
 
 namespace swage::tools {
@@ -71,12 +72,12 @@ Finding stepping(const TestScene& scene, uint64_t) {
         s.rig->world.hinge.empty() && scene.plugin().kind == SWAGE_KIND_OBJECT && !scene.of_lesson();
     if (free && now - start > 1e-6 * most)
       return failed(
-          format("Its energy grew by %.3g J until step %d, with nothing that touches it.", now - start, i));
+          say::kEnergy(format("%.3g", now - start), i));
   }
   for (const double x : s.rig->world.plugin_state)
     if (std::fpclassify(x) == FP_SUBNORMAL)
       return {Mark::kWarning,
-              "A private double has become subnormal: arithmetic with it is a hundred times slower."};
+              say::kSubnormal()};
   return {};
 }
 
@@ -93,14 +94,11 @@ Finding rewind(const TestScene& scene, uint64_t seed) {
     s.run(50);
     const uint64_t hash = s.engine->hash(), step = s.engine->world().step;
     s.engine->save(first);
-    if (!s.engine->restore(image)) return failed("The saved state cannot be restored.");
+    if (!s.engine->restore(image)) return failed(say::kNotRestored());
     s.run(50);
     s.engine->save(second);
     if (s.engine->hash() != hash || first != second)
-      return failed(
-          format("After restoring the state of step %llu the same 50 steps gave another result: it keeps "
-                 "something that changes outside of its declared state.",
-                 static_cast<unsigned long long>(step - 50)));
+      return failed(say::kRewinds(step - 50));
   }
   return {};
 }
@@ -119,19 +117,16 @@ Finding alone(const TestScene& scene, uint64_t) {
     b.engine->step();
     c.engine->step();
     if (a.engine->hash() != b.engine->hash())
-      return failed(format("Two runs of the same scene differ at step %d.", i));
+      return failed(say::kTwoRuns(i));
     if (object && a.engine->object_hash(scene.subject({})) != c.engine->object_hash(scene.subject(crowded)))
-      return failed(
-          format("It moves otherwise at step %d when another instance is in the scene: instances share "
-                 "something that changes.",
-                 i));
+      return failed(say::kNotAlone(i));
   }
   return {};
 }
 
 // level 6: a scene somewhere else is the same scene
 Finding moved(const TestScene& scene, uint64_t) {
-  if (scene.of_lesson()) return skipped("The lesson says where things stand.");
+  if (scene.of_lesson()) return skipped(say::kLessonPlaces());
   Stepped here, there;
   std::string error;
   Wish away;
@@ -148,9 +143,7 @@ Finding moved(const TestScene& scene, uint64_t) {
     const swage_vec3 &p = a.X_WB[i].p, &q = b.X_WB[i].p;
     const double off = std::max({std::abs(q.x - p.x - 0.1), std::abs(q.y - p.y + 0.1), std::abs(q.z - p.z - 0.1)});
     if (!(off < tolerance))
-      return failed(
-          format("Body \"%s\" ends %.3g m elsewhere when the scene stands 0.1 m away: a frame is mixed up.",
-                 a.body[i].name.c_str(), off));
+      return failed(say::kFrames(a.body[i].name, format("%.3g", off)));
   }
   return {};
 }
@@ -194,7 +187,7 @@ Finding range(const TestScene& scene, uint64_t seed) {
   const host::ParamTable& table = scene.plugin().params;
   const auto check = [&](const nlohmann::json& params) -> Finding {
     const std::string fault = try_params(scene, params);
-    return fault.empty() ? Finding{} : failed(fault + " Parameters: " + params.dump());
+    return fault.empty() ? Finding{} : failed(fault + say::kParameters(params.dump()));
   };
   for (const host::Param& p : table)
     for (const double end : {0.0, 1.0}) {
@@ -208,7 +201,7 @@ Finding range(const TestScene& scene, uint64_t seed) {
       if (const nlohmann::json value = value_at(p, [&] { return random.uniform(); }); !value.is_null())
         params[p.id] = value;
     if (Finding f = check(params); f.mark != Mark::kSuccess) {
-      f.text += format(" Seed: %llu.", static_cast<unsigned long long>(seed));
+      f.text += say::kSeed(seed);
       return f;
     }
   }
@@ -273,7 +266,7 @@ class WildHand final : public step::DevicePort {
 
 // level 9: whatever the hand sends, the world stays whole
 Finding fuzz(const TestScene& scene, uint64_t seed) {
-  if (!scene.is_led()) return skipped("No hand leads anything here.");
+  if (!scene.is_led()) return skipped(say::kHandsOff());
   WildHand hand(seed);
   Wish wish;
   wish.hand = &hand;
@@ -282,7 +275,7 @@ Finding fuzz(const TestScene& scene, uint64_t seed) {
   if (!scene.make(wish, s, error)) return failed(error);
   const std::string fault = s.run(5'000);
   return fault.empty() ? Finding{}
-                       : failed(fault + format(" Seed: %llu.", static_cast<unsigned long long>(seed)));
+                       : failed(fault + say::kSeed(seed));
 }
 
 using Test = Finding (*)(const TestScene&, uint64_t);
@@ -298,7 +291,7 @@ Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_di
   assembly::LessonFile lesson;
   base::Problems problems;
   if (!with.empty() && !assembly::read_lesson_file(with, lesson, problems))
-    return failed(with + " is no lesson that can be used: " + (problems.empty() ? "" : problems[0].message));
+    return failed(say::kNoScene(with, problems.empty() ? "" : problems[0].message));
   Finding worst{Mark::kSkipped, ""};
   bool any = false;
   for (const PluginInfo& p : subject.plugins) {
@@ -308,7 +301,7 @@ Finding of_all(const Subject& subject, const std::vector<std::string>& plugin_di
     const TestScene scene = with.empty() ? TestScene(*plugin, catalogue) : TestScene(*plugin, catalogue, lesson);
     Finding f = skipped(scene.skipped());
     if (scene.on_thread() && test != driver)
-      f = skipped("It is asked on a thread of its own: see the test \"driver\".");
+      f = skipped(say::kOwnThread());
     else if (scene.skipped().empty())
       f = test(scene, subject.seed);
     if (subject.plugins.size() > 1 && !f.text.empty()) f.text = p.id + ": " + f.text;

@@ -13,6 +13,7 @@
 #include "session/session.hpp"
 #include "toolkit/read_file.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/study_laws.hpp"
 #include "tools/study_rows.hpp"
 #include "tools/verbs.hpp"
@@ -29,7 +30,7 @@ class Reader {
 
   void read(const Json& file, Study& out) {
     if (!file.is_object() || file.value("format", "") != "swage-study/1")
-      return error("/format", "\"swage-study/1\" is needed here");
+      return error("/format", say::kNeedsFormat("swage-study/1"));
     for (const auto& item : file.items())
       only(item.key(), "",
            {"format", "title", "doc", "lesson", "repeats", "seed", "factors", "hands", "figures"});
@@ -48,9 +49,9 @@ class Reader {
                              text(f, "file", at), f.value("scale", 1.0)});
     });
     if (out.factors.empty() || out.factors.size() > 2)
-      error("/factors", "one or two factors are needed here");
-    if (out.lesson.empty() && !all_have_lessons(out)) error("/lesson", "a text is needed here");
-    if (out.hands.empty()) error("/hands", "at least one hand is needed here");
+      error("/factors", say::kNeedsFactors());
+    if (out.lesson.empty() && !all_have_lessons(out)) error("/lesson", say::kNeedsText());
+    if (out.hands.empty()) error("/hands", say::kNeedsHand());
   }
 
  private:
@@ -70,23 +71,23 @@ class Reader {
   void only(const std::string& key, const std::string& at, std::initializer_list<const char*> known) {
     for (const char* k : known)
       if (key == k) return;
-    error(at + "/" + key, "unknown here");
+    error(at + "/" + key, say::kUnknown());
   }
   std::string text(const Json& from, const char* key, const std::string& at) {
     if (from.is_object() && from.contains(key) && from[key].is_string()) return from[key];
-    error(at + "/" + key, "a text is needed here");
+    error(at + "/" + key, say::kNeedsText());
     return "";
   }
   uint64_t whole(const Json& from, const char* key, uint64_t usual) {
     if (!from.contains(key)) return usual;
     if (from[key].is_number_unsigned() && from[key] > 0) return from[key];
-    error(std::string("/") + key, "a whole number above 0 is needed here");
+    error(std::string("/") + key, say::kNeedsNumber());
     return usual;
   }
   template <class Do>
   void each(const Json& from, const char* key, Do&& what) {
     if (!from.contains(key)) return;
-    if (!from[key].is_array()) return error(std::string("/") + key, "a list is needed here");
+    if (!from[key].is_array()) return error(std::string("/") + key, say::kNeedsList());
     for (std::size_t i = 0; i < from[key].size(); ++i)
       what(from[key][i], std::string("/") + key + "/" + std::to_string(i));
   }
@@ -95,7 +96,7 @@ class Reader {
     out.name = text(from, "name", at);
     if (!from.is_object() || !from.contains("levels") || !from["levels"].is_array() ||
         from["levels"].empty()) {
-      error(at + "/levels", "a list of levels is needed here");
+      error(at + "/levels", say::kNeedsLevels());
       return out;
     }
     for (const Json& l : from["levels"]) {
@@ -183,7 +184,7 @@ bool read_study(const std::string& path, Study& out, base::Problems& problems) {
   }
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded())
-    problems.push_back({base::Severity::kError, path, "It is not JSON."});
+    problems.push_back({base::Severity::kError, path, say::kNotJson()});
   else
     Reader(path, problems).read(json, out);
   return !base::failed(problems);
@@ -227,7 +228,7 @@ bool run_rows(const Study& study, const StudyOptions& o, const Shard& shard, con
     }
     if (writer && !writer->add(i, row)) {
       progress("");
-      problem("\"" + writer->path() + "\" cannot be written.");
+      problem(say::kNotWritten(writer->path()));
       return false;
     }
     done[i] = std::move(row);
@@ -246,7 +247,7 @@ int show(const Study& study, const StudyOptions& o, const StudyRows& done, const
   bool written = write(folder + "attempts.csv", study_csv(study, rows));
   for (const StudyFigure& figure : study.figures)
     written = write(folder + figure.file, study_svg(study, figure, rows)) && written;
-  if (!written) return problem("\"" + o.out + "\" cannot be written.");
+  if (!written) return problem(say::kNotWritten(o.out));
   remove_rows(o.out, name);  // the table has them all
   return kPassed;
 }
@@ -254,7 +255,7 @@ int show(const Study& study, const StudyOptions& o, const StudyRows& done, const
 // one recorded hand, and what several laws make of what it met
 int study_laws(const StudyOptions& o) {
   if (!o.shard.empty() || o.merge || !o.settings.empty())
-    return problem("A study of laws is one attempt: --shard, --merge and --set are for studies over many.");
+    return problem(say::kOneAttempt());
   base::Problems problems;
   LawsPlan plan;
   LawsResult result;
@@ -271,7 +272,7 @@ int study_laws(const StudyOptions& o) {
   std::filesystem::create_directories(o.out, ignored);
   const std::string csv = std::filesystem::path(plan.file).stem().string() + ".csv";
   if (!write(o.out + "/" + plan.file, laws_svg(plan, result)) || !write(o.out + "/" + csv, laws_csv(plan, result)))
-    return problem("\"" + o.out + "\" cannot be written.");
+    return problem(say::kNotWritten(o.out));
   return kPassed;
 }
 
@@ -285,8 +286,8 @@ int study(const StudyOptions& o) {
   if (toolkit::read_file(o.file, toolkit::kMostFileBytes, text, why) && is_laws_plan(text)) return study_laws(o);
   if (!read_study(o.file, study, problems)) return tell(problems), kProblem;
   if (!o.shard.empty() && !read_shard(o.shard, shard))
-    return problem("--shard: \"" + o.shard + "\" is no shard; 1/8 to 8/8 are, for example.");
-  if (o.out.empty() && (o.merge || !o.shard.empty())) return problem("--shard and --merge need --out: there the shards meet.");
+    return problem(say::kNoShard(o.shard));
+  if (o.out.empty() && (o.merge || !o.shard.empty())) return problem(say::kNeedsOut());
 
   const std::string name = study_name(study, text, o.settings);
   StudyRows done;
@@ -301,8 +302,7 @@ int study(const StudyOptions& o) {
     }
   }
   if (const uint64_t all = count_rows(study); done.size() < all)
-    return problem("\"" + o.out + "\" holds " + count(done.size()) + " of the " + count(all) +
-                   " attempts of this study: run the shards that are missing.");
+    return problem(say::kHolds(o.out, done.size(), all));
   return show(study, o, done, name);
 }
 

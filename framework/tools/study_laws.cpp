@@ -18,6 +18,7 @@
 #include "toolkit/math.hpp"
 #include "toolkit/read_file.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -150,19 +151,19 @@ bool read_laws(const std::string& path, LawsPlan& out, base::Problems& problems)
   out.force_scale = reader.quantity("force_scale", "1", 1, 1e-6, 1e6);
   out.max_force = reader.quantity("max_force", "N", 3.3, 1e-3, 100);
   out.file = reader.text("file", true);
-  if (out.file.find('/') != std::string::npos) teller.error("/file", "A name without folders is needed here: --out says where.");
+  if (out.file.find('/') != std::string::npos) teller.error("/file", say::kPlainName());
   std::set<std::string> names;
   reader.each("laws", 5, [&](const Json& law, const std::string& at) {
     assembly::ObjectReader one(law, at, "a law", teller);
     LawsPlan::Law item;
     item.name = one.text("name", true);
     if (const Json* reaction = one.need("reaction")) assembly::read_reaction(*reaction, one.at("reaction"), teller, item.reaction);
-    if (!names.insert(item.name).second) teller.error(one.at("name"), "Two laws are called \"" + item.name + "\".");
+    if (!names.insert(item.name).second) teller.error(one.at("name"), say::kSameLaw(item.name));
     one.finish();
     out.laws.push_back(std::move(item));
   });
-  if (out.laws.size() < 2) teller.error("/laws", "At least two laws are needed here: the others are compared with the first.");
-  if (!out.attempt.empty() && !out.lesson.empty()) teller.error("/attempt", "Either an attempt or a lesson is needed here, not both.");
+  if (out.laws.size() < 2) teller.error("/laws", say::kFewLaws());
+  if (!out.attempt.empty() && !out.lesson.empty()) teller.error("/attempt", say::kAttemptOrLesson());
   reader.finish();
   return !base::failed(problems);
 }
@@ -178,7 +179,7 @@ bool run_laws(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs,
   const auto& names = hand.info.devices;
   const auto device = static_cast<std::size_t>(std::find(names.begin(), names.end(), plan.device) - names.begin());
   if (device == names.size())
-    return problems.push_back({base::Severity::kError, plan.device, "The recorded attempt has no device of this name."}), false;
+    return problems.push_back({base::Severity::kError, plan.device, say::kNoDevice()}), false;
 
   out.dt = hand.info.dt;
   std::deque<Chain> chains;  // a guard stays where it is
@@ -191,8 +192,7 @@ bool run_laws(const LawsPlan& plan, const std::vector<std::string>& plugin_dirs,
   }
   if (scene->first_difference() < scene->count()) {
     problems.push_back({base::Severity::kError, plan.title,
-                        "The hand was recorded with other versions of plugins: from step " + std::to_string(scene->first_difference()) +
-                            " on the scene is not the one that it acted in."});
+                        say::kOtherVersions(scene->first_difference())});
     return false;
   }
   for (Chain& chain : chains) out.laws.push_back(std::move(chain.run));

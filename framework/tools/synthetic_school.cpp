@@ -11,6 +11,7 @@
 #include "tools/places.hpp"
 #include "tools/print.hpp"
 #include "tools/school_verbs.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -52,7 +53,7 @@ int make_synthetic_school(const SyntheticOptions& o) {
   const std::string series = data_folder("lessons/series", searched);
   if (lessons.empty() && !series.empty())
     for (const char* name : {"020_grasp_basic", "031_grasp_advanced_1_three_eighths", "110_insertion"}) lessons.push_back(series + "/" + name + ".json");
-  if (lessons.empty()) return problem("No lessons are there: name some with --lesson.");
+  if (lessons.empty()) return problem(say::kNoLessons());
   const base::ScratchFolder folder("synthetic");
   record::SyntheticSchool school;
   school.from = (folder.path() / "hands.db").string();
@@ -71,7 +72,7 @@ int make_synthetic_school(const SyntheticOptions& o) {
     }
     progress("");
     for (const std::string& id : played.novices)
-      if (id.empty() || played.expert.empty()) return problem(lesson + ": its hands could not play it.");
+      if (id.empty() || played.expert.empty()) return problem(say::kHandsFail(lesson));
     school.lessons.push_back(std::move(played));
   }
   std::string error;

@@ -8,6 +8,7 @@
 #include "host/guard.hpp"
 #include "host/instance.hpp"
 #include "host/nearest.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 
@@ -102,7 +103,7 @@ std::string Stepped::fault() const {
   if (finite(w.X_WB) && finite(w.V_WB) && finite(w.particle_p_W) && finite(w.particle_v_W) &&
       finite(w.hinge_angle) && finite(w.plugin_state) && finite(w.signal))
     return "";
-  return "A number of the world is not finite in step " + std::to_string(w.step) + ".";
+  return say::kWorldNotFinite(w.step);
 }
 
 std::string Stepped::run(uint64_t steps) {
@@ -122,7 +123,7 @@ TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& cata
     return p.required() && !(plugin.kind == SWAGE_KIND_LESSON && p.type == SWAGE_PARAM_TEXT);
   });
   if (needs) {
-    skipped_ = "It has required parameters: run swage validate on a lesson file that uses it.";
+    skipped_ = say::kNeedsParams();
   } else {
     find_led();
     if (plugin.kind == SWAGE_KIND_COUPLING) find_pair();
@@ -141,9 +142,9 @@ TestScene::TestScene(const host::PluginInfo& plugin, const host::Catalogue& cata
   const bool used = std::any_of(uses.begin(), uses.end(), [&](const auto* use) { return use->plugin == plugin.id; });
   std::string why;
   if (!used)
-    skipped_ = "The lesson " + lesson.path + " does not use it.";
+    skipped_ = say::kLessonWithout(lesson.path);
   else if (!assembles(f, why))
-    skipped_ = "The lesson " + lesson.path + " cannot be built. " + why;
+    skipped_ = say::kLessonNotBuilt(lesson.path, why);
   else
     find_thread();
 }
@@ -214,7 +215,7 @@ void TestScene::find_led() {
 
 // the first two objects that it can bind, or one with itself, perhaps with a coupling that finds their contacts for it
 void TestScene::find_pair() {
-  std::string why = "No object is installed.", last;
+  std::string why = say::kNoObject(), last;
   const std::string finders[] = {"", "swage.coupling.contact"};
   for (const host::PluginInfo* a : catalogue_.of_kind(SWAGE_KIND_OBJECT))
     for (const host::PluginInfo* b : catalogue_.of_kind(SWAGE_KIND_OBJECT))
@@ -232,7 +233,7 @@ void TestScene::find_pair() {
       between_[0] = a->id, between_[1].clear(), finder_ = finder;
       if (assembles(file({}), last)) return;
     }
-  skipped_ = "No two installed objects can be bound by it with their defaults. " + why;
+  skipped_ = say::kNoPair(why);
 }
 
 bool TestScene::is_a(const std::string& object_plugin, const char* trait) const {
@@ -259,7 +260,7 @@ void TestScene::find_stage() {
     casting_[p.id] = host::join(names);
     for (const std::string& name : names) stage_.push_back({name, ""});
   }
-  std::string why = "No object is installed.";
+  std::string why = say::kNoObject();
   std::size_t casts = 1;
   for (std::size_t i = 0; i < stage_.size(); ++i) casts *= plugins.size();
   for (std::size_t cast = 0; cast < std::min(casts, kMostCasts); ++cast) {
@@ -270,7 +271,7 @@ void TestScene::find_stage() {
     }
     if (assembles(file({}), why)) return;
   }
-  skipped_ = "No cast of installed objects makes a scene for it. " + why;
+  skipped_ = say::kNoCast(why);
 }
 
 // the wished parameters, and the names of the actors
@@ -332,7 +333,7 @@ bool TestScene::make(const Wish& wish, Stepped& out, std::string& error) const {
   base::Problems problems;
   out.engine.reset();
   out.rig = assembly::assemble(file(wish), catalogue_, {}, problems);
-  error = out.rig ? "" : "It was refused without a reason.";
+  error = out.rig ? "" : say::kRefusedSilently();
   for (const base::Problem& p : problems)
     if (p.severity == base::Severity::kError) error = p.message;
   if (!out.rig) return false;

@@ -14,6 +14,7 @@
 #include "scene/view.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -66,7 +67,7 @@ class Traits {
       host::guarded(*slot_.instance, host::Call::kResolve, scene_.rig->world.step, [&] { return f(answer); });
       if (slot_.instance->quarantined.load() != 0) return std::string(what) + "(): " + host::quarantine_text(*slot_.instance);
     }
-    if (std::memcmp(&out, &again, sizeof out) != 0) return std::string(what) + "() gives other bits when it is asked the same again.";
+    if (std::memcmp(&out, &again, sizeof out) != 0) return say::kOtherBits(what);
     return "";
   }
   // near the object, and a metre off
@@ -75,23 +76,23 @@ class Traits {
     const double r = random_() % 4 == 0 ? 1.0 : 1e-2;
     return {p.x + r * random_.uniform(-1, 1), p.y + r * random_.uniform(-1, 1), p.z + r * random_.uniform(-1, 1)};
   }
-  static std::string told(const char* what, const char* wrong) { return std::string(what) + "() " + wrong; }
+  static std::string told(const char* what, const std::string& wrong) { return say::kOfCall(what, wrong); }
 
   std::string graspable() {
     const auto* t = table<swage_graspable>(SWAGE_TRAIT_GRASPABLE);
     if (t == nullptr) return "";
-    if (t->locate == nullptr) return "The table of " SWAGE_TRAIT_GRASPABLE " has gaps.";
+    if (t->locate == nullptr) return say::kGaps(SWAGE_TRAIT_GRASPABLE);
     for (int i = 0; i < 200; ++i) {
       const swage_vec3 p = somewhere();
       swage_graspable_place place;
       std::string wrong =
           twice("locate", place, [&](auto* out) { return t->locate(slot_.instance->raw, &view(), p, out); });
       if (!wrong.empty()) return wrong;
-      if (!(place.s >= 0 && place.s <= 1)) return told("locate", "gives a place s outside of 0 to 1.");
-      if (!positive(place.length)) return told("locate", "gives no length > 0 m.");
+      if (!(place.s >= 0 && place.s <= 1)) return told("locate", say::kPlaceRange());
+      if (!positive(place.length)) return told("locate", say::kNoLength());
       if (!is_unit(place.tangent_W) || !is_unit(place.normal_W) || std::abs(dot(place.tangent_W, place.normal_W)) > 1e-6)
-        return told("locate", "gives a tangent and a normal that are not unit and square to each other.");
-      if (!host::finite(&place.p_W.x, 3)) return told("locate", "gives a place that is no number.");
+        return told("locate", say::kNotSquare());
+      if (!host::finite(&place.p_W.x, 3)) return told("locate", say::kPlaceNoNumber());
     }
     return "";
   }
@@ -99,17 +100,17 @@ class Traits {
   std::string gripper() {
     const auto* t = table<swage_gripper>(SWAGE_TRAIT_GRIPPER);
     if (t == nullptr) return "";
-    if (t->describe == nullptr) return "The table of " SWAGE_TRAIT_GRIPPER " has gaps.";
+    if (t->describe == nullptr) return say::kGaps(SWAGE_TRAIT_GRIPPER);
     for (const double closure : {0.0, 0.5, 1.0}) {
       input_.closure = closure;
       swage_gripper_state g;
       std::string wrong = twice("describe", g, [&](auto* out) { return t->describe(slot_.instance->raw, &view(), out); });
       if (!wrong.empty()) return wrong;
       if (g.left_body >= slot_.body.count || g.right_body >= slot_.body.count)
-        return told("describe", "names a jaw that it has not declared.");
-      if (!is_unit(g.axis_W) || !is_unit(g.closing_W)) return told("describe", "gives an axis that is not unit.");
+        return told("describe", say::kNoJaw());
+      if (!is_unit(g.axis_W) || !is_unit(g.closing_W)) return told("describe", say::kAxis());
       if (!host::finite(&g.tip_W.x, 3) || !std::isfinite(g.opening) || !(g.closure >= 0 && g.closure <= 1))
-        return told("describe", "gives tips, an opening or a closure that are none.");
+        return told("describe", say::kGripper());
     }
     return "";
   }
@@ -117,7 +118,7 @@ class Traits {
   std::string piercing() {
     const auto* t = table<swage_piercing>(SWAGE_TRAIT_PIERCING);
     if (t == nullptr) return "";
-    if (t->place == nullptr || t->nearest == nullptr) return "The table of " SWAGE_TRAIT_PIERCING " has gaps.";
+    if (t->place == nullptr || t->nearest == nullptr) return say::kGaps(SWAGE_TRAIT_PIERCING);
     for (int i = 0; i < 200; ++i) {
       const double s = random_.uniform(0, 1);
       const swage_vec3 p = somewhere();
@@ -129,10 +130,10 @@ class Traits {
       if (!wrong.empty()) return wrong;
       for (const swage_piercing_place& at : place) {
         const char* who = &at == place ? "place" : "nearest";
-        if (!(at.s >= 0 && at.s <= 1)) return told(who, "gives a place s outside of 0 to 1.");
-        if (!positive(at.length) || !positive(at.radius)) return told(who, "gives no length and radius > 0 m.");
-        if (!is_unit(at.tangent_W) || !host::finite(&at.p_W.x, 3)) return told(who, "gives a tangent that is not unit.");
-        if (at.body >= slot_.body.count) return told(who, "names a body that it has not declared.");
+        if (!(at.s >= 0 && at.s <= 1)) return told(who, say::kPlaceRange());
+        if (!positive(at.length) || !positive(at.radius)) return told(who, say::kNoLengthRadius());
+        if (!is_unit(at.tangent_W) || !host::finite(&at.p_W.x, 3)) return told(who, say::kTangent());
+        if (at.body >= slot_.body.count) return told(who, say::kNoBody());
       }
     }
     return "";
@@ -141,13 +142,13 @@ class Traits {
   std::string pierceable() {
     const auto* t = table<swage_pierceable>(SWAGE_TRAIT_PIERCEABLE);
     if (t == nullptr) return "";
-    if (t->law == nullptr || t->locate == nullptr) return "The table of " SWAGE_TRAIT_PIERCEABLE " has gaps.";
+    if (t->law == nullptr || t->locate == nullptr) return say::kGaps(SWAGE_TRAIT_PIERCEABLE);
     swage_pierceable_law law;
     if (std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); }); !wrong.empty())
       return wrong;
     for (const double x : {law.stiffness, law.stiffening, law.friction, law.puncture_force, law.cutting_force, law.drag,
                            law.side_stiffness, law.failure_stress})
-      if (!at_least_0(x)) return told("law", "gives a property that is negative or no number.");
+      if (!at_least_0(x)) return told("law", say::kProperty());
     for (int i = 0; i < 200; ++i) {
       const swage_vec3 p = somewhere();
       swage_pierceable_place place;
@@ -156,9 +157,9 @@ class Traits {
       if (!wrong.empty()) return wrong;
       const double at[] = {place.depth, place.beyond, place.edge, place.p_W.x, place.p_W.y, place.p_W.z};
       for (const double x : at)
-        if (std::isnan(x)) return told("locate", "gives a place that is no number.");
-      if (!is_unit(place.normal_W)) return told("locate", "gives a normal that is not unit.");
-      if (place.body >= slot_.body.count) return told("locate", "names a body that it has not declared.");
+        if (std::isnan(x)) return told("locate", say::kPlaceNoNumber());
+      if (!is_unit(place.normal_W)) return told("locate", say::kNormal());
+      if (place.body >= slot_.body.count) return told("locate", say::kNoBody());
     }
     return "";
   }
@@ -166,12 +167,12 @@ class Traits {
   std::string strand() {
     const auto* t = table<swage_strand>(SWAGE_TRAIT_STRAND);
     if (t == nullptr) return "";
-    if (t->law == nullptr || t->place == nullptr || t->nearest == nullptr) return "The table of " SWAGE_TRAIT_STRAND " has gaps.";
+    if (t->law == nullptr || t->place == nullptr || t->nearest == nullptr) return say::kGaps(SWAGE_TRAIT_STRAND);
     swage_strand_law law;
     if (std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); }); !wrong.empty())
       return wrong;
     if (!positive(law.length) || !positive(law.radius) || !at_least_0(law.strength) || !at_least_0(law.pull_off))
-      return told("law", "gives no length and radius > 0 m, or a strength that is negative or no number.");
+      return told("law", say::kStrand());
     for (int i = 0; i < 200; ++i) {
       const double s = random_.uniform(-0.1, 1.1) * law.length;
       const swage_vec3 p = somewhere();
@@ -182,14 +183,14 @@ class Traits {
         wrong = twice("nearest", place[1], [&](auto* out) { return t->nearest(slot_.instance->raw, &view(), p, out); });
       if (!wrong.empty()) return wrong;
       const double nearest = std::clamp(s, 0.0, law.length);
-      if (!(std::abs(place[0].s - nearest) <= 1e-9 * law.length)) return told("place", "gives a place elsewhere than at s.");
+      if (!(std::abs(place[0].s - nearest) <= 1e-9 * law.length)) return told("place", say::kElsewhere());
       for (const swage_strand_place& at : place) {
         const char* who = &at == place ? "place" : "nearest";
-        if (!(at.s >= 0 && at.s <= law.length * (1 + 1e-9))) return told(who, "gives a place s outside of 0 to the length.");
+        if (!(at.s >= 0 && at.s <= law.length * (1 + 1e-9))) return told(who, say::kStrandRange());
         if (!is_unit(at.tangent_W) || !is_unit(at.normal_W) || std::abs(dot(at.tangent_W, at.normal_W)) > 1e-6)
-          return told(who, "gives a tangent and a normal that are not unit and square to each other.");
-        if (!host::finite(&at.p_W.x, 3) || !std::isfinite(at.tension)) return told(who, "gives a place or a tension that is no number.");
-        if (at.body >= slot_.body.count) return told(who, "names a body that it has not declared.");
+          return told(who, say::kNotSquare());
+        if (!host::finite(&at.p_W.x, 3) || !std::isfinite(at.tension)) return told(who, say::kTension());
+        if (at.body >= slot_.body.count) return told(who, say::kNoBody());
       }
     }
     return "";
@@ -198,10 +199,10 @@ class Traits {
   std::string blades() {
     const auto* t = table<swage_blades>(SWAGE_TRAIT_BLADES);
     if (t == nullptr) return "";
-    if (t->law == nullptr) return "The table of " SWAGE_TRAIT_BLADES " has gaps.";
+    if (t->law == nullptr) return say::kGaps(SWAGE_TRAIT_BLADES);
     swage_blades_law law;
     std::string wrong = twice("law", law, [&](auto* out) { return t->law(slot_.instance->raw, &view(), out); });
-    if (wrong.empty() && !at_least_0(law.shear)) return told("law", "gives blades a force that is negative or no number.");
+    if (wrong.empty() && !at_least_0(law.shear)) return told("law", say::kShear());
     return wrong;
   }
 
@@ -210,16 +211,16 @@ class Traits {
     const auto* t = table<swage_cuttable>(SWAGE_TRAIT_CUTTABLE);
     if (t == nullptr) return "";
     const auto* strand = table<swage_strand>(SWAGE_TRAIT_STRAND);
-    if (t->cut == nullptr) return "The table of " SWAGE_TRAIT_CUTTABLE " has gaps.";
+    if (t->cut == nullptr) return say::kGaps(SWAGE_TRAIT_CUTTABLE);
     swage_strand_law law{};
     if (strand == nullptr || strand->law(slot_.instance->raw, &view(), &law) != SWAGE_OK)
-      return "It can be cut, but has no trait " SWAGE_TRAIT_STRAND " that says how long it is.";
+      return say::kNoStrand(SWAGE_TRAIT_STRAND);
     const double s = random_.uniform(0.2, 0.8) * law.length;
-    if (t->cut(slot_.instance->raw, &view(), s) != SWAGE_OK) return told("cut", "fails within the strand's length.");
+    if (t->cut(slot_.instance->raw, &view(), s) != SWAGE_OK) return told("cut", say::kCutFails());
     if (std::string wrong = scene_.run(10); !wrong.empty()) return wrong;
     swage_strand_place place{};
     if (strand->place(slot_.instance->raw, &view(), s, &place) != SWAGE_OK || place.parted == 0)
-      return told("cut", "leaves the strand whole where it was cut.");
+      return told("cut", say::kStaysWhole());
     return "";
   }
 
@@ -240,7 +241,7 @@ Finding traits(const TestScene& scene, uint64_t seed) {
   if (std::string wrong = s.run(10); !wrong.empty()) return {Mark::kFailed, wrong};
   Traits traits(s, scene.subject({}), seed);
   if (std::string wrong = traits.check(); !wrong.empty()) return {Mark::kFailed, wrong};
-  return traits.asked() > 0 ? Finding{} : Finding{Mark::kSkipped, "Its traits have no functions."};
+  return traits.asked() > 0 ? Finding{} : Finding{Mark::kSkipped, say::kNoFunctions()};
 }
 
 }  // namespace swage::tools

@@ -13,6 +13,7 @@
 #include "step/overlaps.hpp"
 #include "step/step.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/stepping_tests.hpp"
 #include "tools/verbs.hpp"
 
@@ -143,14 +144,12 @@ int validate(const ValidateOptions& o) {
   std::vector<std::string> names;
   for (const host::ValidateTest& test : tests) names.push_back(test.name);
   if (!o.only.empty() && std::find(names.begin(), names.end(), o.only) == names.end())
-    return problem("There is no test \"" + o.only + "\"." + host::did_you_mean(o.only, names) +
-                   " It has: " + host::join(names) + ".");
+    return problem(say::kNoTest(o.only, host::did_you_mean(o.only, names), host::join(names)));
   std::error_code ignored;
   std::vector<std::string> paths;
   for (const std::string& path : o.paths)
     if (!spread(path, paths))
-      return problem(fs::exists(path, ignored) ? path + " holds neither a plugin (*.so) nor lessons (*.json)."
-                                               : "There is no " + path + ".");
+      return problem(fs::exists(path, ignored) ? say::kHoldsNeither(path) : say::kNothingThere(path));
 
   Report report;
   for (const std::string& path : paths) {

@@ -11,6 +11,7 @@
 #include "assembly/lesson_text.hpp"
 #include "host/words.hpp"
 #include "tools/print.hpp"
+#include "tools/sentences.hpp"
 #include "tools/verbs.hpp"
 
 namespace swage::tools {
@@ -79,7 +80,7 @@ int words(const WordsOptions& o) {
     }
     const auto mine = [&](const host::PluginInfo& p) { return p.id == what || fs::equivalent(p.bundle_dir, what, ignored); };
     const auto n = std::count_if(catalogue.plugins().begin(), catalogue.plugins().end(), mine);
-    if (n == 0) problems.push_back({base::Severity::kError, what, "Neither a lesson file, nor a bundle, nor the id of a plugin."});
+    if (n == 0) problems.push_back({base::Severity::kError, what, say::kNeither()});
     good &= n > 0;
     for (const host::PluginInfo& p : catalogue.plugins())
       if (mine(p)) said.add(p);

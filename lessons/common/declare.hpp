@@ -7,6 +7,8 @@
 
 #include <cstddef>
 
+#include "common/sentences.hpp"
+
 namespace swage::lessons {
 
 /// Declares the cues and metrics of a card; each array has one entry for each row of its table. `shows(i)`: whether a lesson with
@@ -27,7 +29,7 @@ void declare_card(LessonBuilder& builder, const swage_cue_info (&cue_info)[cues]
 
 /// Reports an interval whose first number is not below its second.
 inline void require_ordered(LessonBuilder& builder, const char* key, const Interval& range) {
-  if (range.low >= range.high) builder.error(key, "the first number must be below the second");
+  if (range.low >= range.high) builder.error(key, say::kOrdered());
 }
 
 }  // namespace swage::lessons

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/sentences.hpp"
+
 namespace swage::lessons {
 
 /// Place of an enumerator in the tables of a lesson.
@@ -34,14 +36,12 @@ inline std::vector<std::string> grasp_owners(const Scene& scene) {
 inline GraspSignals find_grasp(const Scene& scene, Binder& binder, const std::string& owner) {
   const auto signal = [&](const char* id) {
     const Signal found = scene.find_signal(owner, id);
-    if (!found.valid())
-      binder.missing(scene, "signal", owner, id, "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, id, say::kWatched());
     return found;
   };
   const auto event = [&](const char* id) {
     const Event found = scene.find_event(owner, id);
-    if (!found.valid())
-      binder.missing(scene, "event", owner, id, "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "event", owner, id, say::kWatched());
     return found;
   };
   return {signal("grasp.held"),      signal("grasp.force"),     signal("grasp.s"),
@@ -58,7 +58,7 @@ inline uint32_t find_object(const Scene& scene, Binder& binder, const std::strin
   for (const swage_scene_object& object : scene.objects()) {
     all += (all.empty() ? "" : ", ") + std::string(view(object.name));
   }
-  binder.error("there is no object \"" + name + "\" in the scene; it has: " + all);
+  binder.error(say::kNoObject(name, all));
   return kNone;
 }
 
@@ -67,7 +67,7 @@ inline Peer find_gripper(const Scene& scene, Binder& binder, const std::string& 
   index = find_object(scene, binder, name);
   if (index == kNone) return Peer();
   const Peer peer(scene->object[index].instance);
-  if (!peer.gripper()) binder.error("\"" + name + "\" cannot grip; the lesson watches the tips of a gripper");
+  if (!peer.gripper()) binder.error(say::kNoGripper(name));
   return peer;
 }
 

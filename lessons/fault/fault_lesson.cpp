@@ -7,6 +7,7 @@
 
 #include "common/declare.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_fault {
 
@@ -62,9 +63,9 @@ void FaultLesson::bind(const Scene& scene, Binder& binder) {
     one.strand = StrandPeer(Peer(scene->object[one.object].instance));
     for (const auto& [wanted, signal] : {std::pair{"thread.tension", &one.tension}, {"thread.shape", &one.shape}}) {
       *signal = scene.find_signal(thread, wanted);
-      if (!signal->valid()) binder.missing(scene, "signal", thread, wanted, "which this lesson watches");
+      if (!signal->valid()) binder.missing(scene, "signal", thread, wanted, lessons::say::kWatched());
     }
-    if (!one.strand.valid()) binder.error("\"" + thread + "\" is no thread");
+    if (!one.strand.valid()) binder.error(lessons::say::kNoThread(thread));
   }
   shown_ = binder.mark_point({0, 0, 0}, kShownRadius, "shown.point");
   pull_ = binder.mark_point({0, 0, 0}, kAnswerRadius, "pull.point");  // who pulls waits until it moves

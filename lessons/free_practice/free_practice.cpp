@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "common/names.hpp"
+#include "sentences.hpp"
 
 namespace swage::lesson_free_practice {
 namespace {
@@ -18,8 +19,8 @@ void FreePractice::build(const PracticeParams& params, LessonBuilder& builder) {
   params_ = params;
   drop_ = lessons::DropWatch(params.drop_distance);
   const size_t n = names_in(params.things).size();
-  if (n == 0 || n > kMostThings) builder.error("things", "one to eight names are needed");
-  if (static_cast<size_t>(params.goal) > n) builder.error("goal", "there are not so many things");
+  if (n == 0 || n > kMostThings) builder.error("things", say::kThingsNamed());
+  if (static_cast<size_t>(params.goal) > n) builder.error("goal", say::kFewThings());
 
   builder.state<PracticeMemory>();
   held_ = builder.cue(kCues[0]);
@@ -40,9 +41,7 @@ void FreePractice::bind(const Scene& scene, Binder& binder) {
   const std::vector<std::string> names = names_in(params_.things);
   const std::vector<std::string> owners = lessons::grasp_owners(scene);
   if (owners.size() != names.size()) {
-    binder.error("\"things\" names " + std::to_string(names.size()) + " objects, but " +
-                 std::to_string(owners.size()) +
-                 " \"swage.coupling.grasp\" tell about grasps; one for each is needed");
+    binder.error(say::kGraspEach(names.size(), owners.size()));
   }
   things_.clear();
   for (size_t i = 0; i < names.size() && i < owners.size(); ++i) {

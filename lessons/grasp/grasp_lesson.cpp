@@ -6,6 +6,7 @@
 #include "common/declare.hpp"
 #include "common/report.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_grasp {
 
@@ -52,13 +53,12 @@ void GraspLesson::bind(const Scene& scene, Binder& binder) {
   gripper_ = lessons::find_gripper(scene, binder, params_.gripper, gripper_object_);
   needle_object_ = lessons::find_object(scene, binder, params_.needle);
   const std::vector<std::string> owners = lessons::grasp_owners(scene);
-  if (owners.empty()) {
-    binder.error("nothing in the scene tells about a grasp; add to \"couplings\" a \"swage.coupling.grasp\"");
+  if (owners.empty()) { binder.error(lessons::say::kNoGrasp());
   }
   if (binder.failed()) return;
   grasp_ = lessons::find_grasp(scene, binder, owners.front());
   const swage_scene_object& needle = scene->object[needle_object_];
-  if (needle.n_body == 0) return binder.error("\"" + params_.needle + "\" has no body that could be taken");
+  if (needle.n_body == 0) return binder.error(lessons::say::kNotTaken(params_.needle));
   needle_body_ = needle.first_body;
   region_ = binder.mark_arc(needle_object_, params_.region.low, params_.region.high, "region.target");
   bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends

@@ -5,6 +5,8 @@
 
 #include "common/declare.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
+#include "sentences.hpp"
 
 namespace swage::lesson_insertion {
 
@@ -22,7 +24,7 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   lessons::require_ordered(builder, "force", params.force);
   lessons::require_ordered(builder, "tip_zone", params.tip_zone);
   if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
-  if (has_far() && params.task != Task::kStitch) builder.error("far", "a bite goes through two edges in the task \"stitch\"");
+  if (has_far() && params.task != Task::kStitch) builder.error("far", say::kTwoEdges());
   builder.state<Kept>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
     if (i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood)) return !params.suture.empty();
@@ -65,28 +67,27 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
   needle_object_ = lessons::find_object(scene, binder, params_.needle);
   tissue_object_ = lessons::find_object(scene, binder, params_.tissue);
   const std::vector<std::string> owners = lessons::grasp_owners(scene);
-  if (owners.empty())
-    binder.error("nothing in the scene tells about a grasp; add to \"couplings\" a \"swage.coupling.grasp\"");
+  if (owners.empty()) binder.error(lessons::say::kNoGrasp());
   if (binder.failed()) return;
   grasp_ = lessons::find_grasp(scene, binder, owners.front());
   needle_ = Peer(scene->object[needle_object_].instance);
   tissue_ = Peer(scene->object[tissue_object_].instance);
-  if (!needle_.has(SWAGE_TRAIT_PIERCING)) binder.error("\"" + params_.needle + "\" cannot pierce");
-  if (!tissue_.has(SWAGE_TRAIT_PIERCEABLE)) binder.error("\"" + params_.tissue + "\" cannot be pierced");
+  if (!needle_.has(SWAGE_TRAIT_PIERCING)) binder.error(say::kCannotPierce(params_.needle));
+  if (!tissue_.has(SWAGE_TRAIT_PIERCEABLE)) binder.error(say::kNotPierced(params_.tissue));
   if (scene->object[needle_object_].n_body == 0 || scene->object[tissue_object_].n_body == 0)
-    binder.error("needle and tissue must have bodies");
+    binder.error(say::kNoBodies());
   bending_ = scene.find_signal(params_.needle, "needle.stress");  // of a needle that bends
   const auto pierces = [&](const swage_scene_signal& signal) {
     return view(signal.id) == "pierce.state" && (!has_far() || view(signal.owner) != params_.far_pierce);
   };
   const std::span signals(scene->signal, scene->n_signal);
   const auto owner = std::find_if(signals.begin(), signals.end(), pierces);
-  if (owner == signals.end()) return binder.error("nothing in the scene tells about piercing; add to \"couplings\" a \"swage.coupling.pierce\"");
+  if (owner == signals.end()) return binder.error(say::kNoPiercing());
   pierce_ = find_pierce(scene, binder, std::string(view(owner->owner)));
   if (has_far()) find_far(scene, binder);
   if (!params_.suture.empty()) find_suture(scene, binder);
   if (params_.suture.empty() && params_.tail + params_.loop > 0)
-    binder.error("a tail or loops are asked for, and \"suture\" names no thread");
+    binder.error(say::kNoSuture());
   if (binder.failed()) return;
   gripper_body_ = scene->object[gripper_object_].first_body;
   needle_body_ = scene->object[needle_object_].first_body;
@@ -100,12 +101,12 @@ void InsertionLesson::bind(const Scene& scene, Binder& binder) {
 InsertionLesson::Pierce InsertionLesson::find_pierce(const Scene& scene, Binder& binder, const std::string& owner) const {
   const auto signal = [&](const std::string& word) {
     const Signal found = scene.find_signal(owner, "pierce." + word);
-    if (!found.valid()) binder.missing(scene, "signal", owner, "pierce." + word, "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, "pierce." + word, lessons::say::kWatched());
     return found;
   };
   const auto event = [&](const std::string& word) {
     const Event found = scene.find_event(owner, "pierce." + word);
-    if (!found.valid()) binder.missing(scene, "event", owner, "pierce." + word, "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "event", owner, "pierce." + word, lessons::say::kWatched());
     return found;
   };
   return {signal("state"),

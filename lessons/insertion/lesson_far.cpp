@@ -2,6 +2,7 @@
 //
 // The far edge of the wound: what the coupling that pierces it tells, and its measures.
 #include "insertion_lesson.hpp"
+#include "sentences.hpp"
 
 namespace swage::lesson_insertion {
 
@@ -12,7 +13,7 @@ void InsertionLesson::find_far(const Scene& scene, Binder& binder) {
   far_object_ = lessons::find_object(scene, binder, params_.far);
   if (binder.failed()) return;
   far_ = Peer(scene->object[far_object_].instance);
-  if (!far_.has(SWAGE_TRAIT_PIERCEABLE)) return binder.error("\"" + params_.far + "\" cannot be pierced");
+  if (!far_.has(SWAGE_TRAIT_PIERCEABLE)) return binder.error(say::kNotPierced(params_.far));
   far_pierce_ = find_pierce(scene, binder, params_.far_pierce);
 }
 

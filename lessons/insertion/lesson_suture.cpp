@@ -3,7 +3,9 @@
 // The thread of the lesson: what its couplings tell, the mark on it, and its measures.
 #include <algorithm>
 
+#include "common/sentences.hpp"
 #include "insertion_lesson.hpp"
+#include "sentences.hpp"
 
 namespace swage::lesson_insertion {
 
@@ -24,14 +26,12 @@ void InsertionLesson::find_suture(const Scene& scene, Binder& binder) {
   thread_object_ = lessons::find_object(scene, binder, params_.suture);
   if (binder.failed()) return;
   thread_ = StrandPeer(Peer(scene->object[thread_object_].instance));
-  if (!thread_.valid()) return binder.error("\"" + params_.suture + "\" is no thread");
+  if (!thread_.valid()) return binder.error(lessons::say::kNoThread(params_.suture));
   const std::string swage = owner_of(scene, "swage.tension"), pull = owner_of(scene, "pull.tail");
-  if (swage.empty())
-    return binder.error("nothing in the scene ties the thread to a needle; add to \"couplings\" a \"swage.coupling.swage\"");
+  if (swage.empty()) return binder.error(say::kNoTie());
   suture_.tension = scene.find_signal(swage, "swage.tension");
   suture_.pulled_off = scene.find_event(swage, "swage.pulled_off");
-  if (pull.empty() && params_.tail + params_.loop > 0)
-    return binder.error("nothing in the scene draws the thread through tissue; add to \"couplings\" a \"swage.coupling.pull_through\"");
+  if (pull.empty() && params_.tail + params_.loop > 0) return binder.error(say::kNoPull());
   if (pull.empty()) return;
   suture_.state = scene.find_signal(pull, "pull.state");
   suture_.tail = scene.find_signal(pull, "pull.tail");

@@ -9,6 +9,7 @@
 #include "common/declare.hpp"
 #include "common/report.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_knot {
 
@@ -38,7 +39,7 @@ bool read_word(std::string_view text, Word& word) {
 
 void KnotLesson::build(const P& params, LessonBuilder& builder) {
   lessons::require_ordered(builder, "force", params.force);
-  if (params.holder == params.winder) builder.error("winder", "two grippers are needed, not one");
+  if (params.holder == params.winder) builder.error("winder", lessons::say::kTwoGrippers());
   if (params.left == params.right) builder.error("right", "a wound has two edges, not one");
   if (!read_word(params.word, asked_)) builder.error("word", "a word is one to six whole numbers that are not 0, such as \"1 -1\"");
   builder.state<Memory>();
@@ -81,7 +82,7 @@ void KnotLesson::find_knot(const Scene& scene, Binder& binder) {
   const P& p = params();
   const auto signal = [&](const std::string& owner, const std::string& wanted) {
     const Signal found = scene.find_signal(owner, wanted.c_str());
-    if (!found.valid()) binder.missing(scene, "signal", owner, wanted.c_str(), "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, wanted.c_str(), lessons::say::kWatched());
     return found;
   };
   const std::string tissue[2] = {p.left, p.right}, stitch[2] = {p.left_stitch, p.right_stitch};

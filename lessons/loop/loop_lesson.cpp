@@ -6,6 +6,7 @@
 #include "common/declare.hpp"
 #include "common/report.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_loop {
 
@@ -14,7 +15,7 @@ using toolkit::vec;
 
 void LoopLesson::build(const P& params, LessonBuilder& builder) {
   lessons::require_ordered(builder, "force", params.force);
-  if (params.holder == params.winder) builder.error("winder", "two grippers are needed, not one");
+  if (params.holder == params.winder) builder.error("winder", lessons::say::kTwoGrippers());
   builder.state<Memory>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the thread with one instrument.");
@@ -39,7 +40,7 @@ void LoopLesson::bind(const Scene& scene, Binder& binder) {
   grasp_ = lessons::find_grasp(scene, binder, p.grasp);
   const auto signal = [&](const std::string& owner, const char* wanted) {
     const Signal found = scene.find_signal(owner, wanted);
-    if (!found.valid()) binder.missing(scene, "signal", owner, wanted, "which this lesson watches");
+    if (!found.valid()) binder.missing(scene, "signal", owner, wanted, lessons::say::kWatched());
     return found;
   };
   turns_ = signal(p.winding, "winding.turns");

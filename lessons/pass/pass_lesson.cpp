@@ -6,6 +6,7 @@
 #include "common/declare.hpp"
 #include "common/report.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_pass {
 
@@ -14,7 +15,7 @@ using toolkit::vec;
 
 void PassLesson::build(const P& params, LessonBuilder& builder) {
   lessons::require_ordered(builder, "force", params.force);
-  if (params.first == params.second) builder.error("second", "two grippers are needed, not one");
+  if (params.first == params.second) builder.error("second", lessons::say::kTwoGrippers());
   builder.state<Memory>();
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_);
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle with one of the two.");
@@ -40,7 +41,7 @@ void PassLesson::bind(const Scene& scene, Binder& binder) {
   needle_object_ = lessons::find_object(scene, binder, params().needle);
   if (binder.failed()) return;
   const swage_scene_object& needle = scene->object[needle_object_];
-  if (needle.n_body == 0) return binder.error("\"" + params().needle + "\" has no body that could be taken");
+  if (needle.n_body == 0) return binder.error(lessons::say::kNotTaken(params().needle));
   needle_body_ = needle.first_body;
   needle_ = Peer(needle.instance);
   if (!needle_.graspable()) return binder.error("\"" + params().needle + "\" cannot be asked where it is nearest to the place");

@@ -7,6 +7,7 @@
 #include "common/names.hpp"
 #include "common/report.hpp"
 #include "common/rules.hpp"
+#include "common/sentences.hpp"
 
 namespace swage::lesson_ring {
 
@@ -53,7 +54,7 @@ void RingLesson::find_touches(const Scene& scene, Binder& binder) {
   touch_.clear();
   for (const std::string& owner : lessons::names_in(params_.touches)) {
     const Signal force = scene.find_signal(owner, "contact.force");
-    if (!force.valid()) binder.missing(scene, "signal", owner, "contact.force", "which this lesson watches");
+    if (!force.valid()) binder.missing(scene, "signal", owner, "contact.force", lessons::say::kWatched());
     touch_.push_back(force);
   }
   if (touch_.empty())
@@ -68,12 +69,10 @@ void RingLesson::bind(const Scene& scene, Binder& binder) {
   for (const std::string& post : lessons::names_in(params_.posts)) posts_.push_back(find_thing(scene, binder, post));
   find_touches(scene, binder);
   const std::vector<std::string> owners = lessons::grasp_owners(scene);
-  if (owners.empty())
-    binder.error("nothing in the scene tells about a grasp; add to \"couplings\" a \"swage.coupling.grasp\"");
+  if (owners.empty()) binder.error(lessons::say::kNoGrasp());
   if (binder.failed()) return;
   grasp_ = lessons::find_grasp(scene, binder, owners.front());
-  if (scene->object[ring_.object].n_body == 0)
-    return binder.error("\"" + params_.ring + "\" has no body that could be taken");
+  if (scene->object[ring_.object].n_body == 0) return binder.error(lessons::say::kNotTaken(params_.ring));
   ring_body_ = scene->object[ring_.object].first_body;
   constexpr double kMark = 0.3e-3;  // m, drawn on top of the post
   if (!posts_.empty()) target_ = binder.mark_point({0, 0, 0}, kMark, "target.point");

@@ -13,6 +13,7 @@
 #include "sensor_thread.hpp"
 #include "test_places.hpp"
 #include "toolkit/sentences.hpp"
+#include "tools/calibrate_sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -106,7 +107,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
 
   // another needleholder under the same sensor is noticed, and taken when it is meant
   EXPECT_EQ(answer("calibrate poses" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 1);
-  EXPECT_THAT(said(), HasSubstr(sensor::say::kOtherHolder.words(4) + " Nothing is kept."));
+  EXPECT_THAT(said(), HasSubstr(sensor::say::kOtherHolder.words(4) + say::kNothingKept()));
   EXPECT_EQ(answer("calibrate poses --another-needleholder" + port, {{3, ""}, {-1, ""}, {-2.5, ""}}), 0) << said();
 }
 
@@ -117,18 +118,18 @@ TEST_F(Calibrate, WhatCannotBeIsSaidAndNothingIsKept) {
     EXPECT_THAT(s.err, HasSubstr(words));
   };
   fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7", "--by", "Ada"}, 2, toolkit::say::kNoFile());
-  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, "Say who calibrates");
+  fails({"calibrate", "displacement", "--table", path("none.csv"), "--serial", "B7"}, 2, say::kSayWho());
   write("bent.csv", "mm,V\n0,0\n1,1.2\n2,1.8\n3,3.4\n4,3.7\n5,5.5\n6,5.5\n");
-  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--serial", "B7", "--by", "Ada"}, 1, "Nothing is kept");
-  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada"}, 2, "serial number with --serial");
-  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, "cannot name a file");
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--serial", "B7", "--by", "Ada"}, 1, say::kNothingKept());
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada"}, 2, say::kWhoseTable());
+  fails({"calibrate", "displacement", "--table", path("bent.csv"), "--by", "Ada", "--serial", "../x"}, 2, say::kCannotName("../x"));
   write("words.csv", "mm,V\n0,0\n1,one\n");
-  fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, "line 3: a row has 2 numbers");
+  fails({"calibrate", "displacement", "--table", path("words.csv"), "--serial", "B7", "--by", "Ada"}, 2, say::kRowOf(path("words.csv"), 3, 2));
   write("f.csv", "0 0.2\n1 4\n2 3\n");
-  fails({"calibrate", "tip", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
-  fails({"calibrate", "force", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, "First: swage calibrate displacement");
+  fails({"calibrate", "tip", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, say::kVoltsFirst());
+  fails({"calibrate", "force", "--table", path("f.csv"), "--serial", "B7", "--by", "Ada"}, 2, say::kVoltsFirst());
   fails({"calibrate", "poses", "--port", path("nothing")}, 2, sensor::say::kNotThere(path("nothing")));
-  EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("No calibration is kept"));
+  EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr(say::kNoneKept.words(0)));
 }
 
 TEST_F(Calibrate, ASimulatedSensorIsFoundByTheDriverInTheValidator) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <random>
 
+#include "gamepad/sentences.hpp"
 #include "virtual_pad.hpp"
 
 namespace swage::gamepad {
@@ -81,12 +82,12 @@ TEST_F(Pad, NoneIsToldWithTheRemedy) {
   Bench bench;
   EXPECT_FALSE(bench.start());
   ASSERT_FALSE(bench.host.reports.empty());
-  EXPECT_THAT(bench.host.reports[0], HasSubstr("There is no game pad. Plug one in"));
+  EXPECT_THAT(bench.host.reports[0], HasSubstr(say::kNoPad()));
   VirtualPad pad;
   Bench other;
   other.set_text("pad", "Nobody's");
   EXPECT_FALSE(other.start());
-  EXPECT_THAT(other.host.reports[0], HasSubstr("There is no game pad \"Nobody's\". There is: "));
+  EXPECT_THAT(other.host.reports[0], HasSubstr(say::kNoSuchPad.words(0) + "Nobody's" + say::kNoSuchPad.words(1)));
 }
 
 TEST_F(Pad, EveryAxisGoesItsWay) {

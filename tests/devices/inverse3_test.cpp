@@ -13,6 +13,7 @@
 #include <random>
 
 #include "fake_inverse.hpp"
+#include "inverse3/sentences.hpp"
 
 namespace swage::inverse3 {
 namespace {
@@ -126,7 +127,7 @@ TEST_F(Haply, PosesAndButtonsArriveAndTheInstrumentGoesWhereTheStylusPoints) {
   FakeInverse service;
   Bench bench;
   start(bench, service);
-  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("Inverse3 049D (right-handed), with a VerseGrip, battery 50 %"));
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr(say::kArm("049D", say::kHanded("right"), say::kWithGrip(say::kBattery(50)))));
   service.x = 0.012, service.y = 0.02, service.z = 0.03, service.vx = 0.1;
   service.buttons = 1;
   until(bench, [&] { return std::abs(bench.sample.pose.p.x - 0.012) < 1e-12 && bench.sample.closure > 0.05; });
@@ -175,29 +176,29 @@ TEST_F(Haply, AForceIsGivenInItsAxesAndNeverAboveTheLimit) {
 TEST_F(Haply, WhatIsMissingIsToldWithTheRemedy) {
   FakeInverse service;
   service.stop();
-  EXPECT_THAT(refusal(service), HasSubstr("The Inverse Service does not answer at 127.0.0.1:"));
-  EXPECT_THAT(refusal(service), HasSubstr("sudo systemctl enable --now haply-inverse-service"));
+  EXPECT_THAT(refusal(service), HasSubstr(say::kNoService.words(0) + "127.0.0.1:"));
+  EXPECT_THAT(refusal(service), HasSubstr(say::kNoService.words(2)));
   service.arm = false;
   service.start();
-  EXPECT_THAT(refusal(service), HasSubstr("The Inverse Service knows no arm. Switch the Inverse3 on"));
+  EXPECT_THAT(refusal(service), HasSubstr(say::kNoArm()));
   service.arm = true;
   Bench other;
   prepare(other, service);
   other.set_text("arm", "FFFF");
   EXPECT_FALSE(other.start());
-  EXPECT_THAT(other.host.reports.at(0), HasSubstr("There is no arm \"FFFF\". There is: 049D."));
+  EXPECT_THAT(other.host.reports.at(0), HasSubstr(say::kNoSuchArm("FFFF", "049D")));
   Bench nowhere;
   nowhere.set_text("host", "no.such.host.invalid");
   EXPECT_FALSE(nowhere.start());
-  EXPECT_THAT(nowhere.host.reports.at(0), HasSubstr("is not known"));
+  EXPECT_THAT(nowhere.host.reports.at(0), HasSubstr(say::kHostUnknown.words(0) + "no.such.host.invalid" + say::kHostUnknown.words(1)));
 }
 
 TEST_F(Haply, AServiceOfAnotherKindIsToldApart) {
   EXPECT_THAT(refusal(FakeInverse(Manners::kNoWebSocket)), HasSubstr("404 Not Found"));
-  EXPECT_THAT(refusal(FakeInverse(Manners::kWrongKey)), HasSubstr("is not that of a WebSocket"));
-  EXPECT_THAT(refusal(FakeInverse(Manners::kHuge)), HasSubstr("more than 1 MiB"));
-  EXPECT_THAT(refusal(FakeInverse(Manners::kSilent)), HasSubstr("says nothing that is of the Inverse Service"));
-  EXPECT_THAT(refusal(FakeInverse(Manners::kRubbish)), HasSubstr("says nothing that is of the Inverse Service"));
+  EXPECT_THAT(refusal(FakeInverse(Manners::kWrongKey)), HasSubstr(say::kOtherAnswer()));
+  EXPECT_THAT(refusal(FakeInverse(Manners::kHuge)), HasSubstr(say::kHuge()));
+  EXPECT_THAT(refusal(FakeInverse(Manners::kSilent)), HasSubstr(say::kOtherService.words(1)));
+  EXPECT_THAT(refusal(FakeInverse(Manners::kRubbish)), HasSubstr(say::kOtherService.words(1)));
 }
 
 TEST_F(Haply, MessagesInFragmentsWithPingsBetweenThemAreWhole) {
@@ -227,7 +228,7 @@ TEST_F(Haply, AStylusThatFallsSilentTakesThePoseWithIt) {
   bare.set("axis", 1, 0, 0);
   bare.set("closing", 0, 1, 0);
   ASSERT_TRUE(bare.start());
-  EXPECT_THAT(bare.host.reports.at(0), HasSubstr("without a VerseGrip"));
+  EXPECT_THAT(bare.host.reports.at(0), HasSubstr(say::kWithoutGrip()));
   until(bare, [&] { return bare.sample.sequence > 2; });
   EXPECT_EQ(bare.sample.valid, SWAGE_VALID_POSE | SWAGE_VALID_TWIST);
   EXPECT_LT((toolkit::quat(bare.sample.pose.q) * Vec3::UnitX() - Vec3::UnitX()).norm(), 1e-12);
@@ -253,7 +254,7 @@ TEST_F(Haply, TheBatteryOfTheStylusIsToldAndALowOneIsSaidOnce) {
   service.battery = 0.14;
   tells(0.14);
   ASSERT_EQ(bench.host.reports.size(), 2u);
-  EXPECT_THAT(bench.host.reports[1], HasSubstr("The battery of the stylus is low"));
+  EXPECT_THAT(bench.host.reports[1], HasSubstr(say::kLowBattery()));
   service.grip = false;
   tells(std::nan(""));
   stop(bench);

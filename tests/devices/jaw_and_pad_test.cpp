@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "jaw_sensor/sentences.hpp"
 #include "live_lesson.hpp"
 #include "record/export.hpp"
 #include "sensor/calibration_file.hpp"
@@ -92,7 +93,7 @@ class JawAndPad : public test::LiveLesson {
 TEST_F(JawAndPad, PlayTheBasicGraspToAPassInRealTime) {
   auto session = open();
   ASSERT_NE(session, nullptr);
-  EXPECT_NE(told_.find("SIM1: not calibrated"), std::string::npos) << told_;
+  EXPECT_NE(told_.find(jaw_sensor::say::kNotCalibrated("SIM1")), std::string::npos) << told_;
   session->start();
   snapshot::Snapshot now;
   for (; !session->finished(); nap(5e-3)) lead(*session, now);

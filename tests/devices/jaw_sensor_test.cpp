@@ -13,6 +13,7 @@
 #include <cmath>
 #include <random>
 
+#include "jaw_sensor/sentences.hpp"
 #include "sensor/calibration_file.hpp"
 #include "sensor/sentences.hpp"
 #include "sensor_thread.hpp"
@@ -102,7 +103,7 @@ TEST_F(Driver, ASilentOneAndOneThatSpeaksOtherwiseAreToldApart) {
   // it answers who it is, and measures nothing
   Bench bench;
   EXPECT_FALSE(start(bench));
-  EXPECT_THAT(said(bench), HasSubstr("says nothing at 115200 bit/s"));
+  EXPECT_THAT(said(bench), HasSubstr(say::kSilent.words(1) + "115200" + say::kSilent.words(2)));
   std::atomic<bool> stop{false};
   std::thread noise([&] {
     for (std::mt19937 random(1); !stop; nap(5e-3))
@@ -114,7 +115,7 @@ TEST_F(Driver, ASilentOneAndOneThatSpeaksOtherwiseAreToldApart) {
   });
   Bench other;
   EXPECT_FALSE(start(other));
-  EXPECT_THAT(said(other), HasSubstr("what is no message of this dialect"));
+  EXPECT_THAT(said(other), HasSubstr(say::kOtherDialect.words(1)));
   stop = true;
   noise.join();
 }
@@ -126,7 +127,7 @@ TEST_F(Driver, VoltsBecomeClosureInLinesAndInFrames) {
     bench.set("dialect", binary ? 1 : 0);
     bench.set("rate", binary ? 1000 : 500);
     ASSERT_TRUE(start(bench)) << said(bench);
-    EXPECT_THAT(said(bench), HasSubstr("SIM1: not calibrated"));
+    EXPECT_THAT(said(bench), HasSubstr(say::kNotCalibrated("SIM1")));
     EXPECT_EQ(calibration_of(bench), "") << "volts as they are";
     for (const auto& [volts, closure] : {std::pair{2.0, 0.0}, {0.5, 0.3}, {-1.0, 0.6}, {-1.5, 0.8}, {-2.0, 1.0}}) {
       volts_ = volts;
@@ -164,7 +165,7 @@ TEST_F(Driver, TheStoredCalibrationOfTheSensorIsUsedAndTold) {
   bench.set("held", 0);
   volts_ = 1.001;
   ASSERT_TRUE(start(bench));
-  EXPECT_THAT(said(bench), HasSubstr("calibrated on 2026-11-01 by Ada, residuals up to 27 um"));
+  EXPECT_THAT(said(bench), HasSubstr(say::kCalibrated.words(1) + "2026-11-01" + say::kCalibrated.words(2) + "Ada" + say::kCalibrated.words(3) + "27" + say::kCalibrated.words(4)));
   EXPECT_THAT(said(bench), HasSubstr(sensor::say::kExpired.words(1) + "2000-01-01"));
   EXPECT_EQ(calibration_of(bench), sensor::calibration_text(c)) << "what the host keeps with the attempt";
   ask_for(bench, 50);
@@ -302,7 +303,7 @@ TEST_F(Driver, APulledPlugIsSilenceAndTheSensorIsFoundAgain) {
   }
   // a message that waited while the machine was busy is stamped late by that much, until the clock is known again
   EXPECT_LT(most_off, 0.06) << "0.3 s of this hand";
-  EXPECT_EQ(said(bench).find("in place of"), std::string::npos);
+  EXPECT_EQ(said(bench).find(say::kOtherSensor.words(1)), std::string::npos);
 }
 
 TEST_F(Driver, AnotherSensorInItsPlaceIsNotBelieved) {
@@ -319,9 +320,9 @@ TEST_F(Driver, AnotherSensorInItsPlaceIsNotBelieved) {
   const uint64_t then = bench.sample.sequence;
   EXPECT_GE(then, before);
   EXPECT_EQ(ask(bench, 1.0), 0);
-  EXPECT_THAT(said(bench), HasSubstr("The sensor SIM2 is plugged in in place of SIM1"));
+  EXPECT_THAT(said(bench), HasSubstr(say::kOtherSensor("SIM2", "SIM1")));
   EXPECT_EQ(std::count_if(bench.host.reports.begin(), bench.host.reports.end(),
-                          [](const std::string& r) { return r.find("in place of") != std::string::npos; }),
+                          [](const std::string& r) { return r.find(say::kOtherSensor.words(1)) != std::string::npos; }),
             1)
       << "told once";
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "openhaptics/sentences.hpp"
 #include "test_places.hpp"
 
 namespace swage::openhaptics {
@@ -68,7 +69,7 @@ class Arm : public testing::Test {
 
 TEST_F(Arm, PosesAreInMetresAndTheInstrumentGoesWhereTheStylusPoints) {
   start();
-  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr("Arm: Fake arm, serial number F-1"));
+  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr(say::kArm("Fake arm", "F-1")));
   fake<void>("fake_move", 12.0);
   until([&] { return std::abs(bench_.sample.pose.p.x - 12e-3) < 1e-9; });
   EXPECT_NEAR(bench_.sample.pose.p.y, 20e-3, 1e-12);
@@ -180,7 +181,7 @@ TEST_F(Arm, IsTakenOverFromAProgramThatCrashed) {
 TEST_F(Arm, CalibrationNeedsTheInkwell) {
   fake<void>("fake_calibration", 0x5002u, 0);
   EXPECT_FALSE(bench_.start());
-  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr("Put its stylus into the inkwell"));
+  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr(say::kNotCalibrated()));
   EXPECT_EQ(wrong(), "");
 }
 
@@ -195,15 +196,15 @@ TEST_F(Arm, AnUpdateOfTheCalibrationIsMadeInTheServo) {
 TEST_F(Arm, AbsentThingsAreToldWithTheRemedy) {
   fake<void>("fake_plug", 0);
   EXPECT_FALSE(bench_.start());
-  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr("The arm does not answer: device fault. Switch it on"));
+  EXPECT_THAT(bench_.host.reports.at(0), HasSubstr(say::kNoArm("device fault")));
   Bench none;
   none.set_text("library", "/no/such/libHD.so");
   EXPECT_FALSE(none.start());
-  EXPECT_THAT(none.host.reports.at(0), HasSubstr("The OpenHaptics library cannot be loaded (/no/such/libHD.so"));
+  EXPECT_THAT(none.host.reports.at(0), HasSubstr(say::kNoLibrary.words(0) + "/no/such/libHD.so"));
   Bench other;
   other.set_text("library", "libm.so.6");
   EXPECT_FALSE(other.start());
-  EXPECT_THAT(other.host.reports.at(0), HasSubstr("has no hdInitDevice"));
+  EXPECT_THAT(other.host.reports.at(0), HasSubstr(say::kLacks("hdInitDevice")));
 }
 
 TEST_F(Arm, OpensAndClosesAHundredTimes) {

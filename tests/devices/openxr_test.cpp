@@ -12,6 +12,7 @@
 #include <cmath>
 #include <random>
 
+#include "openxr/sentences.hpp"
 #include "test_places.hpp"
 
 namespace swage::openxr {
@@ -68,7 +69,7 @@ TEST_F(Vr, TheControllerLeadsFromWhereItWasFirstSeenAndPointsWhereItAims) {
   Bench bench;
   bench.set("start", 0.01, 0.02, 0);
   start(bench);
-  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("OpenXR runtime: Fake runtime"));
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr(say::kRuntime("Fake runtime")));
   until(bench, [&] { return bench.sample.sequence > 2; });
   EXPECT_NEAR(bench.sample.pose.p.x, 0.01, 1e-7) << "floats";
   EXPECT_NEAR(bench.sample.pose.p.y, 0.02, 1e-7);
@@ -182,13 +183,13 @@ TEST_F(Vr, ARuntimeThatEndsInAnyWayIsFoundAgain) {
 
 TEST_F(Vr, WhatIsMissingIsToldWithTheRemedy) {
   fake<void>("fake_headset", 0);
-  EXPECT_THAT(refusal(), HasSubstr("Fake runtime sees no headset"));
+  EXPECT_THAT(refusal(), HasSubstr("Fake runtime" + say::kNoHeadset.words(1)));
   fake<void>("fake_headset", 1);
   setenv("XR_RUNTIME_JSON", "/no/such/runtime.json", 1);
-  EXPECT_THAT(refusal(), HasSubstr("No OpenXR runtime answers. Install and start one"));
+  EXPECT_THAT(refusal(), HasSubstr(say::kNoRuntime()));
   setenv("XR_RUNTIME_JSON", SWAGE_BINARY_DIR "/tests/fake_xr/runtime.json", 1);
   fake<void>("fake_plug", 0);
-  EXPECT_THAT(refusal(), HasSubstr("The OpenXR runtime does not start"));
+  EXPECT_THAT(refusal(), HasSubstr(say::kNotStarted.words(0)));
   fake<void>("fake_plug", 1);
   fake<void>("fake_touch", 0);
   Bench bench;
@@ -212,7 +213,7 @@ TEST_F(Vr, OpensAndClosesAHundredTimes) {
 // The loader keeps the runtime and its list of extensions until an instance is destroyed, and here none is made: the last test.
 TEST_F(Vr, WithoutSessionsThatShowNoPicturesItIsRefused) {
   fake<void>("fake_without", XR_MND_HEADLESS_EXTENSION_NAME);
-  EXPECT_THAT(refusal(), HasSubstr("gives no controllers without pictures"));
+  EXPECT_THAT(refusal(), HasSubstr(say::kNeedsPictures(XR_MND_HEADLESS_EXTENSION_NAME)));
 }
 
 }  // namespace

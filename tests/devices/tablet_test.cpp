@@ -15,6 +15,8 @@
 #include <numbers>
 #include <random>
 
+#include "tablet/sentences.hpp"
+
 namespace swage::tablet {
 namespace {
 
@@ -125,7 +127,7 @@ struct Fake {
   int ours = -1;
   bool plugged = true;
   std::string open(OpenPen& out) {
-    if (!plugged) return "There is no pen tablet. Plug one in.";
+    if (!plugged) return say::kNoTablet("");
     int pair[2];
     EXPECT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, pair), 0);
     if (ours >= 0) ::close(ours);
@@ -177,18 +179,18 @@ TEST_F(Driver, AbsenceIsToldWithTheRemedy) {
   fake_.plugged = false;
   Bench bench;
   EXPECT_FALSE(bench.start());
-  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("There is no pen tablet. Plug one in."));
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr(say::kNoTablet("")));
   // and by the real opener
   OpenPen pen;
-  EXPECT_THAT(open_pen("/dev/null", "", pen), HasSubstr("/dev/null is no pen tablet."));
-  EXPECT_THAT(open_pen("/dev/input/none", "", pen), HasSubstr("cannot be opened"));
+  EXPECT_THAT(open_pen("/dev/null", "", pen), HasSubstr(say::kNoPen("/dev/null")));
+  EXPECT_THAT(open_pen("/dev/input/none", "", pen), HasSubstr("/dev/input/none" + say::kNotOpened.words(1)));
 }
 
 TEST_F(Driver, ThePenLeadsAndPressureClosesTheJaws) {
   Bench bench;
   bench.set("smoothing", 0);
   ASSERT_TRUE(bench.start());
-  EXPECT_THAT(bench.host.reports.at(0), HasSubstr("Tablet: Fake pen"));
+  EXPECT_THAT(bench.host.reports.at(0), HasSubstr(say::kTablet("Fake pen", "")));
   ask(bench, 0.02);
   EXPECT_FALSE(held(bench)) << "no pen is near";
   fake_.tell(pen_at(21600 + 2000, 13500 - 1000, 4300));

@@ -2,6 +2,7 @@
 //
 // Free practice: what counts as a thing held, drops, both ways to end, and what the scene must offer.
 #include "lesson_stage.hpp"
+#include "lessons/free_practice/sentences.hpp"
 
 namespace swage::lesson_free_practice {
 namespace {
@@ -86,9 +87,7 @@ TEST_F(Practice, WithoutAGoalTheTimeIsTheEnd) {
 TEST_F(Practice, NeedsOneGraspCouplingForEachThing) {
   EXPECT_LT(bind({{"things", std::string("ball")}, {"goal", 1}}), 0);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(
-      problems[0],
-      "\"things\" names 1 objects, but 2 \"swage.coupling.grasp\" tell about grasps; one for each is needed");
+  EXPECT_EQ(problems[0], say::kGraspEach(1, 2));
 }
 
 TEST_F(Practice, RefusesAGoalThatCannotBeReached) {

@@ -5,6 +5,7 @@
 
 #include "../temp_folder.hpp"
 #include "stage.hpp"
+#include "toolkit/sentences.hpp"
 
 namespace swage::scripted {
 namespace {
@@ -81,7 +82,7 @@ TEST_F(Scripted, AFileThatIsNotThereIsAProblemOfTheParameter) {
   Stage stage("swage.device.scripted");
   EXPECT_LT(stage.configure({{"file", std::string("/no/such/hand.json")}}), 0);
   ASSERT_EQ(stage.errors.size(), 1u);
-  EXPECT_EQ(stage.errors[0], "file: /no/such/hand.json: There is no such file.");
+  EXPECT_EQ(stage.errors[0], "file: /no/such/hand.json: " + toolkit::say::kNoFile());
 }
 
 }  // namespace

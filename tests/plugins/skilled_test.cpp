@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The hand with eyes: what a plan may say, and that each act ends where its word says.
+#include "devices/hand/sentences.hpp"
+#include "devices/skilled/sentences.hpp"
 #include "devices/skilled/wrist.hpp"
 #include "skilled_hand.hpp"
 
@@ -22,31 +24,31 @@ std::string message(const std::string& acts) {
 TEST(Plan, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"act": "wait", "time": "1 s"})"), "nothing was wrong");
   EXPECT_EQ(message(R"({"act": "jump"})"),
-            "plan.json #/acts/0/act: there is no act \"jump\"; there is: again, aim, answer, await, back, bring, choose, "
-            "close, draw, drive, move, open, reach, show, wait, wind");
-  EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: \"angle\" is missing");
+            "plan.json #/acts/0/act: " + say::kNoAct("jump", "again, aim, answer, await, back, bring, choose, "
+                                                            "close, draw, drive, move, open, reach, show, wait, wind"));
+  EXPECT_EQ(message(R"({"act": "drive"})"), "plan.json #/acts/0: " + say::kMissing("angle"));
   EXPECT_EQ(message(R"({"act": "drive", "angle": "3 mm"})"),
-            "plan.json #/acts/0/angle: \"3 mm\" is not an angle (rad, deg)");
+            "plan.json #/acts/0/angle: " + hand::say::kOtherMeasure("3 mm", hand::say::kAngle()));
   EXPECT_EQ(message(R"({"act": "wait", "s": 0.5})"),
-            "plan.json #/acts/0/s: unknown here; this act has: time");
-  EXPECT_EQ(message(R"({"act": "wait", "time": 0})"), "plan.json #/acts/0/time: an act takes some time");
+            "plan.json #/acts/0/s: " + say::kUnknownKey("time"));
+  EXPECT_EQ(message(R"({"act": "wait", "time": 0})"), "plan.json #/acts/0/time: " + say::kTakesTime());
   EXPECT_EQ(message(R"({"act": "reach", "s": 2, "from": [1, 0, 0]})"),
-            "plan.json #/acts/0/s: s goes from 0 (point) to 1 (swage)");
+            "plan.json #/acts/0/s: " + say::kPlaceOnNeedle());
   EXPECT_EQ(message(R"({"act": "reach", "s": 0.5, "from": [0, 0, 0]})"),
-            "plan.json #/acts/0/from: the direction has no length");
+            "plan.json #/acts/0/from: " + say::kNoDirection());
   EXPECT_EQ(message(R"({"act": "wait"}, {"act": "again", "from": 1})"),
-            "plan.json #/acts/1/from: the number of an act before this one");
+            "plan.json #/acts/1/from: " + say::kEarlierAct());
   EXPECT_EQ(message(R"({"act": "show", "mark": "m", "at": [0, 0, 0], "with": "feet", "across": [1, 0, 0]})"),
-            "plan.json #/acts/0/with: \"needle\" or \"jaws\" is needed here");
+            "plan.json #/acts/0/with: " + say::kWithWhat());
   for (const char* wrong : {R"({"act": "await"})", R"({"act": "await", "of": "g", "signal": "x", "less": 1, "mark": "m", "s": 0.5})"})
-    EXPECT_NE(message(wrong).find(R"(what is awaited is "of", "signal" and "more" or "less", or "mark")"), std::string::npos);
+    EXPECT_NE(message(wrong).find(say::kAwaited()), std::string::npos);
   EXPECT_EQ(message(R"({"act": "wind", "about": "holder", "turns": 1, "signal": "contact.force"})"),
-            R"(plan.json #/acts/0: a thread is kept drawn by "of", "signal", "more", "less" and "by" together)");
+            "plan.json #/acts/0: " + say::kDrawn());
   for (const char* wrong : {R"({"act": "wait"}, {"act": "again", "from": 0, "of": "g", "signal": "x"})",
                             R"({"act": "wait"}, {"act": "again", "from": 0, "less": 1})"})
-    EXPECT_EQ(message(wrong), R"(plan.json #/acts/1: it goes on there while "of", "signal" and "more" or "less" say so together)");
+    EXPECT_EQ(message(wrong), "plan.json #/acts/1: " + say::kGoesOn());
   EXPECT_EQ(message(R"({"act": "move", "by": ["1 mm", 0, 0], "axis": [1, 0, 0], "closing": [0, 1, 0], "roll": "90 deg"})"),
-            R"(plan.json #/acts/0: give "roll", or "axis" and "closing")");
+            "plan.json #/acts/0: " + say::kRollOrTurn());
   EXPECT_THROW(parse_plan("[]", "x"), std::runtime_error);
   EXPECT_THROW(load_plan("/no/such/plan.json"), std::runtime_error);
 }
@@ -288,8 +290,7 @@ TEST_F(SkilledHand, AWristNeedsAForearmAndRangesToBothSides) {
   make(kGrasp);
   Stage stage("swage.device.skilled");
   stage.configure({{"file", path_}, {"wrist", 1}, {"rotation", std::vector<double>{0.1, 0.5}}, {"forearm", std::vector<double>{0, 0, 1}}});
-  EXPECT_EQ(stage.errors, (std::vector<std::string>{"forearm: the forearm needs a horizontal direction",
-                                                    "rotation: the range must reach to both sides of 0"}));
+  EXPECT_EQ(stage.errors, (std::vector<std::string>{"forearm: " + say::kForearm(), "rotation: " + say::kRange()}));
 }
 
 TEST_F(SkilledHand, SaysWhatItCannotFind) {

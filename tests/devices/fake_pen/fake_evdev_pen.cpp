@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "tablet/evdev_pen.hpp"
+#include "tablet/sentences.hpp"
 
 namespace swage::tablet {
 
@@ -18,7 +19,7 @@ std::string open_pen(const std::string& path, const std::string&, OpenPen& out) 
   std::copy_n(path.begin(), std::min(path.size(), sizeof address.sun_path - 1), address.sun_path);
   if (file < 0 || connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     if (file >= 0) ::close(file);
-    return "There is no pen tablet. Plug one in.";
+    return say::kNoTablet("");
   }
   // as of a middle-sized tablet: 200 units per mm, 216 x 135 mm, 8192 steps of pressure
   out = {file, "Fake pen", {{0, 43200, 200}, {0, 27000, 200}, {0, 8191, 0}, {0, 63, 0}, {-64, 63, 57}, {-64, 63, 57}}};

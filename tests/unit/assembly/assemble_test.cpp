@@ -10,6 +10,7 @@
 #include "assembly/sentences.hpp"
 #include "base/rng.hpp"
 #include "host/nearest.hpp"
+#include "host/sentences.hpp"
 #include "judge/host_events.hpp"
 #include "test_places.hpp"
 
@@ -175,8 +176,7 @@ TEST(Assemble, OverridesChooseByNameIdOrLastWord) {
   EXPECT_THAT(
       make(kScene, {"pen", R"({"sped": 3})"}).said,
       ElementsAre(
-          "--device-params #/sped: org.example.pen has no such parameter. Did you mean \"speed\"? It has: "
-          "speed."));
+          "--device-params #/sped: " + host::say::kNoSuchParam("org.example.pen", host::did_you_mean("sped", {"speed"}), host::say::kHas("speed"))));
   EXPECT_THAT(
       make(kScene, {"exprt", ""}).said,
       ElementsAre(

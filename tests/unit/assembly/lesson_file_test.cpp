@@ -9,6 +9,7 @@
 
 #include "assembly/sentences.hpp"
 #include "host/nearest.hpp"
+#include "host/sentences.hpp"
 
 using namespace swage;
 namespace say = assembly::say;
@@ -74,7 +75,7 @@ TEST(LessonFile, SaysWhatIsWrongWithFiltersAndReactions) {
   EXPECT_THAT(said(R"("coupling": {"spring": 3})"), HasSubstr("spring"));
   EXPECT_THAT(said(R"("filters": {"clutch": [32]})"), HasSubstr(say::kNoClutch(32)));
   EXPECT_THAT(said(R"("filters": {"clutch_of": "hand"})"), HasSubstr(say::kNoButtons()));
-  EXPECT_THAT(said(R"("filters": {"clutch": [1], "clutch_of": "foot"})"), HasSubstr("The lesson has no device \"foot\"."));
+  EXPECT_THAT(said(R"("filters": {"clutch": [1], "clutch_of": "foot"})"), HasSubstr(say::kNoSuch("device", "foot", "", "")));
   EXPECT_THAT(said(R"("filters": {"lowpass": 1})"), HasSubstr("lowpass"));
   EXPECT_THAT(said(R"("reaction": {"law": "cubic"})"), HasSubstr(say::kNoChoice("cubic", "law", "", "proportional, null zone, threshold, quadratic, table")));
   EXPECT_THAT(said(R"("reaction": {"law": "threshold"})"), HasSubstr(say::kNoForce("threshold")));
@@ -157,7 +158,7 @@ TEST(LessonFile, NumbersHaveUnitsAndRanges) {
       ElementsAre("a.json:2 #/rate_hz: " + say::kOutOfRange(50, "rate_hz", "200 Hz", "10000 Hz")));
   EXPECT_THAT(
       with(R"("scene_length": "1 s")").said,
-      ElementsAre("a.json:2 #/scene_length: \"1 s\" is a time; \"scene_length\" is a length (m, mm, um)."));
+      ElementsAre("a.json:2 #/scene_length: " + host::say::kOtherDimension("1 s", "a time", "scene_length", "a length (m, mm, um)")));
   EXPECT_THAT(with(R"("gravity": [0, 0])").said,
               ElementsAre("a.json:2 #/gravity: " + say::kNoVector("gravity", "[0,0]")));
   EXPECT_THAT(with(R"("gravity": [0, 0, 1e300])").said,

@@ -11,6 +11,8 @@
 
 #include "../../temp_folder.hpp"
 #include "assembly/lesson_text.hpp"
+#include "assembly/sentences.hpp"
+#include "host/nearest.hpp"
 
 namespace swage::assembly {
 namespace {
@@ -86,11 +88,11 @@ TEST_F(Parts, OneTakesThePlaceOfAnother) {
 
 TEST_F(Parts, WhatCannotBeIsSaid) {
   EXPECT_FALSE(read("\"remove\": [\"needle\",\n\"trai\"], \"add\": { \"lesson\": {} }"));
-  EXPECT_THAT(said_, ElementsAre("b.json:3 #/remove/1: There is no \"trai\" to remove. Did you mean \"tray\"? There is: tray, pad, contact, contact_2.",
-                                 "b.json:3 #/add/lesson: \"add\" is an object of lists { \"objects\": [ ... ], \"couplings\": [ ... ], \"devices\": [ ... ] }."));
+  EXPECT_THAT(said_, ElementsAre("b.json:3 #/remove/1: " + say::kNobodyToRemove("trai", host::did_you_mean("trai", {"tray"}), "tray, pad, contact, contact_2"),
+                                 "b.json:3 #/add/lesson: " + say::kAddIsNoObject()));
   EXPECT_FALSE(read(R"("remove": "tray", "add": [])"));
-  EXPECT_THAT(said_, ElementsAre("b.json:2 #/remove: \"remove\" is a list of parts' names [ \"floor\", ... ].",
-                                 "b.json:2 #/add: \"add\" is an object of lists { \"objects\": [ ... ], \"couplings\": [ ... ], \"devices\": [ ... ] }."));
+  EXPECT_THAT(said_, ElementsAre("b.json:2 #/remove: " + say::kRemoveIsNoList(),
+                                 "b.json:2 #/add: " + say::kAddIsNoObject()));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/clock.hpp"
+#include "host/sentences.hpp"
 
 using namespace swage::host;
 
@@ -63,7 +64,7 @@ TEST(Guard, StopsExceptionsAndRemembersTheFirstMisdeed) {
   quarantine(i, FaultKind::kLate, Call::kFinish, 13);
   EXPECT_EQ(
       quarantine_text(i),
-      "needle (org.example.needle 1.0.0) threw an exception in forces() at step 12 and is in quarantine.");
+      say::kQuarantine("needle", "org.example.needle", "1.0.0", text(FaultKind::kFault), text(Call::kForces), 12));
   bool called = false;
   EXPECT_FALSE(guarded(i, Call::kForces, 14, [&] { called = true; }));
   EXPECT_FALSE(called) << "nobody in quarantine is called";

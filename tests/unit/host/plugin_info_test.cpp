@@ -69,7 +69,7 @@ TEST(PluginInfo, RefusesWhatIsNoSidecar) {
   for (const char* text : {"", "{", "[]", "{}", R"({"format": "swage-plugin/2"})",
                            R"({"format": "swage-plugin/1", "hash": 3, "plugins": []})"}) {
     EXPECT_FALSE(read_sidecar(text, hash, back, error)) << text;
-    EXPECT_THAT(error, testing::StartsWith("It is not a swage-plugin/1 file: "));
+    EXPECT_THAT(error, testing::StartsWith(say::kOtherFile("swage-plugin/1", "")));
   }
 }
 

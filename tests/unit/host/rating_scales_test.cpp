@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "../../temp_folder.hpp"
+#include "host/sentences.hpp"
 #include "test_places.hpp"
 
 namespace swage::host {
@@ -40,20 +41,20 @@ TEST(RatingScales, AreReadInSiUnits) {
 TEST(RatingScales, EachFaultHasItsSentence) {
   const std::pair<std::string, std::string> faults[] = {
       {"{", "parse error"},
-      {"[]", "not an object"},
-      {with("swage-scale/1", "swage-scale/9"), "swage-scale/1"},
-      {with("\"source\"", "\"sauce\""), "unknown key \"sauce\""},
-      {with("\"a book\"", "\"\""), "is empty"},
-      {with("\"highest_points\": 5", "\"highest_points\": 1"), "not below"},
-      {with("\"lowest_points\": 1", "\"lowest_points\": \"1\""), "no number \"lowest_points\""},
-      {with("\"en\": \"Item\"", "\"de\": \"Item\""), "has no \"en\""},
+      {"[]", say::kIsNoObject.words(1)},
+      {with("swage-scale/1", "swage-scale/9"), say::kScaleFormat("swage-scale/1")},
+      {with("\"source\"", "\"sauce\""), say::kUnknownKey.words(1) + "sauce"},
+      {with("\"a book\"", "\"\""), say::kEmptyKey.words(2)},
+      {with("\"highest_points\": 5", "\"highest_points\": 1"), say::kNotBelow()},
+      {with("\"lowest_points\": 1", "\"lowest_points\": \"1\""), say::kNoNumberKey.words(1) + "lowest_points"},
+      {with("\"en\": \"Item\"", "\"de\": \"Item\""), say::kNoKey.words(1) + "en"},
       {with("\"lowest_points\"", "\"needs\": [1], \"lowest_points\""), "\"needs\""},
       {with("\"metrics\"", "\"product\": 1, \"metrics\""), "\"product\""},
-      {with("\"30 deg\"", "\"30 mm\""), "different units"},
-      {with("\"30 deg\"", "\"0 deg\""), "the same"},
+      {with("\"30 deg\"", "\"30 mm\""), say::kUnlikeUnits.words(1)},
+      {with("\"30 deg\"", "\"0 deg\""), say::kSameEnds.words(1)},
       {with("\"30 deg\"", "\"steep\""), "worst"},
-      {with("\"30 deg\"", "30"), "not text"},
-      {with("{\"id\": \"i\"", "{\"id\": \"i\", \"title\": {\"en\": \"Item\"}, \"metrics\": []}, {\"id\": \"i\""), "Two items"},
+      {with("\"30 deg\"", "30"), say::kOtherKind.words(2) + "text"},
+      {with("{\"id\": \"i\"", "{\"id\": \"i\", \"title\": {\"en\": \"Item\"}, \"metrics\": []}, {\"id\": \"i\""), say::kSameItem("i")},
   };
   for (const auto& [text, sentence] : faults) {
     judge::RatingScale scale;

@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+#include "host/sentences.hpp"
+
 using namespace swage::host;
 
 namespace {
@@ -75,14 +77,14 @@ TEST(Units, ReadsNumbersAsPeopleWriteThem) {
 }
 
 TEST(Units, SaysWhatIsWrong) {
-  EXPECT_EQ(refusal("0.1 N", "m"), "\"0.1 N\" is a force; \"Wire diameter\" is a length (m, mm, um).");
-  EXPECT_EQ(refusal("0.1", "m"), "\"0.1\" has no unit; \"Wire diameter\" is a length (m, mm, um).");
+  EXPECT_EQ(refusal("0.1 N", "m"), say::kOtherDimension("0.1 N", "a force", "Wire diameter", "a length (m, mm, um)"));
+  EXPECT_EQ(refusal("0.1", "m"), say::kHasNoUnit("0.1", "Wire diameter", "a length (m, mm, um)"));
   EXPECT_EQ(refusal("0.1 mmm", "m"),
-            "\"0.1 mmm\": \"mmm\" is not a unit; \"Wire diameter\" is a length (m, mm, um).");
+            say::kUnknownUnit("0.1 mmm", "mmm", "Wire diameter", "a length (m, mm, um)"));
   EXPECT_EQ(refusal("thin", "m"),
-            "\"thin\" is not a number with a unit; \"Wire diameter\" is a length (m, mm, um).");
-  EXPECT_EQ(refusal("3 mm", "1"), "\"3 mm\" is a length; \"Wire diameter\" is a pure number (1, %).");
-  EXPECT_EQ(refusal("1e308 GPa", "Pa"), "\"1e308 GPa\" is too large to be a number.");
+            say::kNotANumber("thin", "Wire diameter", "a length (m, mm, um)"));
+  EXPECT_EQ(refusal("3 mm", "1"), say::kOtherDimension("3 mm", "a length", "Wire diameter", "a pure number (1, %)"));
+  EXPECT_EQ(refusal("1e308 GPa", "Pa"), say::kTooLargeNumber("1e308 GPa"));
 }
 
 TEST(Units, RefusesWhatIsNoNumber) {

@@ -17,6 +17,7 @@
 #include "record/erase.hpp"
 #include "record/identity.hpp"
 #include "record/school.hpp"
+#include "record/sentences.hpp"
 
 namespace swage::record::test {
 namespace {
@@ -307,10 +308,10 @@ TEST_F(Export, WhoIsErasedIsTakenOutOfWhatWasExported) {
   EXPECT_FALSE(clean("broken.json", "xapi", false).done);
   const Cleaned elsewhere = erase_from_file({"/x.csv", "another machine", "csv", "", true}, ada_);
   EXPECT_FALSE(elsewhere.done);
-  EXPECT_THAT(elsewhere.sentence, HasSubstr("on the station another machine"));
+  EXPECT_THAT(elsewhere.sentence, HasSubstr(say::kElsewhere("/x.csv", "another machine")));
   const Cleaned sent = erase_from_file({"https://lrs.example.org/xapi", "", "lrs", "", false}, ada_);
   EXPECT_FALSE(sent.done);
-  EXPECT_THAT(sent.sentence, HasSubstr("https://lrs.example.org/xapi"));
+  EXPECT_THAT(sent.sentence, HasSubstr(say::kStatementsThere("https://lrs.example.org/xapi", ada_.code)));
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ TEST(Salvage, RefusesWhatIsInUseAndWhatIsNothing) {
   EXPECT_TRUE(std::filesystem::exists(two.folder / "letter.db"));
   EXPECT_FALSE(std::filesystem::exists(two.folder / "letter.db.salvaging"));
   EXPECT_FALSE(salvage(two.path, two.path, out, two.error));
-  EXPECT_THAT(two.error, HasSubstr("is there already"));
+  EXPECT_THAT(two.error, HasSubstr(say::kThereAlready(two.path)));
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ TEST_P(SchoolTest, AGuestsAttemptIsGivenANameLater) {
 TEST_P(SchoolTest, AVoidAttemptSaysWhyAndByWhomAndCanCountAgain) {
   const std::string id = record_attempt(where_, 300);
   EXPECT_FALSE(school_->set_void(id, true, "", "Mei"));
-  EXPECT_THAT(school_->error(), HasSubstr("Say why"));
+  EXPECT_THAT(school_->error(), HasSubstr(say::kNeedsReason()));
   ASSERT_TRUE(school_->set_void(id, true, "the arm was unplugged", "Mei")) << school_->error();
   EXPECT_TRUE(attempt(id).is_void);
   EXPECT_EQ(attempt(id).void_reason, "the arm was unplugged");

@@ -83,9 +83,9 @@ TEST(Trouble, AStoreLockedInTheMiddleIsCaughtUpAtTheEnd) {
   recorder->finish(make_end());
   const base::Problems said = recorder->problems();
   ASSERT_EQ(said.size(), 2u);
-  EXPECT_THAT(said[0].message, HasSubstr("locked"));
+  EXPECT_THAT(said[0].message, HasSubstr(say::kLocked()));
   EXPECT_EQ(said[1].severity, base::Severity::kNote);
-  EXPECT_THAT(said[1].message, HasSubstr("merged"));
+  EXPECT_THAT(said[1].message, HasSubstr(say::kMerged()));
   EXPECT_TRUE(journals(folder).empty());
   expect_whole(path, recorder->attempt_id(), 6000);
 }
@@ -229,7 +229,7 @@ TEST(Trouble, WhatIsSaidToBeKeptIsKept) {
   EXPECT_EQ(recorder->kept().missing_steps, 500u);
   const base::Problems said = recorder->problems();
   ASSERT_FALSE(said.empty());
-  EXPECT_THAT(said.back().message, HasSubstr("500 steps of this attempt could not be kept"));
+  EXPECT_THAT(said.back().message, HasSubstr(say::kStepsLost(500)));
 }
 
 TEST(Trouble, NothingKeptIsSaid) {

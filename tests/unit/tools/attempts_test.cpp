@@ -7,6 +7,8 @@
 
 #include "program.hpp"
 #include "record/recorder.hpp"
+#include "record/sentences.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -60,7 +62,7 @@ TEST_F(Attempts, AreListedNewestFirst) {
 
   const Said nobody = swage({"attempts", "list", "--store", store(), "--person", "Adda"});
   EXPECT_EQ(nobody.code, 2);
-  EXPECT_THAT(nobody.err, HasSubstr("Nobody in the store is called \"Adda\"."));
+  EXPECT_THAT(nobody.err, HasSubstr(record::say::kNobody("Adda")));
 }
 
 TEST_F(Attempts, GoOutAndComeBack) {
@@ -82,17 +84,17 @@ TEST_F(Attempts, SayWhatIsMissing) {
     EXPECT_THAT(said.err, HasSubstr(sentence));
   };
   expect({"attempts", "list", "--store", store()},
-         "There is no store " + store() + ": no attempt has been kept there yet.");
+         say::kNoStore(store()));
   EXPECT_FALSE(std::filesystem::exists(store())) << "looking makes no store";
   keep("Ada", "org.example.a");
   keep("Ada", "org.example.a");
   expect({"attempts", "export", "ffff", "--store", store()},
-         "There is no attempt \"ffff\". \"swage attempts list\" shows them.");
-  expect({"attempts", "export", "0", "--store", store()}, "\"0\" may be 2 attempts: give more of the id.");
+         say::kNoAttempt("ffff"));
+  expect({"attempts", "export", "0", "--store", store()}, say::kManyAttempts("0", 2));
   expect({"attempts", "import", path("none.swage"), "--store", store()},
-         "none.swage cannot be read: No such file");
-  expect({"replay", path("none.swage")}, "There is no file " + path("none.swage"));
-  expect({"replay", "last", "--store", path("none.db")}, "There is no store");
+         "none.swage" + record::say::kUnreadable.words(1) + "No such file");
+  expect({"replay", path("none.swage")}, say::kNoFile(path("none.swage")));
+  expect({"replay", "last", "--store", path("none.db")}, say::kNoStore(path("none.db")));
 }
 
 TEST_F(Attempts, EscapeSequencesDoNotReachTheTerminal) {
@@ -142,7 +144,7 @@ TEST_F(Attempts, AnotherKindOfServerIsNoFile) {
     if (verb == std::string("import")) arguments.push_back("one.swage");
     const Said said = swage(arguments);
     EXPECT_EQ(said.code, 2);
-    EXPECT_THAT(said.err, HasSubstr("is no store that Swage knows"));
+    EXPECT_THAT(said.err, HasSubstr(record::say::kNoStoreKind("mysql")));
     EXPECT_THAT(said.err, testing::Not(HasSubstr("secret")));
   }
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tools/audit.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 namespace {
@@ -43,7 +44,7 @@ TEST(AuditRule, TheCheapestLevelThatChangesNothingIsEnough) {
   EXPECT_NEAR(ladder.saves, 0.95, 1e-12);
   // 10 mN beside 5 % of 0.61 N
   EXPECT_NEAR(ladder.level[0].worst, 0.01 / (0.05 * 0.61), 1e-9);
-  EXPECT_THAT(ladder.level[0].why, HasSubstr("force.mean 0.61 instead of 0.6 N"));
+  EXPECT_THAT(ladder.level[0].why, HasSubstr(say::kInstead("force.mean", "0.61", "0.6 N")));
 }
 
 TEST(AuditRule, ACoarseLevelThatMovesAMetricIsNotEnough) {
@@ -72,7 +73,7 @@ TEST(AuditRule, ASimplerLevelThatCostsMoreIsSaid) {
   EXPECT_EQ(ladder.chosen, 1u);
   EXPECT_THAT(
       audit_markdown({{"x.json", "org.example.x", "Lesson", "expert", {ladder}}}, {0.05}),
-      HasSubstr("| bending | bending | - | rigid 12, bending 10 | rigid would do and costs 20 % more |"));
+      HasSubstr("| bending | bending | - | rigid 12, bending 10 | " + say::kWouldDo("rigid", 20) + " |"));
 }
 
 TEST(AuditRule, WhatNobodyNoticesIsEqualWhateverItsShare) {
@@ -102,7 +103,7 @@ TEST(AuditRule, AnotherVerdictIsNeverEnough) {
   const AuditLadder ladder = judged({failed, run("bending", 40, 0.6)});
   EXPECT_FALSE(ladder.level[0].enough);
   EXPECT_TRUE(std::isinf(ladder.level[0].worst));
-  EXPECT_EQ(ladder.level[0].why, "failed (failed.dropped), bending passed");
+  EXPECT_EQ(ladder.level[0].why, say::kOtherEnd("failed (failed.dropped)", "bending", "passed"));
   EXPECT_EQ(ladder.chosen, 1u);
   EXPECT_EQ(ladder.saves, 0);
 }
@@ -125,8 +126,7 @@ TEST(AuditRule, AFinestLevelThatFailsOrIsTooSlowIsSaidAndTheNextMeasures) {
 
   AuditLesson lesson{"x.json", "org.example.x", "Lesson <x>", "expert", {ladder}};
   const std::string md = audit_markdown({lesson}, {0.05});
-  EXPECT_THAT(md, HasSubstr("**the lesson's level is not enough**: force.mean 0.8 instead of 0.6 N; "
-                            "reference: too slow: stopped at 1.00 s"));
+  EXPECT_THAT(md, HasSubstr(say::kOwnNotEnough(say::kInstead("force.mean", "0.8", "0.6 N")) + "; reference: " + slow.problem));
   EXPECT_THAT(md, HasSubstr("| reference | not played | | | | too slow"));
   const std::string csv = audit_csv({lesson});
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
@@ -151,7 +151,7 @@ TEST(AuditReport, SaysWhatEachModelCostsAndErrsInAllLessons) {
   AuditLadder bad = judged({run("rigid", 20, 0.66), run("bending", 40, 0.6)}, 1);
   bad.name = "other_needle.level";
   const std::string md = audit_markdown({lesson_of("1.json", "a", good), lesson_of("2.json", "b", bad)}, {0.05});
-  EXPECT_THAT(md, HasSubstr("| needle.level | rigid | 1 | 2 | 1 | 0.38 | 1.82 | Lesson 2.json: force.mean 0.66 instead of 0.6 N |"))
+  EXPECT_THAT(md, HasSubstr("| needle.level | rigid | 1 | 2 | 1 | 0.38 | 1.82 | Lesson 2.json: " + say::kInstead("force.mean", "0.66", "0.6 N") + " |"))
       << md;
   EXPECT_THAT(md, HasSubstr("|  | bending | 1 | 2 | 2 | 1.00 | 0.00 |  |"));
   // numbers of segments differ from lesson to lesson, what they are beside the lesson's does not

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "host/sentences.hpp"
 #include "program.hpp"
 #include "test_places.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -69,7 +71,7 @@ TEST_F(Describe, TakesABundleOrALibrary) {
   write("broken.so", "this is no library");
   const Said said = swage({"describe", path("broken.so")});
   EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr("broken.so holds no plugin that can be described."));
+  EXPECT_THAT(said.err, HasSubstr(say::kNoPluginIn(path("broken.so"))));
 }
 
 TEST_F(Describe, AnUnknownPluginGetsItsNearestName) {
@@ -77,8 +79,7 @@ TEST_F(Describe, AnUnknownPluginGetsItsNearestName) {
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(
       said.err,
-      HasSubstr("error: \"swage.object.nedle\" is not installed. Nearest: \"swage.object.needle\" 1.0.0. "
-                "Searched: "));
+      HasSubstr("error: " + host::say::kNotInstalled("swage.object.nedle") + host::say::kNearest(kNeedle, "1.0.0") + host::say::kSearched.words(0)));
   EXPECT_EQ(swage({"describe", "./no/such/bundle"}).code, 2);
 }
 

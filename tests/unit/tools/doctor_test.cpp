@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program.hpp"
+#include "record/sentences.hpp"
 #include "test_places.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -21,14 +23,14 @@ TEST_F(Doctor, LooksAtEverythingAndMakesNothing) {
   for (const char* name :
        {"scheduling", "memory", "processors", "graphics", "window", "plugins", "store", "disk"})
     EXPECT_THAT(said.out, HasSubstr(std::string("  ") + name + " "));
-  EXPECT_THAT(said.out, HasSubstr("attempts.db will be made with the first attempt"));
+  EXPECT_THAT(said.out, HasSubstr("attempts.db" + say::kWillBeMade.words(1)));
   EXPECT_NE(access(path("data").c_str(), F_OK), 0);
 }
 
 TEST_F(Doctor, EveryLackHasARemedy) {
   const nlohmann::json list = swage({"doctor", "--json"}).json();
   for (const auto& f : list) EXPECT_EQ(f["state"] == "good", f["remedy"] == "") << f;
-  EXPECT_EQ(finding(list, "graphics")["text"], "no display: lessons run without a window");
+  EXPECT_EQ(finding(list, "graphics")["text"], say::kWithoutWindow());
 }
 
 TEST_F(Doctor, AStoreThatCannotBeIsBad) {
@@ -37,7 +39,7 @@ TEST_F(Doctor, AStoreThatCannotBeIsBad) {
   EXPECT_EQ(said.code, 2);
   const nlohmann::json store = finding(said.json(), "store");
   EXPECT_EQ(store["state"], "bad");
-  EXPECT_THAT(store["text"].get<std::string>(), HasSubstr("cannot be used as the store"));
+  EXPECT_THAT(store["text"].get<std::string>(), HasSubstr(record::say::kUnusable.words(1)));
   EXPECT_THAT(store["remedy"].get<std::string>(), HasSubstr("--store"));
 }
 
@@ -46,10 +48,10 @@ TEST_F(Doctor, RefusedAndShadowedPluginsAreNamed) {
   write("broken.so", "this is no library");
   const Said said = swage({"doctor", "--plugin-dir", path(""), "--plugin-dir", bundle});
   EXPECT_EQ(said.code, 0);
-  EXPECT_THAT(said.out, HasSubstr("broken.so is refused. "));
-  EXPECT_THAT(said.out, HasSubstr("Rebuild it against this version of Swage"));
+  EXPECT_THAT(said.out, HasSubstr("broken.so" + say::kRefused.words(1)));
+  EXPECT_THAT(said.out, HasSubstr(say::kRebuild()));
   EXPECT_THAT(said.out, HasSubstr("plugin swage.object.needle"));
-  EXPECT_THAT(said.out, HasSubstr("is hidden by"));
+  EXPECT_THAT(said.out, HasSubstr(say::kHidden.words(2)));
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "host/nearest.hpp"
 #include "program.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -50,16 +52,15 @@ TEST_F(New, SaysWhatIsWrong) {
     EXPECT_THAT(said.err, HasSubstr(sentence));
   };
   expect({"new", "objekt", "org.example.clip"},
-         "\"objekt\" is no template; there are object, flexible, coupling, device, hardware, lesson. Did you mean "
-         "\"object\"?");
+         say::kNoTemplate("objekt", "object, flexible, coupling, device, hardware, lesson", host::did_you_mean("objekt", {"object"})));
   for (const char* id :
        {"clip", "org.Example.clip", "org..clip", "org.example.", "org.example.9clip", "org.ex-ample.clip"})
-    expect({"new", "object", id}, "is not an id. Write a reverse domain in lower case");
-  expect({"new", "object", "swage.object.clip"}, "Take a domain of your own: org.example.clip");
-  expect({"new", "object", "org.example.clip", "--name", "my clip"}, "cannot name a class");
+    expect({"new", "object", id}, say::kNoId(id));
+  expect({"new", "object", "swage.object.clip"}, say::kOwnDomain("clip"));
+  expect({"new", "object", "org.example.clip", "--name", "my clip"}, say::kNoClass("my clip"));
   write("there", "something");
-  expect({"new", "object", "org.example.clip", "--dir", path("there")}, "is there already and not empty");
-  expect({"new", "object", "org.example.clip", "--dir", "/proc/clip"}, "cannot be written. Choose a folder");
+  expect({"new", "object", "org.example.clip", "--dir", path("there")}, say::kNotEmpty(path("there")));
+  expect({"new", "object", "org.example.clip", "--dir", "/proc/clip"}, say::kNoPlace.words(1));
 }
 
 }  // namespace

@@ -7,10 +7,14 @@
 #include <csignal>
 #include <filesystem>
 
+#include "assembly/sentences.hpp"
+#include "host/nearest.hpp"
+#include "host/sentences.hpp"
 #include "program.hpp"
 #include "record/recorder.hpp"
 #include "record/sql.hpp"
 #include "record/store.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -172,8 +176,7 @@ TEST_F(Run, AKeptAttemptIsNoLesson) {
   ASSERT_EQ(swage({"attempts", "export", "last", path("one.swage"), "--store", store()}).code, 0);
   const Said said = run(path("one.swage"));
   EXPECT_EQ(said.code, 2);
-  EXPECT_THAT(said.err, HasSubstr("is a kept attempt and no lesson"));
-  EXPECT_THAT(said.err, HasSubstr("swage replay " + path("one.swage")));
+  EXPECT_THAT(said.err, HasSubstr(say::kIsAttempt(path("one.swage"), path("one.swage"), path("one.swage"))));
 }
 
 TEST_F(Run, APlaceThatMayNotBeWrittenOffersToRunUnrecorded) {
@@ -195,7 +198,7 @@ TEST_F(Run, CtrlCEndsAsAbortedAndKeepsIt) {
   child.signal(SIGINT);
   const Said said = child.end();
   EXPECT_EQ(said.code, 1) << said.err;
-  EXPECT_THAT(said.err, HasSubstr("Interrupted: the attempt ends as aborted."));
+  EXPECT_THAT(said.err, HasSubstr(say::kInterrupted()));
   EXPECT_THAT(said.out, HasSubstr("aborted"));
   const record::AttemptRow row = only_attempt();
   EXPECT_EQ(row.state, "aborted");
@@ -220,11 +223,11 @@ TEST_F(Run, ProblemsNameFileAndKey) {
   const Said wrong = run(lesson("100 s", R"("sed": 4,)"), {"--json"});
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("drop.json"));
-  EXPECT_THAT(wrong.err, HasSubstr("Did you mean \"seed\"?"));
+  EXPECT_THAT(wrong.err, HasSubstr(host::did_you_mean("sed", {"seed"})));
   EXPECT_THAT(wrong.json()["problems"][0]["where"].get<std::string>(), HasSubstr("#/sed"));
   const Said hand = run(source("lessons/series/020_grasp_basic.json"), {"--device", "expret"});
   EXPECT_EQ(hand.code, 2);
-  EXPECT_THAT(hand.err, HasSubstr("There is no device \"expret\" for this lesson. Did you mean \"expert\"?"));
+  EXPECT_THAT(hand.err, HasSubstr(assembly::say::kNoDevice.words(0) + "expret" + assembly::say::kNoDevice.words(1) + host::did_you_mean("expret", {"expert"})));
 }
 
 TEST_F(Run, AMouseWithoutAWindowIsRefused) {
@@ -232,15 +235,14 @@ TEST_F(Run, AMouseWithoutAWindowIsRefused) {
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(
       said.err,
-      HasSubstr("\"hand\" is a mouse, and without a window nobody can move it. Choose another hand with "
-                "--device (expert, novice, clumsy), or an end with --max-time."));
+      HasSubstr(say::kIsMouse("hand", " (expert, novice, clumsy)")));
   EXPECT_THAT(swage({"attempts", "list", "--store", store(), "--json"}).json(), testing::IsEmpty());
 }
 
 TEST_F(Run, WithoutADisplayItRunsWithoutAWindow) {
   const Said said = swage({"run", lesson(), "--as-fast-as-possible", "--store", store()});
   EXPECT_EQ(said.code, 0);
-  EXPECT_THAT(said.err, HasSubstr("running without a window."));
+  EXPECT_THAT(said.err, testing::AnyOf(HasSubstr(say::kNoConsole()), HasSubstr(say::kNoDisplay())));
 }
 
 TEST_F(Run, TheExpertPassesTheClumsyHandDoesNotAndBothReplay) {
@@ -297,7 +299,7 @@ TEST_F(Run, AnExportedAttemptReplaysElsewhere) {
     return swage(arguments, path("there/bin/swage"));
   };
   const Said no_device = there({"run", source("lessons/series/020_grasp_basic.json"), "--headless"});
-  EXPECT_THAT(no_device.err, HasSubstr("\"swage.device.mouse\" is not installed"));
+  EXPECT_THAT(no_device.err, HasSubstr(host::say::kNotInstalled("swage.device.mouse")));
   const Said taken = there({"attempts", "import", path("one.swage")});
   ASSERT_EQ(taken.code, 0) << taken.err;
   const Said said = there({"replay", "last"});

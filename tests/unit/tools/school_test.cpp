@@ -3,8 +3,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "host/nearest.hpp"
 #include "program.hpp"
 #include "record/recorder.hpp"
+#include "record/sentences.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -76,11 +79,11 @@ TEST_F(SchoolVerbs, PeopleComeAndGo) {
   EXPECT_EQ(json({"people", "list", "--archived"}).size(), 2u);
   EXPECT_EQ(say({"people", "archive", "Bo L.", "--back"}).code, 0);
   EXPECT_EQ(json({"people", "list"}).size(), 2u);
-  expect_refused({"people", "add", "Ada Meyer"}, "Somebody is called \"Ada Meyer\" already");
-  expect_refused({"people", "edit", "Aad Meyer", "--name", "x"}, "Nobody in the store is called \"Aad Meyer\". Did you mean \"Ada Meyer\"?");
+  expect_refused({"people", "add", "Ada Meyer"}, record::say::kNameTaken("Ada Meyer"));
+  expect_refused({"people", "edit", "Aad Meyer", "--name", "x"}, record::say::kNobody("Aad Meyer") + host::did_you_mean("Aad Meyer", {"Ada Meyer"}));
   write("bad.csv", "name,shoe size\nCy,43\n");
-  expect_refused({"people", "import", path("bad.csv")}, "\"shoe size\" is not known");
-  expect_refused({"people", "import", path("none.csv")}, "none.csv cannot be read");
+  expect_refused({"people", "import", path("bad.csv")}, record::say::kColumn("shoe size"));
+  expect_refused({"people", "import", path("none.csv")}, say::kNotRead(path("none.csv")));
 }
 
 TEST_F(SchoolVerbs, ErasingIsConfirmedAndReachesExportedFiles) {
@@ -92,8 +95,8 @@ TEST_F(SchoolVerbs, ErasingIsConfirmedAndReachesExportedFiles) {
   ASSERT_EQ(say({"attempts", "export", "all", path("ada.csv"), "--as", "csv-wide", "--person", "Ada Meyer"}).code, 0);
   ASSERT_EQ(say({"attempts", "backup", path("all.backup")}).code, 0);
   EXPECT_THAT(text("all.csv"), HasSubstr(code));
-  expect_refused({"people", "erase", "Ada Meyer"}, "with 1 attempts is final. To do so, add --confirm \"Ada Meyer\"");
-  expect_refused({"people", "erase", "Ada Meyer", "--confirm", "Bo"}, "is final");
+  expect_refused({"people", "erase", "Ada Meyer"}, say::kFinal("Ada Meyer", 1, "Ada Meyer"));
+  expect_refused({"people", "erase", "Ada Meyer", "--confirm", "Bo"}, say::kFinal("Ada Meyer", 1, "Ada Meyer"));
   EXPECT_EQ(json({"people", "list"}).size(), 2u);
   const Said said = say({"people", "erase", "Ada Meyer", "--confirm", "Ada Meyer"});
   EXPECT_EQ(said.code, 0) << said.err;
@@ -118,8 +121,8 @@ TEST_F(SchoolVerbs, WhatPeopleSayAboutAttempts) {
   EXPECT_EQ(json({"attempts", "list"})[0]["void"], false);
   EXPECT_THAT(say({"attempts", "note", id, "The wrist turns", "--at", "0.25", "--by", "Mei"}).out, HasSubstr("0.250 s  The wrist turns (Mei)"));
   EXPECT_EQ(json({"attempts", "note", id}).size(), 1u);
-  expect_refused({"attempts", "note", id, "late", "--at", "7"}, "7 s is outside of the attempt, which has 0.300 s");
-  expect_refused({"attempts", "name", id, "Cy"}, "Nobody in the store is called \"Cy\". Add them: swage people add \"Cy\"");
+  expect_refused({"attempts", "note", id, "late", "--at", "7"}, say::kOutsideAttempt("7", "0.300"));
+  expect_refused({"attempts", "name", id, "Cy"}, say::kAddThem(record::say::kNobody("Cy"), "Cy"));
   EXPECT_EQ(swage({"attempts", "void", id, "--store", store()}).code, 2) << "a reason is needed";
 }
 
@@ -135,10 +138,10 @@ TEST_F(SchoolVerbs, AttemptsLeaveAsTracesTablesAndStatements) {
   EXPECT_TRUE(about.contains("lesson_version") && about.contains("calibration") && about["health"].contains("solver.not_converged"));
   EXPECT_EQ(json({"attempts", "export", "all", path("x.json"), "--as", "xapi", "--home", "https://school.example.org"})["attempts"], 1);
   EXPECT_EQ(nlohmann::json::parse(text("x.json"))[0]["actor"]["account"]["name"], "Ada");
-  expect_refused({"attempts", "export", "all", path("x.json"), "--as", "xapi"}, "--home: \"\" cannot be the home");
-  expect_refused({"attempts", "export", "all", path("x.swage")}, "\"all\" is for tables and statements");
-  expect_refused({"attempts", "export", "all", path("x.csv"), "--as", "csv", "--person", "Cy"}, "Nobody in the store is called \"Cy\"");
-  expect_refused({"attempts", "export", id, path("no/folder/x.csv"), "--as", "csv"}, "cannot be written");
+  expect_refused({"attempts", "export", "all", path("x.json"), "--as", "xapi"}, say::kOfHome(record::say::kNoHome("")));
+  expect_refused({"attempts", "export", "all", path("x.swage")}, say::kAllIsTables());
+  expect_refused({"attempts", "export", "all", path("x.csv"), "--as", "csv", "--person", "Cy"}, record::say::kNobody("Cy"));
+  expect_refused({"attempts", "export", id, path("no/folder/x.csv"), "--as", "csv"}, say::kNotWritten(path("no/folder/x.csv")));
 }
 
 TEST_F(SchoolVerbs, ACourseIsMadeCheckedAndPassed) {
@@ -165,11 +168,11 @@ TEST_F(SchoolVerbs, ACourseIsMadeCheckedAndPassed) {
   EXPECT_GT(check["steps"][0]["odds"][2]["passed"], 0.99);
   EXPECT_LT(check["steps"][1]["odds"][0]["passed"], 0.45);
 
-  expect_refused({"courses", "show", "Basc"}, "No course is called \"Basc\". Did you mean \"Basic\"?");
-  expect_refused({"courses", "assign", "Basic", "--group", "Fellows"}, "No group is called \"Fellows\"");
-  expect_refused({"courses", "check", "Basic", "--experts", "Nobody"}, "Neither a group nor a person is called \"Nobody\"");
+  expect_refused({"courses", "show", "Basc"}, say::kNoCourse("Basc", host::did_you_mean("Basc", {"Basic"})));
+  expect_refused({"courses", "assign", "Basic", "--group", "Fellows"}, say::kNoGroup("Fellows"));
+  expect_refused({"courses", "check", "Basic", "--experts", "Nobody"}, say::kNobodyAtAll("Nobody"));
   write("wrong.json", R"({"format": "swage-course/1", "title": "W", "steps": [{"lesson": "a", "rule": {"kind": "luck"}}]})");
-  expect_refused({"courses", "add", path("wrong.json")}, "no rule is called \"luck\"");
+  expect_refused({"courses", "add", path("wrong.json")}, record::say::kNoSuchRule("luck"));
   EXPECT_EQ(say({"courses", "archive", "Basic"}).code, 0);
   EXPECT_EQ(json({"courses", "list"})[0]["archived"], true);
 }
@@ -183,7 +186,7 @@ TEST_F(SchoolVerbs, ASyntheticSchoolIsMadeByOneCommandAndSaysSo) {
   EXPECT_EQ(json({"people", "list"}).size(), 10u);
   EXPECT_EQ(json({"courses", "progress", "Synthetic course"}).size(), 9u);
   EXPECT_EQ(say({"replay", "last"}).code, 0) << "the newest carry the recording of a hand";
-  expect_refused({"people", "synthetic"}, "holds a synthetic school already");
+  expect_refused({"people", "synthetic"}, record::say::kSyntheticAlready.words(1));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "program.hpp"
 #include "record/recorder.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -125,7 +126,7 @@ TEST_F(Send, EachAttemptArrivesOnceAndWaitsWhileNobodyAnswers) {
   const Said away = send_to("http://127.0.0.1:9/xapi");
   EXPECT_EQ(away.code, 1);
   EXPECT_EQ(away.json()["waiting"], 2);
-  EXPECT_THAT(away.err, HasSubstr("There is no answer"));
+  EXPECT_THAT(away.err, HasSubstr(say::kNoAnswer.words(0)));
   FakeLrs lrs;
   lrs.status = 503;
   EXPECT_EQ(send_to(lrs.url()).json()["waiting"], 2);
@@ -157,7 +158,7 @@ TEST_F(Send, OneStatementThatIsRefusedHoldsNobodyElseBack) {
   const Said refused = send_to(lrs.url());
   EXPECT_EQ(refused.code, 1);
   EXPECT_EQ(refused.json()["refused"], 1);
-  EXPECT_THAT(refused.err, HasSubstr("It answers 400"));
+  EXPECT_THAT(refused.err, HasSubstr(say::kAnswers.words(0) + "400"));
   lrs.status = 409;  // it is there, with other words: what was sent before it was voided
   EXPECT_EQ(send_to(lrs.url()).code, 0);
   EXPECT_EQ(send_to(lrs.url()).json()["sent"], 0);

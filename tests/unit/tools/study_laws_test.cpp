@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "program.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -58,18 +59,18 @@ TEST_F(StudyLaws, TheStockPlanComparesThreeLawsOnOneHand) {
 }
 
 TEST_F(StudyLaws, WhatIsNoPlanIsTold) {
-  EXPECT_THAT(swage({"study", plan(R"({ "name": "a", "reaction": { "law": "proportional" } })")}).err, HasSubstr("At least two laws are needed here"));
+  EXPECT_THAT(swage({"study", plan(R"({ "name": "a", "reaction": { "law": "proportional" } })")}).err, HasSubstr(say::kFewLaws()));
   EXPECT_THAT(swage({"study", plan(R"({ "name": "a", "reaction": { "law": "sticky" } }, { "name": "a", "reaction": { "law": "proportional" } })")}).err,
-              testing::AllOf(HasSubstr("sticky"), HasSubstr("Two laws are called \"a\"")));
+              testing::AllOf(HasSubstr("sticky"), HasSubstr(say::kSameLaw("a"))));
   EXPECT_THAT(swage({"study", plan(kTwo, R"("device": "hand", "colour": "red", )")}).err, HasSubstr("colour"));
-  EXPECT_THAT(swage({"study", plan(kTwo), "--shard", "1/2", "--out", path("x")}).err, HasSubstr("A study of laws is one attempt"));
+  EXPECT_THAT(swage({"study", plan(kTwo), "--shard", "1/2", "--out", path("x")}).err, HasSubstr(say::kOneAttempt()));
 }
 
 TEST_F(StudyLaws, ADeviceThatWasNotThereIsNamed) {
   write_drop_lesson();
   const Said none = swage({"study", plan(kTwo, R"("device": "arm", )")});
   EXPECT_NE(none.code, 0);
-  EXPECT_THAT(none.err, HasSubstr("has no device of this name"));
+  EXPECT_THAT(none.err, HasSubstr(say::kNoDevice()));
   // one that touches nothing gives nothing, and that is no error
   const Said nothing = swage({"study", plan(kTwo)});
   EXPECT_EQ(nothing.code, 0) << nothing.err;

@@ -11,7 +11,10 @@
 #include <random>
 #include <sstream>
 
+#include "host/sentences.hpp"
 #include "program.hpp"
+#include "toolkit/sentences.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -71,7 +74,7 @@ TEST_F(Study, SetsAValueInEveryAttemptUnlessTheStudySaysOtherwise) {
   EXPECT_THAT(said.out, testing::ContainsRegex("long +4[0-9](\\.[0-9]+)? \\[4[^,]*, 4[^,]*\\] \\(2 of 2\\)"));
   const Said wrong = swage({"study", file, "--set", "ball.weight=3"});
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("swage.object.solids has no such parameter."));
+  EXPECT_THAT(wrong.err, HasSubstr("swage.object.solids" + host::say::kNoSuchParam.words(1)));
 }
 
 // two levels, two attempts each: four rows
@@ -86,7 +89,7 @@ TEST_F(Study, ShardsGiveTheFiguresOfOneMachineByteForByte) {
   for (const char* shard : {"3/3", "1/3"}) EXPECT_EQ(swage({"study", file, "--out", path("many"), "--shard", shard}).code, 0);
   const Said early = swage({"study", file, "--out", path("many"), "--merge"});
   EXPECT_EQ(early.code, 2);
-  EXPECT_THAT(early.err, HasSubstr("holds 3 of the 4 attempts"));
+  EXPECT_THAT(early.err, HasSubstr(say::kHolds(path("many"), 3, 4)));
   EXPECT_EQ(swage({"study", file, "--out", path("many"), "--shard", "2/3"}).code, 0);
   const Said merged = swage({"study", file, "--out", path("many"), "--merge"});
   EXPECT_EQ(merged.code, 0) << merged.err;
@@ -99,13 +102,13 @@ TEST_F(Study, ShardsOfAnotherStudyAreNotMixedIn) {
   EXPECT_EQ(swage({"study", study(kTwo), "--out", path("many"), "--shard", "1/2"}).code, 0);
   // another seed is another study, and so is another value that was set
   const std::string other = study(kTwo, R"("seed": 7,)");
-  EXPECT_THAT(swage({"study", other, "--out", path("many"), "--merge"}).err, HasSubstr("holds 0 of the 4"));
+  EXPECT_THAT(swage({"study", other, "--out", path("many"), "--merge"}).err, HasSubstr(say::kHolds(path("many"), 0, 4)));
   const std::string first = study(kTwo);
-  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge", "--set", "ball.density=2000"}).err, HasSubstr("holds 0 of the 4"));
-  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge"}).err, HasSubstr("holds 2 of the 4"));
-  EXPECT_THAT(swage({"study", first, "--shard", "1/2"}).err, HasSubstr("--out"));
+  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge", "--set", "ball.density=2000"}).err, HasSubstr(say::kHolds(path("many"), 0, 4)));
+  EXPECT_THAT(swage({"study", first, "--out", path("many"), "--merge"}).err, HasSubstr(say::kHolds(path("many"), 2, 4)));
+  EXPECT_THAT(swage({"study", first, "--shard", "1/2"}).err, HasSubstr(say::kNeedsOut()));
   for (const char* wrong : {"0/2", "3/2", "2", "1/", "a/b", "1/2x"})
-    EXPECT_THAT(swage({"study", first, "--out", path("many"), "--shard", wrong}).err, HasSubstr("is no shard")) << wrong;
+    EXPECT_THAT(swage({"study", first, "--out", path("many"), "--shard", wrong}).err, HasSubstr(say::kNoShard(wrong))) << wrong;
 }
 
 // SWAGE_KILL_TRIALS: how often, 3 unless set
@@ -143,20 +146,20 @@ TEST_F(Study, GoesOnAfterAKillWhereItWas) {
 }
 
 TEST_F(Study, SaysWhatIsWrong) {
-  EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr("There is no such file."));
+  EXPECT_THAT(swage({"study", path("none.json")}).err, HasSubstr(toolkit::say::kNoFile()));
   write("study.json", "{");
-  EXPECT_THAT(swage({"study", path("study.json")}).err, HasSubstr("It is not JSON."));
+  EXPECT_THAT(swage({"study", path("study.json")}).err, HasSubstr(say::kNotJson()));
   write("study.json", R"({ "format": "swage-lesson/1" })");
   EXPECT_THAT(swage({"study", path("study.json")}).err,
-              HasSubstr("#/format: \"swage-study/1\" is needed here"));
+              HasSubstr("#/format: " + say::kNeedsFormat("swage-study/1")));
   const Said unknown = swage({"study", study("", R"("sead": 3,)")});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr("#/sead: unknown here"));
-  EXPECT_THAT(unknown.err, HasSubstr("#/factors/0/levels: a list of levels is needed here"));
+  EXPECT_THAT(unknown.err, HasSubstr("#/sead: " + say::kUnknown()));
+  EXPECT_THAT(unknown.err, HasSubstr("#/factors/0/levels: " + say::kNeedsLevels()));
   // what only the lesson can refuse is refused with its sentence
   const Said level = swage({"study", study(R"({ "name": "x", "set": { "ball.weight": 3 } })")});
   EXPECT_EQ(level.code, 2);
-  EXPECT_THAT(level.err, HasSubstr("swage.object.solids has no such parameter."));
+  EXPECT_THAT(level.err, HasSubstr("swage.object.solids" + host::say::kNoSuchParam.words(1)));
 }
 
 }  // namespace

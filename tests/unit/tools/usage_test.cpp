@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is asked wrongly is answered with code 2, one sentence on standard error and the way to the help.
+#include "host/nearest.hpp"
 #include "program.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -17,20 +19,20 @@ void expect_refused(const std::vector<std::string>& arguments, const std::string
 }
 
 TEST_F(Usage, VerbsAreNamed) {
-  expect_refused({}, "Say what swage shall do. It has: run, study, replay, validate,");
+  expect_refused({}, say::kSayVerb("swage") + say::kVerbs.words(0) + "run, study, replay, validate,");
   expect_refused({"runn", "x.json"},
-                 "swage has no verb \"runn\". Did you mean \"run\"? It has: run, study, replay,");
-  expect_refused({"attempts"}, "Say what attempts shall do. It has: list, import, backup, restore, salvage, export, send, void, name, note.");
-  expect_refused({"calibrate"}, "Say what calibrate shall do. It has: displacement, force, tip, poses, zero, check, show.");
-  expect_refused({"attempts", "exprot"}, "attempts has no verb \"exprot\". Did you mean \"export\"?");
+                 say::kNoVerb("swage", "runn", host::did_you_mean("runn", {"run"})) + say::kVerbs.words(0) + "run, study, replay,");
+  expect_refused({"attempts"}, say::kSayVerb("attempts") + say::kVerbs("list, import, backup, restore, salvage, export, send, void, name, note"));
+  expect_refused({"calibrate"}, say::kSayVerb("calibrate") + say::kVerbs("displacement, force, tip, poses, zero, check, show"));
+  expect_refused({"attempts", "exprot"}, say::kNoVerb("attempts", "exprot", host::did_you_mean("exprot", {"export"})));
 }
 
 TEST_F(Usage, ArgumentsAreChecked) {
-  expect_refused({"run"}, "lesson is required. See: swage run --help");
+  expect_refused({"run"}, say::kSeeHelp("lesson is required", "run "));
   expect_refused({"run", "a.json", "b.json"},
-                 "The following argument was not expected: b.json. See: swage run --help");
+                 say::kSeeHelp("The following argument was not expected: b.json", "run "));
   expect_refused({"run", "a.json", "--mode", "hard"}, "--mode: hard not in {practice,test,demo}");
-  expect_refused({"run", "a.json", "--max-time", "-3"}, "--max-time: -3 is not a time above 0");
+  expect_refused({"run", "a.json", "--max-time", "-3"}, "--max-time: " + say::kNoTime("-3"));
   expect_refused({"run", "a.json", "--fast"}, "The following argument was not expected: --fast");
   expect_refused({"replay"}, "attempt is required");
   expect_refused({"validate"}, "paths is required");
@@ -53,7 +55,7 @@ TEST_F(Usage, HelpAndVersionAreAnswers) {
 
 TEST_F(Usage, BenchSaysWhatItNeeds) {
   expect_refused({"bench", "chart"},
-                 "swage bench knows charts, stability, bar, not \"chart\". Did you mean \"charts\"?");
+                 say::kBenchKnows("charts, stability, bar", "chart", host::did_you_mean("chart", {"charts"})));
 }
 
 }  // namespace

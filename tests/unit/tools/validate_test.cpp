@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 
+#include "host/instance.hpp"
+#include "host/nearest.hpp"
 #include "host/sentences.hpp"
 #include "program.hpp"
 #include "test_places.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -33,7 +36,7 @@ TEST_F(Validate, LessonsAndCouplingsAreTestedToo) {
     bool fuzzed = false;
     for (const auto& test : tests) {
       fuzzed |= test["test"] == "fuzz_values" && test["result"] == "success";
-      const bool hands_off = test["test"] == "fuzz" && test["text"] == "No hand leads anything here.";
+      const bool hands_off = test["test"] == "fuzz" && test["text"] == say::kHandsOff();
       EXPECT_TRUE(test["result"] != "skipped" || hands_off) << id << ": " << test.dump();
     }
     EXPECT_TRUE(fuzzed) << said.out;
@@ -46,15 +49,15 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
     EXPECT_EQ(said.code, 1) << plugin << said.out << said.err;
     EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
   };
-  expect("lesson_remembers", "it remembers something outside of its declared state.");
-  expect("lesson_keeps", "it remembers what reset() must forget.");
-  expect("lesson_shares", "it depends on more than it is shown.");
-  expect("lesson_endless", "said a number that is not finite for metric 0");
-  expect("lesson_boasts", "gave a score of 101; it goes from 0 to 100");
-  expect("coupling_negative", "left a contact with friction -1,");
-  expect("coupling_poisoned", "A number that is not finite stays in it after a reset.");
+  expect("lesson_remembers", say::kRemembers());
+  expect("lesson_keeps", say::kForgets());
+  expect("lesson_shares", say::kShares());
+  expect("lesson_endless", say::kSaidNotFinite("metric", 0));
+  expect("lesson_boasts", say::kScore(101));
+  expect("coupling_negative", say::kContact.words(0) + "-1,");
+  expect("coupling_poisoned", say::kPoisoned());
 #ifndef SWAGE_SANITIZED
-  expect("lesson_allocates", "It allocated memory 2000 times in 2000 steps; nothing on [rt] may.");
+  expect("lesson_allocates", say::kAllocates(2000, 2000));
 #endif
 }
 
@@ -65,8 +68,8 @@ TEST_F(Validate, SteppingTestsFindWhatTheyAskFor) {
     EXPECT_THAT(said.out, HasSubstr(text)) << plugin;
     EXPECT_THAT(said.out, HasSubstr("NOT good"));
   };
-  expect("nan", "stepping", "wrote a number that is not finite");
-  expect("remembers", "rewind", "After restoring the state");
+  expect("nan", "stepping", host::text(host::FaultKind::kNotFinite));
+  expect("remembers", "rewind", say::kRewinds.words(0));
   expect("crashes_in_step", "stepping", "signal 11");
 }
 
@@ -85,11 +88,11 @@ TEST_F(Validate, WhatADeviceTellsOfItselfIsAskedFor) {
   for (const char* told : {"number", "unknown"}) {
     const Said said = validate(told);
     EXPECT_EQ(said.code, 0) << told << said.out << said.err;
-    EXPECT_THAT(said.out, testing::ContainsRegex("driver +success +[0-9]+ measurements")) << told;
+    EXPECT_THAT(said.out, testing::ContainsRegex("driver +success +" + say::kMeasurements("[0-9]+", "[0-9.]+"))) << told;
   }
   const Said said = validate("infinity");
   EXPECT_EQ(said.code, 1) << said.out << said.err;
-  EXPECT_THAT(said.out, HasSubstr("What it tells of itself is infinite."));
+  EXPECT_THAT(said.out, HasSubstr(say::kInfinite()));
 }
 
 // a solver that lies has finite numbers: nobody notices while it runs, so that it is asked
@@ -108,17 +111,17 @@ TEST_F(Validate, SolversThatLieAreTold) {
     EXPECT_EQ(said.code, 1) << name << said.out << said.err;
     EXPECT_THAT(said.out, HasSubstr(text)) << name;
   };
-  expect("skew", "compliance() is not symmetric");
-  expect("pulls", "compliance() is not positive semi-definite");
-  expect("unsteady", "compliance() gives other bits when it is asked the same again.");
-  expect("part", "compliance() of some points differs when more points are asked for.");
-  expect("unwritten", "leaves a number unwritten, or writes one that is not finite.");
-  expect("forgets", "After yield() the points do not move as v_free + W j says");
-  expect("doubles", "After yield() the points do not move as v_free + W j says");
-  expect("stands", "After yield() without impulses the points do not move as v_free says");
-  expect("aborts", "It crashed in compliance() of org.example.bad.solver.aborts");
-  expect("dents", "dents() gives a dent that is no number, or no radius.");
-  expect("nearest", "locate() gives a tangent and a normal that are not unit and square to each other.", "traits");
+  expect("skew", say::kSkew.words(0));
+  expect("pulls", say::kPulls.words(0));
+  expect("unsteady", say::kOtherBits("compliance"));
+  expect("part", say::kPart());
+  expect("unwritten", say::kUnwritten.words(1));
+  expect("forgets", say::kYieldOff.words(0));
+  expect("doubles", say::kYieldOff.words(0));
+  expect("stands", say::kYieldSlip.words(0));
+  expect("aborts", host::say::kCrashed.words(0) + " in compliance() of org.example.bad.solver.aborts");
+  expect("dents", say::kDent());
+  expect("nearest", say::kOfCall("locate", say::kNotSquare()), "traits");
 }
 
 TEST_F(Validate, SeveralPathsAndJson) {
@@ -136,13 +139,13 @@ TEST_F(Validate, SeveralPathsAndJson) {
 TEST_F(Validate, WrongUses) {
   const Said test = swage({"validate", stock("swage.object.needle"), "--only", "steping"});
   EXPECT_EQ(test.code, 2);
-  EXPECT_THAT(test.err, HasSubstr("There is no test \"steping\". Did you mean \"stepping\"? It has: "));
+  EXPECT_THAT(test.err, HasSubstr(say::kNoTest.words(0) + "steping" + say::kNoTest.words(1) + host::did_you_mean("steping", {"stepping"}) + say::kNoTest.words(2)));
   const Said absent = swage({"validate", path("none")});
   EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("There is no " + path("none")));
+  EXPECT_THAT(absent.err, HasSubstr(say::kNothingThere(path("none"))));
   const Said empty = swage({"validate", folder()});
   EXPECT_EQ(empty.code, 2);
-  EXPECT_THAT(empty.err, HasSubstr(folder() + " holds neither a plugin (*.so) nor lessons (*.json)."));
+  EXPECT_THAT(empty.err, HasSubstr(say::kHoldsNeither(folder())));
 }
 
 TEST_F(Validate, LessonFilesToo) {
@@ -163,7 +166,7 @@ TEST_F(Validate, LessonFilesToo) {
   const Said wrong = swage({"validate", path("wrong.json"), "--json"});
   EXPECT_EQ(wrong.code, 1);
   EXPECT_THAT(wrong.err, HasSubstr("wrong.json"));
-  EXPECT_THAT(wrong.err, HasSubstr("/params/wire_diameter: \"0.1 N\" is a force;"));
+  EXPECT_THAT(wrong.err, HasSubstr("/params/wire_diameter: " + host::say::kOtherDimension.words(0) + "0.1 N" + host::say::kOtherDimension.words(1) + "a force" + host::say::kOtherDimension.words(2)));
   EXPECT_EQ(wrong.json()[0]["good"], false);
 }
 

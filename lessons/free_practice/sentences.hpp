@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sentences of this lesson about its things. Tests name them, and never repeat their words.
+#pragma once
+
+#include "toolkit/sentence.hpp"
+
+namespace swage::lesson_free_practice::say {
+
+using toolkit::operator""_sentence;
+
+inline constexpr auto kThingsNamed = "one to eight names are needed"_sentence;
+inline constexpr auto kFewThings = "there are not so many things"_sentence;
+inline constexpr auto kGraspEach = R"("things" names {} objects, but {} "swage.coupling.grasp" tell about grasps; one for each is needed)"_sentence;
+
+}  // namespace swage::lesson_free_practice::say
