@@ -437,8 +437,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Wunde</translation>
     </message>
     <message>
-        <source>Largest of %1 wounds: %2 %</source>
-        <translation>Größte von %1 Wunden: %2 %</translation>
+        <source>Largest %1 %</source>
+        <translation>Größte %1 %</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/sentence.hpp"
+#include "host/sentences.hpp"
 
 namespace swage::assembly::say {
 
@@ -52,7 +53,7 @@ inline constexpr auto kNoChoice = "\"{}\" is not known for \"{}\".{} There is: {
 inline constexpr auto kNoName = "\"{}\" is not a name: lower-case letters, digits and _, a letter first."_sentence;
 inline constexpr auto kNoQuantity = "\"{}\" is {}, not {}."_sentence;
 inline constexpr auto kUnits = " ({})"_sentence;  // that a quantity may have
-inline constexpr auto kOutOfRange = "{} is out of range; \"{}\" goes from {} to {}."_sentence;
+using host::say::kOutOfRange;
 inline constexpr auto kNoWhole = "\"{}\" is a whole number from 0, not {}."_sentence;
 inline constexpr auto kNoVector = "\"{}\" is a list of 3 numbers, not {}."_sentence;
 inline constexpr auto kNoCharge = "In \"{}\" surroundings a thread keeps no charge: set \"charge\" to 0, or \"medium\" to \"dry\"."_sentence;
@@ -73,8 +74,8 @@ inline constexpr auto kNoVersions =
 inline constexpr auto kNoPair = "\"between\" holds the names of two objects, [\"a\", \"b\"], not {}."_sentence;
 inline constexpr auto kTaken = "\"{}\" is taken: every device, object and coupling has its own name."_sentence;
 inline constexpr auto kNoSuch = "The lesson has no {} \"{}\".{}{}"_sentence;  // then "did you mean", and what it has
-inline constexpr auto kHas = " It has: {}."_sentence;
-inline constexpr auto kHasNone = " It has none."_sentence;
+using host::say::kHas;
+using host::say::kHasNone;
 inline constexpr auto kNoClutch = "A button of a clutch is a whole number from 0 to 31, not {}."_sentence;
 inline constexpr auto kNoButtons = "\"clutch_of\" needs \"clutch\", the buttons of that device."_sentence;
 inline constexpr auto kNoPoint = "A point is the force in the scene and that at the hand, [\"20 mN\", \"0.1 N\"], not {}."_sentence;
