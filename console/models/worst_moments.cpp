@@ -27,7 +27,7 @@ QStringList parts(const std::string& id) {
 bool is_mishap(const Moment& m) {
   static const QRegularExpression kWords(
       QStringLiteral("(^|[._])(failed|dropped|broke|lost|deflected|refused|torn|slipped|missed|reset|quarantined|force_stopped|"
-                     "pulled_off|off_angle|too_hard)($|[._])"));
+                     "pulled_off|off_angle|too_hard|collapsed)($|[._])"));
   static const QRegularExpression kTouched(QStringLiteral("(^|[._])touched($|[._])"));
   return kWords.match(m.id).hasMatch() || (m.by_lesson && kTouched.match(m.id).hasMatch());
 }

@@ -54,11 +54,15 @@ void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
       builder.event("grasp.taken", "Both jaws hold it; value: where, 0 at the point and 1 at the swage.");
   released_ = builder.event("grasp.released", "It is no longer held; value: for how long it was.");
   too_hard_ = builder.event("grasp.too_hard", "The grip force has risen above the limit; value: the force.");
+  collapsed_ = builder.event("grasp.collapsed",
+                             "The wire gave way, its whole section flows; value: where, 0 at the point and 1 at the swage.");
+  broke_ = builder.event("grasp.broke", "The wire broke; value: where, 0 at the point and 1 at the swage.");
 }
 
 void Grasp::bind(const Peer& a, const Peer& b) {
   gripper_ = a;
   thing_ = b;
+  wire_ = WirePeer(b);
 }
 
 bool Grasp::gather(const CouplingStep& step, const swage_gripper_state& jaws, Pinch& pinch) const {
@@ -177,6 +181,14 @@ void Grasp::follow_force(const CouplingStep& step, GraspState& state, const Pinc
   }
 }
 
+/// A wire that gave way or broke, wherever along it that was.
+void Grasp::follow_wire(const CouplingStep& step) const {
+  const auto end = wire_.end(step.b());
+  if (!end) return;
+  if (end->collapsed >= 0) step.event(collapsed_, end->collapsed);
+  if (end->broke >= 0) step.event(broke_, end->broke);
+}
+
 void Grasp::finish(const CouplingStep& step) {
   const auto jaws = gripper_.describe(step.a());
   Pinch pinch;
@@ -195,6 +207,7 @@ void Grasp::finish(const CouplingStep& step) {
   follow_touch(step, state, pinch);
   follow_hold(step, state, pinch);
   follow_force(step, state, pinch);
+  follow_wire(step);
 
   step.signal(held_, state.held);
   step.signal(force_, pinch.force());

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <swage/coupling.hpp>
+#include <swage/wire.hpp>
 
 #include "thesis.hpp"
 #include "toolkit/math.hpp"
@@ -100,11 +101,13 @@ class Grasp final : public Coupling<GraspParams> {
   void follow_touch(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;
   void follow_hold(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;
   void follow_force(const CouplingStep& step, GraspState& state, const Pinch& pinch) const;
+  void follow_wire(const CouplingStep& step) const;
 
   GraspParams params_;
   Peer gripper_, thing_;
   Signal held_, force_, left_, right_, s_, tip_reach_, tilt_axis_, tilt_plane_, balance_, slip_;
-  Event touched_, taken_, released_, too_hard_;
+  WirePeer wire_;
+  Event touched_, taken_, released_, too_hard_, collapsed_, broke_;
 };
 
 }  // namespace swage::coupling_grasp

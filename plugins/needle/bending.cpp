@@ -14,6 +14,10 @@ using toolkit::vec;
 
 namespace {
 
+// Plastic moment of a round section over that of first yield, and the share of it at which the section counts as plastic as a whole:
+// the last of it is reached only at curvatures without end. At 0.995 the curvature is 4 to 5 of first yield.
+constexpr double kPlastic = 16 / (3 * std::numbers::pi), kWhole = 0.995;
+
 /// Rotation vector of what turned by less than a degree or two within a step, by the series of the arc sine; else in full.
 Vec3 rotation_vector(const Quat& q) {
   const Vec3 v = q.w() < 0 ? Vec3(-q.vec()) : Vec3(q.vec());
@@ -263,7 +267,6 @@ Bending::Reading Bending::read(const Step& step) const {
   const JointMemory* memory = joints(step);
   Reading out;
   // statics knows no limit: a section bears its plastic moment, and what hardening adds to that is in the joints
-  constexpr double kPlastic = 16 / (3 * std::numbers::pi);
   out.stress = std::min(peak_, kPlastic);
   for (int j = 0; j < n_ - 1; ++j) {
     if (BentWire::moment(memory[j]).isZero(0) && BentWire::path(memory[j]) == 0) continue;
@@ -272,6 +275,20 @@ Bending::Reading Bending::read(const Step& step) const {
     out.damage = std::max(out.damage, std::min(1.0, wire_.damage(memory[j])));
     out.broken += memory[j].broken;
   }
+  return out;
+}
+
+Bending::End Bending::end(const Step& step) const {
+  const JointMemory* memory = joints(step);
+  BendingState& s = state(step);
+  const int told = static_cast<int>(s.told);
+  End out;
+  for (int j = 0; j < n_ - 1; ++j) {
+    const double where = (j + 1.0) / n_;
+    if ((told & 1) == 0 && out.collapsed < 0 && wire_.stress(j, memory[j]) >= kWhole * kPlastic) out.collapsed = where;
+    if ((told & 2) == 0 && out.broke < 0 && memory[j].broken != 0) out.broke = where;
+  }
+  s.told = told | (out.collapsed < 0 ? 0 : 1) | (out.broke < 0 ? 0 : 2);
   return out;
 }
 

@@ -41,6 +41,7 @@ struct BendingState {
   double held;      // 1: contacts pushed in the last step
   double answered;  // 1: contacts asked in this step
   double base;      // piece that carried the others when contacts last pushed
+  double told;      // 1: that it gave way, 2: that it broke, 3: both
 };
 
 class Bending {
@@ -78,6 +79,12 @@ class Bending {
     double stress = 0, bend = 0, damage = 0, broken = 0;
   };
   Reading read(const Step& step) const;
+  /// Where along the wire, from 0 at the point to 1 at the swage, it gave way for the first time in this attempt, its whole section
+  /// plastic, and where it broke; below 0: it did not, or that has been told.
+  struct End {
+    double collapsed = -1, broke = -1;
+  };
+  End end(const Step& step) const;
 
  private:
   static constexpr int kMax = toolkit::BentWire::kMaxPieces;

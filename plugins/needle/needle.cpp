@@ -153,6 +153,16 @@ void Needle::finish(const Step& step) {
   step.signal(broken_, now.broken);
 }
 
+void Needle::wire_end(const Step& step, swage_wire_end& out) {
+  if (!bends()) return;
+  const Bending::End end = bending_.end(step);
+  out = {end.collapsed, end.broke};
+}
+
+const void* Needle::extension(std::string_view wanted) {
+  return wanted == SWAGE_TRAIT_WIRE ? wire_table<Needle>() : nullptr;
+}
+
 /// What there is of the wire, from the point on.
 void Needle::divide() {
   const int n = std::max(1, bending_.pieces());

@@ -6,6 +6,7 @@
 
 #include <swage/environment.hpp>
 #include <swage/object.hpp>
+#include <swage/wire.hpp>
 
 #include "bending.hpp"
 #include "form.hpp"
@@ -39,7 +40,8 @@ class Needle final : public Object<NeedleParams>,
                      public Solid,
                      public Graspable,
                      public Piercing,
-                     public Solver {
+                     public Solver,
+                     public Wire {
  public:
   static constexpr auto id = "swage.object.needle";
   static constexpr auto version = "1.0.0";
@@ -50,6 +52,7 @@ class Needle final : public Object<NeedleParams>,
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
 
+  static constexpr std::array traits = {SWAGE_TRAIT_WIRE};
   static constexpr const char* kLevels[] = {"rigid", "bending", "reference", nullptr};
   static constexpr const char* kCircles[] = {"model", "1/4", "3/8", "1/2", "5/8", "2/8", "4/8", "straight", nullptr};
   static constexpr const char* kSizes[] = {"model", "chord", "length", nullptr};
@@ -122,6 +125,8 @@ class Needle final : public Object<NeedleParams>,
                   double* W) override;
   void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
   void finish(const Step& step) override;
+  void wire_end(const Step& step, swage_wire_end& out) override;
+  const void* extension(std::string_view wanted) override;
   void locate(const Step& step, swage_vec3 p_W, swage_graspable_place& out) override;
   void place(const Step& step, double s, swage_piercing_place& out) override;
   void nearest(const Step& step, swage_vec3 p_W, swage_piercing_place& out) override;
