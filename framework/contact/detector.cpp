@@ -92,15 +92,31 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
   std::sort(bodies_.begin(), bodies_.end());
   bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
 
-  if (options_.level == Level::kThesis)
-    for (size_t i = 0; i < solids_.size(); ++i)
-      if (solids_[i].kind == SWAGE_SHAPE_ARC)
-        chains_[i] =
-            build_sphere_tree(sphere_chain(solids_[i].arc, options_.chain_spheres), solids_[i].radius);
+  if (options_.level == Level::kThesis) lay_spheres(world);
   last_.reserve(options_.capacity);
   last_candidate_.reserve(options_.capacity);
   last_of_pair_.reserve(pairs_.size());
   find_swept(world);
+}
+
+/// The sphere chains of the thesis: one per wire, of which each arc of a wire that bends has its part. A chain per arc would be as
+/// many spheres for each, in each place a dozen that all bear, more than its object answers for.
+void Detector::lay_spheres(const scene::World& world) {
+  for (uint32_t i = 0; i < solids_.size(); ++i)
+    if (solids_[i].kind == SWAGE_SHAPE_ARC && !in_chain(world, i))
+      chains_[i] = build_sphere_tree(sphere_chain(solids_[i].arc, options_.chain_spheres), solids_[i].radius);
+  for (const Chain& wire : chain_) {
+    const auto length = [&](uint32_t i) { return solids_[i].arc.radius * solids_[i].arc.sweep; };
+    double all = 0, before = 0;
+    for (uint32_t i = wire.first; i < wire.first + wire.shapes; ++i) all += length(i);
+    for (uint32_t i = wire.first; i < wire.first + wire.shapes; ++i) {
+      const bool last = i + 1 == wire.first + wire.shapes;
+      const double from = before / all, to = last ? 1 : (before + length(i)) / all;
+      chains_[i] =
+          build_sphere_tree(sphere_chain_part(solids_[i].arc, options_.chain_spheres, from, to), solids_[i].radius);
+      before += length(i);
+    }
+  }
 }
 
 /// The group of a shape pair: all pieces of one chain against one shape of another pair; kNoGroup where neither is a chain.
@@ -270,6 +286,8 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
   // each sphere stands for a piece of wire and touches in one point
   Query point = query;
   point.flatness = 0;
+  // and leaves nothing to the sphere before it: of a wire in several arcs all but the first would touch nothing
+  point.piece = point.goes_on = false;
   chain.visit(near, [&](uint32_t i) {
     sphere_.axis = {chain.centre[i], chain.centre[i]};
     sphere_.convex.vertex[0] = sphere_.centre = chain.centre[i];

@@ -28,7 +28,7 @@ enum class Level : uint8_t {
 
 struct Options {
   Level level = Level::kExact;
-  int chain_spheres = 100;  // per arc, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
+  int chain_spheres = 100;  // per wire, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
   /// Contacts are reported while their gap is below margin * length plus what the bodies move in one step.
   /// 0.02: 20 um for a 1 mm scene. Too small: what the response of the step brings into contact is met a step late.
   double margin = 0.02;
@@ -125,6 +125,7 @@ class Detector {
     Motion motion;
   };
 
+  void lay_spheres(const scene::World& world);
   uint32_t group_of(uint32_t pair, uint32_t a, uint32_t b);
   void look_around(const scene::World& world) noexcept;
   bool far_apart(const Ball& ball, uint32_t other, double margin) const noexcept;

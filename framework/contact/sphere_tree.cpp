@@ -85,6 +85,17 @@ std::vector<Vec3> sphere_chain(const toolkit::Arc& arc, int count) {
   return centres;
 }
 
+std::vector<Vec3> sphere_chain_part(const toolkit::Arc& arc, int count, double from, double to) {
+  std::vector<Vec3> centres;
+  for (int i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / std::max(1, count - 1);
+    // a sphere where two arcs meet belongs to the second, the last sphere to the last arc
+    if (share >= from && (share < to || to >= 1)) centres.push_back(arc.point(arc.at((share - from) / (to - from))));
+  }
+  if (centres.empty()) centres.push_back(arc.point(arc.at(0.5)));
+  return centres;
+}
+
 SphereTree build_sphere_tree(const std::vector<Vec3>& centres, double radius,
                              const SphereTreeLimits& limits) {
   return Builder(centres, radius, limits).take();

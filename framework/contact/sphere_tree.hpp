@@ -50,6 +50,10 @@ struct SphereTreeLimits {
 /// [main] Centres of `count` spheres, evenly from one end of the arc to the other.
 std::vector<Vec3> sphere_chain(const toolkit::Arc& arc, int count);
 
+/// [main] Of `count` spheres evenly along a wire, those on the arc that is its part between the shares `from` and `to` of its length;
+/// the middle of the arc where there is none.
+std::vector<Vec3> sphere_chain_part(const toolkit::Arc& arc, int count, double from, double to);
+
 /// [main] Grows the tree as in thesis 4.2.10: a leaf starts at the sphere farthest from its parent's centre with half its
 /// parent's radius, takes in what it encloses, moves to the new centre of mass, until nothing more comes in; then it
 /// shrinks to the smallest radius that holds its spheres.

@@ -151,6 +151,25 @@ TEST(NeedleBench, ABentNeedleHasNotGivenWay) {
   EXPECT_GT(most, 1.4) << "it stays bent";
 }
 
+// At the thesis's contact level, too, a needle that bends stands where it was put: each arc of it touches the pad, with its share of the
+// spheres of one wire. Overlap 1 um, 20000 N/m: 20 mN at each sphere.
+TEST(NeedleInAPad, IsHeldByTheSpheresOfTheThesis) {
+  swage::step::Options options;
+  options.contact.level = swage::contact::Level::kThesis;
+  for (const char* lesson : {"110_insertion.json", "117_needle_with_thread.json"}) {
+    LessonRun run(kSeries + lesson, swage::assembly::Overrides{"expert", ""}, {}, options);
+    ASSERT_TRUE(run.ready()) << run.problems();
+    const Pose begun(run.world().X_WB[run.body("needle")]);
+    for (int k = 0; k < 1000; ++k) run.step();
+    EXPECT_EQ(run.engine().quarantined(), 0u);
+    EXPECT_LT((Pose(run.world().X_WB[run.body("needle")]).p - begun.p).norm(), 1e-6) << lesson;
+    int bear = 0;
+    for (const swage::contact::Contact& c : run.engine().contacts().contact) bear += c.f_a_W.norm() > 0.01;
+    EXPECT_GE(bear, 10) << lesson;
+    EXPECT_LE(bear, 40) << lesson << ": as many as spheres of a rigid needle, of 64 um each";
+  }
+}
+
 // A stiff needle in the lesson of the grasp is taken, lifted and held where the rigid one is; 10 um are a tenth of its wire.
 TEST(BendingNeedle, IsHeldAsTheRigidOneIs) {
   const auto held = [](const std::string& path) {

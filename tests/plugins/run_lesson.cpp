@@ -8,7 +8,8 @@
 namespace swage::stage {
 
 LessonRun::LessonRun(const std::string& path, const assembly::Overrides& overrides,
-                     const std::function<void(assembly::LessonFile&)>& change) {
+                     const std::function<void(assembly::LessonFile&)>& change, const step::Options& options)
+    : options_(options) {
   base::Problems problems;
   assembly::LessonFile file;
   const bool read = assembly::read_lesson_file(path, file, problems);
@@ -42,7 +43,7 @@ void LessonRun::begin(const assembly::LessonFile& file, const assembly::Override
     if (slot.device->open != nullptr && slot.device->open(slot.instance->raw) < 0)
       problems_ += "a device did not open\n";
   }
-  engine_ = std::make_unique<step::Engine>(*rig_, step::Options{});
+  engine_ = std::make_unique<step::Engine>(*rig_, options_);
 }
 
 void LessonRun::step() {

@@ -21,9 +21,9 @@ class LessonRun {
   /// `device`: as on the command line, "" for the first choice.
   LessonRun(const std::string& path, const std::string& device)
       : LessonRun(path, assembly::Overrides{device, ""}) {}
-  /// `change`: what is to be different from the file.
+  /// `change`: what is to be different from the file; `options`: levels of contact and of free motion.
   LessonRun(const std::string& path, const assembly::Overrides& overrides,
-            const std::function<void(assembly::LessonFile&)>& change = {});
+            const std::function<void(assembly::LessonFile&)>& change = {}, const step::Options& options = {});
 
   /// `settings`: as after --set, "needle.level=bending".
   LessonRun(const std::string& path, const std::string& device, const std::vector<std::string>& settings)
@@ -63,6 +63,7 @@ class LessonRun {
              base::Problems& problems);
 
   std::string problems_;
+  step::Options options_;
   std::unique_ptr<host::Rig> rig_;
   std::unique_ptr<step::Engine> engine_;
   std::map<std::string, int> happened_;
