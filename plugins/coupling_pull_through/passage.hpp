@@ -78,7 +78,7 @@ struct Site {
   Place place(double u) const;
   /// Unit, the way in which the thread is drawn at u: along the chord about u, which turns steadily where the thread has a corner.
   Vec3 way(double u) const;
-  /// The place nearest to p_W across that way, found from one near it.
+  /// The place nearest to p_W, found from one near it: across its segment, or at a corner across the way there.
   Place near(double u, const Vec3& p_W) const;
   /// How far a place is inside the nearest face of the tissue [m], and that face's outward normal.
   double inside(const Vec3& p_W, Vec3& normal_W) const;
