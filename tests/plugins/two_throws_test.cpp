@@ -81,6 +81,9 @@ PulledKnot pulled(const LessonRun& attempt, double friction) {
   return pull_apart(attempt, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "29.333 mm", "segments": 73)", friction, 0.1);
 }
 
+// Friction of the thread on itself at which a square knot holds 0.1 N and a granny does not. At 0.4 they bear 71 and 32 mN, at 0.3 24 and 26.
+constexpr double kHolds = 0.5;
+
 // wound the same way twice it is a granny: named, not passed, and it slips
 TEST(Granny, IsNamedAndFailsAndSlips) {
   LessonRun granny(kLesson, {"expert", ""}, tie_a_granny);
@@ -93,10 +96,24 @@ TEST(Granny, IsNamedAndFailsAndSlips) {
   EXPECT_EQ(granny.signal("knot", "knot.throw_1") * granny.signal("knot", "knot.throw_2"), 1);
   EXPECT_EQ(granny.signal("knot", "knot.kind"), 3) << "granny";
   EXPECT_EQ(granny.metric("thread.passages"), 0);
-  const PulledKnot slips = pulled(granny, 0.3);
+  const PulledKnot slips = pulled(granny, kHolds);
   EXPECT_EQ(slips.trouble, "");
-  EXPECT_LT(slips.bears, 60e-3) << "N";
+  EXPECT_LT(slips.bears, 80e-3) << "N";
   EXPECT_GE(slips.opens, 3e-3) << "m, with the knot slipping";
+}
+
+// two throws hold 0.1 N by a friction that nylon on nylon does not have (0.1 to 0.3): there they slip as a granny does, and want a third one
+TEST(SquareKnot, HoldsByAFrictionByWhichAGrannySlips) {
+  LessonRun square(kLesson, "expert");
+  ASSERT_EQ(square.problems(), "");
+  square.run(kLongest);
+  ASSERT_EQ(square.signal("knot", "knot.throws"), 2);
+  const PulledKnot holds = pulled(square, kHolds), nylon = pulled(square, 0.3);
+  EXPECT_EQ(holds.trouble + nylon.trouble, "");
+  EXPECT_GE(holds.bears, 0.1) << "N";
+  EXPECT_LT(holds.opens, 1.5e-3) << "m, with the stretch of the loop";
+  EXPECT_LT(nylon.bears, 60e-3) << "N";
+  EXPECT_GE(nylon.opens, 3e-3) << "m";
 }
 
 // Three throws, the first of them double, by the same means. What is not reached yet: the double throw gives way before the second one lies on
