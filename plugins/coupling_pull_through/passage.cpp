@@ -20,6 +20,13 @@ constexpr int kHalvings = 20;
 // Steps outwards in which the surface is looked for, and their length in thread radii: 5 mm of 10-0.
 constexpr int kLooks = 48;
 constexpr double kLook = 10;
+// Length in thread radii over which the way of the thread at a hole is taken: 10-0 under 1 mN bends over sqrt(EI/T) = 0.17 mm, 15 radii, to
+// either side of an edge. At 0 a corner between two straight segments does not go through a hole: the way jumps there.
+constexpr double kBend = 30;
+// On a straight segment the place is found to rounding; farther off than this, in thread radii, there is none on it.
+constexpr double kAtOnce = 1e-3;
+// Share of a way that is gone at once in looking for a place between two segments: at 1 it is overshot about a sharp corner.
+constexpr double kPart = 0.7;
 
 void put(double* to, const Vec3& a) {
   for (int i = 0; i < 3; ++i) to[i] = a[i];
@@ -84,7 +91,7 @@ void remove(Passage& passage, uint32_t i) {
 
 double Passage::inside() const {
   if (count == 0) return 0;
-  return hole[0].u - (out != 0 ? hole[holes() - 1].u : 0);
+  return std::max(0.0, hole[0].u - (out != 0 ? hole[holes() - 1].u : 0));
 }
 
 Site::Site(const StrandPeer& pa, const Peer& pb, const Step& step_a, const Step& step_b, bool last)
@@ -114,9 +121,21 @@ Site::Place Site::place(double u) const {
   return out;
 }
 
+Vec3 Site::way(double u) const {
+  const double half = 0.5 * kBend * strand.radius;
+  const Vec3 chord = place(u - half).p_W - place(u + half).p_W;
+  const double length = chord.norm();
+  return length > half ? Vec3(chord / length) : place(u).advance_W;  // a thread that is folded back on itself has no way there
+}
+
 Site::Place Site::near(double u, const Vec3& p_W) const {
+  const auto off = [&](const Place& at, const Vec3& way_W) { return way_W.dot(p_W - at.p_W); };
   Place at = place(u);
-  for (int i = 0; i < 4; ++i) at = place(at.u - at.advance_W.dot(p_W - at.p_W));
+  for (int i = 0; i < 4; ++i) at = place(at.u - off(at, at.advance_W));
+  if (std::abs(off(at, at.advance_W)) < kAtOnce * strand.radius) return at;
+  // neither of two segments has such a place: it lies between their ways, where the corner is nearest
+  for (int i = 0; i < 12; ++i) at = place(at.u - kPart * off(at, way(at.u)));
+  at.advance_W = way(at.u);
   return at;
 }
 

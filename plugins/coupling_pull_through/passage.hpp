@@ -52,7 +52,7 @@ struct Passage {
   Hole hole[kHoles];
 
   uint32_t holes() const { return static_cast<uint32_t>(count); }
-  double inside() const;  // m, of thread between the first hole and the last, or the end
+  double inside() const;  // m, of thread between the first hole and the last, or the end; 0 where two holes have been torn into one
 };
 
 /// What a call needs to know about the two objects.
@@ -76,7 +76,9 @@ struct Site {
     bool good = false;
   };
   Place place(double u) const;
-  /// The place nearest to p_W, found from one near it.
+  /// Unit, the way in which the thread is drawn at u: along the chord about u, which turns steadily where the thread has a corner.
+  Vec3 way(double u) const;
+  /// The place nearest to p_W, found from one near it: across its segment, or at a corner across the way there.
   Place near(double u, const Vec3& p_W) const;
   /// How far a place is inside the nearest face of the tissue [m], and that face's outward normal.
   double inside(const Vec3& p_W, Vec3& normal_W) const;

@@ -15,7 +15,7 @@
 namespace swage::stage {
 
 struct PulledKnot {
-  double bears = 0;   // N, most tension of the thread before the loop had opened by `kMostOpening`, or the load
+  double bears = 0;   // N, most tension of the loop before it had opened by `kMostOpening`, or the load
   double opens = 0;   // m, by how much the loop was open then; its stretch is in that
   std::string trouble;
 };
@@ -32,6 +32,22 @@ inline std::string nodes_of(const LessonRun& run) {
     text += point;
   }
   return text + " mm";
+}
+
+/// N, of the loop beside its vertex `i`. What a knot was drawn down with stays in its turns: the greatest tension of the thread may be there.
+inline double tension_beside(const scene::ChainView& chain, uint32_t i) {
+  constexpr double kEA = 2.5e9 * 1.5553e-9;  // N: nylon 8-0, 44.5 um thick
+  double stretch = 0;
+  for (const uint32_t k : {i - 1, i}) stretch += 0.5 * ((chain.p(k + 1) - chain.p(k)).norm() / (chain.s(k + 1) - chain.s(k)) - 1);
+  return kEA * stretch;
+}
+
+/// The lowest vertex of the loop: what lay deepest in the tissue.
+inline uint32_t lowest(const scene::ChainView& chain) {
+  uint32_t found = 1;
+  for (uint32_t i = 1; i + 1 < chain.vertices(); ++i)
+    if (chain.p(i).y() < chain.p(found).y()) found = i;
+  return found;
 }
 
 /// `thread`: its parameters but for the start. Pulled at 0.5 mm/s up to `load` [N]; in glycerine, as in lesson 134, in which a light thread comes to rest.
@@ -56,9 +72,10 @@ inline PulledKnot pull_apart(const LessonRun& run, const std::string& thread, do
   PulledKnot out;
   if (!scene.engine) return out;
   double slack = -1;  // s, when it became taut
+  const uint32_t middle = lowest(scene.chain());
   while (scene.engine->world().time() < kLongest && out.opens < kMostOpening && out.bears < load) {
     scene.run(1);
-    const double tension = scene.signal("thread.tension"), now = scene.engine->world().time();
+    const double tension = tension_beside(scene.chain(), middle), now = scene.engine->world().time();
     // the first moments are those of a thread that was under tension where it was tied
     if (slack < 0 && now > 0.5 && tension > kTaut) slack = now;
     if (slack < 0) continue;
