@@ -44,7 +44,7 @@ Launch read_command_line(const QStringList& arguments) {
       option("station", QT_TRANSLATE_NOOP("command_line", "What this station is called among those of the school; the machine's name unless given."), "name"),
       option("safe-mode", QT_TRANSLATE_NOOP("command_line", "Stock plugins only.")),
       option("seed",
-             QT_TRANSLATE_NOOP("command_line", "Of every attempt, so that targets and tremor are the same again; otherwise each draws its own."),
+             QT_TRANSLATE_NOOP("command_line", "Seed of every attempt, so that targets and tremor are the same again; otherwise each attempt draws its own."),
              "number"),
       option("language", QT_TRANSLATE_NOOP("command_line", "en or de; that of the system unless given."), "language"),
       option("theme", QT_TRANSLATE_NOOP("command_line", "light, dark or contrast."), "theme"),

@@ -111,8 +111,8 @@ Card HelpDialog::picture_keys(QWidget* parent) {
                      {tr("Right drag, Shift+drag"), tr("Shift the camera")},
                      {tr("Wheel,  + −"), tr("Nearer, further")},
                      {tr("Double click,  Home"), tr("Frame the scene")},
-                     {tr("Ctrl+drag"), tr("Turn while the mouse is the instrument")},
-                     {tr("Ctrl+Shift+wheel"), tr("Nearer, further while it is")},
+                     {tr("Ctrl+drag"), tr("Turn the camera while the mouse is the instrument")},
+                     {tr("Ctrl+Shift+wheel"), tr("Camera nearer, further while the mouse is the instrument")},
                      {tr("Ctrl+Page up, down"), tr("Zoom of the microscope; with Shift its focus")}},
                     parent);
 }

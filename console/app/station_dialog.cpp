@@ -61,8 +61,8 @@ QWidget* StationDialog::make_ruler(bool mirrored) {
   auto* form = new QFormLayout;
   const TrueSize& s = station_.size;
   const QString mm = tr("mm"), deg = tr("°");
-  width_ = number("station_width", tr("Screen &width"), 0, 5000, s.screen_mm.width(), mm, tr("Of what lights up, along the lower edge"), form);
-  height_ = number("station_height", tr("Screen &height"), 0, 5000, s.screen_mm.height(), mm, tr("Of what lights up, along the left edge"), form);
+  width_ = number("station_width", tr("Screen &width"), 0, 5000, s.screen_mm.width(), mm, tr("Width of the part that lights up, along its lower edge"), form);
+  height_ = number("station_height", tr("Screen &height"), 0, 5000, s.screen_mm.height(), mm, tr("Height of the part that lights up, along its left edge"), form);
   bar_ = new RulerBar(card.frame);
   form->addRow(QString(), bar_);
   distance_ = number("station_distance", tr("&Eyes to picture"), 50, 5000, static_cast<double>(s.distance_mm), mm,
@@ -78,7 +78,7 @@ QWidget* StationDialog::make_ruler(bool mirrored) {
   on_ = new QCheckBox(tr("Show the trainee's view in this size"), card.frame);
   on_->setObjectName(QStringLiteral("station_on"));
   on_->setChecked(s.on);
-  held_ = new QCheckBox(tr("Let it stand as the picture stands before the person"), card.frame);
+  held_ = new QCheckBox(tr("Turn it until the picture stands upright for the person"), card.frame);
   held_->setObjectName(QStringLiteral("station_held"));
   held_->setChecked(s.held);
   held_->setToolTip(tr("Nobody turns the view then; needed for hand and tool in one place"));

@@ -177,9 +177,7 @@ TraineeSettings::TraineeSettings(const TraineeLook& look, QWidget* parent) : QDi
                     "exaggerates the depth"));
   form->addRow(tr("&Eye separation"), eyes_);
   convergence_ = length(QStringLiteral("trainee_convergence"), look.stereo.rig.convergence_mm, 1000,
-                        tr("What is so far away lies in the plane of the screen: 250 mm is what is in focus, "
-                           "less lets everything "
-                           "recede behind the screen"));
+                        tr("Things at this distance lie in the plane of the screen. 250 mm is the plane in focus; with less, everything recedes behind the screen"));
   convergence_->setMinimum(50);
   form->addRow(tr("&Convergence"), convergence_);
   microscope_ = new QCheckBox(tr("Look of a &microscope"), this);

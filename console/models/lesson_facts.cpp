@@ -184,6 +184,8 @@ Criteria read_criteria(const std::string& lesson_path, const host::Catalogue& ca
   const swage_value* value = nullptr;
   const host::Param* p = lesson.find("max_time", &value);
   if (p && p->unit == "s") out.max_time_s = value->number[0];
+  p = lesson.find("tension", &value);
+  if (p && p->unit == "N" && p->dimension <= 1) out.max_tension_N = value->number[0];
   return out;
 }
 

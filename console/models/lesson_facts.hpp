@@ -19,7 +19,8 @@ struct ForceBand {
 struct Criteria {
   QStringList pass, limits, points;
   bool show = false;      // a demonstration: nothing is judged or kept
-  double max_time_s = 0;  // its time limit; 0: none
+  double max_time_s = 0;     // its time limit; 0: none
+  double max_tension_N = 0;  // how hard a thread may be drawn; 0: nothing is said
 };
 
 /// As the card of the lesson's plugin says; empty where it says nothing.

@@ -30,6 +30,7 @@ Reader::Reader(const snapshot::SceneCard& card) {
     if (ends_with(s.id, "pierce.angle")) angle_ = i;
     if (ends_with(s.id, "pierce.state")) pierced_ = i;
   }
+  find_tension(script);
   // what is counted is live; metrics with a unit are told at the end
   for (int i = 0; i < static_cast<int>(script.metrics.size()) && counters_.size() < kMostCounters; ++i) {
     const judge::Name& m = script.metrics[static_cast<size_t>(i)];
@@ -56,6 +57,26 @@ Reader::Reader(const snapshot::SceneCard& card) {
   }
 }
 
+// At the needle that draws the thread. Of a stitch without one, in which lessons limit it: before the first hole and beyond the last. Of a
+// thread that is only pulled, its own.
+void Reader::find_tension(const judge::Script& script) {
+  const auto all = [&](const char* name) {
+    QVector<int> out;
+    for (int i = 0; i < static_cast<int>(script.signals.size()); ++i) {
+      const judge::Name& s = script.signals[static_cast<size_t>(i)];
+      if (s.unit == "N" && ends_with(s.id, name)) out.append(i);
+    }
+    return out;
+  };
+  tension_ = all("swage.tension");
+  if (!tension_.isEmpty()) return;
+  const QVector<int> before = all("pull.tension_tail"), beyond = all("pull.tension_out");
+  if (!before.isEmpty() && !beyond.isEmpty())
+    tension_ = {before.first(), beyond.last()};
+  else
+    tension_ = all("thread.tension");
+}
+
 QStringList Reader::meanings(const snapshot::SceneCard& card) {
   QStringList out;
   for (const judge::Name& cue : card.script.cues) out += QString::fromStdString(cue.id);
@@ -71,6 +92,7 @@ Reading Reader::read(const snapshot::Snapshot& s) const {
   };
   // of several things that may be taken, the one that is
   for (const int i : force_) r.force = std::fmax(r.force.value_or(0), signal(i));
+  for (const int i : tension_) r.tension = std::fmax(r.tension.value_or(0), signal(i));
   const bool any_held = std::any_of(held_.begin(), held_.end(), [&](int i) { return signal(i) > 0.5; });
   const bool held = held_.isEmpty() || any_held;
   if (!held_.isEmpty()) r.held = any_held;

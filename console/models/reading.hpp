@@ -20,6 +20,7 @@ struct Reading {
   std::optional<bool> held;     // by both jaws
   std::optional<double>
       tilt;  // rad, the larger of the two; while inserting, between needle and tissue's normal
+  std::optional<double> tension;   // N, of the thread that is drawn
   std::optional<double> hold;      // share of the hold that is done, 0..1
   std::optional<bool> spot, tips;  // of the current grasp
   QString phase;                   // in words
@@ -43,6 +44,8 @@ class Reader {
   bool has_tilt() const { return (grasp_ && !tilt_.isEmpty()) || angle_ >= 0; }
   /// The tilt is that of the needle against the tissue.
   bool inserts() const { return angle_ >= 0; }
+  /// A thread is drawn by a needle or through tissue.
+  bool has_tension() const { return !tension_.isEmpty(); }
   bool has_hold() const { return hold_ >= 0; }
   /// The lesson judges spot and tips.
   bool has_grasp() const { return grasp_; }
@@ -52,7 +55,8 @@ class Reader {
     int metric;
     QString name, unit;
   };
-  QVector<int> force_, held_;
+  void find_tension(const judge::Script& script);
+  QVector<int> force_, held_, tension_;
   int hold_ = -1, angle_ = -1, pierced_ = -1;
   bool grasp_ = false;
   QVector<int> tilt_;

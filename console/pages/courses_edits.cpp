@@ -192,7 +192,10 @@ void CoursesPage::add_limit() {
   int32_t better = 0;
   for (const LessonMetric& m : metrics_(QString::fromStdString(s->lesson_id)))
     if (m.id.toStdString() == fresh.metric) fresh.unit = m.unit.toStdString(), better = m.better;
-  if (fresh.metric.empty()) return;
+  if (fresh.metric.empty()) {
+    problem_->setText(tr("▲ The metrics of this lesson are not known here: is it installed?"));
+    return problem_->show();
+  }
   const bool known = suggest_limit(fresh, experts(), better);
   const LimitColumn column = better == SWAGE_BETTER_HIGHER ? kLeast : kMost;
   if (!known) (column == kLeast ? fresh.least : fresh.most) = 0;  // a limit has a number; it is asked for at once

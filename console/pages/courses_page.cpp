@@ -210,10 +210,10 @@ QWidget* CoursesPage::make_rule() {
     edit_step(tr("Rule"), [&](record::CourseStep& s) { s.rule.kind = i == 0 ? Rule::Kind::kStreak : Rule::Kind::kLcCusum; });
   });
   form->addRow(tr("Rule"), kind_);
-  add_count(form, tr("Test attempts in a row"), "rule_in_a_row", 20, &Rule::in_a_row, tr("That meet everything that is asked"));
-  add_count(form, tr("then, first of a later day"), "rule_later_day", 20, &Rule::later_day, tr("That must do so too; 0: not asked"));
+  add_count(form, tr("Test attempts in a row"), "rule_in_a_row", 20, &Rule::in_a_row, tr("Test attempts in a row that meet everything that is asked"));
+  add_count(form, tr("then, first of a later day"), "rule_later_day", 20, &Rule::later_day, tr("First attempts of a later day that must meet it, too; 0: none"));
   add_rate(form, tr("Failure rate, competent"), "rule_adequate", 0.99, &Rule::adequate, tr("Share of attempts that a competent person fails"));
-  add_rate(form, tr("Failure rate, not yet"), "rule_inadequate", 0.99, &Rule::inadequate, tr("Share of attempts that somebody fails who is not"));
+  add_rate(form, tr("Failure rate, not yet"), "rule_inadequate", 0.99, &Rule::inadequate, tr("Share of attempts that a person fails who is not competent yet"));
   add_rate(form, tr("Signal at"), "rule_signal", 10, &Rule::signal, tr("Lower passes the unready, higher takes longer; 2.4 is usual"));
   add_count(form, tr("Attempts a day that count"), "rule_a_day", 100, &Rule::a_day, tr("0: all"));
   add_count(form, tr("Warm-up attempts a day"), "rule_warm_up", 20, &Rule::warm_up, tr("That do not count"));

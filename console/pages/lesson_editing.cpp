@@ -44,7 +44,7 @@ void LessonEditing::edit() {
 }
 
 QString LessonEditing::import_file(const QString& file) {
-  if (control_->running()) return tr("While a lesson runs none is imported.");
+  if (control_->running()) return tr("Lessons cannot be imported while one is running.");
   const LessonEntry entry = read_lesson(file);
   if (const int known = entry.id.isEmpty() ? -1 : lessons_->row_of(entry.id); known >= 0)
     return tr("The lesson \"%1\" is here already.").arg(said(lessons_->at(known).title));
@@ -71,7 +71,7 @@ bool LessonEditing::asked_to_delete(const LessonEntry& lesson) {
   box.setText(tr("\"%1\"").arg(lesson.title));
   const QStringList users = based_on_it(lesson.path);
   if (!users.isEmpty()) {
-    box.setInformativeText(tr("It stays: these lessons are based on it and could not run without it: %1.")
+    box.setInformativeText(tr("It was not deleted: these lessons are based on it and could not run without it: %1.")
                                .arg(users.join(QStringLiteral(", "))));
     box.exec();
     return false;

@@ -268,7 +268,7 @@ void LessonsPage::show_lesson() {
     b->setVisible(own);
     b->setEnabled(!running_);
   }
-  tell(running_ ? tr("A lesson runs: until it ends none is changed or begun.") : QString());
+  tell(running_ ? tr("A lesson is running. Until it ends, no lesson can be changed or started.") : QString());
   show_version(can);
   title_->setText(at.isValid() ? at.data().toString() : tr("Choose a lesson."));
   task_->setText(QStringList({at.data(LessonsModel::kSummary).toString(), at.data(LessonsModel::kGoal).toString()})

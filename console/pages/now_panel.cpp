@@ -14,6 +14,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kTiltAxis_deg = 60;
+constexpr double kTensionHeld_s = 0.25;  // the greatest tension of so long is told: a number that changes with each picture is not read
 constexpr double kShown_N = 8;  // end of the axis where no force is judged
 
 }  // namespace
@@ -68,7 +69,10 @@ QWidget* NowPanel::make_readings(QWidget* parent) {
   spot_ = add(0, tr("Position"), true);
   tips_ = add(1, tr("Tips"), true);
   tilt_ = add(2, tr("Tilt"), false);
-  hold_ = add(3, tr("Hold"), false);
+  tension_ = add(3, tr("Thread"), false);
+  tension_.name->setToolTip(tr("Tension of the thread that is drawn"));
+  tension_.value->setObjectName(QStringLiteral("thread_tension"));
+  hold_ = add(4, tr("Hold"), false);
   column->addLayout(facts);
   counts_ = new QGridLayout;
   counts_->setColumnStretch(0, 1);
@@ -168,6 +172,7 @@ void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QStr
   spot_.set_visible(reader.has_grasp());
   tips_.set_visible(reader.has_grasp());
   tilt_.set_visible(reader.has_tilt());
+  tension_.set_visible(reader.has_tension());
   hold_.set_visible(reader.has_hold());
   tilt_.name->setText(reader.inserts() ? tr("Angle") : tr("Tilt"));
   tilt_.name->setToolTip(reader.inserts() ? tr("Between the needle and the perpendicular to the tissue")
@@ -207,6 +212,22 @@ void NowPanel::show_fact(const Fact& fact, std::optional<bool> is, QChar filled,
   fact.value->setText(!is ? QStringLiteral("–") : *is ? yes : no);
 }
 
+// Beside what the lesson allows, where it says so.
+void NowPanel::show_tension(const Reading& r, double time_s) {
+  const QString unit = QStringLiteral("N");
+  tension_N_ = std::max(tension_N_, r.tension.value_or(0));
+  const bool again = time_s < tension_since_s_;  // another attempt
+  if (r.tension && !again && time_s < tension_since_s_ + kTensionHeld_s && time_s > 0) return;
+  const double now = again ? r.tension.value_or(0) : tension_N_, most = asked_.max_tension_N;
+  const QString text = quantity_text(now, unit);
+  tension_.value->setText(!r.tension   ? QStringLiteral("–")
+                          : most <= 0  ? text
+                          : now > most ? tr("▲ %1, over %2").arg(text, quantity_text(most, unit))
+                                       : tr("%1 of %2").arg(text, quantity_text(most, unit)));
+  tension_N_ = 0;
+  tension_since_s_ = time_s;
+}
+
 void NowPanel::show_reading(const Reading& r, double time_s) {
   if (!r.phase.isEmpty()) phase_->setText(said(r.phase));
   show_time(time_s);
@@ -216,6 +237,7 @@ void NowPanel::show_reading(const Reading& r, double time_s) {
   show_fact(spot_, r.spot, QLatin1Char('O'), tr("right"), tr("not yet"));
   show_fact(tips_, r.tips, QLatin1Char('V'), tr("used"), tr("not yet"));
   tilt_.value->setText(r.tilt ? quantity_text(*r.tilt, QStringLiteral("rad")) : QStringLiteral("–"));
+  show_tension(r, time_s);
   hold_.value->setText(r.hold ? QStringLiteral("%1 %").arg(100 * *r.hold, 0, 'f', 0) : QStringLiteral("–"));
   while (count_names_.size() < r.counts.size()) {
     const int row = static_cast<int>(count_names_.size());

@@ -39,13 +39,15 @@ class NowPanel : public QWidget {
   QWidget* make_readings(QWidget* parent);
   void show_time(double time_s);
   void show_parts();
+  void show_tension(const Reading& reading, double time_s);
+  double tension_N_ = 0, tension_since_s_ = 0;  // greatest of the last moments, and since when
   CueTheme cues_;
   struct Fact {
     QLabel *name, *value;
     CueBadge* badge;
     void set_visible(bool shown) const;
   };
-  Fact spot_, tips_, tilt_, hold_;
+  Fact spot_, tips_, tilt_, tension_, hold_;
   QLabel *phase_, *criteria_, *left_, *hidden_;
   QWidget *card_, *readings_, *lower_;
   Criteria asked_;

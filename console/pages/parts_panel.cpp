@@ -99,7 +99,7 @@ void PartDialog::add_place() {
   form_->addRow(label, row);
   follows_ = new QComboBox(this);
   follows_->setObjectName(QStringLiteral("part_follows"));
-  follows_->addItem(tr("Nothing: it stands or falls by itself"));
+  follows_->addItem(tr("Nothing: it stands or moves by itself"));
   for (const LessonPart& part : parts_)
     if (part.kind == Kind::kDevice) follows_->addItem(said_id(part.name.toStdString()), part.name);
   form_->addRow(tr("Led &by"), follows_);
@@ -212,7 +212,7 @@ void PartsPanel::remove() {
   if (!item) return;
   QStringList words;
   for (const QString& name : draft_->remove_part(item->data(Qt::UserRole).toString())) words += said_id(name.toStdString());
-  Q_EMIT told(words.isEmpty() ? QString() : tr("What bound it went with it: %1.").arg(words.join(QStringLiteral(", "))));
+  Q_EMIT told(words.isEmpty() ? QString() : tr("Its couplings were removed with it: %1.").arg(words.join(QStringLiteral(", "))));
 }
 
 }  // namespace swage::console

@@ -169,7 +169,7 @@ void PersonPanel::update_buttons() {
   const bool is_void = row && row->is_void;
   void_->setText((is_void ? tr("Count again") : tr("Void…")) + QStringLiteral("   ") + key_text(QStringLiteral("Ctrl+D")));
   void_->setToolTip(is_void ? tr("This attempt counts again (Ctrl+D)")
-                            : tr("It stays, with a reason, and counts for nothing: a fault, a wrong lesson (Ctrl+D)"));
+                            : tr("Void this attempt and say why, as after a fault or a wrong lesson: it is kept and counts for nothing (Ctrl+D)"));
 }
 
 const record::AttemptRow* PersonPanel::chosen_row() const {

@@ -102,7 +102,7 @@ QWidget* SetupPage::make_instrument() {
   pose_ = make_choice(tr("Pose from"), "binding_pose", tr("The device that says where the instrument is"), form);
   jaws_ = make_choice(tr("Jaws from"), "binding_jaws", tr("The device that says how far the jaws are closed, and how hard"), form);
   clutch_ = make_choice(tr("Clutch"), "binding_clutch",
-                        tr("While this button or pedal is down the tool stays, and goes on without a leap"), form);
+                        tr("While this button or pedal is down the tool stands still; afterwards it goes on from there"), form);
   clutch_->addItem(tr("None"), -1);
   for (int i = 0; i < 16; ++i) clutch_->addItem(tr("Button %1").arg(i + 1), i);
   pedal_ = make_choice(tr("Clutch of"), "binding_pedal", tr("The device whose button or pedal that is"), form);

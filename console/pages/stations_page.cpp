@@ -147,7 +147,7 @@ void StationsPage::make_actions(QWidget* parent, QVBoxLayout* body) {
     return made;
   };
   look_ = button(tr("Picture"), "Ctrl+P", "ask_picture", &StationsPage::ask_picture);
-  look_->setToolTip(tr("Of the scene as it is seen there; taken once, when you ask (%1)").arg(key_text(QStringLiteral("Ctrl+P"))));
+  look_->setToolTip(tr("A picture of the scene as that station shows it, taken once (%1)").arg(key_text(QStringLiteral("Ctrl+P"))));
   body->addWidget(look_);
   words_ = line(tr("Words for this station"), "station_words");
   connect(words_, &QLineEdit::returnPressed, this, &StationsPage::send_words);

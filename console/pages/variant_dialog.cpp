@@ -267,7 +267,7 @@ void VariantDialog::update_state() {
                  : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
                                 : tr("No value is changed yet.");
-  if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("The last attempt's are kept.");
+  if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("Those of the last attempt are kept.");
   if (!told_.isEmpty()) text += QLatin1Char(' ') + told_;
   problem_->setText(fault_.isEmpty() ? text : tr("▲ %1").arg(fault_));
 }

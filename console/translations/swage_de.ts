@@ -531,8 +531,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Nur mitgelieferte Plugins.</translation>
     </message>
     <message>
-        <source>Of every attempt, so that targets and tremor are the same again; otherwise each draws its own.</source>
-        <translation>Für jeden Versuch, damit Ziele und Tremor dieselben sind; sonst wird jeweils ein eigener gezogen.</translation>
+        <source>Seed of every attempt, so that targets and tremor are the same again; otherwise each attempt draws its own.</source>
+        <translation>Startwert jedes Versuchs, damit Ziele und Tremor dieselben sind; sonst zieht jeder Versuch einen eigenen.</translation>
     </message>
     <message>
         <source>en or de; that of the system unless given.</source>
@@ -1309,16 +1309,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Testversuche in Folge</translation>
     </message>
     <message>
-        <source>That meet everything that is asked</source>
-        <translation>Die alles Geforderte erfüllen</translation>
+        <source>Test attempts in a row that meet everything that is asked</source>
+        <translation>Testversuche nacheinander, die alles Geforderte erfüllen</translation>
     </message>
     <message>
         <source>then, first of a later day</source>
         <translation>dann die ersten an späterem Tag</translation>
     </message>
     <message>
-        <source>That must do so too; 0: not asked</source>
-        <translation>Die es auch tun müssen; 0: nicht gefordert</translation>
+        <source>First attempts of a later day that must meet it, too; 0: none</source>
+        <translation>Erste Versuche eines späteren Tages, die es auch erfüllen müssen; 0: keine</translation>
     </message>
     <message>
         <source>Failure rate, competent</source>
@@ -1333,7 +1333,7 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Fehlerrate, noch nicht</translation>
     </message>
     <message>
-        <source>Share of attempts that somebody fails who is not</source>
+        <source>Share of attempts that a person fails who is not competent yet</source>
         <translation>Anteil der Versuche, die einer ungeübten Person misslingen</translation>
     </message>
     <message>
@@ -1419,6 +1419,10 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
     <message>
         <source>Each limit such that all but the worst tenth of the experts&apos; attempts keep it</source>
         <translation>Jede Grenze so, dass alle bis auf das schlechteste Zehntel der Expertenversuche sie einhalten</translation>
+    </message>
+    <message>
+        <source>▲ The metrics of this lesson are not known here: is it installed?</source>
+        <translation>▲ Die Kennzahlen dieser Lektion sind hier nicht bekannt: ist sie installiert?</translation>
     </message>
 </context>
 <context>
@@ -1799,16 +1803,16 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Strg+Ziehen</translation>
     </message>
     <message>
-        <source>Turn while the mouse is the instrument</source>
-        <translation>Drehen, während die Maus das Instrument ist</translation>
+        <source>Turn the camera while the mouse is the instrument</source>
+        <translation>Kamera drehen, während die Maus das Instrument ist</translation>
     </message>
     <message>
         <source>Ctrl+Shift+wheel</source>
         <translation>Strg+Umschalt+Rad</translation>
     </message>
     <message>
-        <source>Nearer, further while it is</source>
-        <translation>Näher, weiter weg, während sie es ist</translation>
+        <source>Camera nearer, further while the mouse is the instrument</source>
+        <translation>Kamera näher, weiter weg, während die Maus das Instrument ist</translation>
     </message>
     <message>
         <source>Review</source>
@@ -2024,8 +2028,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>It stays: these lessons are based on it and could not run without it: %1.</source>
-        <translation>Sie bleibt: diese Lektionen bauen auf ihr auf und liefen ohne sie nicht: %1.</translation>
+        <source>It was not deleted: these lessons are based on it and could not run without it: %1.</source>
+        <translation>Sie wurde nicht gelöscht: diese Lektionen bauen auf ihr auf und liefen ohne sie nicht: %1.</translation>
     </message>
     <message>
         <source>The lesson goes into the bin. Attempts at it stay.</source>
@@ -2036,8 +2040,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>While a lesson runs none is imported.</source>
-        <translation>Während eine Lektion läuft, wird keine importiert.</translation>
+        <source>Lessons cannot be imported while one is running.</source>
+        <translation>Lektionen können nicht importiert werden, während eine läuft.</translation>
     </message>
     <message>
         <source>The lesson &quot;%1&quot; is here already.</source>
@@ -2175,8 +2179,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Die Lektion exportieren</translation>
     </message>
     <message>
-        <source>A lesson runs: until it ends none is changed or begun.</source>
-        <translation>Eine Lektion läuft: bis sie endet, wird keine geändert oder begonnen.</translation>
+        <source>A lesson is running. Until it ends, no lesson can be changed or started.</source>
+        <translation>Eine Lektion läuft. Bis sie endet, kann keine geändert oder begonnen werden.</translation>
     </message>
 </context>
 <context>
@@ -2565,6 +2569,22 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <source>Deviation from perpendicular</source>
         <translation>Abweichung von der Senkrechten</translation>
     </message>
+    <message>
+        <source>Thread</source>
+        <translation>Faden</translation>
+    </message>
+    <message>
+        <source>Tension of the thread that is drawn</source>
+        <translation>Zug des Fadens, der gezogen wird</translation>
+    </message>
+    <message>
+        <source>▲ %1, over %2</source>
+        <translation>▲ %1, über %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>swage::console::Pages</name>
@@ -2624,8 +2644,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>&amp;Ort</translation>
     </message>
     <message>
-        <source>Nothing: it stands or falls by itself</source>
-        <translation>Nichts: es steht oder fällt von selbst</translation>
+        <source>Nothing: it stands or moves by itself</source>
+        <translation>Nichts: es steht oder bewegt sich von selbst</translation>
     </message>
     <message>
         <source>Led &amp;by</source>
@@ -2683,8 +2703,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>What bound it went with it: %1.</source>
-        <translation>Was es verband, ging mit: %1.</translation>
+        <source>Its couplings were removed with it: %1.</source>
+        <translation>Seine Kopplungen wurden mit entfernt: %1.</translation>
     </message>
 </context>
 <context>
@@ -3046,8 +3066,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Dieser Versuch zählt wieder (Strg+D)</translation>
     </message>
     <message>
-        <source>It stays, with a reason, and counts for nothing: a fault, a wrong lesson (Ctrl+D)</source>
-        <translation>Er bleibt, mit einem Grund, und zählt für nichts: ein Fehler, eine falsche Lektion (Strg+D)</translation>
+        <source>Void this attempt and say why, as after a fault or a wrong lesson: it is kept and counts for nothing (Ctrl+D)</source>
+        <translation>Diesen Versuch mit einem Grund ungültig machen, etwa nach einer Störung oder einer falschen Lektion: er bleibt und zählt für nichts (Strg+D)</translation>
     </message>
     <message>
         <source>All lessons</source>
@@ -3905,8 +3925,8 @@ Bea L., Frühjahr, links</translation>
         <translation>An diesem Rechner ist kein Sensor kalibriert.</translation>
     </message>
     <message>
-        <source>While this button or pedal is down the tool stays, and goes on without a leap</source>
-        <translation>Solange dieser Knopf oder dieses Pedal gedrückt ist, bleibt das Instrument stehen; dann geht es ohne Sprung weiter</translation>
+        <source>While this button or pedal is down the tool stands still; afterwards it goes on from there</source>
+        <translation>Solange dieser Knopf oder dieses Pedal gedrückt ist, steht das Instrument still; danach geht es von dort weiter</translation>
     </message>
     <message>
         <source>Clutch of</source>
@@ -4067,16 +4087,16 @@ Bea L., Frühjahr, links</translation>
         <translation>Bildschirm&amp;breite</translation>
     </message>
     <message>
-        <source>Of what lights up, along the lower edge</source>
-        <translation>Was leuchtet, entlang der unteren Kante</translation>
+        <source>Width of the part that lights up, along its lower edge</source>
+        <translation>Breite der leuchtenden Fläche, entlang ihrer unteren Kante</translation>
     </message>
     <message>
         <source>Screen &amp;height</source>
         <translation>Bildschirm&amp;höhe</translation>
     </message>
     <message>
-        <source>Of what lights up, along the left edge</source>
-        <translation>Was leuchtet, entlang der linken Kante</translation>
+        <source>Height of the part that lights up, along its left edge</source>
+        <translation>Höhe der leuchtenden Fläche, entlang ihrer linken Kante</translation>
     </message>
     <message>
         <source>&amp;Eyes to picture</source>
@@ -4131,8 +4151,8 @@ Bea L., Frühjahr, links</translation>
         <translation>Die Ansicht des Trainees in dieser Größe zeigen</translation>
     </message>
     <message>
-        <source>Let it stand as the picture stands before the person</source>
-        <translation>So stehen lassen, wie das Bild vor der Person steht</translation>
+        <source>Turn it until the picture stands upright for the person</source>
+        <translation>Drehen, bis das Bild für die Person aufrecht steht</translation>
     </message>
     <message>
         <source>Nobody turns the view then; needed for hand and tool in one place</source>
@@ -4385,8 +4405,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Ein Bild wird angefordert …</translation>
     </message>
     <message>
-        <source>Of the scene as it is seen there; taken once, when you ask (%1)</source>
-        <translation>Von der Szene, wie sie dort zu sehen ist; einmal aufgenommen, wenn Sie fragen (%1)</translation>
+        <source>A picture of the scene as that station shows it, taken once (%1)</source>
+        <translation>Ein Bild der Szene, wie der Platz sie zeigt, einmal aufgenommen (%1)</translation>
     </message>
     <message>
         <source>Pins a note to the moment two seconds ago in the attempt that runs there; the trainee does not see it (%1)</source>
@@ -4611,8 +4631,8 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>&amp;Augenabstand</translation>
     </message>
     <message>
-        <source>What is so far away lies in the plane of the screen: 250 mm is what is in focus, less lets everything recede behind the screen</source>
-        <translation>Was so weit entfernt ist, liegt in der Ebene des Bildschirms: 250 mm ist, was scharf ist, weniger lässt alles hinter den Bildschirm treten</translation>
+        <source>Things at this distance lie in the plane of the screen. 250 mm is the plane in focus; with less, everything recedes behind the screen</source>
+        <translation>Was so weit entfernt ist, liegt in der Ebene des Bildschirms. Bei 250 mm ist es die Schärfeebene; bei weniger tritt alles hinter den Bildschirm</translation>
     </message>
     <message>
         <source>&amp;Convergence</source>
@@ -4761,7 +4781,7 @@ Alle 2 s wird es wieder versucht.</translation>
         <translation>Noch kein Wert ist geändert.</translation>
     </message>
     <message>
-        <source>The last attempt&apos;s are kept.</source>
+        <source>Those of the last attempt are kept.</source>
         <translation>Die des letzten Versuchs bleiben.</translation>
     </message>
     <message>
@@ -4929,7 +4949,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Held at the swage: damages the suture</source>
-        <translation>An der Armierung: schadet dem Faden</translation>
+        <translation>Armierung gefasst: schadet</translation>
     </message>
     <message>
         <source>Thread length right</source>
@@ -5005,7 +5025,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Leave this length of thread</source>
-        <translation>So viel Faden stehen lassen</translation>
+        <translation>So viel Faden lassen</translation>
     </message>
     <message>
         <source>Pulls on the tissue</source>
@@ -5013,7 +5033,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Turns are on: keep them drawn</source>
-        <translation>Windungen liegen: straff halten</translation>
+        <translation>Windungen straff halten</translation>
     </message>
     <message>
         <source>Too many turns</source>
@@ -5025,7 +5045,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>Not this throw, or it slides</source>
-        <translation>Falscher Wurf, oder er gleitet</translation>
+        <translation>Falscher Wurf, er gleitet</translation>
     </message>
     <message>
         <source>Edges together</source>

@@ -46,6 +46,8 @@ in vec3 vertexNormal;
 out vec3 position;
 out vec3 normal;
 out vec3 place;
+out vec3 world;
+uniform mat4 modelMatrix;
 uniform mat4 modelView;
 uniform mat3 modelViewNormal;
 uniform mat4 mvp;
@@ -53,6 +55,7 @@ void main() {
   normal = modelViewNormal * vertexNormal;
   position = vec3(modelView * vec4(vertexPosition, 1.0));
   place = vertexPosition;
+  world = vec3(modelMatrix * vec4(vertexPosition, 1.0));
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 })";
 
@@ -63,7 +66,12 @@ const char* const kSolidFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
 in vec3 place;
+in vec3 world;
 out vec4 fragColor;
+uniform vec3 eyePosition;
+uniform vec3 clear_centre;
+uniform vec2 clear_size;  // radius, depth that is kept
+uniform float clear_fade;
 uniform vec3 colour;
 uniform float metal;
 uniform float gloss;
@@ -100,11 +108,29 @@ vec3 raised(vec3 n, float height) {
   float det = dot(along, a);
   return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
 }
+// cleared() of clear_sight.hpp
+float cleared() {
+  if (clear_size.x <= 0.0) return 0.0;
+  float distance = length(clear_centre - eyePosition);
+  float along = dot(clear_centre - eyePosition, world - eyePosition) / distance;
+  if (along <= 0.0) return 0.0;
+  float aside = length(eyePosition + (world - eyePosition) * distance / along - clear_centre);
+  return smoothstep(clear_size.y, clear_size.y * (1.0 + clear_fade), distance - along) *
+         (1.0 - smoothstep(clear_size.x, clear_size.x * (1.0 + clear_fade), aside));
+}
+// Pixels of an ordered 4 x 4 screen: a surface that is half there needs no order of drawing.
+bool left_out() {
+  ivec2 p = ivec2(gl_FragCoord.xy) & 3;
+  int q = p.x ^ p.y;
+  float threshold = (float(((q & 1) << 3) | ((p.y & 1) << 2) | (q & 2) | ((p.y & 2) >> 1)) + 0.5) / 16.0;
+  return cleared() > threshold;
+}
 void main() {
   vec3 n = normalize(normal);
   vec3 v = normalize(-position);
   vec3 c0 = colour;
   if (finish > 1.5) {
+    if (left_out()) discard;
     c0 *= 0.95 + 0.10 * noise(vec3(1.5 * place.x, 55.0 * place.yz));
   } else if (finish > 0.5) {
     vec3 skew = askew * place;
@@ -247,12 +273,16 @@ QVector3D shade(const QColor& c) {
 
 SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),
+      clear_centre_(add_parameter(this, "clear_centre")),
+      clear_size_(add_parameter(this, "clear_size")),
       colour_(add_parameter(this, "colour")),
       metal_(add_parameter(this, "metal")),
       gloss_(add_parameter(this, "gloss")),
       finish_(add_parameter(this, "finish")) {
+  add_parameter(this, "clear_fade")->setValue(kClearFade);
   add_technique(this, kSolidVertex, kSolidFragment);
-  set({});
+  set(ClearSight());
+  set(Surface());
 }
 
 void SolidMaterial::set(const Surface& s) {
@@ -260,6 +290,11 @@ void SolidMaterial::set(const Surface& s) {
   metal_->setValue(s.metal);
   gloss_->setValue(s.gloss);
   finish_->setValue(static_cast<float>(s.finish));
+}
+
+void SolidMaterial::set(const ClearSight& sight) {
+  clear_centre_->setValue(sight.centre);
+  clear_size_->setValue(QVector2D(sight.radius, sight.kept));
 }
 
 GhostMaterial::GhostMaterial(Qt3DCore::QNode* parent) : QMaterial(parent), colour_(add_parameter(this, "colour")) {

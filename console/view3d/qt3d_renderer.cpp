@@ -98,6 +98,13 @@ class Qt3dRenderer final : public Renderer {
 
   void set_lens(const Lens& lens) override { target_->set_lens(lens, target_->camera(0)->lens()->projectionMatrix()); }
 
+  void set_clear_sight(const ClearSight& sight) override {
+    if (sight == clear_sight_) return;
+    clear_sight_ = sight;
+    for (Part& part : parts_)
+      if (part.material) part.material->set(sight);
+  }
+
   void set_views(std::span<const View> views) override {
     for (size_t i = 0; i < target_->most_views(); ++i) {
       if (i >= views.size()) {
@@ -162,6 +169,7 @@ class Qt3dRenderer final : public Renderer {
     }
     part.material = new SolidMaterial(part.entity);
     part.material->set(surface);
+    part.material->set(clear_sight_);
     part.entity->addComponent(part.material);
   }
 
@@ -213,6 +221,7 @@ class Qt3dRenderer final : public Renderer {
   Qt3DCore::QEntity* root_ = nullptr;  // the engine owns it, and everything below
   std::unique_ptr<PictureTarget> target_;
   std::vector<Part> parts_;
+  ClearSight clear_sight_;
   Qt3DCore::QEntity* floor_entity_ = nullptr;
   FloorMaterial* floor_material_ = nullptr;
   ShadowMaterial* shadow_material_[2] = {};

@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "console/view3d/clear_sight.hpp"
 #include "console/view3d/eye.hpp"
 #include "console/view3d/mesh.hpp"
 
@@ -99,6 +100,8 @@ class Renderer {
   virtual void set_shelf(const Floor& shelf) = 0;
   /// At most as many as the renderer was made for; the others sleep.
   virtual void set_views(std::span<const View> views) = 0;
+  /// What instruments (Finish::kBrushed) must not hide, in all views.
+  virtual void set_clear_sight(const ClearSight& sight) = 0;
   /// For all views, which have the same near and far plane; after set_views().
   virtual void set_lens(const Lens& lens) = 0;
   virtual void resize(const QSize& pixels) = 0;

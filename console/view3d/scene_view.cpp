@@ -215,6 +215,7 @@ void SceneView::tick() {
   const std::vector<Panel> parts = panels();
   for (const Panel& panel : parts) views.push_back(panel.view);
   renderer_->set_views(views);
+  renderer_->set_clear_sight(point_.clear_sight());
   renderer_->set_lens(point_.lens(views.front().part.size(), views.front().eye));
   QPointer<SceneView> self(this);
   renderer_->draw([self, parts](const QImage& image) {

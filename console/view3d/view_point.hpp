@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "console/view3d/camera.hpp"
+#include "console/view3d/clear_sight.hpp"
 #include "console/view3d/eye.hpp"
 #include "console/view3d/renderer.hpp"
 #include "console/view3d/scene_state.hpp"
@@ -46,6 +47,8 @@ class ViewPoint {
   QSizeF screen_mm_per_pixel() const;
   /// The eyes of a panel of this size in pixels: left and right, or the middle one twice. Only for stereo().
   std::array<Eye, 2> eyes(const QSizeF& panel) const;
+  /// What instruments must not hide: from the side the needle that they drive. A trainee's view shows all of them, as a microscope does.
+  ClearSight clear_sight() const;
   /// How the scene is seen here, for the record of an attempt.
   record::Display display() const;
 

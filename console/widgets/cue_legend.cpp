@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/widgets/cue_legend.hpp"
 
+#include <QEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +18,7 @@ constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
 // Of the usual size, where the words of one row do not fit its line: all are written so much smaller, down to what is still read at arm's length.
 constexpr double kSmallest = 0.75;
+constexpr double kStep = 0.025;  // between the sizes that are tried: less than a pixel of letters as high as these
 
 }  // namespace
 
@@ -39,8 +41,9 @@ class CueLegend::Row : public QWidget {
     setAccessibleDescription(on ? CueLegend::tr("on now") : QString());
     update();
   }
-  /// Of its line over its words at the usual size, 4 % less: letters of another size are not as much narrower, to a pixel each.
-  double fit() const { return 0.96 * room().width() / std::max(1.0, words_px()); }
+  /// Whether its words have room in one line at this size. They are measured at that size: each letter is as wide as whole pixels, so
+  /// that words of nine tenths of the size may be as wide as before.
+  bool fits(double scale) const { return QFontMetricsF(words_font(scale)).horizontalAdvance(style_.text) <= room().width(); }
   /// px, that the whole row asks for
   int natural_px() const { return static_cast<int>(room().left() + words_px()) + 4; }
 
@@ -55,8 +58,7 @@ class CueLegend::Row : public QWidget {
     }
     const int sign = sign_px();
     paint_cue_shape(p, {5, 0.5 * (height() - sign)}, sign, style_);
-    QFont text = font();
-    text.setPointSizeF(text.pointSizeF() * legend_->scale());
+    QFont text = words_font(legend_->scale());
     QFont bold = text;
     bold.setBold(true);
     // bold words are wider; the frame tells alone where they would be cut short
@@ -70,14 +72,28 @@ class CueLegend::Row : public QWidget {
       p.drawText(room(), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, style_.text);
   }
 
+  void resizeEvent(QResizeEvent* event) override {
+    legend_->scale_ = 0;
+    QWidget::resizeEvent(event);
+  }
+  void changeEvent(QEvent* event) override {
+    if (event->type() == QEvent::FontChange) legend_->scale_ = 0;
+    QWidget::changeEvent(event);
+  }
+
  private:
   double words_px() const { return QFontMetricsF(font()).horizontalAdvance(style_.text); }
+  QFont words_font(double scale) const {
+    QFont out = font();
+    out.setPointSizeF(out.pointSizeF() * scale);
+    return out;
+  }
   int sign_px() const { return low_ ? kLow_px - 3 : kSign_px; }
   QRectF room() const {
     const double left = 5 + (wide_ ? 2 : 1) * sign_px() + 6;
     return {left, 0, width() - left - 2, double(height())};
   }
-  const CueLegend* legend_;
+  CueLegend* legend_;
   CueStyle style_;
   UiTheme ui_;
   bool wide_, low_, active_ = false;
@@ -131,6 +147,7 @@ void CueLegend::add_column(const QStringList& meanings, int column, bool low) {
 void CueLegend::fill() {
   for (Row* row : rows_) delete row;
   rows_.clear();
+  scale_ = 0;
   const auto lines = static_cast<int>((meanings_.size() + kColumns - 1) / kColumns);
   for (int column = 0; column < kColumns; ++column) add_column(meanings_.mid(column * lines, lines), column, lines > kMostTall);
   empty_->setVisible(has_lesson_ && meanings_.isEmpty());
@@ -139,15 +156,24 @@ void CueLegend::fill() {
   set_active(now);
 }
 
-double CueLegend::narrowest() const {
-  double least = 1;
-  for (const Row* row : rows_) least = std::min(least, row->fit());
-  return least;
+bool CueLegend::fit(double scale) const {
+  return std::all_of(rows_.begin(), rows_.end(), [&](const Row* row) { return row->fits(scale); });
 }
 
-double CueLegend::scale() const { return std::max(kSmallest, narrowest()); }
-bool CueLegend::has_long_words() const { return narrowest() < 1; }
-bool CueLegend::has_cut_words() const { return narrowest() < kSmallest; }
+double CueLegend::scale() const {
+  if (scale_ > 0) return scale_;
+  scale_ = 1;
+  while (scale_ > kSmallest && !fit(scale_)) scale_ -= kStep;
+  return scale_ = std::max(scale_, kSmallest);
+}
+
+bool CueLegend::has_long_words() const { return scale() < 1; }
+QStringList CueLegend::cut_words() const {
+  QStringList out;
+  for (const Row* row : rows_)
+    if (!row->fits(scale())) out += row->accessibleName();
+  return out;
+}
 
 void CueLegend::set_active(const QStringList& meanings) {
   if (meanings == active_) return;

@@ -22,8 +22,8 @@ class CueLegend : public QFrame {
   void set_in_picture(bool shown);
   /// Whether the words of some row do not fit one line: then all are written smaller, so that they have one size.
   bool has_long_words() const;
-  /// Whether some do not fit even then, and are cut short: their tip has them whole.
-  bool has_cut_words() const;
+  /// Words that do not fit even then, and are cut short: their tip has them whole.
+  QStringList cut_words() const;
 
   const QStringList& meanings() const { return meanings_; }
   const QStringList& active() const { return active_; }
@@ -31,14 +31,15 @@ class CueLegend : public QFrame {
  private:
   class Row;
   void fill();
-  double narrowest() const;  // of all rows: the line over its words, at most 1
-  double scale() const;      // of the words' usual size
+  bool fit(double scale) const;  // all words at this size
+  double scale() const;          // of the words' usual size
   void add_column(const QStringList& meanings, int column, bool low);
   CueTheme cues_;
   UiTheme ui_;
   QStringList meanings_, active_;
   bool has_lesson_ = false;  // without one nothing is said of its cues
   QVector<Row*> rows_;
+  mutable double scale_ = 0;  // 0: to be found anew
   QLabel *heading_, *empty_;
   QGridLayout* grid_;
 };

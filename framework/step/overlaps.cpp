@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "step/sentences.hpp"
+
 namespace swage::step {
 
 namespace {
@@ -38,12 +40,9 @@ base::Problems start_overlaps(const host::Rig& rig, const contact::Options& opti
     if (depth[i] <= kDeep * rig.world.length || swaged(rig, rig.pairs[i])) continue;
     const auto& a = *rig.objects[rig.pairs[i].object_a].instance;
     const auto& b = *rig.objects[rig.pairs[i].object_b].instance;
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "\"%.80s\" starts %.3g mm inside \"%.80s\": they will be pushed apart, and what is light is thrown. Move one of "
-                  "them in the lesson file (pose).",
-                  a.name.c_str(), 1e3 * depth[i], b.name.c_str());
-    out.push_back({base::Severity::kWarning, a.name, text});
+    char deep_mm[32];
+    std::snprintf(deep_mm, sizeof deep_mm, "%.3g", 1e3 * depth[i]);
+    out.push_back({base::Severity::kWarning, a.name, say::kStartsInside(a.name, deep_mm, b.name)});
   }
   return out;
 }

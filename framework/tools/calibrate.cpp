@@ -9,7 +9,7 @@
 #include "base/clock.hpp"
 #include "sensor/bench.hpp"
 #include "sensor/calibration_file.hpp"
-#include "tools/calibrate_sentences.hpp"
+#include "tools/sentences.hpp"
 #include "tools/number_table.hpp"
 #include "tools/print.hpp"
 #include "tools/sensor_verbs.hpp"

@@ -45,12 +45,9 @@ Finding scheduling() {
     const sched_param wanted{70};
     refused = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);
   }).join();
-  if (refused == 0) return {"scheduling", State::kGood, "the step may run with SCHED_FIFO", ""};
+  if (refused == 0) return {"scheduling", State::kGood, say::kMayBeRealTime(), ""};
   return {"scheduling", State::kPoor,
-          std::string("SCHED_FIFO is not permitted (") + std::strerror(refused) +
-              "): under load some steps will come milliseconds late",
-          "Add the line  \"@audio - rtprio 80\"  to /etc/security/limits.d/swage.conf, join that group and "
-          "log in again."};
+          say::kNotRealTime(std::strerror(refused)), say::kPermitRealTime()};
 }
 
 Finding memory() {
@@ -60,19 +57,17 @@ Finding memory() {
   getrlimit(RLIMIT_MEMLOCK, &limit);
   const bool root = geteuid() == 0;
   if (root || limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= kNeeded)
-    return {"memory", State::kGood, "memory may be locked", ""};
+    return {"memory", State::kGood, say::kMayBeLocked(), ""};
   return {
       "memory", State::kPoor,
-      format("only %llu kB may be locked: a page that is not there costs a step",
-             static_cast<unsigned long long>(limit.rlim_cur >> 10)),
-      "Add the line  \"@audio - memlock unlimited\"  to /etc/security/limits.d/swage.conf and log in again."};
+      say::kLittleLocked(limit.rlim_cur >> 10), say::kPermitLocking()};
 }
 
 Finding processors() {
   const unsigned n = std::thread::hardware_concurrency();
   if (n >= 2) return {"processors", State::kGood, format("%u", n), ""};
-  return {"processors", State::kPoor, "one processor: the window and the step share it",
-          "Use a machine with two or more, or run lessons with --headless."};
+  return {"processors", State::kPoor, say::kOneProcessor(),
+          say::kMoreProcessors()};
 }
 
 // as "vendor, version", "" when there is none. EGL is loaded by hand: the program must start without it
@@ -98,14 +93,14 @@ Finding graphics() {
   if (child.ok() && !child.out.empty()) return {"graphics", State::kGood, child.out, ""};
   return {
       "graphics", State::kPoor,
-      child.ok() ? "no OpenGL: the window opens without the 3D view" : "the OpenGL driver crashes or hangs",
-      "Install the packages libegl1 and libgl1-mesa-dri (Debian); they also draw without a graphics card."};
+      child.ok() ? say::kNoOpenGl() : say::kBadOpenGl(),
+      say::kInstallOpenGl()};
 }
 
 Finding console() {
-  if (!beside("swage-console").empty()) return {"window", State::kGood, "swage-console is installed", ""};
-  return {"window", State::kPoor, "swage-console is not beside this program: lessons run without a window",
-          "Build with -DSWAGE_CONSOLE=ON (it needs Qt6 with Qt3D)."};
+  if (!beside("swage-console").empty()) return {"window", State::kGood, say::kHasConsole(), ""};
+  return {"window", State::kPoor, say::kLacksConsole(),
+          say::kBuildConsole()};
 }
 
 std::vector<Finding> plugins(const DoctorOptions& o) {
@@ -158,11 +153,11 @@ Finding store(const std::string& where) {
   const std::string trouble = !damage.empty() ? damage : opened->trouble();
   if (!trouble.empty())
     return {"store", State::kBad, trouble,
-            server ? "Restore the newest backup of that database."
-                   : "Put a new one in its place with: swage attempts salvage --store " + where};
-  const std::string text = format("%zu attempts in ", attempts) + record::shown(where);
+            server ? say::kRestoreServer()
+                   : say::kSalvage(where)};
+  const std::string text = say::kAttemptsIn(attempts, record::shown(where));
   if (opened->read_only())
-    return {"store", State::kPoor, text + ", which can only be read here: no attempt can be kept", remedy};
+    return {"store", State::kPoor, say::kReadOnly(text), remedy};
   return {"store", State::kGood, text, ""};
 }
 
@@ -171,15 +166,15 @@ Finding disk(const std::string& where) {
   constexpr uint64_t kEnough = uint64_t{1} << 30;
   std::error_code ignored;
   struct statvfs facts {};
-  if (record::is_postgres(where)) return {"disk", State::kGood, "the store is on a server", ""};
+  if (record::is_postgres(where)) return {"disk", State::kGood, say::kOnServer(), ""};
   const fs::path folder = existing(fs::absolute(where, ignored));
   if (statvfs(folder.c_str(), &facts) != 0)
-    return {"disk", State::kBad, folder.string() + " cannot be asked", ""};
+    return {"disk", State::kBad, say::kNotAsked(folder.string()), ""};
   const uint64_t free = uint64_t{facts.f_bavail} * facts.f_frsize;
-  const std::string text = format("%.1f GB free for attempts", 1e-9 * static_cast<double>(free));
+  const std::string text = say::kFree(format("%.1f", 1e-9 * static_cast<double>(free)));
   if (free >= kEnough) return {"disk", State::kGood, text, ""};
   return {"disk", State::kPoor, text,
-          "Free space on the disk of " + folder.string() + ", or choose another with --store."};
+          say::kMakeRoom(folder.string())};
 }
 
 const char* text(State state) {

@@ -7,6 +7,7 @@
 #include "host/child.hpp"
 #include "host/guard.hpp"
 #include "tools/places.hpp"
+#include "tools/sentences.hpp"
 #include "tools/test_scene.hpp"
 
 namespace swage::tools {
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 // "" for a device that cannot be asked, else what it says, as JSON
 std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) {
   const TestScene scene(info, catalogue);
-  if (!scene.on_thread()) return nlohmann::json{{"ready", true}, {"said", "It needs no hardware of its own."}}.dump();
+  if (!scene.on_thread()) return nlohmann::json{{"ready", true}, {"said", say::kNoHardware()}}.dump();
   if (!scene.skipped().empty()) return "";
   Stepped made;
   std::string why;
@@ -38,7 +39,7 @@ std::string ask(const host::PluginInfo& info, const host::Catalogue& catalogue) 
 void split(const std::string& said, DeviceState& out) {
   const std::size_t end = said.find(". ");
   out.text = said.substr(0, end);
-  out.remedy = end == std::string::npos ? "Its page in the documentation says how it is set up." : said.substr(end + 2);
+  out.remedy = end == std::string::npos ? say::kSeeItsPage() : said.substr(end + 2);
 }
 
 // a rule that comes with the plugin, or with Swage
@@ -70,18 +71,18 @@ std::vector<DeviceState> ask_devices(const host::Catalogue& catalogue) {
     state.id = info->id;
     const auto answer = nlohmann::json::parse(child.out, nullptr, false);
     if (!child.ok() || !answer.is_object()) {
-      state.text = child.timed_out ? "it does not come back from open()" : "it ends the process in which it is opened";
-      state.remedy = "Unplug what it drives, and tell its author.";
+      state.text = child.timed_out ? say::kNeverOpens() : say::kEndsProcess();
+      state.remedy = say::kUnplug();
       continue;
     }
     state.ready = answer.value("ready", false);
     const std::string said = answer.value("said", "");
     if (!state.ready) {
-      split(said.empty() ? "It could not be opened" : said, state);
+      split(said.empty() ? say::kOpensSilently() : said, state);
       state.command = command_for(*info, said);
       continue;
     }
-    state.text = said.empty() ? "ready" : "ready. " + said;
+    state.text = said.empty() ? say::kReady() : say::kReadyAnd(said);
   }
   return out;
 }

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "toolkit/read_file.hpp"
-#include "tools/calibrate_sentences.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools {
 

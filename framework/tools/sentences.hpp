@@ -140,6 +140,39 @@ inline constexpr auto kRefused = "{} is refused. {}"_sentence;
 inline constexpr auto kRebuild = "Rebuild it against this version of Swage, or take it out of the folder."_sentence;
 inline constexpr auto kHidden = "{} ({}) is hidden by {}"_sentence;
 inline constexpr auto kTakeOneOut = "Take one of the two out of its folder."_sentence;
+inline constexpr auto kMayBeRealTime = "the step may run with SCHED_FIFO"_sentence;
+inline constexpr auto kNotRealTime = "SCHED_FIFO is not permitted ({}): under load some steps will come milliseconds late"_sentence;
+inline constexpr auto kPermitRealTime =
+    "Add the line  \"@audio - rtprio 80\"  to /etc/security/limits.d/swage.conf, join that group and log in again."_sentence;
+inline constexpr auto kMayBeLocked = "memory may be locked"_sentence;
+inline constexpr auto kLittleLocked = "only {} kB may be locked: a page that is not there costs a step"_sentence;
+inline constexpr auto kPermitLocking =
+    "Add the line  \"@audio - memlock unlimited\"  to /etc/security/limits.d/swage.conf and log in again."_sentence;
+inline constexpr auto kOneProcessor = "one processor: the window and the step share it"_sentence;
+inline constexpr auto kMoreProcessors = "Use a machine with two or more, or run lessons with --headless."_sentence;
+inline constexpr auto kNoOpenGl = "no OpenGL: the window opens without the 3D view"_sentence;
+inline constexpr auto kBadOpenGl = "the OpenGL driver crashes or hangs"_sentence;
+inline constexpr auto kInstallOpenGl =
+    "Install the packages libegl1 and libgl1-mesa-dri (Debian); they also draw without a graphics card."_sentence;
+inline constexpr auto kHasConsole = "swage-console is installed"_sentence;
+inline constexpr auto kLacksConsole = "swage-console is not beside this program: lessons run without a window"_sentence;
+inline constexpr auto kBuildConsole = "Build with -DSWAGE_CONSOLE=ON (it needs Qt6 with Qt3D)."_sentence;
+inline constexpr auto kRestoreServer = "Restore the newest backup of that database."_sentence;
+inline constexpr auto kSalvage = "Put a new one in its place with: swage attempts salvage --store {}"_sentence;
+inline constexpr auto kAttemptsIn = "{} attempts in {}"_sentence;
+inline constexpr auto kReadOnly = "{}, which can only be read here: no attempt can be kept"_sentence;  // after the last
+inline constexpr auto kOnServer = "the store is on a server"_sentence;
+inline constexpr auto kNotAsked = "{} cannot be asked"_sentence;
+inline constexpr auto kFree = "{} GB free for attempts"_sentence;
+inline constexpr auto kMakeRoom = "Free space on the disk of {}, or choose another with --store."_sentence;
+inline constexpr auto kNoHardware = "It needs no hardware of its own."_sentence;
+inline constexpr auto kSeeItsPage = "Its page in the documentation says how it is set up."_sentence;
+inline constexpr auto kNeverOpens = "it does not come back from open()"_sentence;
+inline constexpr auto kEndsProcess = "it ends the process in which it is opened"_sentence;
+inline constexpr auto kUnplug = "Unplug what it drives, and tell its author."_sentence;
+inline constexpr auto kOpensSilently = "It could not be opened"_sentence;
+inline constexpr auto kReady = "ready"_sentence;
+inline constexpr auto kReadyAnd = "ready. {}"_sentence;
 
 // swage validate
 inline constexpr auto kNoTest = "There is no test \"{}\".{} It has: {}."_sentence;  // second: "did you mean"
@@ -148,6 +181,7 @@ inline constexpr auto kSeed = " Seed: {}."_sentence;
 inline constexpr auto kParameters = " Parameters: {}"_sentence;
 
 // the tests of a plugin that steps
+inline constexpr auto kStepTakes = "A step of its scene takes {} ms, p99 {} ms, worst {} ms."_sentence;
 inline constexpr auto kEnergy = "Its energy grew by {} J until step {}, with nothing that touches it."_sentence;
 inline constexpr auto kSubnormal = "A private double has become subnormal: arithmetic with it is a hundred times slower."_sentence;
 inline constexpr auto kNotRestored = "The saved state cannot be restored."_sentence;
@@ -264,5 +298,23 @@ inline constexpr auto kOtherClock = "The time of its measurements is not on the 
 inline constexpr auto kExchange = " Exchange {}."_sentence;
 inline constexpr auto kInTheStep = "It is asked in the step, as the other tests do."_sentence;
 inline constexpr auto kMeasurements = "{} measurements; the longest exchange took {} ms."_sentence;
+
+// swage calibrate: what it is told; sentences of sensors and fits are in sensor/sentences.hpp
+inline constexpr auto kSayWho = "Say who calibrates, with --by."_sentence;
+inline constexpr auto kWhoseTable = "Say whose table this is: the sensor's serial number with --serial."_sentence;
+inline constexpr auto kCannotName = "\"{}\" cannot name a file. Give a serial number of letters, digits, - _ and . with --serial."_sentence;
+inline constexpr auto kTypedNoNumber = "That is no number."_sentence;
+inline constexpr auto kNobodyAnswers = "Nobody answers."_sentence;
+inline constexpr auto kNobodyKeeps = "Nobody answers; nothing is kept."_sentence;
+inline constexpr auto kNothingKept = " Nothing is kept."_sentence;  // after why
+inline constexpr auto kRowOf = "{}, line {}: a row has {} numbers."_sentence;
+inline constexpr auto kNoRow = "{}: It has no row of numbers."_sentence;
+inline constexpr auto kOfTable = "{}: {}"_sentence;
+
+// and of the sensor
+inline constexpr auto kSaysNotWho = "{} does not say who it is. Is it a sensor that speaks JAW1, and powered?"_sentence;
+inline constexpr auto kVoltsFirst = "Its volts have no meaning yet. First: swage calibrate displacement."_sentence;
+inline constexpr auto kTravelFirst = "Its travel has no force yet. First: swage calibrate force."_sentence;
+inline constexpr auto kNoneKept = "No calibration is kept in {}"_sentence;
 
 }  // namespace swage::tools::say

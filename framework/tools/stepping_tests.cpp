@@ -177,7 +177,7 @@ std::string try_params(const TestScene& scene, const nlohmann::json& params) {
   std::string error;
   Wish wish;
   wish.params = params.dump();
-  if (!scene.make(wish, s, error)) return error.empty() ? "Refused without a reason" : "";
+  if (!scene.make(wish, s, error)) return error.empty() ? say::kRefusedSilently() : "";
   return s.run(20);
 }
 
@@ -221,8 +221,8 @@ Finding time(const TestScene& scene, uint64_t) {
   }
   std::sort(ms.begin(), ms.end());
   const double p99 = ms[ms.size() * 99 / 100];
-  const std::string text = format("A step of its scene takes %.4f ms, p99 %.4f ms, worst %.4f ms.",
-                                  ms[ms.size() / 2], p99, ms.back());
+  const auto told = [](double value_ms) { return format("%.4f", value_ms); };
+  const std::string text = say::kStepTakes(told(ms[ms.size() / 2]), told(p99), told(ms.back()));
   // a fifth of the step's budget for one plugin alone
   return {p99 > 0.2 ? Mark::kWarning : Mark::kSuccess, text};
 }

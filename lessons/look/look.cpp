@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "sentences.hpp"
+
 namespace swage::lesson_look {
 
 struct LookParams {
@@ -60,8 +62,7 @@ class Look final : public Lesson<LookParams> {
     measures_ = read(params.measures);
     for (Measure& m : measures_) {
       if (m.unit.empty())
-        builder.error("measures",
-                      "owner, signal and unit are needed between two commas, not more and not less");
+        builder.error("measures", say::kThreeWords());
       else
         m.metric = builder.metric(metric_id(m).c_str(), m.unit.c_str(), "Greatest value of this signal.");
     }
@@ -72,10 +73,9 @@ class Look final : public Lesson<LookParams> {
     for (Measure& m : measures_) {
       m.signal = scene.find_signal(m.owner, m.id);
       if (!m.signal.valid()) {
-        binder.missing(scene, "signal", m.owner, m.id, "which \"measures\" names");
+        binder.missing(scene, "signal", m.owner, m.id, say::kNamed());
       } else if (view(scene->signal[m.signal].unit) != m.unit) {
-        binder.error("\"" + m.id + "\" is told in " + std::string(view(scene->signal[m.signal].unit)) +
-                     ", not in " + m.unit + " as \"measures\" says");
+        binder.error(say::kOtherUnit(m.id, view(scene->signal[m.signal].unit), m.unit));
       }
     }
   }

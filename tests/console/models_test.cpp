@@ -225,6 +225,26 @@ TEST(Reading, OfSeveralThingsTheOneThatIsHeldIsTold) {
   }
 }
 
+TEST(Reading, TheTensionIsThatOfTheThreadThatIsDrawn) {
+  const auto tension_of = [](const std::vector<judge::Name>& signals) {
+    snapshot::SceneCard card;
+    card.script.signals = signals;
+    auto s = std::make_unique<snapshot::Snapshot>();
+    s->n_signal = static_cast<uint32_t>(signals.size());
+    for (uint32_t i = 0; i < s->n_signal; ++i) s->signal[i] = 1 + i;
+    const Reader reader(card);
+    EXPECT_EQ(reader.has_tension(), reader.read(*s).tension.has_value());
+    return reader.read(*s).tension;
+  };
+  const judge::Name drawn{"swaged", "swage.tension", "N", ""}, own{"suture", "thread.tension", "N", ""};
+  EXPECT_EQ(tension_of({drawn, {"pull", "pull.tension_out", "N", ""}, own}), 1) << "at the needle";
+  EXPECT_EQ(tension_of({{"near", "pull.tension_tail", "N", ""}, {"far", "pull.tension_out", "N", ""},
+                        {"near", "pull.tension_out", "N", ""}, {"far", "pull.tension_tail", "N", ""}, own}), 3)
+      << "outside of both holes, not between them";
+  EXPECT_EQ(tension_of({own}), 1);
+  EXPECT_FALSE(tension_of({{"touch", "contact.force", "N", ""}}));
+}
+
 // the jaws of an assistant hold the needle whose angle is judged: nobody asks how hard
 TEST(Reading, AnAssistantsForceIsNotShown) {
   snapshot::SceneCard card;

@@ -141,6 +141,22 @@ TEST_F(Shell, ALimitIsAddedWhereThereAreNoExperts) {
   EXPECT_TRUE(eventually([&] { return limits().size() == 1 && limits()[0].most == 40; }));
   click("remove_limit");
   EXPECT_TRUE(limits().empty());
+  // a button that is pressed by its key shows it for 100 ms and acts then. The lesson is not installed where this test runs, and the choice
+  // of metrics is empty again: that is told
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::ControlModifier);
+  EXPECT_TRUE(eventually([&] { return child<QLabel>("course_problem")->text().contains("not known here"); }));
+  EXPECT_TRUE(limits().empty());
+  // by its key, wherever the focus is on the page
+  for (const char* name : {"limit_metric", "limits", "add_lesson_choice", "rule_kind"}) {
+    auto* focus = window->findChild<QWidget*>(QString::fromLatin1(name));
+    if (!focus || !focus->isVisible()) continue;
+    metric->addItem(QStringLiteral("Active time"), QStringLiteral("time.task"));
+    metric->setCurrentIndex(metric->count() - 1);
+    focus->setFocus();
+    const size_t before = limits().size();
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_M, Qt::ControlModifier);
+    EXPECT_TRUE(eventually([&] { return limits().size() == before + 1; })) << name;
+  }
 }
 
 TEST_F(Shell, ANameWithoutAnEndingGetsThatOfItsKindOfFile) {

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+
+#include "console/view3d/clear_sight.hpp"
 
 namespace swage::console {
 namespace {
@@ -34,6 +37,34 @@ TEST(Sight, ATurnedBoxHidesWhatItsEdgeReaches) {
   const std::vector<swage_pose> X_WB = {{{-5e-3, 0, 0}, {std::cos(half), 0, 0, std::sin(half)}}};
   EXPECT_TRUE(hidden(with_box(Role::kStage), X_WB, {0, 1.3F, 0}, {-1, 0, 0}));
   EXPECT_FALSE(hidden(with_box(Role::kStage), X_WB, {0, 1.5F, 0}, {-1, 0, 0}));
+}
+
+// A shaft from the needle to the eye 100 mm away: jaws are drawn, what hides the needle is not, nor is anything taken beside or behind it.
+TEST(ClearSight, LeavesOutOfAnInstrumentOnlyWhatStandsBeforeTheNeedle) {
+  const ClearSight sight{{0, 0, 0}, 2, 2.5F};
+  const QVector3D eye(0, -100, 0);
+  EXPECT_EQ(cleared(sight, eye, {0, -2, 0}), 0) << "the jaws";
+  EXPECT_EQ(cleared(sight, eye, {0, 30, 0}), 0) << "behind the needle";
+  for (const float before : {5.F, 20.F, 60.F}) EXPECT_EQ(cleared(sight, eye, {0, -before, 0}), 1) << before << " mm before it";
+  // half way to the eye a place 1.5 mm aside is seen over one 3 mm aside
+  EXPECT_EQ(cleared(sight, eye, {1.5F, -50, 0}), 0);
+  EXPECT_EQ(cleared(sight, eye, {0.9F, -50, 0}), 1);
+  EXPECT_EQ(cleared(sight, eye, {0, -120, 0}), 0) << "behind the eye";
+  EXPECT_EQ(cleared({}, eye, {0, -20, 0}), 0);
+}
+
+TEST(ClearSight, FadesWithoutAnEdge) {
+  const ClearSight sight{{0, 0, 0}, 2, 2.5F};
+  const QVector3D eye(0, -100, 0);
+  for (const bool aside : {true, false}) {
+    float last = aside ? 1.F : 0.F;
+    for (float mm = 0; mm < 4; mm += 0.05F) {
+      const float now = aside ? cleared(sight, eye, {mm / 2, -50, 0}) : cleared(sight, eye, {0, -mm, 0});
+      EXPECT_LT(std::abs(now - last), 0.15F) << mm;
+      EXPECT_LE((aside ? 1.F : -1.F) * (now - last), 0) << mm;
+      last = now;
+    }
+  }
 }
 
 }  // namespace

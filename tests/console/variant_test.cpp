@@ -141,7 +141,7 @@ TEST_F(VariantDialogs, WriteWhatWasChangedAndItReadsBack) {
 TEST_F(VariantDialogs, StartWithWhatAnAttemptWasAdjustedTo) {
   dialog->preset({{"tissue", "thickness", {2e-3}}, {"nobody", "size", {1}}});
   EXPECT_EQ(child<QDoubleSpinBox>("live_tissue_thickness_0")->value(), 2);
-  EXPECT_EQ(child<QLabel>("variant_problem")->text(), "One value is changed. The last attempt's are kept.");
+  EXPECT_EQ(child<QLabel>("variant_problem")->text(), "One value is changed. Those of the last attempt are kept.");
   save();
   EXPECT_EQ(checked["objects"][1]["params"]["thickness"], "2 mm");
 }

@@ -13,7 +13,7 @@
 #include "sensor_thread.hpp"
 #include "test_places.hpp"
 #include "toolkit/sentences.hpp"
-#include "tools/calibrate_sentences.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {

@@ -20,6 +20,7 @@
 #include "spacemouse/sentences.hpp"
 #include "tablet/sentences.hpp"
 #include "test_places.hpp"
+#include "tools/sentences.hpp"
 
 namespace swage::tools::test {
 namespace {
@@ -86,7 +87,7 @@ TEST_F(Doctor, NamesEveryKindAndWhatIsMissing) {
   const nlohmann::json list = ask({"--json"}).json();
   for (const char* kind : {"mouse", "scripted", "skilled", "replay"}) {
     EXPECT_EQ(of(kind, list)["state"], "good");
-    EXPECT_EQ(of(kind, list)["text"], "ready. It needs no hardware of its own.");
+    EXPECT_EQ(of(kind, list)["text"], tools::say::kReadyAnd(tools::say::kNoHardware()));
   }
   struct Kind {
     std::string id;

@@ -2,6 +2,7 @@
 //
 // The looking lesson: signals that it is told to measure, and what it says when they are not there.
 #include "lesson_stage.hpp"
+#include "lessons/look/sentences.hpp"
 
 namespace swage::stage {
 namespace {
@@ -55,8 +56,8 @@ TEST_F(LookOnStage, NeedsNothingWhenItMeasuresNothing) {
 TEST_F(LookOnStage, SaysWhatIsNotThereAndWhatIsToldInAnotherUnit) {
   EXPECT_LT(bind({{"measures", std::string("needle needle.stress 1, grasp grasp.force N")}}), 0);
   ASSERT_EQ(problems.size(), 2u);
-  EXPECT_TRUE(problems[0].starts_with("\"needle\" has no signal \"needle.stress\", which \"measures\" names. It has: ")) << problems[0];
-  EXPECT_EQ(problems[1], "\"grasp.force\" is told in 1, not in N as \"measures\" says");
+  EXPECT_TRUE(problems[0].starts_with("\"needle\" has no signal \"needle.stress\", " + lesson_look::say::kNamed() + ". It has: ")) << problems[0];
+  EXPECT_EQ(problems[1], lesson_look::say::kOtherUnit("grasp.force", "1", "N"));
 }
 
 TEST_F(LookOnStage, RefusesWhatIsNotThreeWords) {

@@ -109,7 +109,7 @@ TEST(Guard, wrong_thread_is_reported_once_and_not_fatal) {
   EXPECT_EQ(ball.host.faults[0].code, SWAGE_FAULT_THREAD);
   EXPECT_EQ(ball.host.faults[0].b, SWAGE_THREAD_MAIN);
   EXPECT_EQ(ball.host.reports,
-            std::vector<std::string>{"ball: forces: the host called from the wrong thread"});
+            std::vector<std::string>{std::string("ball: forces: ") + detail::kWrongThread});
 }
 
 TEST(Guard, main_calls_from_the_step_leave_a_record_without_words) {
@@ -130,14 +130,14 @@ TEST(Guard, wrong_order_is_reported_and_does_nothing) {
   ball.host.role = SWAGE_THREAD_MAIN;
   EXPECT_EQ(ball.raw->activate(ball.raw, 1e-3), SWAGE_ERROR);
   EXPECT_EQ(ball.host.reports.back(),
-            "test.object.everything: activate: called before a configure that succeeded");
+            std::string("test.object.everything: activate: ") + detail::kTooEarly);
   ball.raw->deactivate(ball.raw);
-  EXPECT_EQ(ball.host.reports.back(), "test.object.everything: deactivate: called before activate");
+  EXPECT_EQ(ball.host.reports.back(), std::string("test.object.everything: deactivate: ") + detail::kNotActive);
   ASSERT_EQ(ball.configure(), SWAGE_OK);
   ASSERT_EQ(ball.raw->activate(ball.raw, 1e-3), SWAGE_OK);
   EXPECT_EQ(ball.raw->activate(ball.raw, 1e-3), SWAGE_ERROR);
   EXPECT_EQ(ball.configure(), SWAGE_ERROR);
-  EXPECT_EQ(ball.host.reports.back(), "ball: configure: called while active");
+  EXPECT_EQ(ball.host.reports.back(), std::string("ball: configure: ") + detail::kStillActive);
   ball.raw->deactivate(ball.raw);
   EXPECT_EQ(ball.configure(), SWAGE_OK);
 }

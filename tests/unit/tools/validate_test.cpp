@@ -6,6 +6,7 @@
 #include "host/sentences.hpp"
 #include "program.hpp"
 #include "test_places.hpp"
+#include "step/sentences.hpp"
 #include "tools/sentences.hpp"
 
 namespace swage::tools::test {
@@ -184,9 +185,10 @@ TEST_F(Validate, SaysWhatStartsInsideEachOther) {
     return swage({"validate", path("two.json")});
   };
   const Said inside = two("0.4 mm"), apart = two("20 mm");
-  EXPECT_THAT(inside.out + inside.err, testing::ContainsRegex("\"ring\" starts [0-9.]+ mm inside \"hook\": they will be pushed apart"));
+  EXPECT_THAT(inside.out + inside.err, HasSubstr(step::say::kStartsInside.words(0) + "ring" + step::say::kStartsInside.words(1)));
+  EXPECT_THAT(inside.out + inside.err, testing::ContainsRegex("[0-9.]+" + step::say::kStartsInside.words(2) + "hook"));
   EXPECT_EQ(apart.code, 0) << apart.err;
-  EXPECT_THAT(apart.out + apart.err, testing::Not(HasSubstr("inside")));
+  EXPECT_THAT(apart.out + apart.err, testing::Not(HasSubstr(step::say::kStartsInside.words(2))));
 }
 
 }  // namespace

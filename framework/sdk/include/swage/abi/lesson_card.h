@@ -75,8 +75,8 @@ typedef struct swage_metric_label {
 #define SWAGE_CRITERION_SHOW 4   /* nothing is asked: the lesson is a demonstration, without score or record */
 typedef struct swage_criterion {
   const char* text;  /* "Hold it for {hold_time}.": {id} stands for the value of a parameter, with its unit */
-  const char* when;  /* parameter that must be true or not 0 for the sentence to hold, "!id": false or 0; "id=choice": has
-                        that choice; NULL: always */
+  const char* when;  /* parameter that must be true or not 0 for the sentence to hold, of a text: not empty; "!id": false, 0 or
+                        an empty text; "id=choice": has that choice; NULL: always */
   int32_t kind;      /* SWAGE_CRITERION_* */
   uint32_t reserved;
 } swage_criterion;

@@ -36,6 +36,13 @@ inline constexpr Entry kDeactivate{"deactivate", 2, kMain, When::kActive};
 inline constexpr Entry kDestroy{"destroy", 3, kMain, When::kInactive};
 inline constexpr Entry kChange{"change", 22, kRt, When::kActive};
 
+/// What is told of a call that breaks the rules.
+inline constexpr const char* kWrongThread = "the host called from the wrong thread";
+inline constexpr const char* kTooEarly = "called before a configure that succeeded";
+inline constexpr const char* kNotActive = "called before activate";
+inline constexpr const char* kStillActive = "called while active";
+inline constexpr const char* kThrewAnything = "threw something that is not a std::exception";
+
 inline bool same(const char* a, const char* b) { return std::strcmp(a, b) == 0; }
 
 /// One live plugin T and what the guard knows about it.
@@ -95,7 +102,7 @@ void check_role(Holder<T>& holder, const Entry& entry) noexcept {
     const uint64_t bit = uint64_t{1} << entry.index;
     if ((entry.roles & caller) != 0 || (holder.told & bit) != 0) return;
     holder.told |= bit;
-    tell(holder, entry, SWAGE_FAULT_THREAD, kind, "the host called from the wrong thread");
+    tell(holder, entry, SWAGE_FAULT_THREAD, kind, kWrongThread);
   }
 }
 
@@ -103,11 +110,11 @@ void check_role(Holder<T>& holder, const Entry& entry) noexcept {
 template <class T>
 bool in_order(const Holder<T>& holder, const Entry& entry) noexcept {
   const char* wrong = nullptr;
-  if (entry.when == When::kActive && !holder.active) wrong = "called before activate";
-  if (entry.when == When::kReady && !holder.ready) wrong = "called before a configure that succeeded";
+  if (entry.when == When::kActive && !holder.active) wrong = kNotActive;
+  if (entry.when == When::kReady && !holder.ready) wrong = kTooEarly;
   if ((entry.when == When::kReady || entry.when == When::kInactive) && holder.active)
-    wrong = "called while active";
-  if (entry.when == When::kAlways && !holder.ready) wrong = "called before a configure that succeeded";
+    wrong = kStillActive;
+  if (entry.when == When::kAlways && !holder.ready) wrong = kTooEarly;
   if (wrong != nullptr) tell(holder, entry, SWAGE_FAULT_ORDER, 0, wrong);
   return wrong == nullptr;
 }
@@ -120,7 +127,7 @@ swage_result contained(const Holder<T>& holder, const Entry& entry, F&& body) no
   } catch (const std::exception& error) {
     tell(holder, entry, SWAGE_FAULT_THROWN, 0, error.what());
   } catch (...) {
-    tell(holder, entry, SWAGE_FAULT_THROWN, 0, "threw something that is not a std::exception");
+    tell(holder, entry, SWAGE_FAULT_THROWN, 0, kThrewAnything);
   }
   return SWAGE_FAULT;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Sentences of this lesson about what it is told to measure. Tests name them, and never repeat their words.
+#pragma once
+
+#include "toolkit/sentence.hpp"
+
+namespace swage::lesson_look::say {
+
+using toolkit::operator""_sentence;
+
+inline constexpr auto kThreeWords = "owner, signal and unit are needed between two commas, not more and not less"_sentence;
+inline constexpr auto kNamed = "which \"measures\" names"_sentence;
+inline constexpr auto kOtherUnit = "\"{}\" is told in {}, not in {} as \"measures\" says"_sentence;
+
+}  // namespace swage::lesson_look::say
