@@ -126,7 +126,7 @@ void Overlay::ring(const QPointF& at, double share, double radius_px) {
   p_.drawArc(r, 90 * 16, -static_cast<int>(360 * 16 * std::clamp(share, 0.0, 1.0)));
 }
 
-void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style, bool said) {
+void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style) {
   const double r = std::max(radius_px, kLeastMark_px);
   p_.setRenderHint(QPainter::Antialiasing);
   p_.setBrush(Qt::NoBrush);
@@ -135,8 +135,10 @@ void Overlay::target(const QPointF& at, double radius_px, const CueStyle& style,
     p_.setPen(QPen(colour, width));
     p_.drawEllipse(at, r, r);
   }
-  if (!said) return;
-  const double sign = 18;
+}
+
+void Overlay::target_word(const QPointF& at, double radius_px, const CueStyle& style) {
+  const double r = std::max(radius_px, kLeastMark_px), sign = 18;
   const QRectF label = room(at + QPointF(0, r + 26), style.text, p_.font(), sign + 4);
   pill(label, style.text, p_.font(), sign + 4);
   CueStyle one = style;

@@ -33,8 +33,10 @@ class Overlay {
   void cue(const QPointF& at, const CueStyle& style, int slot, double clear_px = 0);
   /// A ring that fills clockwise while something is held.
   void ring(const QPointF& at, double share, double radius_px = 17);
-  /// A place to go to: its circle, and where there is room its sign and its word.
-  void target(const QPointF& at, double radius_px, const CueStyle& style, bool said = true);
+  /// A place to go to: its circle.
+  void target(const QPointF& at, double radius_px, const CueStyle& style);
+  /// Its sign and its word, below the circle.
+  void target_word(const QPointF& at, double radius_px, const CueStyle& style);
   /// The tool that is led, of several: a triangle below its tips, and its name.
   void led(const QPointF& at, const QString& name);
   /// Whose instrument is seen through here: a thin line to a name.

@@ -44,7 +44,14 @@ QVector3D SceneMarks::grasp_point(uint32_t object) const {
 }
 
 // Points that a lesson shows in the world. Where to go is the task and is seen in a test, too; that one is near is a cue.
+// All circles come before all words: where two points are close, the circle of one would run through the word of the other.
 void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
+  struct Word {
+    QPointF at;
+    double radius;
+    CueStyle style;
+  };
+  std::vector<Word> words;
   const Eye& eye = panel.view.eye;
   const double h = panel.size.height();
   const judge::Script& script = scene_.card().script;
@@ -57,9 +64,12 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     const std::string meaning = cue < script.cues.size() ? script.cues[cue].id : mark.meaning;
     const QPointF at = eye.project(to_mm(now.mark_p_W[m]), panel.size);
     const double radius = mark.mark.number[0] * kMmPerM / eye.mm_per_pixel(h);
-    overlay.target(at, radius, shown_.cues.style(QString::fromStdString(meaning)), panel.inset == Inset::kNone);
+    words.push_back({at, radius, shown_.cues.style(QString::fromStdString(meaning))});
+    overlay.target(at, radius, words.back().style);
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
+  if (panel.inset != Inset::kNone) return;
+  for (const Word& w : words) overlay.target_word(w.at, w.radius, w.style);
 }
 
 void SceneMarks::paint_forces(Overlay& overlay, const Panel& panel) const {

@@ -157,7 +157,7 @@ TEST(Hint, LeavesTheLabelsOfThePictureToBeRead) {
                       const double below = console::Overlay::hint_height(text, p.font(), 0, kWidth_px);
                       console::CueStyle style;
                       style.text = QStringLiteral("Loose first throw");
-                      console::Overlay(p, QRectF(0, 0, kWidth_px, kHeight_px - below), ui).target({kWidth_px / 2.0, kHeight_px - 30.0}, 10, style);
+                      console::Overlay(p, QRectF(0, 0, kWidth_px, kHeight_px - below), ui).target_word({kWidth_px / 2.0, kHeight_px - 30.0}, 10, style);
                     }).second;
   EXPECT_GT(hint, kHeight_px - 60);
   EXPECT_GT(label, kHeight_px / 2);
