@@ -132,17 +132,18 @@ TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
   EXPECT_EQ(attempt.engine().quarantined(), 0u);
 }
 
-// Three throws by the same means: fails since a corner of the thread goes through a hole (lessons/knot/knot.md): the edges are nearer to each other
-// then, the second turn reaches 1.02 where the holder waits for 1.1, and slips off. Another plan is needed; until then it is not run.
-TEST(SurgeonsKnot, DISABLED_TwoHandsTieIt) {
+// Three throws by the same means. The second and the third one are wound with the long end drawn straight beforehand: slack, the turn reaches 1.02
+// where the holder waits for 1.1, and slips off.
+TEST(SurgeonsKnot, TwoHandsTieIt) {
   LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
   ASSERT_EQ(attempt.problems(), "");
   double most = 0;  // N, of the thread
-  while (attempt.outcome() == "running" && attempt.world().time() < 95) {
+  while (attempt.outcome() == "running" && attempt.world().time() < 100) {
     attempt.step();
     most = std::max(most, attempt.signal("suture", "thread.tension"));
   }
   const auto knot = [&](const char* id) { return attempt.signal("knot", id); };
+  EXPECT_EQ(attempt.outcome(), "passed") << attempt.reason();
   EXPECT_EQ(knot("knot.throws"), 3);
   EXPECT_EQ(std::abs(knot("knot.throw_1")), 2);
   EXPECT_EQ(knot("knot.throw_1") * knot("knot.throw_2"), -2);
@@ -151,6 +152,7 @@ TEST(SurgeonsKnot, DISABLED_TwoHandsTieIt) {
   EXPECT_EQ(knot("knot.sliding"), 0);
   EXPECT_EQ(attempt.metric("thread.passages"), 0);
   EXPECT_EQ(attempt.metric("knot.right_throws"), 3);
+  EXPECT_LT(attempt.metric("wound.gap"), 0.1e-3) << "m, of 0.4 mm";
   EXPECT_EQ(attempt.metric("thread.drops"), 0);
   EXPECT_GT(most, 60e-3) << "N: it bears what the hands draw";
   EXPECT_LT(attempt.metric("tissue.cut"), 0.1e-3) << "m";
