@@ -17,6 +17,7 @@ namespace swage::stage {
 namespace {
 
 const std::string kLesson = SWAGE_SOURCE_DIR "/lessons/series/132_square_knot.json";
+const std::string kSurgeons = SWAGE_SOURCE_DIR "/lessons/series/133_surgeons_knot.json";
 constexpr double kLongest = 130;  // s, of an attempt: a novice takes 100
 
 struct Tied {
@@ -118,7 +119,7 @@ TEST(SquareKnot, HoldsByAFrictionByWhichAGrannySlips) {
 
 // The double throw of a surgeon's knot keeps the edges together by its friction while the second one is wound, with both ends all but slack.
 TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
-  LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
+  LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
   double widest = 0;  // m, of the gap, of which 0.4 mm are open at rest
   while (attempt.outcome() == "running" && attempt.world().time() < 50) {
@@ -135,7 +136,7 @@ TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
 // Three throws by the same means. The second and the third one are wound with the long end drawn straight beforehand: slack, the turn reaches 1.02
 // where the holder waits for 1.1, and slips off.
 TEST(SurgeonsKnot, TwoHandsTieIt) {
-  LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
+  LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
   double most = 0;  // N, of the thread
   while (attempt.outcome() == "running" && attempt.world().time() < 100) {
