@@ -234,9 +234,9 @@ bool try_it(const Options& o, uint64_t seed) {
     if (picture < o.times.size() && run.world().time() >= o.times[picture])
       draw(run, o.shape + std::to_string(picture) + ".svg"), ++picture;
   }
-  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f mN  late: %s\n",
+  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f mN  drops %g  late: %s\n",
               static_cast<unsigned long long>(seed), run.outcome().c_str(), run.reason().c_str(), run.verdict().score, run.world().time(), tied(run).c_str(),
-              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull,
+              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull, run.metric("thread.drops"),
               base::text(run.engine().stats().health).c_str());
   std::fflush(stdout);
   for (const double friction : o.frictions) {
