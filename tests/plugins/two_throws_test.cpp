@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lesson 132: two throws on a wound by two hands, and a surgeon's knot of three. Wound the other way the second time they are a square
+// Lessons 132 and 133: two throws on a wound by two hands, and a surgeon's knot of three. Wound the other way the second time they are a square
 // knot, the same way a granny. The thread snaps from one side of a tool to the other and a tenth of a millimetre decides to which, so a
 // change of the solver may need other plans: a soak test.
 #include <gtest/gtest.h>
