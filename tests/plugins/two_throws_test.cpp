@@ -158,6 +158,31 @@ TEST(SurgeonsKnot, TwoHandsTieIt) {
   EXPECT_GT(most, 60e-3) << "N: it bears what the hands draw";
   EXPECT_LT(attempt.metric("tissue.cut"), 0.1e-3) << "m";
   EXPECT_EQ(attempt.engine().quarantined(), 0u);
+  // by the friction that nylon has, at which two throws slip: the third one is what holds
+  for (const double friction : {0.2, 0.3}) {
+    const PulledKnot pulled = pull_apart(attempt, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "37.333 mm", "segments": 93)", friction, 0.1);
+    EXPECT_EQ(pulled.trouble, "") << friction;
+    EXPECT_GE(pulled.bears, 0.1) << "N, with friction " << friction;
+    EXPECT_LT(pulled.opens, 2.5e-3) << "m, with friction " << friction;
+  }
+}
+
+TEST(SurgeonsKnot, TheClumsyHandCutsTheTissue) {
+  LessonRun clumsy(kSurgeons, "clumsy");
+  ASSERT_EQ(clumsy.problems(), "");
+  clumsy.run(40);
+  EXPECT_EQ(clumsy.outcome(), "failed");
+  EXPECT_EQ(clumsy.reason(), "failed.cut");
+  EXPECT_EQ(clumsy.verdict().score, 0);
+}
+
+TEST(SurgeonsKnot, TheLeftHandTiesItsMirrorImage) {
+  LessonRun left(kSurgeons, {"expert", ""}, [](auto& file) { file.mirror = true; });
+  ASSERT_EQ(left.problems(), "");
+  left.run(kLongest);
+  EXPECT_EQ(left.outcome(), "passed") << left.reason();
+  EXPECT_EQ(left.metric("knot.right_throws"), 3);
+  EXPECT_EQ(left.metric("thread.passages"), 0);
 }
 
 }  // namespace
