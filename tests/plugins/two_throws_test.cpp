@@ -176,6 +176,17 @@ TEST(SurgeonsKnot, TheClumsyHandCutsTheTissue) {
   EXPECT_EQ(clumsy.verdict().score, 0);
 }
 
+// the novice stops for long before the third throw
+TEST(SurgeonsKnot, TheNovicePassesWithFewerPoints) {
+  LessonRun novice(kSurgeons, "novice");
+  ASSERT_EQ(novice.problems(), "");
+  novice.run(180);
+  EXPECT_EQ(novice.outcome(), "passed") << novice.reason();
+  EXPECT_EQ(novice.metric("knot.right_throws"), 3);
+  EXPECT_LT(novice.verdict().score, 85) << "the expert has 97";
+  EXPECT_GT(novice.verdict().score, 40);
+}
+
 TEST(SurgeonsKnot, TheLeftHandTiesItsMirrorImage) {
   LessonRun left(kSurgeons, {"expert", ""}, [](auto& file) { file.mirror = true; });
   ASSERT_EQ(left.problems(), "");
