@@ -36,6 +36,22 @@ TEST(PullTest, ASquareKnotSlipsWithLittleFriction) {
   EXPECT_LT(square.most, 0.01) << "N";
 }
 
+// A third throw on a square knot, drawn with as little: friction 0.3, that of nylon at most, holds three throws and not two.
+TEST(Soak, AThirdThrowHoldsWhereTwoSlip) {
+  const auto tied = [](const Word& word) {
+    PullTest test;
+    test.word = word, test.friction = 0.3, test.pretension = 10e-3, test.load = 0.1;
+    return pull(test);
+  };
+  const PullResult two = tied({1, -1}), three = tied({1, -1, 1});
+  EXPECT_EQ(two.end, PullEnd::kSlips);
+  EXPECT_LT(two.most, 30e-3) << "N";
+  EXPECT_EQ(three.end, PullEnd::kHolds);
+  EXPECT_GE(three.most, 0.095) << "N";
+  EXPECT_EQ(three.tighten.passages + three.rest.passages + three.pull.passages, 0);
+  EXPECT_TRUE(three.same_word) << text(three.word);
+}
+
 /// A sliding knot of two throws, whose straight strand changes, tied with so much [N] and let go.
 PullResult sliding(double friction, double pretension, double load) {
   PullTest test;

@@ -3,10 +3,13 @@
 // Margins of a plan of two hands that tie a knot: plays a lesson of swage.lesson.knot with several seeds and with plans whose places are
 // off by random distances, and prints how each attempt ended and what share of them passed. No test: a tool for whoever writes a plan.
 //
-//   knot_trials LESSON HAND [--seeds N] [--first SEED] [--off UM] [--max S] [--set OBJECT.PARAMETER=VALUE] [--log S] [--shape FILE S...]
+//   knot_trials LESSON HAND [--seeds N] [--first SEED] [--off UM] [--max S] [--set OBJECT.PARAMETER=VALUE] [--log S] [--plans FOLDER]
+//               [--pull FRICTION] [--shape FILE S...]
 //
 //   --off    root mean square of the error [um] of each coordinate of each "at" and "by" of the plans, drawn anew for each attempt
 //   --log    a line each so many simulated seconds: tips, turns, the knot that is foretold and the one that is tied, tensions, gap
+//   --plans  a folder with holder.json and winder.json, in the place of the hand's plans
+//   --pull   what is tied at the end is cut free and pulled to 0.1 N with that friction of the thread on itself (pulled_knot.hpp); again for more
 //   --shape  a picture (SVG, three views) of thread and instruments at the times that follow
 //
 // The knot that is foretold is the one of the thread whose ends are led away along the shafts of the instruments that hold them: the throw
@@ -22,6 +25,7 @@
 #include <vector>
 
 #include "base/rng.hpp"
+#include "pulled_knot.hpp"
 #include "run_lesson.hpp"
 #include "scene/chain.hpp"
 #include "toolkit/knot/reader.hpp"
@@ -36,12 +40,13 @@ using toolkit::Vec3;
 constexpr double kShaft = 40e-3;  // m, of an instrument: far outside of all throws
 
 struct Options {
-  std::string lesson, hand, shape;
+  std::string lesson, hand, shape, plans;
   int seeds = 1;
   uint64_t first = 0;
   double off = 0, max_s = 240, log_s = 0;  // m, s, s
   std::vector<std::string> settings;
   std::vector<double> times;  // s, of the pictures
+  std::vector<double> frictions;  // of the pulls
 };
 
 /// Of the thread in W; from its first end on.
@@ -160,6 +165,26 @@ std::string off_plan(const std::string& path, double off, base::Xoshiro256& rand
   return to;
 }
 
+/// The plans of that hand from another folder.
+void take_plans(assembly::LessonFile& file, const Options& o) {
+  for (assembly::LessonDevice& device : file.devices)
+    for (assembly::DeviceChoice& choice : device.choices) {
+      if (choice.as != o.hand) continue;
+      Json params = Json::parse(choice.params);
+      params["file"] = (std::filesystem::absolute(o.plans) / (params["gripper"] == "holder" ? "holder.json" : "winder.json")).string();
+      choice.params = params.dump();
+    }
+}
+
+/// Length and number of segments of the lesson's thread.
+std::string thread_of(const LessonRun& run) {
+  const scene::ChainView chain(run.world(), run.world().chain[0]);
+  const uint32_t segments = chain.vertices() - 1;
+  char text[160];
+  std::snprintf(text, sizeof text, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "%.9f m", "segments": %u)", chain.s(segments), segments);
+  return text;
+}
+
 void put_off(assembly::LessonFile& file, const Options& o, uint64_t seed) {
   base::Xoshiro256 random(977 * seed + 1);
   const std::filesystem::path folder = std::filesystem::path(o.lesson).parent_path();
@@ -193,6 +218,7 @@ bool try_it(const Options& o, uint64_t seed) {
   LessonRun run(o.lesson, {o.hand, ""}, [&](assembly::LessonFile& file) {
     file.seed = seed;
     for (const std::string& setting : o.settings) set(file, setting);
+    if (!o.plans.empty()) take_plans(file, o);
     if (o.off > 0) put_off(file, o, seed);
   });
   if (!run.ready() || !run.problems().empty()) {
@@ -208,11 +234,16 @@ bool try_it(const Options& o, uint64_t seed) {
     if (picture < o.times.size() && run.world().time() >= o.times[picture])
       draw(run, o.shape + std::to_string(picture) + ".svg"), ++picture;
   }
-  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f mN  late: %s\n",
+  std::printf("seed %3llu %-7s %-18s %5.1f points %6.2f s  tied %-8s passages %g  closed by %.3f mm  most tension %.1f mN  drops %g  late: %s\n",
               static_cast<unsigned long long>(seed), run.outcome().c_str(), run.reason().c_str(), run.verdict().score, run.world().time(), tied(run).c_str(),
-              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull,
+              run.signal("suture", "thread.passed") + run.signal("winding", "winding.passages") + run.signal("knot", "knot.passages"), 1e3 * gap(run), 1e3 * pull, run.metric("thread.drops"),
               base::text(run.engine().stats().health).c_str());
   std::fflush(stdout);
+  for (const double friction : o.frictions) {
+    const PulledKnot pulled = pull_apart(run, thread_of(run), friction, 0.1);
+    std::printf("  pulled with friction %.2f: bears %.1f mN, opens %.2f mm %s\n", friction, 1e3 * pulled.bears, 1e3 * pulled.opens, pulled.trouble.c_str());
+    std::fflush(stdout);
+  }
   return run.outcome() == "passed";
 }
 
@@ -228,6 +259,8 @@ Options options(int argc, char** argv) {
     else if (key == "--max") o.max_s = std::strtod(value, nullptr);
     else if (key == "--log") o.log_s = std::strtod(value, nullptr);
     else if (key == "--set") o.settings.emplace_back(value);
+    else if (key == "--plans") o.plans = value;
+    else if (key == "--pull") o.frictions.push_back(std::strtod(value, nullptr));
     else if (key == "--shape") {
       o.shape = value;
       for (i += 2; i < argc; ++i) o.times.push_back(std::strtod(argv[i], nullptr));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lesson 132: two throws on a wound by two hands, and a surgeon's knot of three. Wound the other way the second time they are a square
+// Lessons 132 and 133: two throws on a wound by two hands, and a surgeon's knot of three. Wound the other way the second time they are a square
 // knot, the same way a granny. The thread snaps from one side of a tool to the other and a tenth of a millimetre decides to which, so a
 // change of the solver may need other plans: a soak test.
 #include <gtest/gtest.h>
@@ -17,6 +17,7 @@ namespace swage::stage {
 namespace {
 
 const std::string kLesson = SWAGE_SOURCE_DIR "/lessons/series/132_square_knot.json";
+const std::string kSurgeons = SWAGE_SOURCE_DIR "/lessons/series/133_surgeons_knot.json";
 constexpr double kLongest = 130;  // s, of an attempt: a novice takes 100
 
 struct Tied {
@@ -118,7 +119,7 @@ TEST(SquareKnot, HoldsByAFrictionByWhichAGrannySlips) {
 
 // The double throw of a surgeon's knot keeps the edges together by its friction while the second one is wound, with both ends all but slack.
 TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
-  LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
+  LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
   double widest = 0;  // m, of the gap, of which 0.4 mm are open at rest
   while (attempt.outcome() == "running" && attempt.world().time() < 50) {
@@ -135,7 +136,7 @@ TEST(SurgeonsKnot, ItsDoubleThrowKeepsTheEdgesTogether) {
 // Three throws by the same means. The second and the third one are wound with the long end drawn straight beforehand: slack, the turn reaches 1.02
 // where the holder waits for 1.1, and slips off.
 TEST(SurgeonsKnot, TwoHandsTieIt) {
-  LessonRun attempt(SWAGE_SOURCE_DIR "/tests/plugins/surgeons_knot/surgeons_knot.json", "expert");
+  LessonRun attempt(kSurgeons, "expert");
   ASSERT_EQ(attempt.problems(), "");
   double most = 0;  // N, of the thread
   while (attempt.outcome() == "running" && attempt.world().time() < 100) {
@@ -157,6 +158,42 @@ TEST(SurgeonsKnot, TwoHandsTieIt) {
   EXPECT_GT(most, 60e-3) << "N: it bears what the hands draw";
   EXPECT_LT(attempt.metric("tissue.cut"), 0.1e-3) << "m";
   EXPECT_EQ(attempt.engine().quarantined(), 0u);
+  // by the friction that nylon has, at which two throws slip: the third one is what holds
+  for (const double friction : {0.2, 0.3}) {
+    const PulledKnot pulled = pull_apart(attempt, R"("suture": "nylon_8_0.json", "memory": "0 1/m", "length": "37.333 mm", "segments": 93)", friction, 0.1);
+    EXPECT_EQ(pulled.trouble, "") << friction;
+    EXPECT_GE(pulled.bears, 0.1) << "N, with friction " << friction;
+    EXPECT_LT(pulled.opens, 2.5e-3) << "m, with friction " << friction;
+  }
+}
+
+TEST(SurgeonsKnot, TheClumsyHandCutsTheTissue) {
+  LessonRun clumsy(kSurgeons, "clumsy");
+  ASSERT_EQ(clumsy.problems(), "");
+  clumsy.run(40);
+  EXPECT_EQ(clumsy.outcome(), "failed");
+  EXPECT_EQ(clumsy.reason(), "failed.cut");
+  EXPECT_EQ(clumsy.verdict().score, 0);
+}
+
+// the novice stops for long before the third throw
+TEST(SurgeonsKnot, TheNovicePassesWithFewerPoints) {
+  LessonRun novice(kSurgeons, "novice");
+  ASSERT_EQ(novice.problems(), "");
+  novice.run(180);
+  EXPECT_EQ(novice.outcome(), "passed") << novice.reason();
+  EXPECT_EQ(novice.metric("knot.right_throws"), 3);
+  EXPECT_LT(novice.verdict().score, 85) << "the expert has 97";
+  EXPECT_GT(novice.verdict().score, 40);
+}
+
+TEST(SurgeonsKnot, TheLeftHandTiesItsMirrorImage) {
+  LessonRun left(kSurgeons, {"expert", ""}, [](auto& file) { file.mirror = true; });
+  ASSERT_EQ(left.problems(), "");
+  left.run(kLongest);
+  EXPECT_EQ(left.outcome(), "passed") << left.reason();
+  EXPECT_EQ(left.metric("knot.right_throws"), 3);
+  EXPECT_EQ(left.metric("thread.passages"), 0);
 }
 
 }  // namespace
