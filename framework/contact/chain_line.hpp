@@ -21,14 +21,6 @@ inline bool in_chain(const scene::World& world, uint32_t shape) noexcept {
   return s.kind == SWAGE_SHAPE_ARC && world.body[s.body].motion == SWAGE_MOTION_SELF;
 }
 
-/// Of `flat`, by which the gap of what lies on a face may vary [m], the share for an arc of such a wire, whose sagitta is given [m]. An arc so short
-/// that its ends are little farther from a face than its middle would lie there wherever it touches, though the wire is round: the jaw
-/// would sink by 0.7 um where an arc of 0.13 mm begins (S16). What is all but straight lies as straight wire does.
-inline double flatness_share(double sagitta, double flat) noexcept {
-  constexpr double kShort = 2, kStraight = 0.1, kShare = 0.1;  // of `flat`
-  return sagitta > kStraight * flat && sagitta < kShort * flat ? kShare : 1;
-}
-
 /// Shares the weight of lines among the arcs of a chain, over the contacts of one pair of objects, from `first` on. Beyond
 /// kMost contacts it leaves the rest as they are.
 inline void share_chain_lines(const scene::World& world, ContactSet& set, size_t first) noexcept {

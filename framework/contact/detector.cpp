@@ -220,11 +220,7 @@ const Motion& Detector::motion(const scene::World& world, uint32_t body) noexcep
 Query Detector::query_of(const scene::World& world, const ShapePair& pair, double margin) const noexcept {
   Query query{margin, world.length, options_.flatness, options_.line_points};
   query.piece = in_chain(world, pair.shape_a) || in_chain(world, pair.shape_b);
-  if (query.piece) {
-    query.line_points = kChainPoints;
-    const scene::Shape& arc = world.shape[in_chain(world, pair.shape_a) ? pair.shape_a : pair.shape_b];
-    query.flatness *= flatness_share(arc.arc_radius * arc.sweep * arc.sweep / 8, query.flatness * query.length);
-  }
+  if (query.piece) query.line_points = kChainPoints;
   query.goes_on = goes_on_[pair.shape_a] || goes_on_[pair.shape_b];
   return query;
 }

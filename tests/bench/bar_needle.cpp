@@ -14,9 +14,9 @@ namespace {
 constexpr double kMicro = 1e6;  // um per m
 constexpr const char* kGoal = "needle";
 
-Method bending(const std::string& arcs = "") {
+Method bending() {
   for (const Method& m : swage_methods())
-    if (m.name == "swage, bending needle" + arcs) return m;
+    if (m.name == "swage, bending needle") return m;
   throw std::runtime_error("no method bends its needle");
 }
 
@@ -99,13 +99,6 @@ void held(std::vector<Line>& lines, const Effort& effort) {
   }
 }
 
-/// What joints do to a jaw between which the wire is led (S16): it goes with the square of the length of an arc.
-void joints(std::vector<Line>& lines) {
-  constexpr double kSpeed = 5e-3;  // m/s
-  const double coarse = drag_ripple(bending(), kSpeed), fine = drag_ripple(bending(" of 48 arcs"), kSpeed);
-  lines.push_back(at_most(kGoal, "led through the pinch: ripple with 48 arcs over that with 12", "1", fine / coarse, 0.1));
-}
-
 }  // namespace
 
 std::vector<Line> bar_needle(const Effort& effort) {
@@ -113,7 +106,6 @@ std::vector<Line> bar_needle(const Effort& effort) {
   cost(lines, std::max(3, effort.passes));
   figures(lines);
   held(lines, effort);
-  joints(lines);
   return lines;
 }
 
