@@ -279,10 +279,12 @@ Bending::Reading Bending::read(const Step& step) const {
 }
 
 Bending::End Bending::end(const Step& step) const {
+  constexpr int kBoth = 3;
   const JointMemory* memory = joints(step);
   BendingState& s = state(step);
   const int told = static_cast<int>(s.told);
   End out;
+  if (told == kBoth) return out;
   for (int j = 0; j < n_ - 1; ++j) {
     const double where = (j + 1.0) / n_;
     if ((told & 1) == 0 && out.collapsed < 0 && wire_.stress(j, memory[j]) >= kWhole * kPlastic) out.collapsed = where;

@@ -47,6 +47,9 @@ class Engine {
 
   virtual void set_needle(const Pose& X_WN, const Vec3& v_W, const Vec3& w_W) = 0;
   virtual Pose needle() const = 0;
+  /// Poses of the needle within the last step and at its end, in the order of time, where its motion is known better than by those at
+  /// the ends of the step: from one to the next its twist is constant. Empty: it is not.
+  virtual std::vector<Pose> way() const { return {}; }
   virtual Vec3 velocity() const = 0;          // m/s of the centre of mass
   virtual Vec3 angular_velocity() const = 0;  // rad/s in W
   virtual void set_gravity(const Vec3& g) = 0;
@@ -75,7 +78,7 @@ struct Method {
   std::function<std::unique_ptr<Engine>(const Setup&)> make;
   bool exact_arc = false;  // touches with the true arc rather than a chain of spheres
   /// Which charts tell it from its siblings: a setting of contacts moves freely as they do, and the other way round.
-  enum class Differs { kEverywhere, kInContact, kFree } differs = Differs::kEverywhere;
+  enum class Differs { kEverywhere, kInContact, kFree, kNowhere } differs = Differs::kEverywhere;
 };
 
 /// Which jaws overlap the needle, and how deep.

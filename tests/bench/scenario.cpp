@@ -125,9 +125,13 @@ int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot)
     for (int i = 0; i < steps && !lost; ++i) {
       e.set_jaws(open, fixed, false);
       e.step();
-      const Pose Y = e.needle();
-      lost = !Y.p.allFinite() || crosses_plate(n, X, Y);
-      X = Y;
+      // a needle that touches and rebounds within the step goes another way than straight to the end of it
+      std::vector<Pose> way = e.way();
+      if (way.empty()) way.push_back(e.needle());
+      for (const Pose& Y : way) {
+        lost = lost || !Y.p.allFinite() || crosses_plate(n, X, Y);
+        X = Y;
+      }
     }
     through += lost;
   }

@@ -7,6 +7,7 @@
 #include "both_jaws.hpp"
 #include "contact/detector.hpp"
 #include "dynamics/dynamics.hpp"
+#include "dynamics/rebound.hpp"
 #include "engine.hpp"
 #include "scene/kinematics.hpp"
 #include "swage_world.hpp"
@@ -45,6 +46,13 @@ class Swage final : public Engine {
   Pose needle() const override {
     const Pose X(world_.X_WB[needle_]);
     return {X.p / u_, X.q};
+  }
+  std::vector<Pose> way() const override {
+    std::vector<Pose> poses;
+    for (const dynamics::Waypoint& at : dynamics_.waypoints())
+      if (at.body == needle_) poses.emplace_back(at.X_WB.p / u_, at.X_WB.q);
+    if (!poses.empty()) poses.push_back(needle());
+    return poses;
   }
   Vec3 velocity() const override { return toolkit::vec(world_.V_WB[needle_].v) / u_; }
   Vec3 angular_velocity() const override { return toolkit::vec(world_.V_WB[needle_].w); }
@@ -180,8 +188,8 @@ std::vector<Method> swage_methods() {
     c.dynamics.free_motion = f;
     return c;
   };
-  Choices impulse, chain, discrete, loop, bending;
-  bending.pieces = 12;
+  Choices impulse, chain, discrete, loop, bending, finest;
+  bending.pieces = 12, finest.pieces = toolkit::BentWire::kMaxPieces;
   impulse.dynamics.response = dynamics::Response::kImpulse;
   chain.contact.level = contact::Level::kThesis;
   discrete.swept = false;
@@ -196,6 +204,7 @@ std::vector<Method> swage_methods() {
       {"swage, whole loop of the thesis", "thesis", with(loop), false, kInContact},
       {"swage, without swept query", "swage", with(discrete), true, kInContact},
       {"swage, bending needle", "swage", with(bending), true, kInContact},
+      {"swage, bending needle of 48 arcs", "swage", with(finest), true, kNowhere},
       {"swage, explicit Euler of the thesis", "thesis", with(free(kThesis)), true, kFree}};
   for (const auto& [name, motion] : {std::pair{"swage, symplectic Euler", kSymplecticEuler},
                                      {"swage, RK4", kRungeKutta4},

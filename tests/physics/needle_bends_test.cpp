@@ -170,6 +170,38 @@ TEST(NeedleInAPad, IsHeldByTheSpheresOfTheThesis) {
   }
 }
 
+/// What the pad of 117 presses on the needle [N], once all rests: normal forces of all contacts.
+double pressed_by_the_pad(swage::contact::Level level) {
+  swage::step::Options options;
+  options.contact.level = level;
+  LessonRun run(kSeries + "117_needle_with_thread.json", swage::assembly::Overrides{"expert", ""}, {}, options);
+  EXPECT_TRUE(run.ready()) << run.problems();
+  for (int k = 0; k < 200; ++k) run.step();
+  const uint32_t pad = run.body("pad");
+  double sum = 0;
+  for (const swage::contact::Contact& c : run.engine().contacts().contact)
+    if (c.body_a == pad || c.body_b == pad) sum += c.f_a_W.dot(c.n_W);
+  return sum;
+}
+
+// Points of the exact surface share the stiffness of a contact; each sphere of the thesis has all of it. So eight spheres a side hold the needle of 117
+// in its pad eight times as hard, and drawn out it collapses there. An eighth of the stiffness, and 117 passes at that level, too.
+TEST(NeedleInAPad, IsHeldEightTimesAsHardByTheSpheresOfTheThesis) {
+  EXPECT_NEAR(pressed_by_the_pad(swage::contact::Level::kExact), 0.04, 0.001) << "N: 1 um into 20000 N/m, on two sides";
+  EXPECT_NEAR(pressed_by_the_pad(swage::contact::Level::kThesis), 0.32, 0.01) << "N";
+  swage::step::Options options;
+  options.contact.level = swage::contact::Level::kThesis;
+  for (const auto& [stiffness, passes] : {std::pair{"20000 N/m", false}, {"2500 N/m", true}}) {
+    const std::string file = variant("117_needle_with_thread.json", "117_pad.json", "\"stiffness\": \"20000 N/m\"",
+                                     "\"stiffness\": \"" + std::string(stiffness) + "\"");
+    LessonRun run(file, swage::assembly::Overrides{"expert", ""}, {}, options);
+    ASSERT_TRUE(run.ready()) << run.problems();
+    run.run(passes ? 30 : 5);
+    EXPECT_EQ(run.outcome() == "passed", passes) << stiffness;
+    EXPECT_EQ(run.happened("needle.dropped"), passes ? 0 : 1) << stiffness;
+  }
+}
+
 // A stiff needle in the lesson of the grasp is taken, lifted and held where the rigid one is; 10 um are a tenth of its wire.
 TEST(BendingNeedle, IsHeldAsTheRigidOneIs) {
   const auto held = [](const std::string& path) {
