@@ -11,7 +11,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace convex_test {
 
 using toolkit::Convex;
 using toolkit::Quat;
@@ -239,5 +239,5 @@ TEST(Cylinder, StandsOnItsEndAndLiesOnItsSide) {
   EXPECT_NEAR(least(touch(wire, X_WN, c, Pose())), 1e-6, 1e-6);
 }
 
-}  // namespace
+}  // namespace convex_test
 }  // namespace swage::contact

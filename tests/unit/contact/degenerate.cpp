@@ -10,7 +10,7 @@
 #include "trajectory.hpp"
 
 namespace swage::contact {
-namespace {
+namespace degenerate_test {
 
 using bench::Needle;
 using toolkit::Quat;
@@ -166,5 +166,5 @@ TEST(Degenerate, ATiltedStraightWireTouchesAtBothEndsWithinReach) {
   }
 }
 
-}  // namespace
+}  // namespace degenerate_test
 }  // namespace swage::contact

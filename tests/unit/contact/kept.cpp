@@ -8,7 +8,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace kept_test {
 
 using toolkit::Quat;
 
@@ -131,5 +131,5 @@ TEST(Kept, AlignedBoxesAreAsFarApartAsTheyAre) {
   EXPECT_GT(near, 1000);
 }
 
-}  // namespace
+}  // namespace kept_test
 }  // namespace swage::contact
