@@ -59,10 +59,11 @@ function(swage_room name)
   endif()
 endfunction()
 
-# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n])  ->  CTest entry <name>
+# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n] [WAITS])  ->  CTest entry <name>
+# WAITS: it sleeps more than it works, as a driver's test does; two of them share a core
 # SHARDS: its tests run in n processes at once; for tests that mostly wait, or that are long and many
 function(swage_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
+  cmake_parse_arguments(TEST "WAITS" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
   string(REPLACE "." "_" target test_${name})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main swage_flags)
@@ -81,7 +82,12 @@ function(swage_test name)
   if(SWAGE_SANITIZE) # up to ten times as slow
     math(EXPR TEST_TIMEOUT "10 * ${TEST_TIMEOUT}")
   endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
+  # in halves of a core: scripts/test.sh gives two for each core
+  set(processors 2)
+  if(TEST_WAITS)
+    set(processors 1)
+  endif()
+  set_tests_properties(${name} PROPERTIES PROCESSORS ${processors} TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
     ENVIRONMENT "${TEST_ENVIRONMENT}")
 endfunction()
 

@@ -16,7 +16,6 @@
 
 namespace swage::contact {
 
-
 using toolkit::Quat;
 
 inline constexpr double kCell = 0.2e-3;  // m
