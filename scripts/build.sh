@@ -3,7 +3,7 @@
 # usage: scripts/build.sh <preset> [target...]     configures when needed and builds; quick the second time
 set -euo pipefail
 cd "$(dirname "$0")/.."
-preset=${1:?preset: dev release debug0 clang asan tsan}
+preset=${1:?preset: dev test release debug0 clang asan tsan}
 shift
 export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 options=()

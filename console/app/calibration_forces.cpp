@@ -13,7 +13,7 @@
 namespace swage::console {
 namespace {
 
-enum Column { kHandle, kTip, kVolts, kColumns };
+enum ForceColumn { kHandleColumn, kTipColumn, kVoltsColumn, kForceColumns };
 
 std::optional<double> typed(const QTableWidgetItem* item) {
   bool good = false;
@@ -30,13 +30,13 @@ QWidget* CalibrationDialog::make_forces() {
                          card.frame);
   how->setWordWrap(true);
   card.body->addWidget(how);
-  force_table_ = new QTableWidget(static_cast<int>(sensor::Draft::kForceRows), kColumns, card.frame);
+  force_table_ = new QTableWidget(static_cast<int>(sensor::Draft::kForceRows), kForceColumns, card.frame);
   force_table_->setObjectName(QStringLiteral("calibration_forces"));
   force_table_->setAccessibleName(tr("Forces and volts"));
   force_table_->setHorizontalHeaderLabels({tr("At the handle, N"), tr("At the tips, N"), tr("Volts")});
   force_table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   force_table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  force_table_->setCurrentCell(0, kHandle);
+  force_table_->setCurrentCell(0, kHandleColumn);
   connect(force_table_, &QTableWidget::itemChanged, this, &CalibrationDialog::read_forces);
   card.body->addWidget(force_table_, 1);
   auto* row = new QHBoxLayout;
@@ -61,8 +61,8 @@ QWidget* CalibrationDialog::make_forces() {
 void CalibrationDialog::read_forces() {
   if (filling_) return;
   for (std::size_t i = 0; i < sensor::Draft::kForceRows; ++i) {
-    draft_.force_rows[i].handle_N = typed(force_table_->item(static_cast<int>(i), kHandle));
-    draft_.force_rows[i].tip_N = typed(force_table_->item(static_cast<int>(i), kTip));
+    draft_.force_rows[i].handle_N = typed(force_table_->item(static_cast<int>(i), kHandleColumn));
+    draft_.force_rows[i].tip_N = typed(force_table_->item(static_cast<int>(i), kTipColumn));
   }
   show_points();
 }
@@ -71,10 +71,10 @@ void CalibrationDialog::show_forces() {
   filling_ = true;
   for (int i = 0; i < static_cast<int>(sensor::Draft::kForceRows); ++i) {
     const auto& row = draft_.force_rows[static_cast<size_t>(i)];
-    for (int c = 0; c < kColumns; ++c)
+    for (int c = 0; c < kForceColumns; ++c)
       if (force_table_->item(i, c) == nullptr) force_table_->setItem(i, c, new QTableWidgetItem);
-    force_table_->item(i, kVolts)->setText(row.volts ? QString::number(*row.volts, 'f', 4) : QString());
-    force_table_->item(i, kVolts)->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    force_table_->item(i, kVoltsColumn)->setText(row.volts ? QString::number(*row.volts, 'f', 4) : QString());
+    force_table_->item(i, kVoltsColumn)->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
   }
   filling_ = false;
   sensor::Calibration c;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "judge/learning.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 const QString kScoreId = QStringLiteral("score");
 const QString kTimeId = QStringLiteral("time");
-
-QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 QString verdict(const record::AttemptRow& a) {
   if (a.state == "recovered") return QObject::tr("Recovered");

@@ -19,27 +19,27 @@ constexpr uint32_t kAttempts = 30;   // about as many as a resident makes at a l
 constexpr uint32_t kRuns = 10'000;   // to 0.5 of 100, in a tenth of a second
 constexpr size_t kFewExperts = 5;    // fewer say little about experts (ux-assessment 12.4)
 
-class Words {
+class CourseWords {
   Q_DECLARE_TR_FUNCTIONS(course_words)
 };
 
 }  // namespace
 
 QString rule_words(const judge::PassRule& rule) {
-  if (const std::string problem = judge::problem_of(rule); !problem.empty()) return Words::tr("▲ %1").arg(QString::fromStdString(problem));
+  if (const std::string problem = judge::problem_of(rule); !problem.empty()) return CourseWords::tr("▲ %1").arg(QString::fromStdString(problem));
   QString words;
   if (rule.kind == judge::PassRule::Kind::kLcCusum)
-    words = Words::tr("Passed when a learning-curve test of the Test attempts signals that the trainee fails rather %1 % of them than %2 %.")
+    words = CourseWords::tr("Passed when a learning-curve test of the Test attempts signals that the trainee fails rather %1 % of them than %2 %.")
                 .arg(100 * rule.adequate, 0, 'g', 3)
                 .arg(100 * rule.inadequate, 0, 'g', 3);
   else if (rule.later_day > 0)
-    words = Words::tr("Passed when %1 Test attempts in a row meet everything that is asked, and the first %2 of a later day do so too.")
+    words = CourseWords::tr("Passed when %1 Test attempts in a row meet everything that is asked, and the first %2 of a later day do so too.")
                 .arg(rule.in_a_row)
                 .arg(rule.later_day);
   else
-    words = Words::tr("Passed when %1 Test attempts in a row meet everything that is asked.").arg(rule.in_a_row);
-  if (rule.a_day > 0) words += QLatin1Char(' ') + Words::tr("At most %1 attempts a day count.").arg(rule.a_day);
-  if (rule.warm_up > 0) words += QLatin1Char(' ') + Words::tr("The first %1 of a day are warm-up.").arg(rule.warm_up);
+    words = CourseWords::tr("Passed when %1 Test attempts in a row meet everything that is asked.").arg(rule.in_a_row);
+  if (rule.a_day > 0) words += QLatin1Char(' ') + CourseWords::tr("At most %1 attempts a day count.").arg(rule.a_day);
+  if (rule.warm_up > 0) words += QLatin1Char(' ') + CourseWords::tr("The first %1 of a day are warm-up.").arg(rule.warm_up);
   return words;
 }
 
@@ -48,8 +48,8 @@ QStringList rule_odds(const judge::PassRule& rule) {
   if (!judge::problem_of(rule).empty()) return out;
   for (const int tenths : {5, 7, 9}) {
     const judge::RuleOdds odds = judge::simulate(rule, 0.1 * tenths, kAttempts, rule.a_day ? rule.a_day : 10, kRuns);
-    QString line = Words::tr("succeeds %1 times in 10: passes in %L2 of 100 cases").arg(tenths).arg(100 * odds.passed, 0, 'f', odds.passed < 0.02 ? 1 : 0);
-    if (std::isfinite(odds.typical)) line += Words::tr(", typically after %1 attempts").arg(odds.typical, 0, 'f', 0);
+    QString line = CourseWords::tr("succeeds %1 times in 10: passes in %L2 of 100 cases").arg(tenths).arg(100 * odds.passed, 0, 'f', odds.passed < 0.02 ? 1 : 0);
+    if (std::isfinite(odds.typical)) line += CourseWords::tr(", typically after %1 attempts").arg(odds.typical, 0, 'f', 0);
     out += line;
   }
   return out;
@@ -57,17 +57,17 @@ QStringList rule_odds(const judge::PassRule& rule) {
 
 QString together_words(const std::vector<judge::Limit>& limits, const std::vector<const record::AttemptRow*>& experts) {
   if (limits.empty()) return {};
-  if (experts.empty()) return Words::tr("No attempts of experts to try these limits on.");
+  if (experts.empty()) return CourseWords::tr("No attempts of experts to try these limits on.");
   std::vector<std::vector<std::pair<std::string, double>>> values;
   for (const record::AttemptRow* a : experts) {
     auto& own = values.emplace_back();
     for (const judge::Limit& l : limits) own.emplace_back(l.metric, metric_value(*a, QString::fromStdString(l.metric)));
   }
   const judge::MetTogether met = judge::meet_together(limits, values);
-  QString words = Words::tr("%1 of %2 expert attempts meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
+  QString words = CourseWords::tr("%1 of %2 expert attempts meet all %3 limits together.").arg(met.all).arg(met.attempts).arg(limits.size());
   if (met.all < met.attempts && limits.size() > 1) {
     const auto worst = static_cast<size_t>(std::min_element(met.each.begin(), met.each.end()) - met.each.begin());
-    words += QLatin1Char(' ') + Words::tr("The hardest alone is %1: %2.").arg(metric_title(QString::fromStdString(limits[worst].metric))).arg(met.each[worst]);
+    words += QLatin1Char(' ') + CourseWords::tr("The hardest alone is %1: %2.").arg(metric_title(QString::fromStdString(limits[worst].metric))).arg(met.each[worst]);
   }
   return words;
 }

@@ -18,7 +18,7 @@ namespace swage::console {
 
 namespace {
 
-class Words {
+class LessonWords {
   Q_DECLARE_TR_FUNCTIONS(lesson_facts)
 };
 
@@ -98,7 +98,7 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
   const auto number = [&](size_t i) { return number_words(p, value.number[i]); };
   switch (p.type) {
     case SWAGE_PARAM_BOOL:
-      return value.number[0] != 0 ? Words::tr("yes") : Words::tr("no");
+      return value.number[0] != 0 ? LessonWords::tr("yes") : LessonWords::tr("no");
     case SWAGE_PARAM_CHOICE:
       return said(p.choices[static_cast<size_t>(value.number[0])]);
     case SWAGE_PARAM_TEXT:
@@ -107,7 +107,7 @@ QString value_words(const host::Param& p, const swage_value& value, const std::s
     default:
       break;
   }
-  if (p.dimension == 2) return Words::tr("%1 to %2").arg(number(0), number(1));
+  if (p.dimension == 2) return LessonWords::tr("%1 to %2").arg(number(0), number(1));
   QStringList all;
   for (uint32_t i = 0; i < std::max(1u, p.dimension); ++i) all += number(i);
   return all.join(QStringLiteral(", "));

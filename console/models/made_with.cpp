@@ -6,14 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/solver_health.hpp"
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 
 namespace swage::console {
 namespace {
 
 using record::Exported;
-
-QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 double count(const Exported& e, const std::string& id) {
   for (const record::Health& h : e.health)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMargin = 0.15;  // of the bar on each side of what is drawn
 
-class Words {
+class BarWords {
   Q_DECLARE_TR_FUNCTIONS(metric_bars)
 };
 
@@ -25,7 +25,7 @@ MetricBar make_bar(const QString& id, const QString& unit, double value, const j
   bar.id = id;
   bar.name = metric_title(id);
   bar.value = quantity_text(value, unit);
-  bar.band = Words::tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
+  bar.band = BarWords::tr("%1 to %2").arg(quantity_text(band.p10, unit), quantity_text(band.p90, unit));
   const double first = std::min(value, band.p10), last = std::max(value, band.p90);
   const double span = std::max(last - first, 1e-12), left = first - kMargin * span, width = (1 + 2 * kMargin) * span;
   const auto place = [&](double v) {
@@ -51,7 +51,7 @@ double metric_value(const record::AttemptRow& a, const QString& metric) {
 }
 
 bool is_expert_group(const QString& name) {
-  return name.compare(Words::tr("Experts"), Qt::CaseInsensitive) == 0 || name.compare(QLatin1String("Experts"), Qt::CaseInsensitive) == 0;
+  return name.compare(BarWords::tr("Experts"), Qt::CaseInsensitive) == 0 || name.compare(QLatin1String("Experts"), Qt::CaseInsensitive) == 0;
 }
 
 std::vector<const record::AttemptRow*> expert_attempts(const std::vector<record::AttemptRow>& all,
@@ -91,7 +91,7 @@ Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector
   }
   Experts out;
   for (auto& [id, values] : people) out.values.push_back(std::move(values));
-  out.who = hands ? Words::tr("recorded expert hand") : out.values.size() == 1 ? Words::tr("1 expert") : Words::tr("%1 experts").arg(out.values.size());
+  out.who = hands ? BarWords::tr("recorded expert hand") : out.values.size() == 1 ? BarWords::tr("1 expert") : BarWords::tr("%1 experts").arg(out.values.size());
   return out;
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/people_model.hpp"
 
+#include "console/models/qt_text.hpp"
 #include "console/models/words.hpp"
 
 #include <unordered_map>
 
 namespace swage::console {
 namespace {
-
-QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 // newest at the right, as in a curve
 QString signs(const QVector<bool>& last) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "console/models/metric_titles.hpp"
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/words.hpp"
@@ -16,8 +17,6 @@
 
 namespace swage::console {
 namespace {
-
-QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 // what an instructor looks at first, best first
 int rank(const judge::Name& signal) {

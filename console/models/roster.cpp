@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kLongest = 80;  // a name of more characters is a paragraph that was pasted by mistake
 
-class Words {
+class RosterWords {
   Q_DECLARE_TR_FUNCTIONS(roster)
 };
 
@@ -70,9 +70,9 @@ RosterLine read_line(const QStringList& line, const QVector<Column>& order) {
     if (order[i] == kHand) hand = line[i];
     if (order[i] == kCode) out.code = line[i];
   }
-  if (!read_hand(hand, out.hand)) out.is = RosterLine::Is::kFaulty, out.says = Words::tr("\"%1\" is neither left nor right").arg(hand);
-  if (out.name.isEmpty()) out.is = RosterLine::Is::kFaulty, out.says = Words::tr("No name");
-  if (out.name.size() > kLongest) out.is = RosterLine::Is::kFaulty, out.says = Words::tr("Longer than %1 characters").arg(kLongest);
+  if (!read_hand(hand, out.hand)) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("\"%1\" is neither left nor right").arg(hand);
+  if (out.name.isEmpty()) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("No name");
+  if (out.name.size() > kLongest) out.is = RosterLine::Is::kFaulty, out.says = RosterWords::tr("Longer than %1 characters").arg(kLongest);
   return out;
 }
 
@@ -96,9 +96,9 @@ QVector<RosterLine> read_roster(const QString& text, const QStringList& known) {
     RosterLine line = read_line(cells(text_line, separator), order);
     const QString key = line.name.toCaseFolded();
     if (line.is == RosterLine::Is::kNew && there.contains(key))
-      line.is = RosterLine::Is::kKnown, line.says = Words::tr("Is there already");
+      line.is = RosterLine::Is::kKnown, line.says = RosterWords::tr("Is there already");
     else if (line.is == RosterLine::Is::kNew && names.contains(key))
-      line.is = RosterLine::Is::kTwice, line.says = Words::tr("Twice in the list");
+      line.is = RosterLine::Is::kTwice, line.says = RosterWords::tr("Twice in the list");
     names += key;
     out += line;
   }

@@ -17,7 +17,7 @@ constexpr int kWeek = 7;          // days; retention drops visibly after about a
 constexpr int kMostWeeks = 4;     // a person who left for good does not stay on top for ever
 constexpr int kReady = 3;         // passes in a row after which a test is due
 
-class Words {
+class StandingWords {
   Q_DECLARE_TR_FUNCTIONS(standing)
 };
 
@@ -73,12 +73,12 @@ QString attention_words(const Standing& s) {
   QStringList words;
   if (s.failing >= kStuck)
     words += s.same_reason.isEmpty()
-                 ? Words::tr("%1 not passed in a row").arg(s.failing)
-                 : Words::tr("%1 not passed in a row: %2").arg(s.failing).arg(short_reason(s.same_reason));
-  if (s.attempts > 0 && s.days >= kWeek) words += Words::tr("%1 days without practice").arg(s.days);
-  if (!words.isEmpty()) return words.join(Words::tr(", "));
+                 ? StandingWords::tr("%1 not passed in a row").arg(s.failing)
+                 : StandingWords::tr("%1 not passed in a row: %2").arg(s.failing).arg(short_reason(s.same_reason));
+  if (s.attempts > 0 && s.days >= kWeek) words += StandingWords::tr("%1 days without practice").arg(s.days);
+  if (!words.isEmpty()) return words.join(StandingWords::tr(", "));
   const auto n = s.last.size();
-  if (n >= kReady && std::all_of(s.last.end() - kReady, s.last.end(), [](bool b) { return b; })) return Words::tr("doing well");
+  if (n >= kReady && std::all_of(s.last.end() - kReady, s.last.end(), [](bool b) { return b; })) return StandingWords::tr("doing well");
   return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/stations_model.hpp"
 
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 
 #include <QLocale>
@@ -14,8 +15,6 @@ namespace {
 
 using record::StationNow;
 using record::StationState;
-
-QString qt(const std::string& s) { return QString::fromStdString(s); }
 
 QString silence_text(double s) {
   constexpr double kMinute_s = 60, kHour_s = 3600;

@@ -14,7 +14,7 @@
 namespace swage::console {
 namespace {
 
-class Words {
+class EventWords {
   Q_DECLARE_TR_FUNCTIONS(words)
 };
 
@@ -48,7 +48,7 @@ QString display_unit(const QString& unit) {
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  if (unit == QLatin1String("yes/no")) return value > 0.5 ? Words::tr("yes") : Words::tr("no");
+  if (unit == QLatin1String("yes/no")) return value > 0.5 ? EventWords::tr("yes") : EventWords::tr("no");
   // a tenth of a wire and less is told in micrometres
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
     return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
@@ -86,18 +86,18 @@ QString clock_text(double seconds) {
 QString person_text(const QString& name) { return name == QLatin1String(record::kGuest) ? QObject::tr("Guest") : name; }
 
 QString verdict_text(const QString& outcome) {
-  if (outcome == QLatin1String("passed")) return Words::tr("Passed");
-  if (outcome == QLatin1String("failed")) return Words::tr("Not passed");
-  if (outcome == QLatin1String("void")) return Words::tr("Void");
-  if (outcome == QLatin1String("aborted")) return Words::tr("Stopped");
-  if (outcome == QLatin1String("running")) return Words::tr("Running");
+  if (outcome == QLatin1String("passed")) return EventWords::tr("Passed");
+  if (outcome == QLatin1String("failed")) return EventWords::tr("Not passed");
+  if (outcome == QLatin1String("void")) return EventWords::tr("Void");
+  if (outcome == QLatin1String("aborted")) return EventWords::tr("Stopped");
+  if (outcome == QLatin1String("running")) return EventWords::tr("Running");
   return human_id(outcome);
 }
 
 QString mode_text(const QString& mode) {
-  if (mode == QLatin1String("practice")) return Words::tr("Practice");
-  if (mode == QLatin1String("test")) return Words::tr("Test");
-  if (mode == QLatin1String("demo")) return Words::tr("Demo");
+  if (mode == QLatin1String("practice")) return EventWords::tr("Practice");
+  if (mode == QLatin1String("test")) return EventWords::tr("Test");
+  if (mode == QLatin1String("demo")) return EventWords::tr("Demo");
   return human_id(mode);
 }
 
@@ -107,11 +107,11 @@ QString remark_text(const QString& remark) {
   QStringList out;
   for (const QString& part : remark.split(QStringLiteral(", "), Qt::SkipEmptyParts)) {
     if (const auto m = kSlow.match(part); m.hasMatch())
-      out += Words::tr("at %1 % of real speed").arg(m.captured(1));
+      out += EventWords::tr("at %1 % of real speed").arg(m.captured(1));
     else if (const auto f = kForces.match(part); f.hasMatch())
-      out += Words::tr("no forces for %1 s").arg(QLocale().toString(f.captured(1).toDouble(), 'f', 1));
+      out += EventWords::tr("no forces for %1 s").arg(QLocale().toString(f.captured(1).toDouble(), 'f', 1));
     else if (const auto n = kSteps.match(part); n.hasMatch())
-      out += Words::tr("%1 steps not recorded").arg(n.captured(1));
+      out += EventWords::tr("%1 steps not recorded").arg(n.captured(1));
     else
       out += part;
   }
@@ -121,7 +121,7 @@ QString remark_text(const QString& remark) {
 QString when_text(const QString& utc) {
   const QDateTime time = QDateTime::fromString(utc, Qt::ISODate);
   if (!time.isValid()) return utc;
-  return QLocale().toString(time.toLocalTime(), Words::tr("d MMM yyyy HH:mm"));
+  return QLocale().toString(time.toLocalTime(), EventWords::tr("d MMM yyyy HH:mm"));
 }
 
 }  // namespace swage::console

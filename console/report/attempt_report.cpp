@@ -6,6 +6,7 @@
 
 #include "console/models/attempts_model.hpp"
 #include "console/models/made_with.hpp"
+#include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "console/report/sheet.hpp"
@@ -19,17 +20,15 @@ constexpr int kMostMetrics = 14, kMostMoments = 5, kMostNotes = 4, kTraces = 3; 
 constexpr double kTimeline_px = 260, kTrack_px = 190;
 const QColor kGrey(80, 80, 80);
 
-class Words {
+class AttemptWords {
   Q_DECLARE_TR_FUNCTIONS(attempt_report)
 };
 
-QString qt(const std::string& s) { return QString::fromStdString(s); }
-
-QString seconds(double s) { return Words::tr("%L1 s").arg(s, 0, 'f', 2); }
+QString seconds(double s) { return AttemptWords::tr("%L1 s").arg(s, 0, 'f', 2); }
 
 void add_metrics(Sheet& sheet, const Review& review) {
   const QVector<double> shares = {0.5, 0.2, 0.3};
-  sheet.row({Words::tr("Metric"), Words::tr("Value"), Words::tr("Direction")}, shares, true);
+  sheet.row({AttemptWords::tr("Metric"), AttemptWords::tr("Value"), AttemptWords::tr("Direction")}, shares, true);
   for (int i = 0; i < std::min<int>(kMostMetrics, static_cast<int>(review.metrics.size())); ++i) {
     const MetricLine& m = review.metrics[i];
     sheet.row({m.name, m.value, better_words(m.better)}, shares, false);
@@ -40,16 +39,16 @@ void add_metrics(Sheet& sheet, const Review& review) {
 void add_ratings(Sheet& sheet, const Review& review) {
   QStringList means;
   for (const RatingLine& r : review.ratings)
-    if (r.mean) means += Words::tr("%1: %2").arg(r.name, r.value);
-  if (!means.isEmpty()) sheet.text(Words::tr("On scales of surgeons: %1").arg(means.join(QStringLiteral(" · "))), 9);
+    if (r.mean) means += AttemptWords::tr("%1: %2").arg(r.name, r.value);
+  if (!means.isEmpty()) sheet.text(AttemptWords::tr("On scales of surgeons: %1").arg(means.join(QStringLiteral(" · "))), 9);
 }
 
 void add_moments(Sheet& sheet, const AttemptReport& r) {
   const QVector<double> shares = {0.12, 0.88};
-  if (!r.worst.isEmpty()) sheet.text(Words::tr("Worst moments"), 11, true);
+  if (!r.worst.isEmpty()) sheet.text(AttemptWords::tr("Worst moments"), 11, true);
   for (int i = 0; i < std::min<int>(kMostMoments, static_cast<int>(r.worst.size())); ++i)
     sheet.row({seconds(r.worst[i].time_s), r.worst[i].what}, shares, false);
-  if (!r.notes.empty()) sheet.gap(6), sheet.text(Words::tr("Notes"), 11, true);
+  if (!r.notes.empty()) sheet.gap(6), sheet.text(AttemptWords::tr("Notes"), 11, true);
   for (size_t i = 0; i < std::min<size_t>(kMostNotes, r.notes.size()); ++i)
     sheet.row({seconds(r.notes[i].time_s), qt(r.notes[i].text)}, shares, false);
 }
@@ -77,7 +76,7 @@ QString made_with_line(const AttemptReport& r) {
   QStringList plugins;
   for (const auto& [id, version] : r.recording.info.plugins)
     if (const QString one = qt(id + " " + version); !plugins.contains(one)) plugins += one;
-  return (made_with(r.about) + QStringList{Words::tr("seed %1").arg(r.review.seed)}).join(QStringLiteral(" · ")) + QStringLiteral("\n") +
+  return (made_with(r.about) + QStringList{AttemptWords::tr("seed %1").arg(r.review.seed)}).join(QStringLiteral(" · ")) + QStringLiteral("\n") +
          plugins.join(QStringLiteral(", "));
 }
 
@@ -86,11 +85,11 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   sheet.text(said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title), 18, true);
   const QString name = person_text(qt(a.person_name));
   const QString who =
-      a.person_code.empty() || a.person_code == a.person_name ? name : Words::tr("%1 (%2)").arg(name, qt(a.person_code));
+      a.person_code.empty() || a.person_code == a.person_name ? name : AttemptWords::tr("%1 (%2)").arg(name, qt(a.person_code));
   sheet.text(QStringList({who, when_text(qt(a.started_utc)), mode_text(qt(a.mode)), seconds(a.simulated_s)}).join(QStringLiteral(" · ")), 10,
              false, kGrey);
   sheet.text(r.review.verdict(), 13, true);
-  if (!a.void_reason.empty()) sheet.text(Words::tr("Void: %1").arg(qt(a.void_reason)), 10);
+  if (!a.void_reason.empty()) sheet.text(AttemptWords::tr("Void: %1").arg(qt(a.void_reason)), 10);
   sheet.gap(6);
   add_metrics(sheet, r.review);
   sheet.gap(4);
@@ -100,7 +99,7 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   sheet.gap(8);
   add_plots(sheet, r, UiTheme::stock(QStringLiteral("light")));
   sheet.text(made_with_line(r), 8, false, kGrey);
-  sheet.text(Words::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, kGrey);
+  sheet.text(AttemptWords::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, kGrey);
 }
 
 }  // namespace

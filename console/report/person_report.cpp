@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostAttempts = 12, kMostBars = 7;  // what one page holds
 
-class Words {
+class PersonWords {
   Q_DECLARE_TR_FUNCTIONS(report)
 };
 
@@ -38,10 +38,10 @@ void add_attempts(Sheet& sheet, const PersonReport& r) {
 
 void draw(Sheet& sheet, const PersonReport& r) {
   const UiTheme theme = UiTheme::stock(QStringLiteral("light"));
-  sheet.text(r.name.isEmpty() ? r.code : Words::tr("%1 (%2)").arg(person_text(r.name), r.code), 18, true);
-  sheet.text(Words::tr("%1, %2").arg(r.lesson, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, QColor(80, 80, 80));
-  QString stands = Words::tr("%1 of %2 attempts passed.").arg(r.standing.passed).arg(r.standing.attempts);
-  if (const QString words = attention_words(r.standing); !words.isEmpty()) stands += Words::tr(" Now: %1.").arg(words);
+  sheet.text(r.name.isEmpty() ? r.code : PersonWords::tr("%1 (%2)").arg(person_text(r.name), r.code), 18, true);
+  sheet.text(PersonWords::tr("%1, %2").arg(r.lesson, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, QColor(80, 80, 80));
+  QString stands = PersonWords::tr("%1 of %2 attempts passed.").arg(r.standing.passed).arg(r.standing.attempts);
+  if (const QString words = attention_words(r.standing); !words.isEmpty()) stands += PersonWords::tr(" Now: %1.").arg(words);
   sheet.text(stands, 11);
   sheet.gap(8);
   MetricChart chart;
@@ -51,7 +51,7 @@ void draw(Sheet& sheet, const PersonReport& r) {
   sheet.text(r.series.fit, 9, false, QColor(80, 80, 80));
   if (!r.bars.isEmpty()) {
     sheet.gap(8);
-    sheet.text(Words::tr("Latest attempt, experts' band"), 11, true);
+    sheet.text(PersonWords::tr("Latest attempt, experts' band"), 11, true);
     BandBars bars;
     bars.set_theme(theme);
     bars.set_bars(r.bars.mid(0, kMostBars), {});
@@ -60,10 +60,10 @@ void draw(Sheet& sheet, const PersonReport& r) {
   sheet.gap(8);
   add_attempts(sheet, r);
   sheet.gap(12);
-  sheet.text(Words::tr("Instructor's note: ______________________________________________"), 10);
+  sheet.text(PersonWords::tr("Instructor's note: ______________________________________________"), 10);
   sheet.gap(6);
   sheet.text(made_with(r.about).join(QStringLiteral(" · ")), 8, false, QColor(80, 80, 80));
-  sheet.text(Words::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, QColor(80, 80, 80));
+  sheet.text(PersonWords::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, QColor(80, 80, 80));
 }
 
 }  // namespace

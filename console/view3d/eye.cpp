@@ -8,7 +8,7 @@
 namespace swage::console {
 namespace {
 
-constexpr float kDeg = 0.017453292F;
+constexpr float kEyeDeg = 0.017453292F;
 constexpr float kDown_deg = 45;  // a camera that looks down more steeply is crossed from the front
 
 constexpr float kClear = 2;  // radii before a wound in which things are seen: jaws beyond would hide it
@@ -16,7 +16,7 @@ constexpr float kSteep_deg =
     55;  // at which a wound is looked at: its lips stand out, its shape is not foreshortened
 
 // half the height of what a camera sees at a distance of 1
-float half_height() { return std::tan(0.5F * OrbitCamera::kFovDeg * kDeg); }
+float half_height() { return std::tan(0.5F * OrbitCamera::kFovDeg * kEyeDeg); }
 
 // near and far follow the distance, so that depth is spent where the scene is
 float near_of(float distance) { return 0.05F * distance; }
@@ -80,9 +80,9 @@ Eye cross_eye(const OrbitCamera& camera, const QVector3D& centre, float radius, 
   const QVector3D right = camera.q_WC().rotatedVector({1, 0, 0});
   const QVector3D forwards = QVector3D::crossProduct({0, 0, 1}, right).normalized();  // level
   const float climb = QVector3D::dotProduct(camera.up(), {0, 0, 1});  // cosine of the camera's pitch
-  const bool from_above = climb > std::cos(kDown_deg * kDeg);
+  const bool from_above = climb > std::cos(kDown_deg * kEyeDeg);
   Eye eye;
-  eye.distance = radius / std::sin(0.5F * OrbitCamera::kFovDeg * kDeg);
+  eye.distance = radius / std::sin(0.5F * OrbitCamera::kFovDeg * kEyeDeg);
   eye.span = 2 * eye.distance * half_height();
   eye.ahead = centre;
   eye.position = centre + eye.distance * (from_above ? QVector3D(0, 0, 1) : -forwards);
@@ -97,9 +97,9 @@ Eye wound_eye(const OrbitCamera& camera, const QVector3D& middle, const QVector3
   QVector3D aside = in_plane(camera.eye() - camera.focus());
   if (aside.length() < 0.1F * camera.distance()) aside = in_plane(-camera.up());
   const QVector3D to_eye =
-      std::cos(kSteep_deg * kDeg) * aside.normalized() + std::sin(kSteep_deg * kDeg) * normal;
+      std::cos(kSteep_deg * kEyeDeg) * aside.normalized() + std::sin(kSteep_deg * kEyeDeg) * normal;
   Eye eye;
-  eye.distance = radius / std::sin(0.5F * OrbitCamera::kFovDeg * kDeg);
+  eye.distance = radius / std::sin(0.5F * OrbitCamera::kFovDeg * kEyeDeg);
   eye.span = 2 * eye.distance * half_height();
   eye.ahead = middle;
   eye.position = middle + eye.distance * to_eye;

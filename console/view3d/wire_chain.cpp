@@ -19,7 +19,7 @@ Vec on_arc(const snapshot::CardShape& arc, const swage_pose& X_WB, double share)
                    transform(arc.X_BS, {arc.arc_radius * std::cos(a), arc.arc_radius * std::sin(a), 0}));
 }
 
-double distance(const Vec& a, const Vec& b) {
+double apart(const Vec& a, const Vec& b) {
   const Vec d = a - b;
   return std::sqrt(dot(d, d));
 }
@@ -33,7 +33,7 @@ void put_in_order(std::vector<snapshot::CardShape>& pieces, const std::vector<sw
   const auto gap_before = [&](const snapshot::CardShape& s) {
     double least = 1e9;
     for (const snapshot::CardShape& other : rest) {
-      if (&other != &s) least = std::min(least, distance(begin(s), end(other)));
+      if (&other != &s) least = std::min(least, apart(begin(s), end(other)));
     }
     return least;
   };
@@ -43,14 +43,14 @@ void put_in_order(std::vector<snapshot::CardShape>& pieces, const std::vector<sw
     pieces.push_back(*first);
     rest.erase(first);
     first = std::min_element(rest.begin(), rest.end(), [&](const auto& a, const auto& b) {
-      return distance(begin(a), end(pieces.back())) < distance(begin(b), end(pieces.back()));
+      return apart(begin(a), end(pieces.back())) < apart(begin(b), end(pieces.back()));
     });
   }
 }
 
 Vec at(const std::vector<double>& line, size_t i) { return {line[3 * i], line[3 * i + 1], line[3 * i + 2]}; }
 
-void put(const Vec& p, std::vector<double>& line) { line.insert(line.end(), {p.x, p.y, p.z}); }
+void append(const Vec& p, std::vector<double>& line) { line.insert(line.end(), {p.x, p.y, p.z}); }
 
 }  // namespace
 
@@ -81,9 +81,9 @@ std::vector<double> WireChain::centre_line(std::span<const swage_pose> X_WB) con
     const snapshot::CardShape& arc = piece[k];
     if (arc.body >= X_WB.size()) continue;
     const int n = std::max(kLeastStations, static_cast<int>(std::ceil(arc.sweep / kStation_rad)));
-    if (k == 0) put(on_arc(arc, X_WB[arc.body], 0), line);
-    for (int i = 0; i < n; ++i) put(on_arc(arc, X_WB[arc.body], (i + 0.5) / n), line);
-    if (k + 1 == piece.size()) put(on_arc(arc, X_WB[arc.body], 1), line);
+    if (k == 0) append(on_arc(arc, X_WB[arc.body], 0), line);
+    for (int i = 0; i < n; ++i) append(on_arc(arc, X_WB[arc.body], (i + 0.5) / n), line);
+    if (k + 1 == piece.size()) append(on_arc(arc, X_WB[arc.body], 1), line);
   }
   return line;
 }
@@ -92,7 +92,7 @@ std::vector<double> part_of_line(const std::vector<double>& line, double from, d
   const size_t n = line.size() / 3;
   if (n < 2 || !(to > from)) return {};
   std::vector<double> along(n, 0);
-  for (size_t i = 1; i < n; ++i) along[i] = along[i - 1] + distance(at(line, i), at(line, i - 1));
+  for (size_t i = 1; i < n; ++i) along[i] = along[i - 1] + apart(at(line, i), at(line, i - 1));
   const double a = std::clamp(from, 0.0, 1.0) * along.back(), b = std::clamp(to, 0.0, 1.0) * along.back();
   const auto place = [&](double s) {
     const auto next = std::clamp<size_t>(
@@ -102,11 +102,11 @@ std::vector<double> part_of_line(const std::vector<double>& line, double from, d
     return at(line, next - 1) + (at(line, next) - at(line, next - 1)) * u;
   };
   std::vector<double> out;
-  put(place(a), out);
+  append(place(a), out);
   for (size_t i = 0; i < n; ++i) {
-    if (along[i] > a && along[i] < b) put(at(line, i), out);
+    if (along[i] > a && along[i] < b) append(at(line, i), out);
   }
-  put(place(b), out);
+  append(place(b), out);
   return out;
 }
 

@@ -15,7 +15,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kLeft_px = 56, kRight_px = 12, kEvents_px = 30, kAxis_px = 20, kGap_px = 16;
+constexpr double kTimelineLeft_px = 56, kRight_px = 12, kEvents_px = 30, kAxis_px = 20, kGap_px = 16;
 constexpr double kFine_s = 1e-3, kStep_s = 1e-2, kCoarse_s = 1;
 constexpr double kLabel_px = 14;  // height of a number at an axis
 constexpr double kNear_px = 5;    // so near the pointer means an event
@@ -109,7 +109,7 @@ void Timeline::describe() {
 }
 
 QRectF Timeline::area() const {
-  return {kLeft_px, kEvents_px, width() - kLeft_px - kRight_px, height() - kEvents_px - kAxis_px};
+  return {kTimelineLeft_px, kEvents_px, width() - kTimelineLeft_px - kRight_px, height() - kEvents_px - kAxis_px};
 }
 
 QRectF Timeline::plot(int i) const {
@@ -277,7 +277,7 @@ void Timeline::paint_scale(QPainter& p, const Trace& t, const QRectF& a) const {
                     [&](double other) { return std::abs(other - y(v)) < kLabel_px; }))
       continue;
     told_px[told++] = y(v);
-    p.drawText(QRectF(0, y(v) - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
+    p.drawText(QRectF(0, y(v) - 8, kTimelineLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter,
                QLocale().toString(v, 'g', 3));
   }
 }

@@ -12,7 +12,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kRoom = 1.25;  // around what is shown
-constexpr double kCosine_px = 118, kLeft_px = 30,
+constexpr double kCosine_px = 118, kTrackLeft_px = 30,
                  kTitle_px = 26;         // the lower plot, and where its axis stands
 constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
 
@@ -132,7 +132,7 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
                    a.bottom() - a.height() * std::clamp(q.y(), 0.0, 1.0));
   };
   p.setPen(theme_["text"]);
-  const double left = a.left() - kLeft_px;
+  const double left = a.left() - kTrackLeft_px;
   p.drawText(QRectF(left, a.top() - kTitle_px, width() - left, 18), Qt::AlignLeft | Qt::AlignVCenter,
              tr("Cosine of the penetration angle"));
   p.setPen(theme_["muted"]);
@@ -143,7 +143,7 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
     p.setPen(QPen(theme_["grid"], 1));
     p.drawLine(QPointF(a.left(), y), QPointF(a.right(), y));
     p.setPen(theme_["muted"]);
-    p.drawText(QRectF(left, y - 8, kLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(v));
+    p.drawText(QRectF(left, y - 8, kTrackLeft_px - 6, 16), Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(v));
   }
   p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignLeft, tr("%L1 s").arg(from, 0, 'f', 1));
   p.drawText(QRectF(a.left(), a.bottom() + 2, a.width(), 16), Qt::AlignRight, tr("%L1 s").arg(to, 0, 'f', 1));
@@ -192,7 +192,7 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   p.setPen(QPen(theme_["text"], 2));
   p.drawLine(QPointF(8, bottom - 8), QPointF(8 + bar * scale, bottom - 8));
   p.drawText(QRectF(8, bottom - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
-  const double left = beside ? right + kLeft_px : kLeft_px, top = beside ? text_px : bottom + 30;
+  const double left = beside ? right + kTrackLeft_px : kTrackLeft_px, top = beside ? text_px : bottom + 30;
   if (both) paint_cosine(p, {left, top, width() - left - 10.0, height() - top - 20.0});
 }
 

@@ -37,6 +37,13 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
+# Whole builds compile ten files at once, which takes a third of the time: most of a file is its headers. Names in anonymous
+# namespaces are therefore distinct within a folder. Off where one file is edited and built again (preset dev).
+option(SWAGE_BATCHES "Compile files in batches" OFF)
+function(swage_batches target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWAGE_BATCHES} UNITY_BUILD_BATCH_SIZE 10)
+endfunction()
+
 # swage_room(<name> [SOURCES ...] [LINKS ...])  ->  target swage_<name>, sources relative to the room's folder
 function(swage_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;LINKS" ${ARGN})
@@ -44,6 +51,7 @@ function(swage_room name)
     add_library(swage_${name} STATIC ${ROOM_SOURCES})
     target_include_directories(swage_${name} PUBLIC ${CMAKE_SOURCE_DIR}/framework)
     target_link_libraries(swage_${name} PUBLIC ${ROOM_LINKS} PRIVATE swage_flags)
+    swage_batches(swage_${name})
   else()
     add_library(swage_${name} INTERFACE)
     target_include_directories(swage_${name} INTERFACE ${CMAKE_SOURCE_DIR}/framework)
@@ -51,15 +59,17 @@ function(swage_room name)
   endif()
 endfunction()
 
-# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n])  ->  CTest entry <name>
+# swage_test(<name> SOURCES ... LINKS ... [LABELS ...] [ENVIRONMENT ...] [TIMEOUT s] [SHARDS n] [WAITS])  ->  CTest entry <name>
+# WAITS: it sleeps more than it works, as a driver's test does; two of them share a core
 # SHARDS: its tests run in n processes at once; for tests that mostly wait, or that are long and many
 function(swage_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
+  cmake_parse_arguments(TEST "WAITS" "TIMEOUT;SHARDS" "SOURCES;LINKS;LABELS;ENVIRONMENT;ARGS" ${ARGN})
   string(REPLACE "." "_" target test_${name})
   add_executable(${target} ${TEST_SOURCES})
   target_link_libraries(${target} PRIVATE ${TEST_LINKS} GTest::gtest GTest::gmock GTest::gtest_main swage_flags)
   target_include_directories(${target} PRIVATE ${CMAKE_BINARY_DIR}/tests/include)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  swage_batches(${target})
   if(TEST_SHARDS)
     add_test(NAME ${name} COMMAND ${CMAKE_SOURCE_DIR}/tests/in_shards.sh ${TEST_SHARDS} $<TARGET_FILE:${target}> ${TEST_ARGS})
   else()
@@ -72,7 +82,12 @@ function(swage_test name)
   if(SWAGE_SANITIZE) # up to ten times as slow
     math(EXPR TEST_TIMEOUT "10 * ${TEST_TIMEOUT}")
   endif()
-  set_tests_properties(${name} PROPERTIES TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
+  # in halves of a core: scripts/test.sh gives two for each core
+  set(processors 2)
+  if(TEST_WAITS)
+    set(processors 1)
+  endif()
+  set_tests_properties(${name} PROPERTIES PROCESSORS ${processors} TIMEOUT ${TEST_TIMEOUT} LABELS "${TEST_LABELS}"
     ENVIRONMENT "${TEST_ENVIRONMENT}")
 endfunction()
 

@@ -14,7 +14,6 @@ namespace {
 using Line = Eigen::Map<Eigen::VectorXd>;
 using ConstLine = Eigen::Map<const Eigen::VectorXd>;
 
-Eigen::Index index(size_t n) { return static_cast<Eigen::Index>(n); }
 
 Vec3 vec3(const double* a) { return {a[0], a[1], a[2]}; }
 Vec3 force(const Constraint& constraint) {

@@ -11,9 +11,6 @@ namespace {
 using Line = Eigen::Map<Eigen::VectorXd>;
 using ConstLine = Eigen::Map<const Eigen::VectorXd>;
 
-constexpr uint32_t kNone = UINT32_MAX;
-
-Eigen::Index index(size_t n) { return static_cast<Eigen::Index>(n); }
 
 double product(const Vec3& R, size_t size, const double* of) {
   return size == 3 ? R.x() * of[0] + R.y() * of[1] + R.z() * of[2] : R.x() * of[0];
@@ -66,7 +63,7 @@ void ContactSystem::combine(const Vec3& R, size_t element, const double* from, s
 bool ContactSystem::factor_springs() noexcept {
   spring_.clear();
   springs_ = slots_ = 0;
-  std::fill_n(slot_.begin(), elements(), kNone);
+  std::fill_n(slot_.begin(), elements(), scene::kNone);
   for (uint32_t i = 0; i < elements(); ++i) {
     if (!of_[i].spring || of_[i].rank == 0 || left_[i]) continue;
     spring_.push_back(i);
@@ -117,7 +114,7 @@ bool ContactSystem::factor_rest() noexcept {
     const bool spring = next < spring_.size() && spring_[next] == i;
     next += spring;
     if (spring || of_[i].rank == 0) continue;
-    if (slot_[i] == kNone) add_to_rest(i);
+    if (slot_[i] == scene::kNone) add_to_rest(i);
     rest_.push_back(i);
     first_[i] = static_cast<uint32_t>(lines_);
     lines_ += of_[i].rank;

@@ -7,12 +7,6 @@
 #include "dynamics/jacobian.hpp"
 
 namespace swage::dynamics {
-namespace {
-
-Eigen::Index index(size_t n) { return static_cast<Eigen::Index>(n); }
-
-}  // namespace
-
 size_t ContactSpace::begin(const Island& island) noexcept {
   island_ = &island;
   n_constraints_ = island.constraints.size();

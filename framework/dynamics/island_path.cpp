@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so 5 to 20
 constexpr uint32_t kBandedPathSteps = 150;  // the same of threads, which slide at all of their 10 to 100 contacts
 constexpr uint32_t kTurningSteps = 40;  // in which threads turn back. More: what sticks and slips in turns holds up the path
-constexpr uint32_t kHalvings = 6;    // of a step on one piece, where the direction of slip turns
+constexpr uint32_t kTurnHalvings = 6;    // of a step on one piece, where the direction of slip turns
 constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
 
 }  // namespace
@@ -66,7 +66,7 @@ bool IslandSolver::whole_step(const Island& island, double far, double tolerance
   for (uint32_t k = 0;; ++k, fraction *= 0.5) {
     advance(fraction);
     evaluate_pieces(island, trial_.data());
-    if (far <= tolerance || k == kHalvings || space_->merit() <= now) break;
+    if (far <= tolerance || k == kTurnHalvings || space_->merit() <= now) break;
   }
   z_.swap(trial_);
   return fraction == 1;

@@ -3,11 +3,15 @@
 // What one constraint adds to the system of its island. Header-only, pure functions, [rt].
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "dynamics/island.hpp"
 
 namespace swage::dynamics {
+
+/// The same number as Eigen counts.
+inline Eigen::Index index(size_t n) noexcept { return static_cast<Eigen::Index>(n); }
 
 /// From the axes of a constraint to W.
 inline Vec3 in_world(const Constraint& constraint, double n, double t1, double t2) {

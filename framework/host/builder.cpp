@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "host/c_values.hpp"
 #include "host/plugin_info.hpp"
 #include "host/sentences.hpp"
 #include "host/units.hpp"
@@ -13,7 +14,6 @@
 
 namespace swage::host {
 
-using scene::kNone;
 using scene::Range;
 using toolkit::Pose;
 using toolkit::Quat;
@@ -41,8 +41,6 @@ bool finite(const swage_vec3& a) { return std::abs(a.x) <= kFar && std::abs(a.y)
 bool unit(double norm) { return std::abs(norm - 1) < 1e-6; }
 
 bool unit(const swage_quat& q) { return unit(std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z)); }
-
-bool positive(double a) { return std::isfinite(a) && a > 0; }
 
 // what a plugin says, no longer than anybody reads
 std::string shortened(const char* text, std::size_t most) {
@@ -75,8 +73,8 @@ struct BuilderCalls {
     Builder& b = of(raw);
     const std::string called =
         name != nullptr && *name != 0 ? shortened(name, kMaxId) : "body " + std::to_string(b.body.count);
-    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "bodies")) return kNone;
-    if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return kNone;
+    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "bodies")) return scene::kNone;
+    if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return scene::kNone;
     if (X_OB == nullptr || !finite(X_OB->p) || !unit(X_OB->q))
       return b.refuse(say::kOfBody(called, say::kStartPose()));
     if (motion < SWAGE_MOTION_FIXED || motion > SWAGE_MOTION_SELF)
@@ -115,8 +113,8 @@ struct BuilderCalls {
                             double radius) {
     Builder& b = of(raw);
     scene::World& w = b.world_;
-    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "particles")) return kNone;
-    if (!b.fits(w.particle_mass.size() + n, snapshot::kMaxParticles, "particles")) return kNone;
+    if (!b.may(b.owner_.kind == SWAGE_KIND_OBJECT, "particles")) return scene::kNone;
+    if (!b.fits(w.particle_mass.size() + n, snapshot::kMaxParticles, "particles")) return scene::kNone;
     if (n == 0 || p_O == nullptr || mass == nullptr || !(std::isfinite(radius) && radius >= 0))
       return b.refuse(say::kParticles());
     for (uint32_t i = 0; i < n; ++i) {
@@ -142,7 +140,7 @@ struct BuilderCalls {
   static uint32_t sphere(swage_builder* raw, uint32_t body, swage_vec3 centre, double radius,
                          uint32_t flags) {
     Builder& b = of(raw);
-    if (!b.owns_body(body, "A sphere")) return kNone;
+    if (!b.owns_body(body, "A sphere")) return scene::kNone;
     if (!finite(centre) || !positive(radius) || radius > kFar) return b.refuse(say::kSphere());
     scene::Shape shape;
     shape.kind = SWAGE_SHAPE_SPHERE;
@@ -153,7 +151,7 @@ struct BuilderCalls {
 
   static uint32_t tube(Builder& b, int32_t kind, const char* what, uint32_t body, swage_vec3 a, swage_vec3 c,
                        double radius, uint32_t flags) {
-    if (!b.owns_body(body, what)) return kNone;
+    if (!b.owns_body(body, what)) return scene::kNone;
     const double length = (toolkit::vec(c) - toolkit::vec(a)).norm();
     if (!positive(length) || !positive(radius))
       return b.refuse(say::kTube(what));
@@ -177,7 +175,7 @@ struct BuilderCalls {
 
   static uint32_t arc(swage_builder* raw, uint32_t body, const swage_arc* arc, uint32_t flags) {
     Builder& b = of(raw);
-    if (!b.owns_body(body, "An arc")) return kNone;
+    if (!b.owns_body(body, "An arc")) return scene::kNone;
     if (arc == nullptr || !finite(arc->X_BA.p) || !unit(arc->X_BA.q))
       return b.refuse(say::kArcPose());
     if (!positive(arc->radius) || !positive(arc->wire_radius) || arc->wire_radius >= arc->radius)
@@ -196,7 +194,7 @@ struct BuilderCalls {
 
   static uint32_t convex(swage_builder* raw, uint32_t body, const swage_convex* convex, uint32_t flags) {
     Builder& b = of(raw);
-    if (!b.owns_body(body, "A convex polyhedron")) return kNone;
+    if (!b.owns_body(body, "A convex polyhedron")) return scene::kNone;
     if (convex == nullptr || convex->vertex == nullptr || convex->face_start == nullptr ||
         convex->face_vertex == nullptr || convex->n_vertex == 0 || convex->n_face == 0)
       return b.refuse(say::kConvexNothing());
@@ -230,7 +228,7 @@ struct BuilderCalls {
     shape.X_BS = {toolkit::raw(centre), {1, 0, 0, 0}};
     shape.convex = static_cast<uint32_t>(b.world_.convex.size());
     const uint32_t index = b.add_shape(body, shape, flags);
-    if (index != kNone) b.world_.convex.push_back(std::move(built));
+    if (index != scene::kNone) b.world_.convex.push_back(std::move(built));
     return index;
   }
 
@@ -238,12 +236,12 @@ struct BuilderCalls {
     Builder& b = of(raw);
     scene::World& w = b.world_;
     if (hinge == nullptr || !b.owns_body(hinge->parent, "A hinge") || !b.owns_body(hinge->child, "A hinge"))
-      return hinge == nullptr ? b.refuse(say::kNullHinge()) : kNone;
+      return hinge == nullptr ? b.refuse(say::kNullHinge()) : scene::kNone;
     const uint32_t parent = b.body.first + hinge->parent, child = b.body.first + hinge->child;
     const std::string& name = w.body[child].name;
     if (w.body[child].motion != SWAGE_MOTION_HINGED)
       return b.refuse(say::kOfHinge(name, say::kChildNotHinged()));
-    if (w.body[child].hinge != kNone) return b.refuse(say::kOfHinge(name, say::kHingeTwice()));
+    if (w.body[child].hinge != scene::kNone) return b.refuse(say::kOfHinge(name, say::kHingeTwice()));
     if (parent >= child) return b.refuse(say::kOfHinge(name, say::kChildBeforeParent()));
     if (!finite(hinge->anchor) || !finite(hinge->axis) || !unit(toolkit::vec(hinge->axis).norm()))
       return b.refuse(say::kOfHinge(name, say::kHingeAxis()));
@@ -272,10 +270,10 @@ struct BuilderCalls {
 
   static uint32_t state(swage_builder* raw, uint32_t n) {
     Builder& b = of(raw);
-    if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return kNone;
+    if (!b.may(b.owner_.kind != SWAGE_KIND_DEVICE, "private state")) return scene::kNone;
     // 1 Mi doubles are 8 MB to save at each rewind; a number that large is a mistake
     if (n > (1u << 20)) return b.refuse(say::kLargeState(n));
-    if (!b.fits(b.world_.plugin_state.size() + n, kMaxState, "private numbers")) return kNone;
+    if (!b.fits(b.world_.plugin_state.size() + n, kMaxState, "private numbers")) return scene::kNone;
     const uint32_t first = b.state.count;
     b.state.count += n;
     b.world_.plugin_state.resize(b.world_.plugin_state.size() + n, 0.0);
@@ -289,24 +287,24 @@ struct BuilderCalls {
     judge::Name name{b.owner_.name, shortened(id, kMaxId), shortened(unit_text, kMaxId), shortened(doc, kMaxDoc)};
     switch (what) {
       case SWAGE_DECLARE_SIGNAL: {
-        if (!b.may(kind == SWAGE_KIND_OBJECT || kind == SWAGE_KIND_COUPLING, "signals")) return kNone;
-        if (!b.fits(b.script_.signals.size() + 1, snapshot::kMaxSignals, "signals")) return kNone;
+        if (!b.may(kind == SWAGE_KIND_OBJECT || kind == SWAGE_KIND_COUPLING, "signals")) return scene::kNone;
+        if (!b.fits(b.script_.signals.size() + 1, snapshot::kMaxSignals, "signals")) return scene::kNone;
         const uint32_t index = b.add_name(b.script_.signals, b.signal, std::move(name));
-        if (index != kNone) b.world_.signal.push_back(0);
+        if (index != scene::kNone) b.world_.signal.push_back(0);
         return index;
       }
       case SWAGE_DECLARE_METRIC:
-        if (!b.may(kind == SWAGE_KIND_LESSON, "metrics")) return kNone;
-        if (!b.fits(b.script_.metrics.size() + 1, snapshot::kMaxMetrics, "metrics")) return kNone;
+        if (!b.may(kind == SWAGE_KIND_LESSON, "metrics")) return scene::kNone;
+        if (!b.fits(b.script_.metrics.size() + 1, snapshot::kMaxMetrics, "metrics")) return scene::kNone;
         return b.add_name(b.script_.metrics, b.metric, std::move(name));
       case SWAGE_DECLARE_CUE:
-        if (!b.may(kind == SWAGE_KIND_LESSON, "cues")) return kNone;
+        if (!b.may(kind == SWAGE_KIND_LESSON, "cues")) return scene::kNone;
         return b.add_name(b.script_.cues, b.cue, std::move(name));
       case SWAGE_DECLARE_EVENT:
-        if (!b.may(kind == SWAGE_KIND_COUPLING || kind == SWAGE_KIND_LESSON, "events")) return kNone;
+        if (!b.may(kind == SWAGE_KIND_COUPLING || kind == SWAGE_KIND_LESSON, "events")) return scene::kNone;
         return b.add_name(b.script_.events, b.event, std::move(name));
       case SWAGE_DECLARE_PHASE:
-        if (!b.may(kind == SWAGE_KIND_LESSON, "phases")) return kNone;
+        if (!b.may(kind == SWAGE_KIND_LESSON, "phases")) return scene::kNone;
         return b.add_name(b.script_.phases, b.phase, std::move(name));
       default:
         return b.refuse(say::kUnknownWhat(what));
@@ -356,7 +354,7 @@ uint32_t Builder::refuse(const std::string& message, const std::string& param_id
   const bool told = !problems_.empty() && problems_.back().where == where && problems_.back().message == message;
   if (!told && ++refusals_ <= kMostRefusals) problems_.push_back({base::Severity::kError, where, message});
   failed_ = true;
-  return kNone;
+  return scene::kNone;
 }
 
 bool Builder::may(bool allowed, const char* what) {
@@ -372,12 +370,12 @@ bool Builder::fits(std::size_t n, uint32_t capacity, const char* what) {
 
 bool Builder::owns_body(uint32_t index, const char* shape_name) {
   if (index < body.count) return true;
-  refuse(say::kNotDeclared(shape_name, index == kNone ? "NONE" : std::to_string(index)));
+  refuse(say::kNotDeclared(shape_name, index == scene::kNone ? "NONE" : std::to_string(index)));
   return false;
 }
 
 uint32_t Builder::add_shape(uint32_t body_index, scene::Shape s, uint32_t flags) {
-  if (!fits(world_.shape.size() + 1, kMaxShapes, "shapes")) return kNone;
+  if (!fits(world_.shape.size() + 1, kMaxShapes, "shapes")) return scene::kNone;
   if ((flags & ~SWAGE_SHAPE_USUAL) != 0)
     return refuse(say::kUnknownFlags(flags));
   s.body = body.first + body_index;

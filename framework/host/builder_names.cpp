@@ -9,7 +9,6 @@
 
 namespace swage::host {
 
-using scene::kNone;
 using scene::Range;
 
 namespace {
@@ -37,7 +36,7 @@ uint32_t Builder::add_name(std::vector<judge::Name>& list, Range& range, judge::
 void Builder::finish() {
   for (uint32_t i = 0; i < body.count; ++i) {
     const scene::BodyInfo& info = world_.body[body.first + i];
-    if (info.motion == SWAGE_MOTION_HINGED && info.hinge == kNone)
+    if (info.motion == SWAGE_MOTION_HINGED && info.hinge == scene::kNone)
       refuse(say::kNoHinge(info.name));
   }
 }

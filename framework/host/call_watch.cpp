@@ -19,7 +19,7 @@ constexpr int64_t kLook = 20'000'000;  // ns between two looks
 std::atomic<const LastCall*> running{nullptr};
 // counts beginnings and ends of calls: odd while one is under way
 std::atomic<uint64_t> turn{0};
-std::atomic<double> limit_s{CallWatch::kLimit};
+std::atomic<double> limit_of_call{CallWatch::kLimit};
 std::atomic<bool> is_off{false};
 std::atomic<CallWatch::Handler> handler{nullptr};
 std::atomic<pid_t> watched_pid{0};  // a forked child has no watch until its first call
@@ -40,7 +40,7 @@ void end(const LastCall& call, const char* cause, const char* what) {
 
 void hung(const LastCall& call) {
   char what[100];
-  std::snprintf(what, sizeof what, "has not come back for %g s, and the program cannot go on", limit_s.load());
+  std::snprintf(what, sizeof what, "has not come back for %g s, and the program cannot go on", limit_of_call.load());
   end(call, "hang", what);
 }
 
@@ -57,7 +57,7 @@ void watch() {
       continue;
     }
     // the same call for so many looks
-    const auto looks = static_cast<int64_t>(limit_s.load() * 1e9) / kLook;
+    const auto looks = static_cast<int64_t>(limit_of_call.load() * 1e9) / kLook;
     for (int64_t i = 0; i < looks && turn.load(std::memory_order_acquire) == now; ++i)
       base::sleep_until_ns(base::wall_ns() + kLook);
     const LastCall* call = running.load(std::memory_order_acquire);
@@ -68,7 +68,7 @@ void watch() {
 }  // namespace
 
 void CallWatch::on_end(Handler tell) noexcept { handler.store(tell); }
-void CallWatch::set_limit(double seconds) noexcept { limit_s.store(seconds); }
+void CallWatch::set_limit(double seconds) noexcept { limit_of_call.store(seconds); }
 void CallWatch::off() noexcept { is_off.store(true); }
 
 void CallWatch::guard_exit() noexcept { std::atexit(on_exit); }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/builder.hpp"
+#include "host/c_values.hpp"
 #include "host/sentences.hpp"
 #include "scene/chain.hpp"
 #include "snapshot/snapshot.hpp"
@@ -15,8 +16,6 @@ using toolkit::Vec3;
 
 // 513 vertices: 30 mm of thread at 60 um; contacts name pieces in nine bits
 constexpr uint32_t kMost = 513;
-
-bool positive(double a) { return std::isfinite(a) && a > 0; }
 
 Vec3 vertex(const swage_chain& c, uint32_t i) {
   return {c.p_B[3 * i], c.p_B[3 * i + 1], c.p_B[3 * i + 2]};

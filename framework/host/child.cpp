@@ -96,7 +96,7 @@ bool listen(Pipe& out, Pipe& err, int wait_ms, ChildResult& result) {
   return true;
 }
 
-constexpr int kLook = 20;                     // ms between two looks at a child
+constexpr int kLook_ms = 20;                  // ms between two looks at a child
 constexpr int64_t kFarewell = 2'000'000'000;  // ns for a child to say where it was and to go
 
 // reads both streams until they end or the time is up, then collects the child
@@ -109,7 +109,7 @@ void collect(pid_t pid, Pipe& out, Pipe& err, double limit_s, ChildResult& resul
     // a child may close its streams and go on
     const bool talks = out.read >= 0 || err.read >= 0;
     if (talks)
-      listen(out, err, kLook, result);
+      listen(out, err, kLook_ms, result);
     else
       usleep(500);
     if (!talks || last != 0) ended = waitpid(pid, &status, WNOHANG);

@@ -3,13 +3,12 @@
 #include <cmath>
 
 #include "host/builder.hpp"
+#include "host/c_values.hpp"
 #include "host/sentences.hpp"
 #include "toolkit/math.hpp"
 
 namespace swage::host {
 namespace {
-
-bool positive(double a) { return std::isfinite(a) && a > 0; }
 
 /// What is wrong with a height field, or nothing. `states`: private doubles of the instance.
 std::string problem_of(const swage_height_field* f, uint32_t states) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "host/c_values.hpp"
+
 namespace swage::host {
 
 using Json = nlohmann::ordered_json;
@@ -13,8 +15,6 @@ namespace {
 constexpr std::array kBetter = {"", "lower", "higher", "inside"};
 constexpr std::array kChannels = {"colour", "shape", "sound", "force"};
 constexpr uint32_t kMaxRows = 1000;  // of one table: more is a broken table
-
-std::string copy(const char* text) { return text != nullptr ? text : ""; }
 
 /// Calls take(row) for each row of a table; `rows`: a function of the ABI, may be NULL.
 template <class Row, class Take>

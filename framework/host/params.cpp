@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "host/c_values.hpp"
 #include "host/params_json.hpp"
 #include "host/sentences.hpp"
 #include "host/units.hpp"
@@ -16,8 +17,6 @@ namespace swage::host {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-std::string copy(const char* text) { return text != nullptr ? text : ""; }
 
 std::vector<std::string> copy_list(const char* const* list) {
   std::vector<std::string> out;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/text.hpp"
+#include "host/c_values.hpp"
 #include "host/elf_exports.hpp"
 #include "host/guard.hpp"
 #include "host/lesson_card.hpp"
@@ -25,8 +26,6 @@ namespace {
 
 constexpr const char* kFormat = "swage-plugin/1";
 constexpr std::array kKinds = {"object", "coupling", "device", "lesson"};
-
-std::string copy(const char* text) { return text != nullptr ? text : ""; }
 
 bool is_id(const std::string& id) {
   // reverse domain, lower case: at least two words of a-z 0-9 _, each starting with a letter

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr const char* kFormat = "swage-words/1";
+constexpr const char* kWordsFileFormat = "swage-words/1";
 constexpr std::uintmax_t kMostBytes = 4u << 20;  // a hundred times what the largest stock plugin says
 
 // The places of a sentence that stand for values, "{hold_time}", sorted.
@@ -99,8 +99,8 @@ void parse_words(const std::string& text, const std::string& path, const std::st
   };
   const ordered_json file = ordered_json::parse(text, nullptr, false, true);
   if (file.is_discarded()) return complain("", say::kWordsNoJson());
-  if (text_of(file, "format") != kFormat)
-    return complain(" #/format", say::kWordsFormat(kFormat));
+  if (text_of(file, "format") != kWordsFileFormat)
+    return complain(" #/format", say::kWordsFormat(kWordsFileFormat));
   if (text_of(file, "language") != language)
     return complain(" #/language", say::kWordsLanguage(language));
   const auto words = file.find("words");

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFormat = "swage-course/1";
+constexpr const char* kCourseFormat = "swage-course/1";
 
 json limit_json(const judge::Limit& l) {
   json out = {{"metric", l.metric}, {"unit", l.unit}, {"gate", l.is_gate}, {"source", l.source}};
@@ -96,15 +96,15 @@ std::string fault_of(const Course& c) {
 std::string to_json(const Course& c) {
   json steps = json::array();
   for (const CourseStep& s : c.steps) steps.push_back(step_json(s));
-  const json out = {{"format", kFormat}, {"title", c.title}, {"in_order", c.in_order}, {"steps", steps}};
+  const json out = {{"format", kCourseFormat}, {"title", c.title}, {"in_order", c.in_order}, {"steps", steps}};
   return out.dump(1);
 }
 
 bool from_json(const std::string& text, Course& out, std::string& error) {
   try {
     const json j = json::parse(text);
-    if (!j.is_object() || j.value("format", "") != kFormat) {
-      error = std::string("It is no course: \"format\" must be \"") + kFormat + "\".";
+    if (!j.is_object() || j.value("format", "") != kCourseFormat) {
+      error = std::string("It is no course: \"format\" must be \"") + kCourseFormat + "\".";
       return false;
     }
     out.title = j.at("title");

@@ -45,11 +45,11 @@ char separator_of(const std::string& line) {
   return ',';
 }
 
-const std::vector<std::string> kColumns = {"name", "code", "handedness", "group"};
+const std::vector<std::string> kPeopleColumns = {"name", "code", "handedness", "group"};
 
 // Which column is what; empty when the line is no head.
 bool read_head(const std::vector<std::string>& fields, std::vector<std::string>& columns, std::string& error) {
-  const auto is_column = [](const std::string& f) { return std::find(kColumns.begin(), kColumns.end(), lower(f)) != kColumns.end(); };
+  const auto is_column = [](const std::string& f) { return std::find(kPeopleColumns.begin(), kPeopleColumns.end(), lower(f)) != kPeopleColumns.end(); };
   if (!std::any_of(fields.begin(), fields.end(), [](const std::string& f) { return lower(f) == "name"; })) return true;
   for (const std::string& f : fields) {
     if (!is_column(f)) {
@@ -88,7 +88,7 @@ bool read_people(const std::string& text, std::span<const Person> known, std::sp
     if (std::exchange(first, false)) {
       if (!read_head(fields, columns, error)) return false;
       if (!columns.empty()) continue;
-      columns = kColumns;
+      columns = kPeopleColumns;
     }
     ListedPerson p;
     p.line = number;

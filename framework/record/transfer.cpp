@@ -74,7 +74,7 @@ std::vector<Source> sources(int version) {
   return out;
 }
 
-void feed(base::Hash& hash, const Row& row) {
+void add_row(base::Hash& hash, const Row& row) {
   for (const Value& value : row) {
     hash.add(uint64_t{value.index()});
     if (const auto* i = std::get_if<int64_t>(&value)) hash.add(static_cast<uint64_t>(*i));
@@ -98,7 +98,7 @@ bool each_row(Database& db, const std::string& id, const std::function<bool(Kind
 bool copy(Database& from, Database& to, const std::string& id, std::string& digest, std::string& error) {
   base::Hash hash;
   const bool ok = to.begin() && each_row(from, id, [&](Kind kind, const Row& row) {
-                    feed(hash, row);
+                    add_row(hash, row);
                     return write(to, {kind, row});
                   });
   if (ok && to.commit()) {
@@ -150,7 +150,7 @@ bool check_file(Database& file, std::string& id, std::string& error) {
   base::Hash hash;
   const std::vector<Row> digest = file.rows("SELECT digest FROM swage_export");
   const bool read = each_row(file, id, [&](Kind, const Row& row) {
-    feed(hash, row);
+    add_row(hash, row);
     return true;
   });
   if (read && digest.size() == 1 && text(digest[0][0]) == std::to_string(hash.value())) return true;

@@ -12,7 +12,7 @@ namespace swage::step {
 
 namespace {
 // of the scene's length: 20 um in a scene of 1 mm. What lies on something or is held overlaps by 1 um at most
-constexpr double kDeep = 0.02;
+constexpr double kDeepOverlap = 0.02;
 
 /// A thread that a coupling ties to the other: its end sits inside.
 bool swaged(const host::Rig& rig, const contact::Pair& pair) {
@@ -37,7 +37,7 @@ base::Problems start_overlaps(const host::Rig& rig, const contact::Options& opti
   std::vector<double> depth(rig.pairs.size(), 0);
   for (const contact::Contact& c : set.contact) depth[c.pair] = std::max(depth[c.pair], -c.gap);
   for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (depth[i] <= kDeep * rig.world.length || swaged(rig, rig.pairs[i])) continue;
+    if (depth[i] <= kDeepOverlap * rig.world.length || swaged(rig, rig.pairs[i])) continue;
     const auto& a = *rig.objects[rig.pairs[i].object_a].instance;
     const auto& b = *rig.objects[rig.pairs[i].object_b].instance;
     char deep_mm[32];

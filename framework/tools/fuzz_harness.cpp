@@ -340,7 +340,7 @@ std::unique_ptr<FuzzHarness> make_fuzz_harness(const TestScene& scene, uint64_t 
 
 namespace {
 
-constexpr uint64_t kSteps = 2000, kFrom = 500, kElsewhere = 100'000;
+constexpr uint64_t kFuzzSteps = 2000, kFrom = 500, kElsewhere = 100'000;
 
 // the hashes of steps from..to; ends early at a fault
 std::vector<uint64_t> look(FuzzHarness& harness, uint64_t from, uint64_t to) {
@@ -359,7 +359,7 @@ bool rewinds(FuzzHarness& harness, const std::vector<uint64_t>& first) {
   const FuzzHarness::Image image = harness.save();
   look(harness, kElsewhere, kElsewhere + 300);
   harness.restore(image);
-  return look(harness, kFrom, kSteps) == std::vector<uint64_t>(first.begin() + kFrom, first.end());
+  return look(harness, kFrom, kFuzzSteps) == std::vector<uint64_t>(first.begin() + kFrom, first.end());
 }
 
 }  // namespace
@@ -372,15 +372,15 @@ host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
   const auto one = make_fuzz_harness(scene, seed, error), other = make_fuzz_harness(scene, seed, error);
   if (!one || !other) return failed(error);
   one->reset();
-  const std::vector<uint64_t> first = look(*one, 0, kSteps);
+  const std::vector<uint64_t> first = look(*one, 0, kFuzzSteps);
   if (!one->fault().empty()) return failed(one->fault());
   if (one->allocations() > 0)
-    return failed(say::kAllocates(one->allocations(), kSteps));
+    return failed(say::kAllocates(one->allocations(), kFuzzSteps));
   one->reset();
-  if (look(*one, 0, kSteps) != first)
+  if (look(*one, 0, kFuzzSteps) != first)
     return failed(say::kForgets());
   other->reset();
-  if (look(*other, 0, kSteps) != first)
+  if (look(*other, 0, kFuzzSteps) != first)
     return failed(say::kShares());
   if (!rewinds(*one, first))
     return failed(say::kRemembers());
@@ -388,7 +388,7 @@ host::Finding fuzz_values(const TestScene& scene, uint64_t seed) {
   one->reset();
   for (uint64_t i = 0; i < 200; ++i) one->step(kElsewhere + i, true);
   one->reset();
-  if (look(*one, 0, kSteps) != first && one->fault().empty())
+  if (look(*one, 0, kFuzzSteps) != first && one->fault().empty())
     return failed(say::kPoisoned());
   return one->fault().empty() ? host::Finding{} : failed(one->fault());
 }

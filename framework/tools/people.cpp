@@ -59,7 +59,7 @@ bool find_group(record::School& school, const std::string& name, std::string& id
   return true;
 }
 
-Json to_json(const record::Person& p, const std::vector<record::Group>& groups) {
+Json person_json(const record::Person& p, const std::vector<record::Group>& groups) {
   return {{"id", p.id},
           {"code", p.code},
           {"name", p.name},
@@ -72,7 +72,7 @@ Json to_json(const record::Person& p, const std::vector<record::Group>& groups) 
 
 int said(const record::Person& p, record::School& school, bool json) {
   if (json)
-    print(to_json(p, school.groups()));
+    print(person_json(p, school.groups()));
   else
     std::printf("%s  %s\n", printable(p.code).c_str(), printable(p.name).c_str());
   return kPassed;
@@ -114,7 +114,7 @@ int list_people(const PeopleOptions& o) {
   });
   Json list = Json::array();
   for (const record::Person& p : people) {
-    list.push_back(to_json(p, groups));
+    list.push_back(person_json(p, groups));
     if (!o.json)
       std::printf("%-8s %-28s %-6s %-20s %6u attempts%s\n", printable(p.code).c_str(), printable(p.name).c_str(), p.handedness.c_str(),
                   printable(group_name(groups, p.group_id)).c_str(), p.attempts, p.archived_utc.empty() ? "" : "  archived");

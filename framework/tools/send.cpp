@@ -20,7 +20,6 @@
 namespace swage::tools {
 namespace {
 
-using Json = nlohmann::json;
 
 constexpr std::size_t kAtOnce = 50;                           // statements in a request: under a megabyte
 constexpr std::size_t kMostReceipts = std::size_t{256} << 20;  // five million
@@ -70,15 +69,15 @@ struct Sent {
 bool arrived(const LrsAnswer& a) { return a.kept() || a.conflict(); }
 
 // A batch that is refused is sent one by one: one bad statement holds nobody else back.
-bool send_batch(const LrsAddress& to, const std::vector<Json>& batch, Receipts& receipts, Sent& sent) {
-  const auto id = [](const Json& s) { return s.at("id").get<std::string>(); };
+bool send_batch(const LrsAddress& to, const std::vector<nlohmann::json>& batch, Receipts& receipts, Sent& sent) {
+  const auto id = [](const nlohmann::json& s) { return s.at("id").get<std::string>(); };
   std::vector<std::string> ids;
-  const LrsAnswer all = post_statements(to, Json(batch).dump());
+  const LrsAnswer all = post_statements(to, nlohmann::json(batch).dump());
   if (!all.reached || all.status >= 500 || all.status == 401 || all.status == 403 || all.status == 404) return sent.why = all.error, false;
   if (all.kept())
-    for (const Json& s : batch) ids.push_back(id(s));
+    for (const nlohmann::json& s : batch) ids.push_back(id(s));
   for (std::size_t i = 0; !all.kept() && i < batch.size(); ++i) {
-    const LrsAnswer one = post_statements(to, Json::array({batch[i]}).dump());
+    const LrsAnswer one = post_statements(to, nlohmann::json::array({batch[i]}).dump());
     if (arrived(one)) ids.push_back(id(batch[i]));
     if (!arrived(one)) ++sent.refused, sent.why = one.error;
   }
@@ -118,14 +117,14 @@ int send_attempts(const SendOptions& o) {
   if (!record::xapi_statements(list, o.home, text, error)) return problem(say::kOfHome(error));
 
   Receipts receipts(receipts_file(o), o.to);
-  std::vector<Json> queue;
-  for (Json& s : Json::parse(text))
+  std::vector<nlohmann::json> queue;
+  for (nlohmann::json& s : nlohmann::json::parse(text))
     if (!receipts.has(s.at("id"))) queue.push_back(std::move(s));
   Sent sent;
   for (std::size_t i = 0; i < queue.size(); i += kAtOnce) {
     progress(format("%zu of %zu", i, queue.size()));
     const std::size_t end = std::min(queue.size(), i + kAtOnce);
-    const std::vector<Json> batch(queue.begin() + static_cast<std::ptrdiff_t>(i), queue.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::vector<nlohmann::json> batch(queue.begin() + static_cast<std::ptrdiff_t>(i), queue.begin() + static_cast<std::ptrdiff_t>(end));
     if (!send_batch(to, batch, receipts, sent)) break;
   }
   progress("");

@@ -12,7 +12,7 @@
 namespace swage::tools {
 namespace {
 
-constexpr double kWidth = 900, kHeight = 480, kLeft = 80, kRight = 30, kTop = 84, kBottom = 80;
+constexpr double kPlotWidth = 900, kPlotHeight = 480, kLeft = 80, kRight = 30, kPlotTop = 84, kPlotBottom = 80;
 
 using svg::escape;
 using svg::style;
@@ -33,7 +33,7 @@ class Figure {
   }
 
   std::string draw() {
-    o_ << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kWidth << ' ' << kHeight
+    o_ << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << kPlotWidth << ' ' << kPlotHeight
        << "' font-family='DejaVu Sans, Arial, sans-serif' font-size='13' fill='#222'>\n<rect width='100%' "
           "height='100%' "
           "fill='white'/>\n";
@@ -54,7 +54,7 @@ class Figure {
   }
   // cells in groups: the first factor makes the groups, the second the places in them
   double cell_width() const {
-    return (kWidth - kLeft - kRight) / (static_cast<double>(outer_) * (static_cast<double>(inner_) + 0.6));
+    return (kPlotWidth - kLeft - kRight) / (static_cast<double>(outer_) * (static_cast<double>(inner_) + 0.6));
   }
   double cell_x(std::size_t outer, std::size_t inner) const {
     return kLeft + cell_width() * ((static_cast<double>(inner_) + 0.6) * static_cast<double>(outer) +
@@ -64,7 +64,7 @@ class Figure {
     const double n = static_cast<double>(study_.hands.size());
     return cell_x(outer, inner) + cell_width() * 0.7 * ((static_cast<double>(hand) + 0.5) / n - 0.5);
   }
-  double y(double v) const { return kHeight - kBottom - v / top_ * (kHeight - kTop - kBottom); }
+  double y(double v) const { return kPlotHeight - kPlotBottom - v / top_ * (kPlotHeight - kPlotTop - kPlotBottom); }
 
   void text(double x, double y, const std::string& s, const std::string& extra) {
     o_ << "<text x='" << format("%.1f", x) << "' y='" << format("%.1f", y) << "' " << extra << ">"
@@ -72,25 +72,25 @@ class Figure {
   }
   void axes() {
     for (double v = 0; v <= top_ * 1.0001; v += tick_) {
-      o_ << format("<path d='M%.1f %.1fH%.1f' stroke='#e3e3e3'/>\n", kLeft, y(v), kWidth - kRight);
+      o_ << format("<path d='M%.1f %.1fH%.1f' stroke='#e3e3e3'/>\n", kLeft, y(v), kPlotWidth - kRight);
       text(kLeft - 8, y(v) + 4, format("%.4g", v), "text-anchor='end'");
     }
-    o_ << format("<path d='M%.1f %.1fV%.1fH%.1f' fill='none' stroke='#888'/>\n", kLeft, kTop,
-                 kHeight - kBottom, kWidth - kRight);
-    o_ << format("<g transform='translate(22 %.1f) rotate(-90)'>", 0.5 * (kTop + kHeight - kBottom));
+    o_ << format("<path d='M%.1f %.1fV%.1fH%.1f' fill='none' stroke='#888'/>\n", kLeft, kPlotTop,
+                 kPlotHeight - kPlotBottom, kPlotWidth - kRight);
+    o_ << format("<g transform='translate(22 %.1f) rotate(-90)'>", 0.5 * (kPlotTop + kPlotHeight - kPlotBottom));
     text(0, 0, figure_.metric + (figure_.unit.empty() ? "" : " (" + figure_.unit + ")"),
          "text-anchor='middle'");
     o_ << "</g>\n";
     for (std::size_t a = 0; a < outer_; ++a) {
       for (std::size_t b = 0; b < inner_; ++b)
-        text(cell_x(a, b), kHeight - kBottom + 20, study_.factors.back().levels[b].name,
+        text(cell_x(a, b), kPlotHeight - kPlotBottom + 20, study_.factors.back().levels[b].name,
              "text-anchor='middle'");
       if (study_.factors.size() > 1)
-        text(0.5 * (cell_x(a, 0) + cell_x(a, inner_ - 1)), kHeight - kBottom + 42,
+        text(0.5 * (cell_x(a, 0) + cell_x(a, inner_ - 1)), kPlotHeight - kPlotBottom + 42,
              study_.factors[0].name + " " + study_.factors[0].levels[a].name,
              "text-anchor='middle' font-weight='bold'");
     }
-    text(0.5 * (kLeft + kWidth - kRight), kHeight - 12, study_.factors.back().name, "text-anchor='middle'");
+    text(0.5 * (kLeft + kPlotWidth - kRight), kPlotHeight - 12, study_.factors.back().name, "text-anchor='middle'");
   }
   void legend() {
     double x = kLeft;

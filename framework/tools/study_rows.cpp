@@ -16,9 +16,8 @@ namespace swage::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
-constexpr const char* kFormat = "swage-study-rows/1";
+constexpr const char* kRowsFormat = "swage-study-rows/1";
 constexpr std::size_t kMostRowsBytes = std::size_t{1} << 30;  // a million attempts of a thousand bytes
 
 // FNV-1a of 64 bits: names are compared, nobody attacks them.
@@ -34,14 +33,14 @@ class Hash {
   uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
-Json to_json(uint64_t number, const StudyRow& row) {
-  Json metrics = Json::object();
-  for (const auto& [id, value] : row.metric) metrics[id] = std::isfinite(value) ? Json(value) : Json(nullptr);
+nlohmann::json to_json(uint64_t number, const StudyRow& row) {
+  nlohmann::json metrics = nlohmann::json::object();
+  for (const auto& [id, value] : row.metric) metrics[id] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
   return {{"row", number},       {"level", {row.level[0], row.level[1]}}, {"hand", row.hand},     {"seed", row.seed},
           {"passed", row.passed}, {"reason", row.reason},                  {"score", row.score}, {"metric", metrics}};
 }
 
-bool from_json(const Json& json, uint64_t& number, StudyRow& row) {
+bool from_json(const nlohmann::json& json, uint64_t& number, StudyRow& row) {
   try {
     number = json.at("row");
     row.level[0] = json.at("level").at(0);
@@ -53,7 +52,7 @@ bool from_json(const Json& json, uint64_t& number, StudyRow& row) {
     row.score = json.at("score");
     for (const auto& [id, value] : json.at("metric").items()) row.metric[id] = value.is_null() ? NAN : value.get<double>();
     return true;
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return false;
   }
 }
@@ -70,14 +69,14 @@ std::vector<std::string> row_files(const std::string& folder) {
 }
 
 // Whole lines only; the first says of which study they are. False for another study's, or no such file.
-bool read_lines(const std::string& path, const std::string& name, std::vector<Json>& lines, std::size_t& whole_bytes) {
+bool read_lines(const std::string& path, const std::string& name, std::vector<nlohmann::json>& lines, std::size_t& whole_bytes) {
   std::string text, why;
   whole_bytes = 0;
   if (!toolkit::read_file(path, kMostRowsBytes, text, why)) return false;
   for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
-    Json line = Json::parse(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
+    nlohmann::json line = nlohmann::json::parse(text.begin() + static_cast<std::ptrdiff_t>(at), text.begin() + static_cast<std::ptrdiff_t>(end), nullptr, false);
     if (!line.is_object()) break;
-    if (at == 0 && (line.value("format", "") != kFormat || line.value("study", "") != name)) return false;
+    if (at == 0 && (line.value("format", "") != kRowsFormat || line.value("study", "") != name)) return false;
     lines.push_back(std::move(line));
     whole_bytes = end + 1;
   }
@@ -113,7 +112,7 @@ std::string study_name(const Study& study, const std::string& file_text, const s
 StudyRows read_rows(const std::string& folder, const std::string& name) {
   StudyRows out;
   for (const std::string& path : row_files(folder)) {
-    std::vector<Json> lines;
+    std::vector<nlohmann::json> lines;
     std::size_t bytes = 0;
     if (!read_lines(path, name, lines, bytes)) continue;
     for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -127,7 +126,7 @@ StudyRows read_rows(const std::string& folder, const std::string& name) {
 
 void remove_rows(const std::string& folder, const std::string& name) {
   for (const std::string& path : row_files(folder)) {
-    std::vector<Json> lines;
+    std::vector<nlohmann::json> lines;
     std::size_t bytes = 0;
     std::error_code none;
     if (read_lines(path, name, lines, bytes)) fs::remove(path, none);
@@ -137,13 +136,13 @@ void remove_rows(const std::string& folder, const std::string& name) {
 RowWriter::RowWriter(const std::string& folder, const Shard& shard, const std::string& name)
     : path_(folder + format("/rows-%llu-of-%llu.jsonl", static_cast<unsigned long long>(shard.index),
                             static_cast<unsigned long long>(shard.count))) {
-  std::vector<Json> lines;
+  std::vector<nlohmann::json> lines;
   std::size_t bytes = 0;
   const bool goes_on = read_lines(path_, name, lines, bytes);
   std::error_code none;
   if (goes_on) fs::resize_file(path_, bytes, none);
   file_.open(path_, std::ios::binary | (goes_on ? std::ios::app : std::ios::trunc));
-  if (!goes_on) file_ << Json{{"format", kFormat}, {"study", name}}.dump() << '\n' << std::flush;
+  if (!goes_on) file_ << nlohmann::json{{"format", kRowsFormat}, {"study", name}}.dump() << '\n' << std::flush;
 }
 
 bool RowWriter::add(uint64_t number, const StudyRow& row) {

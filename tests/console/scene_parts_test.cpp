@@ -10,7 +10,7 @@
 #include "console/view3d/tool_tips.hpp"
 
 namespace swage::console {
-namespace {
+namespace scene_parts_test {
 
 snapshot::CardShape block(uint32_t body, uint32_t object, swage_vec3 low, swage_vec3 high) {
   snapshot::CardShape s;
@@ -276,5 +276,5 @@ TEST(ToolTips, ACutKeepsOneSide) {
   EXPECT_FLOAT_EQ(area(cut(mesh, {-1, 0, 0}, {1, 0, 0})), 0);
 }
 
-}  // namespace
+}  // namespace scene_parts_test
 }  // namespace swage::console

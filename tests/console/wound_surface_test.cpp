@@ -9,7 +9,7 @@
 #include "mesh_measures.hpp"
 
 namespace swage::console {
-namespace {
+namespace wound_surface_test {
 
 constexpr double kPi = std::numbers::pi;
 constexpr float kWire = 0.05F;  // mm
@@ -88,5 +88,5 @@ TEST(WoundSurface, TheGreatestIsFramed) {
   EXPECT_EQ(place.of, 2);
 }
 
-}  // namespace
+}  // namespace wound_surface_test
 }  // namespace swage::console

@@ -15,7 +15,7 @@
 
 using namespace swage;
 
-namespace {
+namespace fuzz_test {
 
 using Random = base::Xoshiro256;
 
@@ -102,7 +102,7 @@ bool survives(const std::string& text, int* scenes = nullptr) {
   return true;
 }
 
-}  // namespace
+}  // namespace fuzz_test
 
 TEST(Fuzz, DamagedLessonsGiveASceneOrASentence) {
   const std::string good[] = {read("minimal.json"), read("everything.json")};

@@ -15,7 +15,7 @@
 #include "host/nearest.hpp"
 
 namespace swage::assembly {
-namespace {
+namespace parts_test {
 
 using Json = nlohmann::ordered_json;
 using testing::ElementsAre;
@@ -95,5 +95,5 @@ TEST_F(Parts, WhatCannotBeIsSaid) {
                                  "b.json:2 #/add: " + say::kAddIsNoObject()));
 }
 
-}  // namespace
+}  // namespace parts_test
 }  // namespace swage::assembly

@@ -8,7 +8,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace arc_arc_test {
 
 using bench::Needle;
 using toolkit::Quat;
@@ -80,5 +80,5 @@ TEST(ArcArc, TwoCrossingsAreTwoContacts) {
   for (size_t i = 0; i < 2; ++i) EXPECT_NEAR(m.candidate[i].touch.gap, -1e-6, 1e-9);
 }
 
-}  // namespace
+}  // namespace arc_arc_test
 }  // namespace swage::contact

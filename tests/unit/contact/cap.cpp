@@ -9,7 +9,7 @@
 #include "toolkit/convex.hpp"
 
 namespace swage::contact {
-namespace {
+namespace cap_test {
 
 Solid ball(double radius) { return make_ball(radius); }
 
@@ -96,5 +96,5 @@ TEST(Cap, NotYetTouchingItIsOnePointThreeTimes) {
 
 TEST(Cap, WithoutFlatnessEveryContactIsAPoint) { EXPECT_EQ(OnBlock(-0.3e-6, 0).out.count, 1); }
 
-}  // namespace
+}  // namespace cap_test
 }  // namespace swage::contact

@@ -8,7 +8,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace chain_test {
 
 constexpr double kRadius = 11e-6, kBend = 30e-6;  // m
 
@@ -273,5 +273,5 @@ TEST(Chain, SavesWhereItsContactsAre) {
   EXPECT_EQ(back.contact.at(0).place_a.share, set.contact[0].place_a.share);
 }
 
-}  // namespace
+}  // namespace chain_test
 }  // namespace swage::contact

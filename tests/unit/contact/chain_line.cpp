@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swage::contact {
-namespace {
+namespace chain_line_test {
 
 /// A wire of two arcs (shapes 0 and 1) on bodies of `motion`, and a block (shape 2).
 scene::World chain(int32_t motion) {
@@ -72,5 +72,5 @@ TEST(ChainLine, LeavesTheRestAlone) {
   EXPECT_EQ(weight(other), 2);
 }
 
-}  // namespace
+}  // namespace chain_line_test
 }  // namespace swage::contact

@@ -8,10 +8,11 @@
 #include "base/rng.hpp"
 #include "contact/narrow_phase.hpp"
 #include "contact/sweep.hpp"
+#include "least.hpp"
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace convex_test {
 
 using toolkit::Convex;
 using toolkit::Quat;
@@ -38,12 +39,6 @@ Manifold touch(const Solid& a, const Pose& X_WA, const Solid& b, const Pose& X_W
   query.margin = margin;
   collide(a, Frame(X_WA), b, Frame(X_WB), query, none, m);
   return m;
-}
-
-double least(const Manifold& m) {
-  double gap = 1;
-  for (int i = 0; i < m.count; ++i) gap = std::min(gap, m.candidate[static_cast<size_t>(i)].touch.gap);
-  return gap;
 }
 
 /// How far two polyhedra are apart along n (unit, W), n from b to a.
@@ -239,5 +234,5 @@ TEST(Cylinder, StandsOnItsEndAndLiesOnItsSide) {
   EXPECT_NEAR(least(touch(wire, X_WN, c, Pose())), 1e-6, 1e-6);
 }
 
-}  // namespace
+}  // namespace convex_test
 }  // namespace swage::contact

@@ -6,22 +6,17 @@
 
 #include "base/rng.hpp"
 #include "contact/narrow_phase.hpp"
+#include "least.hpp"
 #include "solids.hpp"
 #include "trajectory.hpp"
 
 namespace swage::contact {
-namespace {
+namespace degenerate_test {
 
 using bench::Needle;
 using toolkit::Quat;
 
 constexpr double kOverlaps[] = {0.01e-6, 0.1e-6, 1e-6, 5e-6, 20e-6, 40e-6};  // m
-
-double least(const Manifold& m) {
-  double gap = 1;
-  for (int i = 0; i < m.count; ++i) gap = std::min(gap, m.candidate[static_cast<size_t>(i)].touch.gap);
-  return gap;
-}
 
 Solid wire(double half_length) {
   scene::Shape s;
@@ -166,5 +161,5 @@ TEST(Degenerate, ATiltedStraightWireTouchesAtBothEndsWithinReach) {
   }
 }
 
-}  // namespace
+}  // namespace degenerate_test
 }  // namespace swage::contact

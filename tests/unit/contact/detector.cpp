@@ -8,7 +8,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace detector_test {
 
 using bench::Needle;
 
@@ -219,5 +219,5 @@ TEST(Detector, EveryArcOfAWireThatLiesOnAFaceTouchesIt) {
   }
 }
 
-}  // namespace
+}  // namespace detector_test
 }  // namespace swage::contact

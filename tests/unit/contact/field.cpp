@@ -7,7 +7,7 @@
 #include "scene/kinematics.hpp"
 
 namespace swage::contact {
-namespace {
+namespace field_test {
 
 /// Compares the least gap with the search at random poses of a wire over a rough ground (slopes up to 50 deg).
 void compare(const Solid& a, const std::function<Vec3(double)>& point_B, int poses, uint64_t seed) {
@@ -158,5 +158,5 @@ TEST(Field, TheDetectorReadsHeightsThatTheObjectKeeps) {
   EXPECT_NEAR(set.contact[0].gap, -1e-6, 1e-15);
 }
 
-}  // namespace
+}  // namespace field_test
 }  // namespace swage::contact

@@ -5,7 +5,7 @@
 #include "field_scene.hpp"
 
 namespace swage::contact {
-namespace {
+namespace field_folds_test {
 
 constexpr double kRadius = 50e-6, kMargin = 20e-6;  // m
 /// A ridge of less than 0.03 rad is no feature: the gap at it is off by (radius + margin) 0.03^2 / 8 at most [m].
@@ -127,5 +127,5 @@ TEST(FieldFolds, ABallIsHandedOverAShallowRidgeByOneFaceToTheNext) {
   }
 }
 
-}  // namespace
+}  // namespace field_folds_test
 }  // namespace swage::contact

@@ -12,9 +12,9 @@
 
 #include "base/rng.hpp"
 #include "contact/narrow_phase.hpp"
+#include "least.hpp"
 
 namespace swage::contact {
-
 
 using toolkit::Quat;
 
@@ -97,12 +97,6 @@ double searched_gap(const PointAt& point_H, const toolkit::HeightField& f, doubl
     best = std::min(best, distance(point_H(0.5 * (a + b)), f));
   }
   return best - radius;
-}
-
-inline double least(const Manifold& m) {
-  double gap = 1;
-  for (int i = 0; i < m.count; ++i) gap = std::min(gap, m.candidate[static_cast<size_t>(i)].touch.gap);
-  return gap;
 }
 
 inline Manifold touch(const Solid& a, const Pose& X_WA, const Solid& b, double margin = 20e-6,

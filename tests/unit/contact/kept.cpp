@@ -5,18 +5,13 @@
 
 #include "base/rng.hpp"
 #include "contact/narrow_phase.hpp"
+#include "least.hpp"
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace kept_test {
 
 using toolkit::Quat;
-
-double least(const Manifold& m) {
-  double gap = 1;
-  for (int i = 0; i < m.count; ++i) gap = std::min(gap, m.candidate[static_cast<size_t>(i)].touch.gap);
-  return gap;
-}
 
 Solid box(const Vec3& half) {
   bench::Jaw j;
@@ -131,5 +126,5 @@ TEST(Kept, AlignedBoxesAreAsFarApartAsTheyAre) {
   EXPECT_GT(near, 1000);
 }
 
-}  // namespace
+}  // namespace kept_test
 }  // namespace swage::contact

@@ -10,7 +10,7 @@
 #include "trajectory.hpp"
 
 namespace swage::contact {
-namespace {
+namespace sweep_test {
 
 using bench::Needle;
 using toolkit::Quat;
@@ -152,5 +152,5 @@ TEST_F(Sweep, ADiscreteQueryWouldMissThem) {
   EXPECT_NEAR(touch.t, (1e-3 - needle_.wire_radius()) / 2e-3, 1e-3);
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace swage::contact

@@ -13,7 +13,7 @@
 #include "solids.hpp"
 
 namespace swage::contact::thesis {
-namespace {
+namespace thesis_test {
 
 struct Draw {
   base::Xoshiro256 random{4};
@@ -259,5 +259,5 @@ TEST_F(ChainAtAJaw, ATreeWhoseNodesAreTooSmallMissesSome) {
   EXPECT_GT(missed, 0);
 }
 
-}  // namespace
+}  // namespace thesis_test
 }  // namespace swage::contact::thesis

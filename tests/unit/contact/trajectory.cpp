@@ -9,7 +9,7 @@
 #include "solids.hpp"
 
 namespace swage::contact {
-namespace {
+namespace trajectory_test {
 
 using bench::Jaw;
 using bench::Needle;
@@ -125,5 +125,5 @@ TEST(Trajectory, ContactSetsDoNotDependOnTheUnit) {
   }
 }
 
-}  // namespace
+}  // namespace trajectory_test
 }  // namespace swage::contact

@@ -10,7 +10,7 @@
 #include "sliding_chain.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace chain_test {
 
 using toolkit::Quat;
 using toolkit::Vec3;
@@ -206,5 +206,5 @@ TEST(Chain, NoThreadPassesThroughAPlateOrANeedle) {
               << "kind " << kind << ", " << speed << " m/s, share " << share << ", " << k;
 }
 
-}  // namespace
+}  // namespace chain_test
 }  // namespace swage::dynamics

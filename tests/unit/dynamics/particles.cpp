@@ -10,7 +10,7 @@
 #include "scene/kinematics.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace particles_test {
 
 constexpr double kMass = 1e-8, kRadius = 25e-6;  // kg, m: a bead of thread
 constexpr double kStiffness = 1e4, kFriction = 0.3;
@@ -126,5 +126,5 @@ TEST(Particles, FallThroughWhereNoContactIsLaid) {
   EXPECT_LT(s.place().z(), -1e-3);
 }
 
-}  // namespace
+}  // namespace particles_test
 }  // namespace swage::dynamics

@@ -16,7 +16,7 @@
 #include "session/force_guard.hpp"
 
 namespace swage::session {
-namespace {
+namespace fault_chain_test {
 
 constexpr double kDt = 1e-3, kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -152,5 +152,5 @@ TEST(Passivity, DelayCostsStiffnessAndControlGivesSomeBack) {
   }
 }
 
-}  // namespace
+}  // namespace fault_chain_test
 }  // namespace swage::session

@@ -10,7 +10,7 @@
 #include "base/rng.hpp"
 
 namespace swage::session {
-namespace {
+namespace force_guard_test {
 
 constexpr double kDt = 1e-3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -259,5 +259,5 @@ TEST(ForceGuard, EnergyIsForgottenOutOfContactAndCounted) {
   EXPECT_EQ(guard.energy(), 0);
 }
 
-}  // namespace
+}  // namespace force_guard_test
 }  // namespace swage::session

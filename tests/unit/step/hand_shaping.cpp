@@ -13,7 +13,7 @@
 #include "toolkit/math.hpp"
 
 namespace swage::step {
-namespace {
+namespace hand_shaping_test {
 
 swage_pose at(double x, double y, double z) { return {{x, y, z}, {1, 0, 0, 0}}; }
 
@@ -249,5 +249,5 @@ TEST(PlacedHand, IsSeenWhereItIsInAMirroredLesson) {
   }
 }
 
-}  // namespace
+}  // namespace hand_shaping_test
 }  // namespace swage::step

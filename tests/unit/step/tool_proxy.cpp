@@ -11,7 +11,7 @@
 #include "toolkit/convex.hpp"
 
 namespace swage::step {
-namespace {
+namespace tool_proxy_test {
 
 using toolkit::Pose;
 using toolkit::Quat;
@@ -168,5 +168,5 @@ TEST(ToolProxy, WithoutAStopTheToolGoesWhereItsHandIs) {
   EXPECT_EQ(s.tool().p.z, -1e-3);
 }
 
-}  // namespace
+}  // namespace tool_proxy_test
 }  // namespace swage::step
