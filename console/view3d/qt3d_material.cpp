@@ -62,6 +62,9 @@ void main() {
 // Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel mirrors a small
 // studio: dark floor, grey wall, two soft boxes. Tissue is mottled, glows red where it turns from the light, and bears a
 // film of water on an uneven surface; jaws are brushed along their length.
+#define SWAGE_TEXT_OF(...) #__VA_ARGS__
+#define SWAGE_TEXT(...) SWAGE_TEXT_OF(__VA_ARGS__)
+static_assert(kClearPoints == 8, "the shader counts them");
 const char* const kSolidFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
@@ -69,7 +72,7 @@ in vec3 place;
 in vec3 world;
 out vec4 fragColor;
 uniform vec3 eyePosition;
-uniform vec3 clear_centre;
+uniform vec3 clear_wire[8];
 uniform vec2 clear_size;  // radius, depth that is kept
 uniform float clear_fade;
 uniform vec3 colour;
@@ -108,15 +111,13 @@ vec3 raised(vec3 n, float height) {
   float det = dot(along, a);
   return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
 }
-// cleared() of clear_sight.hpp
+)" SWAGE_TEXT(SWAGE_CLEAR_SIGHT_FORMULA) R"(
 float cleared() {
-  if (clear_size.x <= 0.0) return 0.0;
-  float distance = length(clear_centre - eyePosition);
-  float along = dot(clear_centre - eyePosition, world - eyePosition) / distance;
-  if (along <= 0.0) return 0.0;
-  float aside = length(eyePosition + (world - eyePosition) * distance / along - clear_centre);
-  return smoothstep(clear_size.y, clear_size.y * (1.0 + clear_fade), distance - along) *
-         (1.0 - smoothstep(clear_size.x, clear_size.x * (1.0 + clear_fade), aside));
+  float most = 0.0;
+  if (clear_size.x <= 0.0) return most;
+  for (int i = 0; i < 8; ++i)
+    most = max(most, hides(eyePosition, clear_wire[i], world, clear_size.x, clear_size.y, clear_fade));
+  return most;
 }
 // Pixels of an ordered 4 x 4 screen: a surface that is half there needs no order of drawing.
 bool left_out() {
@@ -273,7 +274,7 @@ QVector3D shade(const QColor& c) {
 
 SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),
-      clear_centre_(add_parameter(this, "clear_centre")),
+      clear_wire_(add_parameter(this, "clear_wire[0]")),
       clear_size_(add_parameter(this, "clear_size")),
       colour_(add_parameter(this, "colour")),
       metal_(add_parameter(this, "metal")),
@@ -293,7 +294,9 @@ void SolidMaterial::set(const Surface& s) {
 }
 
 void SolidMaterial::set(const ClearSight& sight) {
-  clear_centre_->setValue(sight.centre);
+  QVariantList wire;
+  for (const QVector3D& p : sight.wire) wire.append(p);
+  clear_wire_->setValue(wire);
   clear_size_->setValue(QVector2D(sight.radius, sight.kept));
 }
 
