@@ -5,18 +5,14 @@
 
 #include <QVector3D>
 #include <algorithm>
-#include <array>
 
 namespace swage::console {
 
-/// Points of a needle's wire that stand for all of it. Fewer: gaps in what is kept clear; more: a longer loop for each pixel of an instrument.
-inline constexpr int kClearPoints = 8;
-
-/// What is kept clear: a tube round the needle's wire. Lengths in mm, world frame.
+/// The round place that is kept clear. Lengths in mm, world frame.
 struct ClearSight {
-  std::array<QVector3D, kClearPoints> wire{};  // from the point to the swage
-  float radius = 0;  // of the tube; 0: instruments are drawn whole
-  float kept = 0;    // an instrument's surface less than this before the wire is drawn: the jaws and what they hold
+  QVector3D centre;
+  float radius = 0;  // of what is kept clear, in the plane through the centre; 0: instruments are drawn whole
+  float kept = 0;    // an instrument nearer to that plane than this is drawn whole: its jaws and what they hold
 
   bool operator==(const ClearSight&) const = default;
 };
@@ -24,16 +20,16 @@ struct ClearSight {
 /// Over so much of the radius, and of the depth that is kept, an instrument fades. Smaller: a hard edge; larger: half of the picture fades.
 inline constexpr float kClearFade = 0.3F;
 
-/// How much of a surface at `p` hides the place `at` from `eye`: 0 nothing, 1 all. Text that is both C++ and GLSL: the fragment shader of
-/// solid parts (qt3d_material.cpp) and cleared() below are made of it.
-#define SWAGE_CLEAR_SIGHT_FORMULA                                                             \
-  float hides(vec3 eye, vec3 at, vec3 p, float radius, float kept, float fade) {              \
-    float distance = length(at - eye);                                                        \
-    float along = dot(at - eye, p - eye) / distance;                                          \
-    if (along <= 0.0F) return 0.0F;                                                           \
-    float aside = length(eye + (p - eye) * (distance / along) - at);                          \
-    return smoothstep(kept, kept * (1.0F + fade), distance - along) *                         \
-           (1.0F - smoothstep(radius, radius * (1.0F + fade), aside));                        \
+/// How much of a surface at `p` stands before the round place about `at`, seen from `eye`: 0 nothing, 1 all. Text that is both C++ and
+/// GLSL: cleared() below and the fragment shader of solid parts (qt3d_material.cpp) are made of it.
+#define SWAGE_CLEAR_SIGHT_FORMULA                                                \
+  float hides(vec3 eye, vec3 at, vec3 p, float radius, float kept, float fade) { \
+    float distance = length(at - eye);                                           \
+    float along = dot(at - eye, p - eye) / distance;                             \
+    if (along <= 0.0F) return 0.0F;                                              \
+    float aside = length(eye + (p - eye) * (distance / along) - at);             \
+    return smoothstep(kept, kept * (1.0F + fade), distance - along) *            \
+           (1.0F - smoothstep(radius, radius * (1.0F + fade), aside));           \
   }
 
 /// The functions of GLSL that the formula calls.
@@ -50,11 +46,7 @@ inline SWAGE_CLEAR_SIGHT_FORMULA
 
 /// How much of an instrument's surface at `p` is left out of the picture for this eye: 0 none, 1 all.
 inline float cleared(const ClearSight& sight, const QVector3D& eye, const QVector3D& p) {
-  if (sight.radius <= 0) return 0;
-  float out = 0;
-  for (const QVector3D& at : sight.wire)
-    out = std::max(out, clear_sight_formula::hides(eye, at, p, sight.radius, sight.kept, kClearFade));
-  return out;
+  return sight.radius <= 0 ? 0.F : clear_sight_formula::hides(eye, sight.centre, p, sight.radius, sight.kept, kClearFade);
 }
 
 }  // namespace swage::console

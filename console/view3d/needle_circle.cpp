@@ -11,7 +11,7 @@ namespace {
 constexpr int kPoints = 33;         // of an arc: 0.1 mm apart on a needle of 3 mm
 constexpr float kStraight = 1e-3F;  // height over chord of what counts as straight
 
-using Line = NeedleLine;
+using Line = std::vector<QVector3D>;  // mm, world, from the point to the swage
 
 Line line_of(const snapshot::CardShape& arc, const swage_pose& X) {
   Line out;
@@ -64,37 +64,21 @@ std::optional<NeedleCircle> through(const QVector3D& a, const QVector3D& b, cons
   return NeedleCircle{a + to_centre, -w.normalized(), to_centre.length()};
 }
 
-struct Found {
-  NeedleCircle circle;
-  Line line;
-};
+}  // namespace
 
-std::optional<Found> nearest(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB,
-                             const QVector3D& tips, float reach) {
-  std::optional<Found> out;
+std::optional<NeedleCircle> needle_circle(const snapshot::SceneCard& card, const SceneParts& parts,
+                                          std::span<const swage_pose> X_WB, const QVector3D& tips,
+                                          float reach) {
+  std::optional<NeedleCircle> out;
   for (const Line& line : wires(card, parts, X_WB)) {
     const float far = distance(line, tips);
     if (far > reach || line.size() < 3) continue;
     if (const auto circle = through(line.front(), line[line.size() / 2], line.back())) {
       reach = far;
-      out = Found{*circle, line};
+      out = circle;
     }
   }
   return out;
-}
-
-}  // namespace
-
-std::optional<NeedleCircle> needle_circle(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB,
-                                          const QVector3D& tips, float reach) {
-  const auto found = nearest(card, parts, X_WB, tips, reach);
-  return found ? std::optional(found->circle) : std::nullopt;
-}
-
-NeedleLine needle_line(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB, const QVector3D& tips,
-                       float reach) {
-  auto found = nearest(card, parts, X_WB, tips, reach);
-  return found ? std::move(found->line) : NeedleLine();
 }
 
 }  // namespace swage::console

@@ -6,7 +6,6 @@
 #include <QVector3D>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "console/view3d/scene_parts.hpp"
 
@@ -22,13 +21,6 @@ struct NeedleCircle {
 inline NeedleCircle mirrored(const NeedleCircle& c) {
   return {{-c.centre.x(), c.centre.y(), c.centre.z()}, {c.axis.x(), -c.axis.y(), -c.axis.z()}, c.radius};
 }
-
-/// A needle's wire as it stands now, mm, world, from the point to the swage.
-using NeedleLine = std::vector<QVector3D>;
-
-/// The wire of needle_circle(); empty where there is none.
-NeedleLine needle_line(const snapshot::SceneCard& card, const SceneParts& parts, std::span<const swage_pose> X_WB, const QVector3D& tips,
-                       float reach = 1);
 
 /// Through the point, the middle and the swage of the bent wire that is nearest to `tips` (mm, world), as it stands now. Nothing
 /// where no wire is within `reach` mm, or it is straight.

@@ -59,12 +59,12 @@ void main() {
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 })";
 
+#define SWAGE_TEXT_OF(...) #__VA_ARGS__
+#define SWAGE_TEXT(...) SWAGE_TEXT_OF(__VA_ARGS__)
+
 // Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel mirrors a small
 // studio: dark floor, grey wall, two soft boxes. Tissue is mottled, glows red where it turns from the light, and bears a
 // film of water on an uneven surface; jaws are brushed along their length.
-#define SWAGE_TEXT_OF(...) #__VA_ARGS__
-#define SWAGE_TEXT(...) SWAGE_TEXT_OF(__VA_ARGS__)
-static_assert(kClearPoints == 8, "the shader counts them");
 const char* const kSolidFragment = R"(#version 330 core
 in vec3 position;
 in vec3 normal;
@@ -72,7 +72,7 @@ in vec3 place;
 in vec3 world;
 out vec4 fragColor;
 uniform vec3 eyePosition;
-uniform vec3 clear_wire[8];
+uniform vec3 clear_centre;
 uniform vec2 clear_size;  // radius, depth that is kept
 uniform float clear_fade;
 uniform vec3 colour;
@@ -113,11 +113,7 @@ vec3 raised(vec3 n, float height) {
 }
 )" SWAGE_TEXT(SWAGE_CLEAR_SIGHT_FORMULA) R"(
 float cleared() {
-  float most = 0.0;
-  if (clear_size.x <= 0.0) return most;
-  for (int i = 0; i < 8; ++i)
-    most = max(most, hides(eyePosition, clear_wire[i], world, clear_size.x, clear_size.y, clear_fade));
-  return most;
+  return clear_size.x <= 0.0 ? 0.0 : hides(eyePosition, clear_centre, world, clear_size.x, clear_size.y, clear_fade);
 }
 // Pixels of an ordered 4 x 4 screen: a surface that is half there needs no order of drawing.
 bool left_out() {
@@ -274,7 +270,7 @@ QVector3D shade(const QColor& c) {
 
 SolidMaterial::SolidMaterial(Qt3DCore::QNode* parent)
     : QMaterial(parent),
-      clear_wire_(add_parameter(this, "clear_wire[0]")),
+      clear_centre_(add_parameter(this, "clear_centre")),
       clear_size_(add_parameter(this, "clear_size")),
       colour_(add_parameter(this, "colour")),
       metal_(add_parameter(this, "metal")),
@@ -294,9 +290,7 @@ void SolidMaterial::set(const Surface& s) {
 }
 
 void SolidMaterial::set(const ClearSight& sight) {
-  QVariantList wire;
-  for (const QVector3D& p : sight.wire) wire.append(p);
-  clear_wire_->setValue(wire);
+  clear_centre_->setValue(sight.centre);
   clear_size_->setValue(QVector2D(sight.radius, sight.kept));
 }
 

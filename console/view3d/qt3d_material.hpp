@@ -23,7 +23,7 @@ class SolidMaterial : public Qt3DRender::QMaterial {
   void set(const ClearSight& sight);
 
  private:
-  Qt3DRender::QParameter *clear_wire_, *clear_size_;
+  Qt3DRender::QParameter *clear_centre_, *clear_size_;
   Qt3DRender::QParameter *colour_, *metal_, *gloss_, *finish_;
 };
 

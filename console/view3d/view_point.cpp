@@ -17,7 +17,7 @@ constexpr float kMoved_mm = 0.02F;  // a mark that moves less stays where it is 
 constexpr float kAnywhere_mm = 1e6F;
 constexpr float kStands = 0.7F;           // level part of its plane's normal: a needle that lies is looked at as everything is
 constexpr float kBehindTool = 0.3F;       // of the way to the viewer: from here on the tool is in the way
-constexpr float kRoundWire = 0.2F;        // of the length of its wire: the needle and marks close to it stay clear
+constexpr float kRoundNeedle = 2;         // of the radius of its curve: the needle and the marks beside it stay clear
 constexpr float kJaws_mm = 4;             // before the needle: jaws that hold it are seen, the joint and the shaft behind them are not
 constexpr float kFromTheFront_deg = -90;  // a person at a station sits before the scene
 
@@ -77,12 +77,9 @@ void ViewPoint::look_aside() {
 
 ClearSight ViewPoint::clear_sight() const {
   if (preset_ != CameraPreset::kSide || stereo_ || !scene_.have_card()) return {};
-  const NeedleLine line = needle_line(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips(), kAnywhere_mm);
-  if (line.empty()) return {};
-  ClearSight out{{}, 0, kJaws_mm};
-  for (size_t i = 0; i < out.wire.size(); ++i) out.wire[i] = line[i * (line.size() - 1) / (out.wire.size() - 1)];
-  for (size_t i = 1; i < line.size(); ++i) out.radius += kRoundWire * (line[i] - line[i - 1]).length();
-  return out;
+  const auto circle = needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips(), kAnywhere_mm);
+  if (!circle) return {};
+  return {circle->centre, kRoundNeedle * circle->radius, kJaws_mm};
 }
 
 void ViewPoint::set_stereo(const StereoLook& look) {

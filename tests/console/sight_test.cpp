@@ -39,17 +39,9 @@ TEST(Sight, ATurnedBoxHidesWhatItsEdgeReaches) {
   EXPECT_FALSE(hidden(with_box(Role::kStage), X_WB, {0, 1.5F, 0}, {-1, 0, 0}));
 }
 
-// A needle that is short enough to be a place.
-ClearSight at_origin() {
-  ClearSight sight;
-  sight.radius = 2;
-  sight.kept = 2.5F;
-  return sight;
-}
-
 // A shaft from the needle to the eye 100 mm away: jaws are drawn, what hides the needle is not, nor is anything taken beside or behind it.
 TEST(ClearSight, LeavesOutOfAnInstrumentOnlyWhatStandsBeforeTheNeedle) {
-  const ClearSight sight = at_origin();
+  const ClearSight sight{{0, 0, 0}, 2, 2.5F};
   const QVector3D eye(0, -100, 0);
   EXPECT_EQ(cleared(sight, eye, {0, -2, 0}), 0) << "the jaws";
   EXPECT_EQ(cleared(sight, eye, {0, 30, 0}), 0) << "behind the needle";
@@ -61,21 +53,8 @@ TEST(ClearSight, LeavesOutOfAnInstrumentOnlyWhatStandsBeforeTheNeedle) {
   EXPECT_EQ(cleared({}, eye, {0, -20, 0}), 0);
 }
 
-// Half a circle of 4 mm: what stands before its wire is left out, a shaft that crosses its open side is drawn.
-TEST(ClearSight, InstrumentsAreDrawnWhereTheyHideNoWire) {
-  ClearSight sight = at_origin();
-  for (int i = 0; i < kClearPoints; ++i) {
-    const float a = static_cast<float>(M_PI) * static_cast<float>(i) / (kClearPoints - 1);
-    sight.wire[static_cast<size_t>(i)] = {4 * std::cos(a), 0, 4 * std::sin(a)};
-  }
-  const QVector3D eye(0, -100, 0);
-  for (const float a : {0.F, 0.2F, 0.7F, 1.6F, 3.F}) EXPECT_EQ(cleared(sight, eye, {3.6F * std::cos(a), -10, 3.6F * std::sin(a)}), 1) << a;
-  EXPECT_EQ(cleared(sight, eye, {0, -10, 0}), 0) << "the centre of the circle";
-  EXPECT_EQ(cleared(sight, eye, {0, -10, -3.6F}), 0) << "the open side";
-}
-
 TEST(ClearSight, FadesWithoutAnEdge) {
-  const ClearSight sight = at_origin();
+  const ClearSight sight{{0, 0, 0}, 2, 2.5F};
   const QVector3D eye(0, -100, 0);
   for (const bool aside : {true, false}) {
     float last = aside ? 1.F : 0.F;
