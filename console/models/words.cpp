@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/quantity.hpp"
 #include "record/store.hpp"
 
 namespace swage::console {
@@ -48,6 +49,7 @@ QString display_unit(const QString& unit) {
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
+  value = base::meaningful(value, unit.toStdString());
   if (unit == QLatin1String("yes/no")) return value > 0.5 ? EventWords::tr("yes") : EventWords::tr("no");
   // a tenth of a wire and less is told in micrometres
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)

@@ -3890,7 +3890,7 @@ Bea L., Frühjahr, links</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Nicht</translation>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Button %1</source>
@@ -4600,7 +4600,7 @@ Alle 2 s wird es wieder versucht.</translation>
     </message>
     <message>
         <source>None</source>
-        <translation>Nicht</translation>
+        <translation>Keiner</translation>
     </message>
     <message>
         <source>Left and right</source>

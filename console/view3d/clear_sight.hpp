@@ -20,20 +20,33 @@ struct ClearSight {
 /// Over so much of the radius, and of the depth that is kept, an instrument fades. Smaller: a hard edge; larger: half of the picture fades.
 inline constexpr float kClearFade = 0.3F;
 
-/// How much of an instrument's surface at `p` is left out of the picture for this eye: 0 none, 1 all. The fragment shader
-/// of solid parts (qt3d_material.cpp) has the same formula.
+/// How much of a surface at `p` stands before the round place about `at`, seen from `eye`: 0 nothing, 1 all. Text that is both C++ and
+/// GLSL: cleared() below and the fragment shader of solid parts (qt3d_material.cpp) are made of it.
+#define SWAGE_CLEAR_SIGHT_FORMULA                                                \
+  float hides(vec3 eye, vec3 at, vec3 p, float radius, float kept, float fade) { \
+    float distance = length(at - eye);                                           \
+    float along = dot(at - eye, p - eye) / distance;                             \
+    if (along <= 0.0F) return 0.0F;                                              \
+    float aside = length(eye + (p - eye) * (distance / along) - at);             \
+    return smoothstep(kept, kept * (1.0F + fade), distance - along) *            \
+           (1.0F - smoothstep(radius, radius * (1.0F + fade), aside));           \
+  }
+
+/// The functions of GLSL that the formula calls.
+namespace clear_sight_formula {
+using vec3 = QVector3D;
+inline float length(const vec3& v) { return v.length(); }
+inline float dot(const vec3& a, const vec3& b) { return QVector3D::dotProduct(a, b); }
+inline float smoothstep(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.F, 1.F);
+  return t * t * (3 - 2 * t);
+}
+inline SWAGE_CLEAR_SIGHT_FORMULA
+}  // namespace clear_sight_formula
+
+/// How much of an instrument's surface at `p` is left out of the picture for this eye: 0 none, 1 all.
 inline float cleared(const ClearSight& sight, const QVector3D& eye, const QVector3D& p) {
-  if (sight.radius <= 0) return 0;
-  const auto step = [](float from, float to, float x) {
-    const float t = std::clamp((x - from) / (to - from), 0.F, 1.F);
-    return t * t * (3 - 2 * t);
-  };
-  const QVector3D ahead = (sight.centre - eye).normalized();
-  const float distance = (sight.centre - eye).length(), along = QVector3D::dotProduct(ahead, p - eye);
-  if (along <= 0) return 0;
-  const float aside = (eye + (p - eye) * (distance / along) - sight.centre).length();
-  return step(sight.kept, sight.kept * (1 + kClearFade), distance - along) *
-         (1 - step(sight.radius, sight.radius * (1 + kClearFade), aside));
+  return sight.radius <= 0 ? 0.F : clear_sight_formula::hides(eye, sight.centre, p, sight.radius, sight.kept, kClearFade);
 }
 
 }  // namespace swage::console

@@ -59,6 +59,9 @@ void main() {
   gl_Position = mvp * vec4(vertexPosition, 1.0);
 })";
 
+#define SWAGE_TEXT_OF(...) #__VA_ARGS__
+#define SWAGE_TEXT(...) SWAGE_TEXT_OF(__VA_ARGS__)
+
 // Lights stand with the camera, as under a microscope: wherever one looks from, the shape is lit. Steel mirrors a small
 // studio: dark floor, grey wall, two soft boxes. Tissue is mottled, glows red where it turns from the light, and bears a
 // film of water on an uneven surface; jaws are brushed along their length.
@@ -108,15 +111,9 @@ vec3 raised(vec3 n, float height) {
   float det = dot(along, a);
   return normalize(abs(det) * n - sign(det) * (dFdx(height) * a + dFdy(height) * b));
 }
-// cleared() of clear_sight.hpp
+)" SWAGE_TEXT(SWAGE_CLEAR_SIGHT_FORMULA) R"(
 float cleared() {
-  if (clear_size.x <= 0.0) return 0.0;
-  float distance = length(clear_centre - eyePosition);
-  float along = dot(clear_centre - eyePosition, world - eyePosition) / distance;
-  if (along <= 0.0) return 0.0;
-  float aside = length(eyePosition + (world - eyePosition) * distance / along - clear_centre);
-  return smoothstep(clear_size.y, clear_size.y * (1.0 + clear_fade), distance - along) *
-         (1.0 - smoothstep(clear_size.x, clear_size.x * (1.0 + clear_fade), aside));
+  return clear_size.x <= 0.0 ? 0.0 : hides(eyePosition, clear_centre, world, clear_size.x, clear_size.y, clear_fade);
 }
 // Pixels of an ordered 4 x 4 screen: a surface that is half there needs no order of drawing.
 bool left_out() {

@@ -34,8 +34,8 @@ struct Overrides {
       files{};  // path of each file that a lesson names, where it is not beside it
 };
 
-/// Creates, configures, places, binds and activates everything. Everything that is wrong is reported in one
-/// go; nullptr when something is an error. The rig's instances are active; nobody has stepped or reset them
+/// Creates, configures, places, binds and activates everything. All problems are reported
+/// together; nullptr when something is an error. The rig's instances are active; they have not been stepped or reset
 /// yet.
 std::unique_ptr<host::Rig> assemble(const LessonFile& file, const host::Catalogue& catalogue,
                                     const Overrides& overrides, base::Problems& problems);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts of assemble(), one after another. Each goes on where it can, so that one run tells everything.
+// The parts of assemble(), one after another. Each goes on after an error where it can, so that one run reports all of them.
 // [main]
 #pragma once
 

@@ -6,8 +6,8 @@
 //       "remove": ["tray"], "add": { "objects": [ ... ], "couplings": [ ... ], "devices": [ ... ] },
 //       "set": { "needle.arc": "2/8", "tissue.form": "left slope" } }
 //
-// and of either with values set from outside. What comes out is whole: it is assembled and recorded, so that an attempt says by
-// itself what it was. [main]
+// and of either with values set from outside. The result is a whole lesson: it is assembled and recorded, so that an attempt
+// needs no other file to be understood. [main]
 #pragma once
 
 #include <nlohmann/json.hpp>

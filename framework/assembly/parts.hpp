@@ -22,12 +22,12 @@ struct PartsSaid {
 };
 
 /// Takes the parts of these names, ["floor", "tray"], out of `lesson`, and moves the places of those behind them. Couplings
-/// without a name have that of coupling_names(). False and problems where the value is no list of names, or a name is nobody's;
-/// what else is there has then gone.
+/// without a name have that of coupling_names(). False and problems where the value is no list of names, or no part has a name;
+/// the other parts of the list are removed all the same.
 bool remove_parts(const PartsSaid& remove, nlohmann::ordered_json& lesson, Places& lesson_places, base::Problems& problems);
 
-/// Puts parts, { "objects": [...], "couplings": [...], "devices": [...] }, behind those of `lesson`. Their form is not looked at:
-/// the lesson as a whole is checked later, and each value is then told where it is written here.
+/// Puts parts, { "objects": [...], "couplings": [...], "devices": [...] }, behind those of `lesson`. Their form is not checked
+/// here: the lesson is checked later as a whole, and each problem then has the place where the value is written.
 bool add_parts(const PartsSaid& add, nlohmann::ordered_json& lesson, Places& lesson_places, base::Problems& problems);
 
 }  // namespace swage::assembly

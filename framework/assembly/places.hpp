@@ -18,7 +18,7 @@ class Places {
   /// The value at a pointer, with all below it, is written at `place`.
   void move(const std::string& pointer, const std::string& place);
 
-  /// The element `at` of the list at a pointer, which had `count`, is gone: those behind it move up.
+  /// The element `at` of the list at a pointer, which had `count`, has been removed: the elements behind it move up.
   void close_gap(const std::string& list, std::size_t at, std::size_t count);
 
   /// "lessons/grasp.json:12 #/objects/1/params/arc": file and line of the nearest place that exists, pointer there.

@@ -64,7 +64,7 @@ class ObjectReader {
   void each(const std::string& key, std::size_t most,
             const std::function<void(const Json&, const std::string&)>& f);
 
-  /// After everything has been asked for: errors about keys that nobody knows ("x-..." are notes of people).
+  /// Call it after the last key: an error for each key that was not asked for ("x-..." are notes of people).
   void finish();
 
   std::string at(const std::string& key) const;  // pointer of a key

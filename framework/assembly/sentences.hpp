@@ -101,7 +101,7 @@ inline constexpr auto kNoDevice = "There is no device \"{}\" for this lesson.{} 
 inline constexpr auto kReplaced = "\"{}\" is not installed; \"{}\" uses \"{}\"."_sentence;
 inline constexpr auto kFollowsNobody = "\"{}\" follows a hand; say which:  \"follows\": { \"pose\": \"{}\", \"closure\": \"{}\" }"_sentence;
 
-// who meets whom
+// couplings and their objects
 inline constexpr auto kNoTrait = "\"{}\" needs the trait \"{}\" here; \"{}\" ({}) does not offer it. {}"_sentence;
 inline constexpr auto kNobodyOffers = "No object of this lesson does."_sentence;
 inline constexpr auto kOthersOffer = "Those of this lesson that do: {}."_sentence;

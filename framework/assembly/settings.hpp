@@ -17,7 +17,7 @@ struct Setting {
   std::string what, value;
 };
 
-/// "grasp" of "swage.coupling.grasp": the name by which what has no other is known.
+/// "grasp" of "swage.coupling.grasp": the name of a coupling that has no other.
 std::string last_word(const std::string& plugin_id);
 
 /// Names of a lesson's couplings in their order: "name", else the last word of the plugin's id, numbered where it is taken

@@ -12,8 +12,8 @@
 
 namespace swage::assembly {
 
-// A lesson has some hundred values with keys of some letters; beyond these stands only a mistake, and telling what is wrong with
-// each would take minutes.
+// A lesson has some hundred values with keys of some letters; a text beyond these bounds is no lesson, and reporting
+// each of its values would take minutes.
 inline constexpr std::size_t kMostValues = 20'000;
 inline constexpr std::size_t kMostKey = 200;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wall and processor time. Deadlines are wall time, blame is processor time; neither may enter what a step
-// computes.
+// Wall and processor time. Deadlines are in wall time; whether a plugin was slow is told by its processor time. Neither may enter
+// what a step computes.
 #pragma once
 
 #include <time.h>

@@ -18,7 +18,7 @@ namespace swage::host {
 
 class Builder {
  public:
-  /// Who declares. Bodies and shapes are written with this object index and placed by X_WO.
+  /// The instance that declares. Bodies and shapes are written with this object index and placed by X_WO.
   struct Owner {
     int32_t kind = SWAGE_KIND_OBJECT;  // SWAGE_KIND_*
     std::string name;                  // of the instance
@@ -33,7 +33,7 @@ class Builder {
 
   swage_builder* abi() { return &abi_; }
   bool failed() const { return failed_; }
-  /// What can only be seen at the end: hinges of hinged bodies. Instance::configure calls it.
+  /// Checks that need all declarations: hinges of hinged bodies. Instance::configure calls it.
   void finish();
 
   // what was declared, as ranges of the world's and the script's arrays

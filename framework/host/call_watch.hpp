@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A limit in wall time for calls into plugins outside of the step: loading, create, configure, activate, bind, destroy. A thread
-// cannot be taken out of a loop, so that the program has to end; whoever keeps a record says here how. The same for a plugin that
-// calls exit(): the program must not end as if all were well.
+// cannot be taken out of a loop, so the program has to end; the session that keeps a record registers here how. The same holds for a
+// plugin that calls exit(): its attempt must not end as if nothing had happened.
 #pragma once
 
 #include "host/guard.hpp"
@@ -11,8 +11,8 @@ namespace swage::host {
 
 class CallWatch {
  public:
-  /// s that one call may take. Normal: under 0.1 (a mesh that is read). Less, and a slow disk is blamed; more, and a person waits
-  /// longer for a sentence. Looks are counted, not the clock: a machine that was held up blames nobody.
+  /// s that one call may take. Normal: under 0.1 (a mesh that is read). Smaller: a slow disk counts as a hang. Larger: a person
+  /// waits longer for the message. Checks are counted, not the clock: while the whole machine is held up no time passes here.
   static constexpr double kLimit = 10;
 
   /// Called with the call that does not come back ("hang", on the watch's thread) or that ends the program ("exit", on its own),

@@ -76,7 +76,7 @@ struct Clocks {
   int64_t waits = 0;          // how often the thread gave the processor away by itself
 };
 void start_watch(Watch& watch, uint64_t step, Clocks& begin) noexcept;
-/// kNone, or what the lateness of the last 100 steps amounts to.
+/// The fault that follows from the lateness of the last 100 steps; kNone: no fault.
 FaultKind stop_watch(Watch& watch, const Clocks& begin) noexcept;
 
 /// Where the decimal point of the thread's language stands: it moves when somebody calls setlocale.
@@ -106,7 +106,7 @@ swage_result contained(Instance& instance, Call call, uint64_t step, F&& f,
                        FaultKind* changed = nullptr) noexcept {
   const FpuMode mode = fpu_mode();
   const char* const point = radix();
-  // whoever looks into a crash or a hang finds the culprit here
+  // a signal handler or a watchdog finds here which call was running
   last_call.call.store(call, std::memory_order_relaxed);
   last_call.step.store(step, std::memory_order_relaxed);
   last_call.instance.store(&instance, std::memory_order_release);

@@ -86,11 +86,11 @@ struct Watch {
   bool investigated = false;        // this step, from its first call on
   bool may_wait = false;            // it is called on [io]: a driver may wait
   int64_t waited_ns = 0;            // of this step so far: wall time of calls that gave the processor away
-  int64_t excess_ns = 0;            // over the budget, since it was last without suspicion
+  int64_t excess_ns = 0;            // over the budget, since its lateness was last cleared
   uint64_t late[2] = {0, 0};        // bit i: late i steps ago; [0] the latest 64
   std::atomic<uint32_t> badge{0};   // 1: late in 5 of the last 100 steps
   std::atomic<uint64_t> late_steps{0};
-  std::atomic<uint64_t> preempted{0};  // over its budget by the wall clock, innocent by the processor clock
+  std::atomic<uint64_t> preempted{0};  // over its budget by the wall clock and within it by the processor clock
   std::atomic<int64_t> worst_wall_ns{0};
 
   /// The same step goes on, and what was spent on it so far is not the instance's: it has the whole budget again.

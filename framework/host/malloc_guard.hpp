@@ -2,7 +2,7 @@
 //
 // Counts heap allocations of a thread: what runs on [rt] must make none. Only programs that link the object
 // library swage_malloc_guard count (tests, `swage`); under a sanitizer, which has an allocator of its own,
-// nobody does.
+// none does.
 #pragma once
 
 #include <cstdint>

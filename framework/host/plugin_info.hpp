@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Who a plugin is, readable without loading it: the sidecar plugin.json, generated from the binary by
+// What a plugin is, readable without loading it: the sidecar plugin.json, generated from the binary by
 // swage-describe.
 #pragma once
 
@@ -59,7 +59,7 @@ bool describe(const Library& library, std::vector<PluginInfo>& out, std::string&
 /// What is wrong with a descriptor and its table, one sentence each; empty for a good plugin.
 std::vector<std::string> plugin_faults(const PluginInfo& plugin);
 
-/// What a bundle says of its plugins has some tens of kilobytes.
+/// Largest plugin.json that is read; normal is some tens of kilobytes.
 inline constexpr std::size_t kMostSidecarBytes = std::size_t{8} << 20;
 
 /// Hash of what an installation keeps of a library (elf_exports.hpp), "" when it cannot be read.

@@ -10,7 +10,7 @@
 
 namespace swage::host {
 
-/// A scale from the text of its file. False, with a sentence in `error`, for what is no scale; nothing of `out` is then of worth.
+/// A scale from the text of its file. False, with a sentence in `error`, for a text that is no scale; `out` is then unspecified.
 bool read_rating_scale(const std::string& text, judge::RatingScale& out, std::string& error);
 
 /// All scales of a folder (*.json), by name of file. A faulty one is left out, and `errors` has its sentence.

@@ -67,10 +67,7 @@ constexpr std::array kUnits = {
 
 std::string brief(std::string_view text) { return base::shortened(text, 60); }
 
-// "a length (m, mm, um)"
-std::string expected(const Unit& unit) {
-  return std::string(unit.dimension) + " (" + units_like(unit.si) + ")";
-}
+std::string expected(const Unit& unit) { return measure_of(unit.si); }
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -85,6 +82,8 @@ const Unit* find_unit(std::string_view symbol) {
     if (symbol == unit.symbol) return &unit;
   return nullptr;
 }
+
+std::string measure_of(std::string_view si) { return std::string(find_unit(si)->dimension) + " (" + units_like(si) + ")"; }
 
 std::string unit_list() {
   std::string list;

@@ -27,6 +27,9 @@ std::string unit_list();
 /// Symbols of one dimension: "m, mm, um". `si` is the SI symbol.
 std::string units_like(std::string_view si);
 
+/// What a quantity of this SI symbol of the table is: "a length (m, mm, um)".
+std::string measure_of(std::string_view si);
+
 /// Reads "2.6 mm" as `si` (an SI symbol of the table). `label` is what the sentence in `error` calls the
 /// value. False: `error` has one sentence such as  "0.1 N" is a force; "Wire diameter" is a length (m, mm,
 /// um).

@@ -54,7 +54,7 @@ Write provenance_row(const std::string& attempt_id, const AttemptInfo&);
 /// Metrics and the end of the attempt.
 Batch end_rows(const std::string& attempt_id, const AttemptInfo&, const AttemptEnd&, uint64_t dropped);
 
-/// What a person should know before believing the numbers of an attempt, from its columns; "" when all was as it should be.
+/// What limits the value of an attempt's numbers (slow machine, forces off, steps not recorded), from its columns; "" for nothing.
 std::string remark(const std::string& loop_health, bool realtime, int64_t steps_missing);
 
 // The parts of an attempt row that are JSON text.

@@ -23,8 +23,8 @@ struct Packed {
 Packed pack(const uint64_t* table, std::size_t rows, std::size_t columns);
 Packed pack(const float* table, std::size_t rows, std::size_t columns);
 
-/// The inverse. False when the data does not fit its checksum or the size; `table` then holds nothing of
-/// worth.
+/// The inverse. False when the data does not fit its checksum or the size; `table` is then
+/// unspecified.
 bool unpack(int64_t codec, uint32_t crc, const Blob& data, uint64_t* table, std::size_t rows,
             std::size_t columns);
 bool unpack(int64_t codec, uint32_t crc, const Blob& data, float* table, std::size_t rows,

@@ -26,7 +26,7 @@ struct Course {
 };
 
 std::string to_json(const Course&);
-/// False with a sentence for what is no course; nothing of `out` is then of worth.
+/// False with a sentence for what is no course; `out` is then unspecified.
 bool from_json(const std::string& text, Course& out, std::string& error);
 
 }  // namespace swage::record

@@ -3,7 +3,7 @@
 // Where an attempt goes when its store cannot be written: a file beside the store, its room reserved while
 // there was some. It is made with every attempt and locked as long as the program lives, so it also tells a
 // running attempt from a dead one. Format: "SWAGEJ1\n", then batches, each a length, a CRC-32C and the rows.
-// A torn end is simply where it ends.
+// A file that ends within a batch is read up to the batch before.
 #pragma once
 
 #include <memory>

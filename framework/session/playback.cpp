@@ -12,6 +12,7 @@
 #include "assembly/assemble.hpp"
 #include "base/scratch_folder.hpp"
 #include "host/catalogue.hpp"
+#include "session/sentences.hpp"
 #include "session/session.hpp"
 
 namespace swage::session {
@@ -65,8 +66,7 @@ void tell_other_versions(const host::Rig& rig, const record::AttemptInfo& info, 
     const auto& [id, version] = info.plugins[i];
     if (all[i]->plugin_id == id && all[i]->plugin_version == version) continue;
     problems.push_back({base::Severity::kWarning, all[i]->name,
-                        "Recorded with " + id + " " + version + ", replayed with " + all[i]->plugin_id + " " +
-                            all[i]->plugin_version + "."});
+                        say::kRecordedWith(id, version, all[i]->plugin_id, all[i]->plugin_version)});
   }
 }
 

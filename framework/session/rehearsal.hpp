@@ -27,7 +27,7 @@ class Rehearsal {
   const snapshot::SceneCard& card() const { return rig_->card; }
   /// Steps made so far.
   uint64_t at() const { return at_; }
-  /// The lesson has its verdict, or nobody plays any more.
+  /// The lesson has its verdict, or all hands have come to their end.
   bool over() const { return over_; }
   /// One step forward. False at the end.
   bool step();

@@ -81,7 +81,7 @@ class Run final : public Session {
   std::atomic<const host::LastCall*> last_call_{nullptr};  // of the step thread
   uint64_t idle_beats_ = 0;                                // the watchdog's pulse once the attempt has ended
   uint32_t marks_ = 0;
-  bool left_ = false;  // a device has not come back: what its thread may touch is never destroyed
+  bool left_ = false;  // a device has not come back from a call: what its thread may use is never destroyed
   bool started_ = false, closed_ = false;
   std::string grant_;
   Problems problems_;

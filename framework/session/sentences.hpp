@@ -27,6 +27,8 @@ inline constexpr auto kNobody = "There is nothing of this name in the scene."_se
 inline constexpr auto kFileNotKept =
     "This file is not kept with the attempt: it cannot be read, or the files of this lesson are more than 16 MiB. Replaying it needs the file at its place."_sentence;
 
+inline constexpr auto kRecordedWith = "Recorded with {} {}, replayed with {} {}."_sentence;  // plugin, version; plugin, version
+
 // where an arm stands
 inline constexpr auto kFewPoints = "A registration needs three points, and four to be checked; there are {}."_sentence;
 inline constexpr auto kPointNoNumber = "A point of the registration is not a number."_sentence;

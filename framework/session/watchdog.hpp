@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sees when the step no longer comes back. It counts its own looks, not wall time: when the whole machine was
-// held up the watchdog was too, and nobody is blamed.
+// Sees when the step no longer comes back. It counts its own checks, not wall time: when the whole machine
+// was held up the watchdog was too, and no plugin is named.
 #pragma once
 
 #include <atomic>

@@ -27,8 +27,8 @@ inline constexpr uint32_t kMaxTears = 64;
 inline constexpr uint32_t kMaxWounds = 16;
 inline constexpr uint32_t kPhases = 12;
 
-/// Health of the loop, counted since the start of the run. Wall times say how the machine did, processor
-/// times how we did.
+/// Health of the loop, counted since the start of the run. Wall times include the rest of the
+/// machine, processor times are those of this program alone.
 struct LoopHealth {
   uint64_t executed = 0;  // steps
   uint64_t late = 0;      // woke more than half a period after the deadline

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What chains meet between where contacts were looked for and where the solve has put them. What was not near then has no contact, and a
-// thin thread that is snatched comes out on its far side. Of a chain with itself the whole step is looked at, each vertex going straight:
-// in a loop of few pieces these turn so far that a contact found along the way no longer tells on which side they ended.
+// Finds chains that passed through something within a step. Contacts are searched where the chain stood; a part that moved farther than
+// that search reached has no contact with what it met, and a thin thread that is pulled quickly comes out on the far side. Of a chain with
+// itself the whole step is tested, each vertex on a straight path: in a loop of few pieces these turn so far that a contact found on the
+// path no longer tells on which side they ended.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once

@@ -37,7 +37,7 @@ class Couplings {
     uint32_t coupling = 0;
   };
 
-  /// What a coupling has for the eye: asks it, and takes nothing of what is not finite. [rt] between steps
+  /// What a coupling draws: its answer, without entries that are not finite. [rt] between steps
   template <class Mark, class Ask>
   uint32_t marks(uint32_t coupling, host::Call call, std::span<Mark> out, Ask ask) const noexcept;
   bool released(uint32_t coupling) const noexcept;

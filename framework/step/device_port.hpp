@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One device as the step sees it. Whether it is asked in the step, lives on a thread of its own or is replayed from a
-// recording is not the step's business.
+// One device as the step sees it. It may be asked in the step, have a thread of its own or be replayed from a recording; the step
+// does not know which.
 #pragma once
 
 #include <swage/abi/device.h>

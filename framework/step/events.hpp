@@ -33,7 +33,7 @@ class Events {
     emit_own(event, value);
     if (observed_ && late_.size() < kCapacity) late_.push_back({step_, event, 0, value});
   }
-  /// The lesson's own: it does not hear itself.
+  /// An event of the lesson itself, which is not shown to it again.
   void emit_own(uint32_t event, double value) noexcept {
     if (list_.size() < kCapacity) {
       list_.push_back({step_, event, 0, value});
@@ -46,7 +46,7 @@ class Events {
   void keep_first(std::size_t count) noexcept { list_.resize(std::min(count, list_.size())); }
   void emit_host(judge::HostEvent event, double value) noexcept { emit(first_host_ + event, value); }
 
-  /// The lesson looks now: what comes from here on it sees in the next step. [rt]
+  /// The lesson observes now: it sees events from here on in the next step. [rt]
   void observe() noexcept {
     late_.erase(late_.begin(), late_.begin() + static_cast<std::ptrdiff_t>(late_seen_));
     late_seen_ = 0;

@@ -26,8 +26,8 @@ class Hands {
   void reset() noexcept;                                    // [rt]
   /// What devices read of the person's pointer and keys from now on, given in the picture as it is shown. [rt]
   void point(const swage_pointer& pointer) noexcept;
-  bool see() const noexcept;                                // a device sees the scene
-  /// Shows it to those, and holds them to looking: `writes` has just been taken. [rt]
+  bool see() const noexcept;                                // whether a device sees the scene
+  /// Shows the scene to the devices that see; each that writes into it is at fault. `writes` has just been taken. [rt]
   void look(const swage_sight& sight, WriteGuard& writes) noexcept;
   void read(WriteGuard& writes) noexcept;  // [rt] newest sample of every device
   void follow() noexcept;                                   // [rt] tools after their hands

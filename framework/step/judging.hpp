@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The lesson looks at the step; who is in quarantine is noticed and told.
+// The lesson observes the step; plugins that came into quarantine are reported.
 #pragma once
 
 #include <swage/abi/sight.h>
@@ -31,7 +31,7 @@ class Judging {
   std::size_t image_size() const;                // [main]
   void save(scene::Writer& out) const noexcept;  // [main or rt] the verdict so far
   bool restore(scene::Reader& in) noexcept;
-  /// Somebody is in quarantine: the attempt does not count.
+  /// A plugin is in quarantine: the attempt is void.
   bool is_void() const noexcept { return bad_count_ > 0; }
   uint32_t quarantined() const noexcept { return bad_count_; }
 

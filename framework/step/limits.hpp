@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bounds on what plugins and devices may say. They are far outside of what a lesson needs: beyond them stands only a mistake.
+// Bounds on what plugins and devices may say. They are far outside of what a lesson needs: a value beyond them is an error of the plugin or device.
 #pragma once
 
 namespace swage::step {
@@ -14,7 +14,7 @@ inline constexpr double kMaxContactForce = 500;
 inline constexpr double kMaxSpeed = 1e3;
 // m/s per N s of a free surface: 1 / effective mass. Normal: 1e3 to 1e8 (a wire end of 10 ug). Larger: no mass at all
 inline constexpr double kMaxMobility = 1e12;
-// m from the world's origin. Normal: under 0.1. Larger: it has left the room
+// m from the world's origin. Normal: under 0.1. Larger: the point has left the scene
 inline constexpr double kMaxPosition = 1e3;
 // SI, anything that is only required to be a number
 inline constexpr double kAnyNumber = 1e300;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The objects of a scene between the phases: their views, their calls, and what becomes of one that misbehaves.
+// The objects of a scene between the phases: their views and calls; an object in quarantine keeps its last pose.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ class Objects {
   void forces() noexcept;                // [rt]
   void advance() noexcept;               // [rt] own mechanics
   void finish() noexcept;                // [rt]
-  void freeze() noexcept;                // [rt] what is in quarantine stands where it stood
+  void freeze() noexcept;                // [rt] objects in quarantine keep their last pose
   void guard() noexcept;                 // [rt] looks through the state that the solve has left
 
   /// Dents to draw; how many. [rt] between steps
@@ -34,7 +34,7 @@ class Objects {
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
   std::span<dynamics::FlexibleBody* const> self() noexcept;  // own mechanics that are not in quarantine
-  /// In quarantine, or out of the room (scene/room.hpp): it stands where it stood.
+  /// In quarantine, or out of the room (scene/room.hpp): the object keeps its last pose.
   bool frozen(uint32_t object) const noexcept {
     return gone_[object] != 0 ||
            rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Things that a lesson puts into each other. The solver pushes them apart, and what is light is thrown: a ring of some milligrams
-// that starts half a millimetre inside its hook leaves it at 74 m/s. A person has to be told before that.
+// Objects that overlap at the start. The solver pushes them apart, and a light one is thrown: a ring of some milligrams
+// that starts half a millimetre inside its hook leaves it at 74 m/s. A warning comes before the first step.
 #pragma once
 
 #include <vector>

@@ -17,7 +17,7 @@ namespace swage::tools {
 
 struct AuditMetric {
   std::string id, unit;
-  double value = 0;  // NaN: it was not told
+  double value = 0;  // NaN: it was not reported
 };
 
 /// How the lesson went with one level.
@@ -35,14 +35,14 @@ struct AuditRun {
 struct AuditDifference {
   std::string id, unit;
   double value = 0, reference = 0;
-  double allowed = 0;   // so much is equal
+  double allowed = 0;   // differences up to this count as equal
   double size() const;  // |value - reference| over that: above 1 it counts
 };
 
 struct AuditLevel {
   AuditRun run;
   std::vector<AuditDifference> difference;  // the score, then every metric that both could tell
-  std::vector<std::string> untold;          // metrics that the reference tells and this level cannot
+  std::vector<std::string> untold;          // metrics that the reference reports and this level cannot
   double worst = 0;                         // size of the largest; infinite: another verdict, or not played
   std::string why;                          // that one, in words
   bool enough = false;
@@ -77,7 +77,7 @@ struct AuditPlan {
   double budget_s = 45;                // of processor time, for one run
   std::vector<std::string> only = {};  // names of ladders; all unless given
 };
-/// Plays a lesson at every level; judges nothing. `said` is called before each run with a word on how far it is.
+/// Plays a lesson at every level; judges nothing. `said` is called before each run with its progress in words.
 AuditLesson play_levels(const AuditPlan& plan, const host::Catalogue& catalogue, assembly::LessonFile file,
                         void (*said)(const std::string&));
 

@@ -160,8 +160,8 @@ void print_points(const Calibration& c) {
   std::printf("%10s %10s %12s\n", "mm", "V", "residual um");
   for (const auto& p : c.displacement.points)
     std::printf("%10.3f %10.4f %12.1f%s\n", 1e3 * p.length_m, p.volts, 1e6 * p.residual_m, p.used ? "" : "   left out: beyond the stroke");
-  std::printf("%.5f mm/V, %.4f mm at 0 V, worst residual %.1f um, rms %.1f um\n", 1e3 * c.displacement.slope,
-              1e3 * c.displacement.offset, 1e6 * c.displacement.worst, 1e6 * c.displacement.rms);
+  std::printf("%s, worst residual %.1f um, rms %.1f um\n",
+              say::kSlope(format("%.5f", 1e3 * c.displacement.slope), format("%.4f", 1e3 * c.displacement.offset)).c_str(), 1e6 * c.displacement.worst, 1e6 * c.displacement.rms);
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ int calibrate_check(const CalibrateOptions& o) {
   if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + say::kNothingKept());
   const double handle = handle_force(c, contact, volts);
   c.check = {o.tip_N, c.tip.empty() ? o.ratio * handle : c.tip.value(handle), sensor::today()};
-  std::printf("%.3f N at the tips by the calibration, %.3f N by the gauge\n", c.check.measured, c.check.wanted);
+  std::printf("%s\n", say::kTipForces(format("%.3f", c.check.measured), format("%.3f", c.check.wanted)).c_str());
   // one that is off is kept as well: who uses it is told
   const std::string wrong = sensor::check_tip(c.check);
   if (!wrong.empty()) problem(wrong);
@@ -285,7 +285,7 @@ int calibrate_zero(const CalibrateOptions& o) {
   if (const std::string why = bench.mean(o.seconds, volts); !why.empty()) return problem(why + say::kNothingKept());
   const double before = c.poses.open;
   if (const std::string wrong = sensor::set_zero(c.displacement.length(volts), c.poses); !wrong.empty()) return not_kept(wrong);
-  std::printf("  all poses moved by %.3f mm\n", 1e3 * (c.poses.open - before));
+  std::printf("  %s\n", say::kPosesMoved(format("%.3f", 1e3 * (c.poses.open - before))).c_str());
   c.zero_date = sensor::today();
   c.gauge_zero = bench.gauge().value_or(c.gauge_zero);
   if (bench.gauge()) std::printf("  the gauge reads %.2f N, which is nothing from now on\n", *bench.gauge());

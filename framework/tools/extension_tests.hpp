@@ -17,7 +17,7 @@ host::Finding solver(const TestScene& scene, uint64_t seed);
 host::Finding traits(const TestScene& scene, uint64_t seed);
 
 /// A device on a thread of its own: opens and closes again and again, says what is valid, counts and measures forwards, comes back
-/// in time, and stands a pause in which nobody asks.
+/// in time, and works after a pause without calls.
 host::Finding driver(const TestScene& scene, uint64_t seed);
 
 }  // namespace swage::tools

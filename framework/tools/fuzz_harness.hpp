@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A plugin that only looks (a lesson, a coupling), called as the step calls it, but shown a world of random values. What it is shown
-// in a step follows from the seed and the number of the step alone, so that the same steps can be asked for again. [main]
+// in a step follows from the seed and the number of the step alone, so that the same steps can be repeated. [main]
 #pragma once
 
 #include <memory>
@@ -39,7 +39,7 @@ class FuzzHarness {
   uint64_t allocations() const { return allocations_; }  // in its functions of the step
 
  protected:
-  /// `scene` is taken last: who calls may name its instance in the same breath.
+  /// `scene` is taken after the other arguments, so that a caller may pass one of its instances in the same call.
   FuzzHarness(std::unique_ptr<Stepped>&& scene, host::Instance& instance, uint64_t seed);
 
   virtual void on_reset() = 0;

@@ -9,6 +9,7 @@
 #include <locale>
 #include <nlohmann/json.hpp>
 
+#include "base/quantity.hpp"
 #include "base/text.hpp"
 #include "tools/verbs.hpp"
 
@@ -86,6 +87,17 @@ std::string format(const char* form, ...) {
   std::vsnprintf(buffer, sizeof buffer, form, arguments);
   va_end(arguments);
   return buffer;
+}
+
+std::string quantity_text(double value, const std::string& unit) {
+  value = base::meaningful(value, unit);
+  const double size = std::abs(value);
+  const auto said = [&](double factor, const char* as) { return format("%.4g%s%s", factor * value, *as != '\0' ? " " : "", as); };
+  // as in the console: a tenth of a wire is told in micrometres, what a thread bears at rest in millinewtons
+  if (unit == "m") return value != 0 && size < 1e-4 ? said(1e6, "um") : said(1e3, "mm");
+  if (unit == "N") return value != 0 && size < 0.01 ? said(1e3, "mN") : said(1, "N");
+  if (unit == "rad") return said(180 / M_PI, "deg");
+  return said(1, unit == "1" ? "" : unit.c_str());
 }
 
 }  // namespace swage::tools

@@ -53,9 +53,9 @@ void print_grade(const record::AttemptRow& then, const record::Grade& now) {
   std::printf("  %-20s %12.4g %12.4g\n", "score", then.score, now.score);
   for (const record::MetricValue& m : now.metrics) {
     const auto old = std::find_if(then.metrics.begin(), then.metrics.end(), [&](const auto& t) { return t.id == m.id; });
-    std::printf("  %-20s %12s %12.4g %s\n", printable(m.id).c_str(),
-                old == then.metrics.end() ? "-" : format("%.4g", old->value).c_str(), m.value,
-                printable(m.unit).c_str());
+    std::printf("  %-20s %12s %12s\n", printable(m.id).c_str(),
+                old == then.metrics.end() ? "-" : printable(quantity_text(old->value, old->unit)).c_str(),
+                printable(quantity_text(m.value, m.unit)).c_str());
   }
 }
 
@@ -169,11 +169,10 @@ int replay(const ReplayOptions& o) {
                                                  : nlohmann::ordered_json(result.first_difference)},
            {"reason", result.reason}});
   else if (result.identical)
-    std::printf("identical %llu steps (%.3f s)\n", steps, static_cast<double>(steps) * recording.info.dt);
+    std::printf("%s\n", say::kIdentical(steps, format("%.3f", static_cast<double>(steps) * recording.info.dt)).c_str());
   else
-    std::printf("differs from step %llu on (%.3f s)%s%s\n", first,
-                static_cast<double>(first) * recording.info.dt, result.reason.empty() ? "" : ": ",
-                result.reason.c_str());
+    std::printf("%s%s%s\n", say::kDiffers(first, format("%.3f", static_cast<double>(first) * recording.info.dt)).c_str(),
+                result.reason.empty() ? "" : ": ", result.reason.c_str());
   return result.identical ? kPassed : kNotPassed;
 }
 

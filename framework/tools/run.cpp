@@ -144,14 +144,6 @@ std::string loop_text(const snapshot::LoopHealth& h, bool fast) {
   return text;
 }
 
-// four digits, in the unit that people use at this scale
-std::string metric_text(double value, const std::string& unit) {
-  if (!std::isfinite(value)) return "not reported";
-  const double scale = unit == "m" ? 1e3 : unit == "rad" ? 180 / M_PI : 1;
-  const char* shown = unit == "m" ? "mm" : unit == "rad" ? "deg" : unit == "1" ? "" : unit.c_str();
-  return format("%.4g%s%s", scale * value, shown[0] != '\0' ? " " : "", shown);
-}
-
 std::string kept_text(const session::Result& r, const std::string& store) {
   if (r.not_kept) return "NOT KEPT: nothing of this attempt is in the store";
   if (r.attempt_id.empty()) return "not kept";
@@ -175,7 +167,7 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
               r.simulated_s);
   for (const auto& m : r.metrics) {
     std::printf("  %-20s %-14s %s\n", printable(m.id).c_str(),
-                printable(metric_text(m.value, m.unit)).c_str(), printable(m.doc).c_str());
+                printable(std::isfinite(m.value) ? quantity_text(m.value, m.unit) : "not reported").c_str(), printable(m.doc).c_str());
   }
   const std::string ratings = ratings_text(r.outcome, judge::metrics_of(r.metrics));
   if (!ratings.empty()) std::printf("on scales of surgeons, as far as the state of the scene decides them:\n%s", ratings.c_str());

@@ -299,6 +299,10 @@ inline constexpr auto kExchange = " Exchange {}."_sentence;
 inline constexpr auto kInTheStep = "It is asked in the step, as the other tests do."_sentence;
 inline constexpr auto kMeasurements = "{} measurements; the longest exchange took {} ms."_sentence;
 
+// swage replay
+inline constexpr auto kIdentical = "identical {} steps ({} s)"_sentence;
+inline constexpr auto kDiffers = "differs from step {} on ({} s)"_sentence;
+
 // swage calibrate: what it is told; sentences of sensors and fits are in sensor/sentences.hpp
 inline constexpr auto kSayWho = "Say who calibrates, with --by."_sentence;
 inline constexpr auto kWhoseTable = "Say whose table this is: the sensor's serial number with --serial."_sentence;
@@ -313,6 +317,9 @@ inline constexpr auto kOfTable = "{}: {}"_sentence;
 
 // and of the sensor
 inline constexpr auto kSaysNotWho = "{} does not say who it is. Is it a sensor that speaks JAW1, and powered?"_sentence;
+inline constexpr auto kSlope = "{} mm/V, {} mm at 0 V"_sentence;
+inline constexpr auto kTipForces = "{} N at the tips by the calibration, {} N by the gauge"_sentence;
+inline constexpr auto kPosesMoved = "all poses moved by {} mm"_sentence;
 inline constexpr auto kVoltsFirst = "Its volts have no meaning yet. First: swage calibrate displacement."_sentence;
 inline constexpr auto kTravelFirst = "Its travel has no force yet. First: swage calibrate force."_sentence;
 inline constexpr auto kNoneKept = "No calibration is kept in {}"_sentence;

@@ -37,9 +37,9 @@ struct LawRun {
   double peak = 0;                    // N
   double impulse = 0;                 // N s
   double steepest = 0;                // N/s
-  double silent = 0;                  // share of the contact's time in which the law makes nothing of it
+  double silent = 0;                  // share of the contact's time in which the law gives no force
   double cut = 0;                     // share of it in which the guard gave less than 99 % of what was wanted
-  double off = 0;                     // N, root mean square of the way from the first law's force, over the contact's time
+  double off = 0;                     // N, root mean square difference from the first law's force, over the contact's time
 };
 
 struct LawsResult {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The attempts of a study as they come, in a file per shard beside its figures: what was done is not done again after a kill, and
-// shards of many machines are put together. A line of JSON per attempt; numbers are written so that they are read back bit for bit.
+// The attempts of a study as they come, in a file per shard beside its figures: attempts on file are not repeated after a kill, and
+// shards of many machines are merged. A line of JSON per attempt; numbers are written so that they are read back bit for bit.
 //
 // [main]
 #pragma once
@@ -28,7 +28,7 @@ std::string study_name(const Study& study, const std::string& file_text, const s
 
 using StudyRows = std::map<uint64_t, StudyRow>;  // by number
 
-/// The rows that the folder holds of the study of that name, of all shards. A line that a kill has torn is none.
+/// The rows that the folder holds of the study of that name, of all shards. A line cut off by a kill is left out.
 StudyRows read_rows(const std::string& folder, const std::string& name);
 /// Removes the files of rows of that study.
 void remove_rows(const std::string& folder, const std::string& name);

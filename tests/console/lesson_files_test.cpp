@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "assembly/lesson_text.hpp"
+#include "assembly/sentences.hpp"
 
 namespace swage::console {
 namespace {
@@ -86,7 +87,7 @@ TEST_F(LessonFiles, ALessonAsItIsWrittenStaysSoByteForByte) {
 
 TEST_F(LessonFiles, AFaultyFileIsRefusedWithFileLineAndReason) {
   EXPECT_EQ(import(write("cut.json", "{ \"format\": \"swage-lesson/1\",\n \"id\": ")).problem,
-            "cut.json, line 2: This is not valid JSON at column 8: a comma, colon, quotation mark or bracket is missing or too many.");
+            QString::fromStdString("cut.json, line 2: " + assembly::say::kNotJson(8)));
   const QString file = write("tray.json", "{ \"format\": \"swage-lesson/1\",\n \"id\": \"t\", \"title\": \"T\",\n \"objects\": [] }");
   fault = ":3 #/objects";
   EXPECT_EQ(import(file).problem, "tray.json, line 3: The lesson has no object \"tray\".");

@@ -44,6 +44,7 @@ TEST(Words, SayUnitsAndVerdicts) {
   EXPECT_EQ(quantity_text(0.012, "N"), QString("0.01") + QChar(0x202f) + "N");
   EXPECT_EQ(quantity_text(0.00013, "1"), "0.00013");
   EXPECT_EQ(quantity_text(1e-12, "1"), "0") << "a count, but for rounding";
+  EXPECT_EQ(quantity_text(-5e-12, "m"), quantity_text(0, "m")) << "two points that coincide";
   EXPECT_EQ(quantity_text(std::nan(""), "N"), "–");
   EXPECT_EQ(human_id("grasp.peak_force"), "Grasp peak force");
   EXPECT_EQ(clock_text(62.9), "01:02");

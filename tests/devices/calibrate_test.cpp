@@ -64,7 +64,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   for (int i = 0; i <= 12; ++i) points.emplace_back(-3 + 0.5 * i, std::to_string(0.5 * i));
   points.emplace_back(0, "");
   ASSERT_EQ(answer("calibrate displacement --by Ada" + port, points), 0) << said();
-  EXPECT_THAT(said(), HasSubstr("1.00000 mm/V, 3.0000 mm at 0 V"));
+  EXPECT_THAT(said(), HasSubstr(say::kSlope("1.00000", "3.0000")));
 
   points = {{-1, ""}, {-1, "0.2"}, {-1.5, "1"}, {-2, "4"}, {-2.5, "10"}, {0, ""}};
   EXPECT_EQ(answer("calibrate force --by Ada" + port, points), 1) << "four points are too few";
@@ -74,7 +74,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   points = {{-1, ""}, {-1, "0"}, {-1.5, "0.15"}, {-2, "0.75"}, {-2.25, "1.25"}, {-2.5, "1.95"}, {0, ""}};
   ASSERT_EQ(answer("calibrate tip --by Ada" + port, points), 0) << said();
   EXPECT_EQ(answer("calibrate check --tip-force 0.75" + port, {{-1, ""}, {-2, ""}}), 0) << said();
-  EXPECT_THAT(said(), HasSubstr("0.750 N at the tips by the calibration, 0.750 N by the gauge"));
+  EXPECT_THAT(said(), HasSubstr(say::kTipForces("0.750", "0.750")));
   EXPECT_EQ(answer("calibrate check" + port, {{-1, ""}, {-2, ""}}), 1);
   EXPECT_THAT(said(), HasSubstr(sensor::say::kTipOff("0.60", "0.75", "25", "10")));
   EXPECT_THAT(swage({"calibrate", "show"}).out, HasSubstr("0.60 N checked on " + sensor::today() + ": +25 %"));
@@ -99,7 +99,7 @@ TEST_F(Calibrate, FromTheBenchOverTheScaleToThePosesOfASession) {
   EXPECT_EQ(answer("calibrate zero" + port, {{0.9, ""}}), 1);
   EXPECT_THAT(said(), HasSubstr(sensor::say::kRestsElsewhere.words(1) + "3 mm" + sensor::say::kRestsElsewhere.words(2)));
   ASSERT_EQ(answer("calibrate zero" + port, {{2.1, ""}}), 0) << said();
-  EXPECT_THAT(said(), HasSubstr("all poses moved by 0.100 mm"));
+  EXPECT_THAT(said(), HasSubstr(say::kPosesMoved("0.100")));
   ASSERT_EQ(sensor::load_calibration(sensor::calibration_path("B7"), c), "");
   EXPECT_NEAR(c.poses.open, 5.1e-3, 1e-6);
   EXPECT_NEAR(c.poses.closed, 2.1e-3, 1e-6);

@@ -7,6 +7,7 @@
 
 #include <random>
 
+#include "hand/sentences.hpp"
 #include "hand/tremor.hpp"
 
 namespace swage::hand {
@@ -55,29 +56,27 @@ TEST(HandFile, RollPitchYawTurnAboutFixedAxesInThisOrder) {
 
 TEST(HandFile, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, "3 N"]})"),
-            "hand.json #/keys/0/p/2: \"3 N\" is not a length (m, mm, um)");
+            "hand.json #/keys/0/p/2: " + say::kOtherMeasure("3 N", say::kLength()));
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, "3"]})"),
-            "hand.json #/keys/0/p/2: \"3\" is not a length (m, mm, um)");
+            "hand.json #/keys/0/p/2: " + say::kOtherMeasure("3", say::kLength()));
   EXPECT_EQ(message(R"({"t": 1, "p": [0, 0, 0]}, {"t": 1})"),
-            "hand.json #/keys/1: times must rise from one to the next");
-  EXPECT_EQ(message(R"({"t": 0})"), "hand.json #/keys/0: the first key needs \"p\", the place");
+            "hand.json #/keys/1: " + say::kTimesRise());
+  EXPECT_EQ(message(R"({"t": 0})"), "hand.json #/keys/0: " + say::kNoPlace());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "closure": 1.5})"),
-            "hand.json #/keys/0: closure goes from 0 (open) to 1 (closed)");
+            "hand.json #/keys/0: " + say::kClosure());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0]})"),
-            "hand.json #/keys/0: \"axis\" and \"closing\" are given together");
+            "hand.json #/keys/0: " + say::kTogether());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "axis": [1, 0, 0], "closing": [2, 0, 0]})"),
-            "hand.json #/keys/0: the axis and the closing direction must be two different directions");
+            "hand.json #/keys/0: " + say::kSameDirection());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "closed": 1})"),
-            "hand.json #/keys/0/closed: unknown; a key has t, p, q or rpy or axis and closing, turn, "
-            "closure, grip, doc");
+            "hand.json #/keys/0/closed: " + say::kKeyHas());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0]}, {"t": 1, "p": [0, 0, 0],
                         "turn": {"about": [0, 0, 0], "axis": [0, 0, 1], "angle": 1}})"),
-            "hand.json #/keys/1: give \"turn\" or \"p\", not both");
+            "hand.json #/keys/1: " + say::kTurnOr("p"));
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0]}, {"t": 1, "turn": {"about": [0, 0, 0], "angle": 1}})"),
-            "hand.json #/keys/1/turn: a turn is {\"about\": [x, y, z], \"axis\": [x, y, z], \"angle\": \"90 "
-            "deg\"}");
+            "hand.json #/keys/1/turn: " + say::kTurn());
   EXPECT_EQ(message(R"({"t": 0, "p": [0, 0, 0], "turn": {}})"),
-            "hand.json #/keys/0/turn: the first key stands; it cannot turn from anywhere");
+            "hand.json #/keys/0/turn: " + say::kFirstTurns());
   EXPECT_THROW(parse_hand("{}", "x"), std::runtime_error);
   EXPECT_THROW(parse_hand("{", "x"), std::runtime_error);
   EXPECT_THROW(load_hand("/no/such/file.json"), std::runtime_error);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/sentences.hpp"
 #include "host/services.hpp"
 #include "session/playback.hpp"
 #include "session/sentences.hpp"
@@ -140,7 +141,7 @@ TEST_F(SessionTest, AReplayNeedsNoFileBesideIt) {
   EXPECT_TRUE(again.identical);
   attempt.info.files.clear();
   EXPECT_FALSE(replay(attempt, options.plugin_dirs, again, problems));
-  EXPECT_NE(told(problems).find("there is no file " + folder + "/school/hands/020_expert.json"),
+  EXPECT_NE(told(problems).find(host::say::kNoFile.words(1) + folder + "/school/hands/020_expert.json"),
             std::string::npos)
       << told(problems);
 }
@@ -178,7 +179,7 @@ TEST_F(SessionTest, ReplaySaysWhatItCannotDo) {
   attempt.info.plugins[0].second = "0.0.1";
   attempt.step[50] = 50;
   ASSERT_TRUE(replay(attempt, options.plugin_dirs, again, problems));
-  EXPECT_NE(told(problems).find("Recorded with swage.object.jaws 0.0.1"), std::string::npos)
+  EXPECT_NE(told(problems).find(say::kRecordedWith.words(0) + "swage.object.jaws 0.0.1"), std::string::npos)
       << told(problems);
   attempt.info.descriptor_text = "{}";
   EXPECT_FALSE(replay(attempt, options.plugin_dirs, again, problems));

@@ -303,7 +303,7 @@ TEST_F(Run, AnExportedAttemptReplaysElsewhere) {
   const Said taken = there({"attempts", "import", path("one.swage")});
   ASSERT_EQ(taken.code, 0) << taken.err;
   const Said said = there({"replay", "last"});
-  EXPECT_EQ(said.out, "identical 2000 steps (2.000 s)\n");
+  EXPECT_EQ(said.out, say::kIdentical(2000, "2.000") + "\n");
   EXPECT_EQ(said.err, "");
 }
 
@@ -315,7 +315,7 @@ TEST_F(Run, ReplayFindsTheFirstStepThatDiffers) {
       "\"scene_length\"')");
   const Said said = swage({"replay", id, "--store", store()});
   EXPECT_EQ(said.code, 1) << said.err;
-  EXPECT_THAT(said.out, HasSubstr("differs from step 0 on (0.000 s)"));
+  EXPECT_THAT(said.out, HasSubstr(say::kDiffers(0, "0.000")));
   tamper("DELETE FROM chunk WHERE stream = 'hash' AND seq = 1");
   const Said damaged = swage({"replay", id, "--store", store()});
   EXPECT_EQ(damaged.code, 2);

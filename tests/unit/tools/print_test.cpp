@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/print.hpp"
+
+#include <gtest/gtest.h>
+
+namespace swage::tools {
+namespace {
+
+TEST(Print, AQuantityIsToldInTheUnitOfItsScale) {
+  EXPECT_EQ(quantity_text(0.0012, "m"), "1.2 mm");
+  EXPECT_EQ(quantity_text(2e-6, "m"), "2 um");
+  EXPECT_EQ(quantity_text(5.135e-12, "m"), "0 mm") << "two points that coincide";
+  EXPECT_EQ(quantity_text(-1e-15, "rad"), "0 deg");
+  EXPECT_EQ(quantity_text(0.5, "N"), "0.5 N");
+  EXPECT_EQ(quantity_text(0.0042, "N"), "4.2 mN");
+  EXPECT_EQ(quantity_text(3, "1"), "3");
+  EXPECT_EQ(quantity_text(2.5e-7, "m2"), "2.5e-07 m2");
+}
+
+}  // namespace
+}  // namespace swage::tools
