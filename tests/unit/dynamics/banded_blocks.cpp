@@ -12,7 +12,7 @@
 #include "toolkit/rod.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace banded_blocks_test {
 
 using toolkit::Mat3;
 using toolkit::Vec3;
@@ -200,5 +200,5 @@ TEST(BandedBlocks, SayWhenThereIsNoRoom) {
   EXPECT_TRUE(blocks.analyse(10, {}));
 }
 
-}  // namespace
+}  // namespace banded_blocks_test
 }  // namespace swage::dynamics

@@ -15,7 +15,7 @@
 #include "rod_body.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace banded_body_test {
 
 using toolkit::Vec3;
 
@@ -230,5 +230,5 @@ TEST(BandedBody, IsTheSameFromEitherEnd) {
     }
 }
 
-}  // namespace
+}  // namespace banded_body_test
 }  // namespace swage::dynamics

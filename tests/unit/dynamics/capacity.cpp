@@ -12,7 +12,7 @@
 #include "toolkit/math.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace capacity_test {
 
 constexpr double kLarge = 1e-3, kSmall = 20e-6;  // m, radii
 constexpr double kStiffness = 1e6;               // N/m
@@ -198,5 +198,5 @@ TEST(Capacity, PastTheBudgetForcesStay) {
     EXPECT_EQ(once.contacts.contact[i].f_a_W, again.contacts.contact[i].f_a_W);
 }
 
-}  // namespace
+}  // namespace capacity_test
 }  // namespace swage::dynamics

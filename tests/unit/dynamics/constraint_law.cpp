@@ -13,7 +13,7 @@
 #include "base/rng.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace constraint_law_test {
 
 /// A law of n coordinates as the test sees it, in units in which displacements and forces are about 1.
 struct Law {
@@ -113,5 +113,5 @@ TEST(ConstraintLaw, EachIsTheDerivativeOfTheNext) {
   for (const uint32_t n : {loose, slips, sticks}) EXPECT_GT(n, 200u);
 }
 
-}  // namespace
+}  // namespace constraint_law_test
 }  // namespace swage::dynamics

@@ -9,7 +9,7 @@
 #include "base/rng.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace contact_law_test {
 
 constexpr Surface kSteel{1e6, 0.82e6, 0.3};
 
@@ -151,5 +151,5 @@ TEST(ContactLaw, WhatDoesNotReboundComesBackLate) {
   EXPECT_GT(rebound(0.1, 1), 0.9);
 }
 
-}  // namespace
+}  // namespace contact_law_test
 }  // namespace swage::dynamics

@@ -14,7 +14,7 @@
 #include "three_balls.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace contact_space_test {
 
 // What rounding leaves alike: stiffness times compliance, 1e6 N/m of 5 m/N, of the last bit.
 constexpr double kSame = 1e-8;
@@ -228,5 +228,5 @@ TEST(ContactSpace, WhoGivesNowhereStandsStill) {
   }
 }
 
-}  // namespace
+}  // namespace contact_space_test
 }  // namespace swage::dynamics

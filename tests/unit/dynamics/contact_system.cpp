@@ -9,7 +9,7 @@
 #include "base/rng.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace contact_system_test {
 
 constexpr int kConstraints = 12, kDrives = 2, kNumbers = 3 * kConstraints + kDrives;
 
@@ -119,5 +119,5 @@ TEST(ContactSystem, WithNothingThatPushesBackLeavesTheForcesAsTheyAre) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(y[i], 5 + i);
 }
 
-}  // namespace
+}  // namespace contact_system_test
 }  // namespace swage::dynamics

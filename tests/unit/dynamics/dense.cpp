@@ -9,7 +9,7 @@
 #include "base/rng.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace dense_test {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -132,5 +132,5 @@ TEST(Dense, KnowsTheSignOfTheDeterminant) {
   EXPECT_GT(negative, 50);
 }
 
-}  // namespace
+}  // namespace dense_test
 }  // namespace swage::dynamics

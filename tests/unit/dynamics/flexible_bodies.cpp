@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swage::dynamics {
-namespace {
+namespace flexible_bodies_test {
 
 /// A free point mass that claims to have its own mechanics.
 class PointMass : public FlexibleBody {
@@ -122,5 +122,5 @@ TEST(FlexibleBodies, RefusesPointsBeyondItsCapacity) {
   EXPECT_EQ(blocks.add_point(0, 0, 0, Vec3::Zero(), Vec3::UnitZ()), scene::kNone);
 }
 
-}  // namespace
+}  // namespace flexible_bodies_test
 }  // namespace swage::dynamics

@@ -8,7 +8,7 @@
 #include "three_balls.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace flexible_points_test {
 
 constexpr double kRadius = 50e-6;  // m
 
@@ -91,5 +91,5 @@ TEST(FlexiblePoints, WhoDoesNotShowItselfIsAskedAboutAll) {
   EXPECT_NEAR(s.force(2), shows.force(2), 1e-9);
 }
 
-}  // namespace
+}  // namespace flexible_points_test
 }  // namespace swage::dynamics

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace swage::dynamics {
-namespace {
+namespace free_motion_test {
 
 const Vec3 kMoments(1e-12, 2e-12, 3e-12);
 
@@ -94,5 +94,5 @@ TEST(FreeMotion, TranslationIsExactBeyondTheEulerMethods) {
   EXPECT_NEAR(s.p_W.x(), 0.5 * (1 - h), 1e-12);  // explicit Euler is half a step late
 }
 
-}  // namespace
+}  // namespace free_motion_test
 }  // namespace swage::dynamics

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swage::dynamics {
-namespace {
+namespace hinge_drive_test {
 
 scene::HingeInfo jaw() {
   scene::HingeInfo info;
@@ -32,5 +32,5 @@ TEST(HingeDrive, FreeMotionEndsAtTheStops) {
   EXPECT_DOUBLE_EQ(-0.09 + back.free(), -0.1);
 }
 
-}  // namespace
+}  // namespace hinge_drive_test
 }  // namespace swage::dynamics

@@ -7,7 +7,7 @@
 #include "scene/kinematics.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace motion_test {
 
 using toolkit::vec;
 
@@ -103,5 +103,5 @@ TEST(Motion, HingedChildMovesWithItsParent) {
   EXPECT_LT((expected.q.coeffs() - toolkit::quat(w.X_WB[1].q).coeffs()).norm(), 1e-7);
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace swage::dynamics

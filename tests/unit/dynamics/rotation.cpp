@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace swage::dynamics {
-namespace {
+namespace rotation_test {
 
 TEST(Rotation, CircleIsSineAndCosine) {
   for (const double a : {0.0, 1e-9, 1e-3, 0.2, 0.25, 0.2501, 1.0, 3.0, 30.0, 1000.0}) {
@@ -35,5 +35,5 @@ TEST(Rotation, CarriedKeepsItsLength) {
   EXPECT_EQ(carried(Vec3::Zero(), a).norm(), 0);
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace swage::dynamics

@@ -14,7 +14,7 @@
 #include "dynamics/dynamics.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace tie_test {
 
 using toolkit::vec;
 
@@ -242,5 +242,5 @@ TEST(Ties, BeyondTheCapacityAreCountedAndHoldNothing) {
   EXPECT_EQ(ties.back().f_a_W.z(), 0);
 }
 
-}  // namespace
+}  // namespace tie_test
 }  // namespace swage::dynamics
