@@ -102,8 +102,6 @@ bool survives(const std::string& text, int* scenes = nullptr) {
   return true;
 }
 
-}  // namespace fuzz_test
-
 TEST(Fuzz, DamagedLessonsGiveASceneOrASentence) {
   const std::string good[] = {read("minimal.json"), read("everything.json")};
   int scenes = 0;
@@ -127,3 +125,5 @@ TEST(Fuzz, TextsThatAreNoLessonsAtAll) {
     ASSERT_TRUE(survives(text)) << "seed " << seed << "\n" << text;
   }
 }
+
+}  // namespace fuzz_test
