@@ -1448,8 +1448,8 @@ Alles andere geht: Lektionen laufen und werden aufgezeichnet.</translation>
         <translation>Diese Lektion zeigt keine Hinweise.</translation>
     </message>
     <message>
-        <source>Cues — not shown in the picture</source>
-        <translation>Hinweise — im Bild nicht gezeigt</translation>
+        <source>Cues — hidden, but for marks of the task</source>
+        <translation>Hinweise — verborgen bis auf Marken der Aufgabe</translation>
     </message>
 </context>
 <context>

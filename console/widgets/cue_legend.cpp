@@ -183,7 +183,7 @@ void CueLegend::set_active(const QStringList& meanings) {
 
 void CueLegend::set_in_picture(bool shown) {
   heading_->setText(
-      (shown ? tr("Cues") : tr("Cues — not shown in the picture")).toUpper());
+      (shown ? tr("Cues") : tr("Cues — hidden, but for marks of the task")).toUpper());
 }
 
 }  // namespace swage::console

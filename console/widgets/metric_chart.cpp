@@ -143,7 +143,9 @@ void MetricChart::paint_experts(QPainter& p) const {
   p.drawLine(band.topLeft(), band.topRight());
   p.drawLine(band.bottomLeft(), band.bottomRight());
   p.setPen(theme_["plot_2"]);
-  p.drawText(QRectF(a.left() + 4, band.top() - 17, a.width(), 16), Qt::AlignLeft | Qt::AlignVCenter, series_.who);
+  // above the band, or below it where the line at the top of the chart would run through the words
+  const double y_text = band.top() - 17 >= a.top() ? band.top() - 17 : band.bottom() + 1;
+  p.drawText(QRectF(a.left() + 4, y_text, a.width(), 16), Qt::AlignLeft | Qt::AlignVCenter, series_.who);
 }
 
 void MetricChart::paint_curve(QPainter& p) const {
