@@ -10,7 +10,7 @@
 #include "plugins/coupling_meniscus/bridge.hpp"
 #include "thread_scene.hpp"
 
-namespace {
+namespace meniscus_test {
 
 using namespace swage;
 using coupling_meniscus::bridge;
@@ -98,4 +98,4 @@ TEST(Meniscus, an_explicit_force_breaks_where_theory_says) {
   }
 }
 
-}  // namespace
+}  // namespace meniscus_test

@@ -10,7 +10,7 @@
 #include "test_places.hpp"
 
 namespace swage::stage {
-namespace {
+namespace suture_series_test {
 
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series/";
 
@@ -57,5 +57,5 @@ TEST(Suture, StaysOnItsNeedleInAMoistField) {
   EXPECT_EQ(base::text(expert.engine().stats().health), "");
 }
 
-}  // namespace
+}  // namespace suture_series_test
 }  // namespace swage::stage
