@@ -11,7 +11,7 @@
 #include "open_knot.hpp"
 
 namespace swage::test {
-namespace {
+namespace handled_knot_test {
 
 OpenKnotTest handled() {
   OpenKnotTest t;
@@ -57,5 +57,5 @@ TEST(HandledKnot, S39IsDrawnUntilItBreaks) {
   EXPECT_LT(knot.not_converged(), 50u) << "of 900 steps";
 }
 
-}  // namespace
+}  // namespace handled_knot_test
 }  // namespace swage::test

@@ -14,7 +14,7 @@
 #include "dynamics/dynamics.hpp"
 
 namespace swage::test {
-namespace {
+namespace nearly_parallel_test {
 
 using toolkit::Vec3;
 
@@ -138,5 +138,5 @@ TEST(NearlyParallel, StrandsWithHalfATurnDoNotPassEachOther) {
         }
 }
 
-}  // namespace
+}  // namespace nearly_parallel_test
 }  // namespace swage::test

@@ -13,7 +13,7 @@
 #include <cstdlib>
 
 namespace swage::test {
-namespace {
+namespace open_knot_test {
 
 /// A quantity at e = 0, by the straight line through two thin threads.
 template <class Trefoil>
@@ -180,5 +180,5 @@ TEST(Braid, DrawnTightMeetsTheTheoryOfManyTurns) {
   EXPECT_LT(drawn(three_turns(), 0.06, 1.5e-3), 0.7 * 221.7e-6) << "it is friction";
 }
 
-}  // namespace
+}  // namespace open_knot_test
 }  // namespace swage::test

@@ -24,7 +24,7 @@
 #include "toolkit/rod_passage.hpp"
 
 namespace swage::test {
-namespace {
+namespace two_ply_test {
 
 using toolkit::Vec3;
 
@@ -268,5 +268,5 @@ TEST(TwoPly, MeetsTheTheoryWithoutFriction) {
   EXPECT_EQ(ply.not_converged(), 0u);
 }
 
-}  // namespace
+}  // namespace two_ply_test
 }  // namespace swage::test

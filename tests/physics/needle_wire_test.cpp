@@ -11,7 +11,7 @@
 #include "toolkit/bent_wire.hpp"
 
 namespace swage::toolkit {
-namespace {
+namespace needle_wire_test {
 
 constexpr double kWire = 100e-6;  // m
 
@@ -222,5 +222,5 @@ TEST(BentWire, BreaksAfterAsManyBendsAsItsDuctilitySays) {
   EXPECT_LT(wire.stress(0, joint), 0.02);
 }
 
-}  // namespace
+}  // namespace needle_wire_test
 }  // namespace swage::toolkit

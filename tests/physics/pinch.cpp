@@ -16,7 +16,7 @@
 #include "scene.hpp"
 
 namespace swage::physics {
-namespace {
+namespace pinch_test {
 
 constexpr double kForce = 1, kFriction = 0.3, kRadius = 50e-6, kWidth = 0.5e-3;  // N, 1, m, m
 constexpr double kStiffness = 1e6;                                               // N/m
@@ -166,5 +166,5 @@ TEST(Pinch, StiffnessIsOfHertzsScale) {
   EXPECT_LT(contact::Law{}.stiffness, 2 * k);
 }
 
-}  // namespace
+}  // namespace pinch_test
 }  // namespace swage::physics

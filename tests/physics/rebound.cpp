@@ -8,7 +8,7 @@
 #include "scene.hpp"
 
 namespace swage::physics {
-namespace {
+namespace rebound_test {
 
 constexpr double kRadius = 50e-6;  // m
 constexpr double kHeight = 1e-3;   // m
@@ -124,5 +124,5 @@ TEST(Rebound, LeavesASoftPlateThatItIsDeepIn) {
     }
 }
 
-}  // namespace
+}  // namespace rebound_test
 }  // namespace swage::physics

@@ -6,7 +6,7 @@
 #include "rod.hpp"
 
 namespace swage::toolkit {
-namespace {
+namespace rod_statics_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -163,5 +163,5 @@ TEST(Rod, RingBucklesAsMichellSays) {
   EXPECT_NEAR(turn / exact, 1, 0.01);
 }
 
-}  // namespace
+}  // namespace rod_statics_test
 }  // namespace swage::toolkit

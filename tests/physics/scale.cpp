@@ -9,7 +9,7 @@
 #include "scene.hpp"
 
 namespace swage::physics {
-namespace {
+namespace scale_test {
 
 constexpr double kStiffness = 1e4;  // N/m: the ball of 4 g swings on it for 4 ms, twenty steps
 
@@ -60,5 +60,5 @@ TEST(Scale, TheRetardationTimeSaysHowFastAHeavyBallLeaves) {
   }
 }
 
-}  // namespace
+}  // namespace scale_test
 }  // namespace swage::physics

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace swage::bench {
-namespace {
+namespace shots_test {
 
 void none_fails(Target target, double size) {
   for (const double restitution : {0.0, 0.5})
@@ -36,5 +36,5 @@ TEST(Shots, WithoutSweptQueriesTheyDo) {
   }
 }
 
-}  // namespace
+}  // namespace shots_test
 }  // namespace swage::bench

@@ -10,7 +10,7 @@
 #include "dynamics/free_motion.hpp"
 
 namespace swage::dynamics {
-namespace {
+namespace top_test {
 
 constexpr double kStep = 1e-3;  // s
 
@@ -117,5 +117,5 @@ TEST(AsymmetricTop, ExplicitEulerDoesNot) {
   EXPECT_GT(r.energy, 1e-2);
 }
 
-}  // namespace
+}  // namespace top_test
 }  // namespace swage::dynamics
