@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics/dense.hpp"
+#include "dynamics/jacobian.hpp"
 
 namespace swage::dynamics {
 namespace {
