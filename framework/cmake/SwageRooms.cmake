@@ -40,6 +40,10 @@ endif()
 # Whole builds compile ten files at once, which takes a third of the time: most of a file is its headers. Names in anonymous
 # namespaces are therefore distinct within a folder. Off where one file is edited and built again (preset dev).
 option(SWAGE_BATCHES "Compile files in batches" OFF)
+# clang says "shadows" of a member and a name of another file of the batch; preset dev keeps the warning
+if(SWAGE_BATCHES AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  target_compile_options(swage_flags INTERFACE -Wno-shadow)
+endif()
 function(swage_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWAGE_BATCHES} UNITY_BUILD_BATCH_SIZE 10)
   # gcc 12 says it of std::variant where functions of several files are inlined into each other; preset dev keeps the warning

@@ -52,7 +52,7 @@ struct HeldThread {
     scene::reset(w);
     return w;
   }
-  static void add_box(scene::World& w, uint32_t motion, const toolkit::Vec3& p, const toolkit::Vec3& half) {
+  static void add_box(scene::World& w, int32_t motion, const toolkit::Vec3& p, const toolkit::Vec3& half) {
     const uint32_t body = dynamics::add_body(w, motion, 1, p);
     scene::Shape shape = dynamics::shape_on(body, 1, SWAGE_SHAPE_CONVEX, half.z());
     std::vector<toolkit::Vec3> corner;
