@@ -15,7 +15,7 @@
 namespace swage::console {
 namespace {
 
-class EventWords {
+class ValueWords {
   Q_DECLARE_TR_FUNCTIONS(words)
 };
 
@@ -50,7 +50,7 @@ QString display_unit(const QString& unit) {
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
   value = base::meaningful(value, unit.toStdString());
-  if (unit == QLatin1String("yes/no")) return value > 0.5 ? EventWords::tr("yes") : EventWords::tr("no");
+  if (unit == QLatin1String("yes/no")) return value > 0.5 ? ValueWords::tr("yes") : ValueWords::tr("no");
   // a tenth of a wire and less is told in micrometres
   if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
     return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
@@ -88,18 +88,18 @@ QString clock_text(double seconds) {
 QString person_text(const QString& name) { return name == QLatin1String(record::kGuest) ? QObject::tr("Guest") : name; }
 
 QString verdict_text(const QString& outcome) {
-  if (outcome == QLatin1String("passed")) return EventWords::tr("Passed");
-  if (outcome == QLatin1String("failed")) return EventWords::tr("Not passed");
-  if (outcome == QLatin1String("void")) return EventWords::tr("Void");
-  if (outcome == QLatin1String("aborted")) return EventWords::tr("Stopped");
-  if (outcome == QLatin1String("running")) return EventWords::tr("Running");
+  if (outcome == QLatin1String("passed")) return ValueWords::tr("Passed");
+  if (outcome == QLatin1String("failed")) return ValueWords::tr("Not passed");
+  if (outcome == QLatin1String("void")) return ValueWords::tr("Void");
+  if (outcome == QLatin1String("aborted")) return ValueWords::tr("Stopped");
+  if (outcome == QLatin1String("running")) return ValueWords::tr("Running");
   return human_id(outcome);
 }
 
 QString mode_text(const QString& mode) {
-  if (mode == QLatin1String("practice")) return EventWords::tr("Practice");
-  if (mode == QLatin1String("test")) return EventWords::tr("Test");
-  if (mode == QLatin1String("demo")) return EventWords::tr("Demo");
+  if (mode == QLatin1String("practice")) return ValueWords::tr("Practice");
+  if (mode == QLatin1String("test")) return ValueWords::tr("Test");
+  if (mode == QLatin1String("demo")) return ValueWords::tr("Demo");
   return human_id(mode);
 }
 
@@ -109,11 +109,11 @@ QString remark_text(const QString& remark) {
   QStringList out;
   for (const QString& part : remark.split(QStringLiteral(", "), Qt::SkipEmptyParts)) {
     if (const auto m = kSlow.match(part); m.hasMatch())
-      out += EventWords::tr("at %1 % of real speed").arg(m.captured(1));
+      out += ValueWords::tr("at %1 % of real speed").arg(m.captured(1));
     else if (const auto f = kForces.match(part); f.hasMatch())
-      out += EventWords::tr("no forces for %1 s").arg(QLocale().toString(f.captured(1).toDouble(), 'f', 1));
+      out += ValueWords::tr("no forces for %1 s").arg(QLocale().toString(f.captured(1).toDouble(), 'f', 1));
     else if (const auto n = kSteps.match(part); n.hasMatch())
-      out += EventWords::tr("%1 steps not recorded").arg(n.captured(1));
+      out += ValueWords::tr("%1 steps not recorded").arg(n.captured(1));
     else
       out += part;
   }
@@ -123,7 +123,7 @@ QString remark_text(const QString& remark) {
 QString when_text(const QString& utc) {
   const QDateTime time = QDateTime::fromString(utc, Qt::ISODate);
   if (!time.isValid()) return utc;
-  return QLocale().toString(time.toLocalTime(), EventWords::tr("d MMM yyyy HH:mm"));
+  return QLocale().toString(time.toLocalTime(), ValueWords::tr("d MMM yyyy HH:mm"));
 }
 
 }  // namespace swage::console

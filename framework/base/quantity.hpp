@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which numbers of a unit are told to people as nothing.
+// Which values of a unit are so small that they are shown as 0.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ inline double least_meaningful(std::string_view unit) {
   return 0;
 }
 
-/// `value`, or 0 where it is nearer to it than its unit has a meaning. Never -0.
+/// `value`, or 0 if it is smaller than least_meaningful(). Never -0.
 inline double meaningful(double value, std::string_view unit) {
   return value == 0 || std::abs(value) < least_meaningful(unit) ? 0 : value;
 }

@@ -37,8 +37,9 @@ if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# Whole builds compile ten files at once, which takes a third of the time: most of a file is its headers. Names in anonymous
-# namespaces are therefore distinct within a folder. Off where one file is edited and built again (preset dev).
+# Whole builds compile ten files at once, as most of a file's time is its headers: a room takes a third of the time, everything (many
+# tests are one file) two thirds. Names in anonymous namespaces have to be distinct within a batch. Off where one file is edited and
+# built again (preset dev).
 option(SWAGE_BATCHES "Compile files in batches" OFF)
 # clang says "shadows" of a member and a name of another file of the batch; preset dev keeps the warning
 if(SWAGE_BATCHES AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 enum class State { kGood, kPoor, kBad };  // poor: Swage works, but not as well as it could
 
-struct Sign {
+struct MachineFinding {
   std::string name;
   State state = State::kGood;
   std::string text, remedy;
@@ -39,7 +39,7 @@ struct Sign {
 };
 
 // asked of a thread of its own, so that this one stays what it is
-Sign scheduling() {
+MachineFinding scheduling() {
   int refused = 0;
   std::thread([&refused] {
     const sched_param wanted{70};
@@ -50,7 +50,7 @@ Sign scheduling() {
           say::kNotRealTime(std::strerror(refused)), say::kPermitRealTime()};
 }
 
-Sign memory() {
+MachineFinding memory() {
   // the program with its plugins and rings needs about 200 MB
   constexpr rlim_t kNeeded = rlim_t{256} << 20;
   rlimit limit{};
@@ -63,7 +63,7 @@ Sign memory() {
       say::kLittleLocked(limit.rlim_cur >> 10), say::kPermitLocking()};
 }
 
-Sign processors() {
+MachineFinding processors() {
   const unsigned n = std::thread::hardware_concurrency();
   if (n >= 2) return {"processors", State::kGood, format("%u", n), ""};
   return {"processors", State::kPoor, say::kOneProcessor(),
@@ -85,7 +85,7 @@ std::string gl_text() {
   return std::string(query(display, kVendor)) + ", EGL " + query(display, kVersion);
 }
 
-Sign graphics() {
+MachineFinding graphics() {
   if (!has_display())
     return {"graphics", State::kPoor, say::kWithoutWindow(), say::kStartDesktop()};
   // a driver that crashes must not take the doctor with it
@@ -97,20 +97,20 @@ Sign graphics() {
       say::kInstallOpenGl()};
 }
 
-Sign console() {
+MachineFinding console() {
   if (!beside("swage-console").empty()) return {"window", State::kGood, say::kHasConsole(), ""};
   return {"window", State::kPoor, say::kLacksConsole(),
           say::kBuildConsole()};
 }
 
-std::vector<Sign> plugins(const DoctorOptions& o) {
+std::vector<MachineFinding> plugins(const DoctorOptions& o) {
   host::Catalogue::Options options;
   options.plugin_dirs = o.plugin_dirs;
   const host::Catalogue catalogue(options);
   std::vector<std::string> where;
   for (const auto& s : catalogue.searched())
     where.push_back(s.dir + (s.exists ? format(" (%u)", s.plugins) : " (absent)"));
-  std::vector<Sign> out;
+  std::vector<MachineFinding> out;
   const auto found = static_cast<unsigned>(catalogue.plugins().size());
   out.push_back(
       {"plugins", found > 0 ? State::kGood : State::kBad, format("%u found in ", found) + host::join(where),
@@ -132,7 +132,7 @@ fs::path existing(fs::path path) {
   return path.empty() ? "." : path;
 }
 
-Sign store(const std::string& where) {
+MachineFinding store(const std::string& where) {
   std::error_code ignored;
   const bool server = record::is_postgres(where);
   const std::string remedy = server ? say::kCheckServer() : say::kOtherPlace();
@@ -161,7 +161,7 @@ Sign store(const std::string& where) {
   return {"store", State::kGood, text, ""};
 }
 
-Sign disk(const std::string& where) {
+MachineFinding disk(const std::string& where) {
   // an hour of lessons is 250 MB; below 1 GB a course would not fit
   constexpr uint64_t kEnough = uint64_t{1} << 30;
   std::error_code ignored;
@@ -185,14 +185,14 @@ const char* text(State state) {
 
 int doctor(const DoctorOptions& o) {
   const std::string where = store_place(o.store);
-  std::vector<Sign> findings = {scheduling(), memory(), processors(), graphics(), console()};
-  for (Sign& f : plugins(o)) findings.push_back(std::move(f));
+  std::vector<MachineFinding> findings = {scheduling(), memory(), processors(), graphics(), console()};
+  for (MachineFinding& f : plugins(o)) findings.push_back(std::move(f));
   findings.push_back(store(where));
   findings.push_back(disk(where));
 
   bool bad = false;
   auto list = nlohmann::ordered_json::array();
-  for (const Sign& f : findings) {
+  for (const MachineFinding& f : findings) {
     bad |= f.state == State::kBad;
     list.push_back({{"name", f.name}, {"state", text(f.state)}, {"text", f.text}, {"remedy", f.remedy}, {"command", f.command}});
     if (o.json) continue;
