@@ -12,6 +12,7 @@
 namespace swage::bench {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMicro = 1e6;  // um per m
 
 /// One promise. Ratios are against a peer in the same run; a peer that is not installed leaves the line
 /// unmeasured.

@@ -4,7 +4,6 @@
 namespace swage::bench {
 namespace {
 
-constexpr double kMicro = 1e6;  // um per m
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 const Method* find(const std::vector<Method>& methods, const std::string& name) {

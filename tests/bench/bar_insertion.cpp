@@ -2,6 +2,7 @@
 //
 // Insertion: a needle let go stays for a minute, no energy is made, what a whole scene costs, and what a hand feels of it.
 #include "bar.hpp"
+#include "phases.hpp"
 #include "pierce_feats.hpp"
 #include "run_lesson.hpp"
 #include "session/force_guard.hpp"
@@ -9,8 +10,6 @@
 
 namespace swage::bench {
 namespace {
-
-constexpr double kMicro = 1e6;  // um per m
 
 /// How far a needle comes that hangs in tissue by itself, once what the tissue had given has come back [m].
 double way_when_let_go(double seconds) {
@@ -88,9 +87,6 @@ Played play(const char* lesson, const char* hand, const char* level,
   return played;
 }
 
-bool held(const stage::LessonRun& run) { return run.signal("grasp", "grasp.held") == 1; }
-bool inserted(const stage::LessonRun& run) { return run.signal("pierce", "pierce.state") >= 2; }
-
 /// Largest change of the force in a millisecond that a device would get [N], with so many N at the hand per N in the scene.
 double felt_jump(const std::vector<Vec3>& force_W, double scale) {
   session::ForceGuard guard;
@@ -139,7 +135,7 @@ std::vector<Line> bar_insertion(const Effort& effort) {
   std::vector<double> grasp;
   Steps expert, novice;
   for (int i = 0; i < effort.passes; ++i) {
-    grasp.push_back(times(play("020_grasp_basic.json", "expert", "rigid", held).ns).median);
+    grasp.push_back(times(play("020_grasp_basic.json", "expert", "rigid", in_jaws).ns).median);
     expert.add(play("110_insertion.json", "expert", "bending", inserted));
     novice.add(play("110_insertion.json", "novice", "bending", inserted));
   }

@@ -11,7 +11,6 @@
 namespace swage::bench {
 namespace {
 
-constexpr double kMicro = 1e6;  // um per m
 constexpr const char* kGoal = "needle";
 
 Method bending() {

@@ -9,6 +9,7 @@
 #include "bar.hpp"
 #include "grip.hpp"
 #include "held_thread.hpp"
+#include "phases.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
 #include "timing.hpp"
@@ -40,12 +41,12 @@ double ode_step() {
   return std::nan("");
 }
 
-struct Steps {
+struct ThreadSteps {
   double median = 0;  // ns
   uint64_t not_converged = 0;
   bool held = false;  // to the end
 };
-Steps held_steps(double speed) {
+ThreadSteps held_steps(double speed) {
   HeldThread s(Held::kJaws, speed);
   for (int i = 0; i < 300; ++i) s.step();
   std::vector<double> ns;
@@ -117,10 +118,7 @@ std::vector<double> loop(const char* level, bool (*counts)(const stage::LessonRu
   }
   return ns;
 }
-bool carried(const stage::LessonRun& run) {
-  return run.signal("grasp", "grasp.held") == 1 && run.signal("pierce", "pierce.state") < 2;
-}
-bool inserted(const stage::LessonRun& run) { return run.signal("pierce", "pierce.state") >= 2; }
+bool carried(const stage::LessonRun& run) { return in_jaws(run) && !inserted(run); }
 
 /// Steps of runs that are the same, each at its median over the runs.
 Times typical(const std::vector<std::vector<double>>& runs) {
@@ -143,7 +141,7 @@ std::vector<Line> bar_thread(const Effort& effort) {
   Hanging fine, few;
   for (int i = 0; i < effort.passes; ++i) {
     ode.push_back(ode_step());
-    const Steps a = held_steps(0), b = held_steps(3e-3);
+    const ThreadSteps a = held_steps(0), b = held_steps(3e-3);
     still.push_back(a.median), moved.push_back(b.median);
     lost += !a.held + !b.held;
     not_converged += a.not_converged + b.not_converged;

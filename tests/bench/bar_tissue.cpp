@@ -38,7 +38,7 @@ std::vector<Line> half_space() {
 }
 
 /// A clamped square plate 20 times as wide as thick, bent and sheared.
-Line plate() {
+Line pressed_plate() {
   MeshSpec s;
   s.size = {12e-3, 12e-3}, s.thickness = 0.6e-3, s.cells = 24, s.refinement = 4;
   const double a = 12e-3, t = s.thickness, nu = tissue::kPoisson, r = 0.5e-3, pi = 3.14159265358979323846;
@@ -55,7 +55,7 @@ Line plate() {
 
 std::vector<Line> bar_tissue(const Effort&) {
   std::vector<Line> lines = half_space();
-  lines.push_back(plate());
+  lines.push_back(pressed_plate());
   const double begin = cpu_ns();
   const Mesh mesh{MeshSpec{}};
   lines.push_back(at_most("tissue", "mesh as it ships: built in", "s", 1e-9 * (cpu_ns() - begin), 1));

@@ -17,12 +17,12 @@
 namespace swage::bench {
 namespace {
 
-struct Level {
+struct TissueLevel {
   const char* name;   // of the chart
   const char* level;  // of the tissue
   int cells, refinement;
 };
-constexpr Level kLevels[] = {{"plane", "plane", 0, 0},
+constexpr TissueLevel kTissueLevels[] = {{"plane", "plane", 0, 0},
                              {"compliant", "compliant", 0, 0},
                              {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 3},
                              {"mesh, 16 cells, halved 3 to 6 times", "mesh", 16, 4},
@@ -31,7 +31,7 @@ constexpr Level kLevels[] = {{"plane", "plane", 0, 0},
                              {"mesh, 24 cells, halved 6 times", "mesh", 24, 6}};
 
 /// Processor time of the steps in which the expert has the needle in the tissue: median [ns].
-double step_with(const Level& l) {
+double step_with(const TissueLevel& l) {
   stage::LessonRun run(SWAGE_SOURCE_DIR "/lessons/series/110_insertion.json", {"expert", ""},
                        [&](assembly::LessonFile& file) {
                          for (assembly::LessonObject& o : file.objects) {
@@ -73,7 +73,7 @@ Dent dent_of_mesh(int cells, int refinement) {
   return u;
 }
 /// In the half space; and in the plane, where force = (stiffness + stiffening x) x, and nothing moves beside it.
-Dent dent(const Level& l) {
+Dent dent(const TissueLevel& l) {
   const tissue::TissueParams p;
   if (l.level == std::string("plane"))
     return {2 * kForce / (p.stiffness + std::sqrt(p.stiffness * p.stiffness + 4 * p.stiffening * kForce)), 0,
@@ -103,12 +103,12 @@ Scatter chart_dent(bool quick) {
          "",
          "rigid"};
   c.y = {"median processor time of a step of the insertion, ns", 3e3, 3e5, true, "", ""};
-  std::vector<std::vector<double>> medians(std::size(kLevels));
+  std::vector<std::vector<double>> medians(std::size(kTissueLevels));
   for (int round = 0; round < (quick ? 1 : 5); ++round)
-    for (size_t i = 0; i < std::size(kLevels); ++i) medians[i].push_back(step_with(kLevels[i]));
+    for (size_t i = 0; i < std::size(kTissueLevels); ++i) medians[i].push_back(step_with(kTissueLevels[i]));
   const Dent reference = dent_of_mesh(32, 6);
-  for (size_t i = 0; i < std::size(kLevels); ++i) {
-    const Level& l = kLevels[i];
+  for (size_t i = 0; i < std::size(kTissueLevels); ++i) {
+    const TissueLevel& l = kTissueLevels[i];
     c.marks.push_back({"swage", l.name, worst_error(dent(l), reference), times(medians[i]).median,
                        l.cells == 16 ? std::to_string(l.refinement) : ""});
   }

@@ -24,7 +24,7 @@ constexpr double kLimit = 0.5 * kFriction * kForce * kWidth;                    
 constexpr double kSettle = 0.1, kGrow = 0.2, kStay = 0.2;                         // s
 
 /// A plate 2 mm along x, kWidth along y, from z = 0 to `thick`.
-scene::Shape plate(scene::World& w, uint32_t body, double thick) {
+scene::Shape plate_shape(scene::World& w, uint32_t body, double thick) {
   scene::Shape s;
   s.kind = SWAGE_SHAPE_CONVEX;
   s.body = body, s.object = 1;
@@ -64,7 +64,7 @@ scene::World pinched(const WringSetup& setup) {
   wire.body = wire.object = 0;
   wire.X_BS = Pose(Vec3(-centre, 0, 0), toolkit::exp_rotation({0, 0, -0.5 * sweep})).abi();
   wire.radius = r, wire.arc_radius = R, wire.sweep = sweep, wire.bounding_radius = R + r;
-  w.shape = {wire, plate(w, 1, -0.3e-3), plate(w, 2, 0.3e-3)};
+  w.shape = {wire, plate_shape(w, 1, -0.3e-3), plate_shape(w, 2, 0.3e-3)};
   scene::reset(w);
   return w;
 }

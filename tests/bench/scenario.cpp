@@ -101,10 +101,10 @@ bool crosses_plate(const Needle& n, const Pose& from, const Pose& to) {
 }  // namespace
 
 int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot) {
-  constexpr int kPhases = 16;
+  constexpr int kHeights = 16;
   const Needle& n = setup.needle;
   int through = 0;
-  for (int k = 0; k < kPhases; ++k) {
+  for (int k = 0; k < kHeights; ++k) {
     const auto engine = method.make(setup);
     Engine& e = *engine;
     const Pose open = jaw_pose(Pose{}, 0.3), fixed = jaw_pose(Pose{}, 0);
@@ -112,7 +112,7 @@ int tunnelled(const Method& method, const Setup& setup, double speed, Shot shot)
     e.set_jaws(open, fixed, true);
 
     // flat: the curve's plane lies parallel to the jaw; edge: the top of the arc comes first
-    const double height = 0.4e-3 + speed * setup.dt * (k + 0.37) / kPhases;
+    const double height = 0.4e-3 + speed * setup.dt * (k + 0.37) / kHeights;
     Pose X;
     X.q = toolkit::exp_rotation(shot == Shot::kEdge ? Vec3{std::numbers::pi, 0, 0}
                                                     : Vec3{0, std::numbers::pi / 2, 0});
@@ -220,12 +220,12 @@ double bounce_error(const Method& method, const Setup& base_setup, double height
   setup.jaws = false;
   setup.restitution = restitution;
   setup.ball_radius = radius;
-  constexpr int kPhases = 16;
+  constexpr int kHeights = 16;
   double worst = 0;
-  for (int k = 0; k < kPhases; ++k) {
+  for (int k = 0; k < kHeights; ++k) {
     const auto engine = method.make(setup);
     Engine& e = *engine;
-    const double h = height * (1 + 0.02 * k / kPhases);
+    const double h = height * (1 + 0.02 * k / kHeights);
     e.set_gravity({0, 0, -setup.gravity});
     e.set_needle({Vec3{0, 0, radius + h}, Quat::Identity()}, Vec3::Zero(), Vec3::Zero());
     const double fall = std::sqrt(2 * h / setup.gravity);

@@ -31,7 +31,7 @@ scene::Shape fixed_shape(scene::World& world, uint32_t body, const Jaw& j, doubl
 }
 
 /// A plate whose top is the plane z = 0.
-Jaw plate(double half) {
+Jaw jaw_plate(double half) {
   Jaw j;
   for (double z : {-half, 0.0})
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
@@ -68,7 +68,7 @@ scene::World make_world(const Setup& s) {
   }
   w.shape.push_back(moving_shape(s));
   if (s.ball_radius > 0) {
-    w.shape.push_back(fixed_shape(w, kBase, plate(10 * s.ball_radius), u));
+    w.shape.push_back(fixed_shape(w, kBase, jaw_plate(10 * s.ball_radius), u));
   } else if (s.jaws) {
     w.shape.push_back(fixed_shape(w, kUpper, jaw(1), u));
     w.shape.push_back(fixed_shape(w, kLower, jaw(-1), u));
