@@ -30,7 +30,7 @@ struct Options {
   Level level = Level::kExact;
   int chain_spheres = 100;  // per wire, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
   /// Contacts are reported while their gap is below margin * length plus what the bodies move in one step.
-  /// 0.02: 20 um for a 1 mm scene. Too small: what the response of the step brings into contact is met a step late.
+  /// 0.02: 20 um for a 1 mm scene. Too small: a contact that the solve itself brings about is found one step late.
   double margin = 0.02;
   double flatness = 2e-3;   // see Query
   int line_points = 4;      // see Query
@@ -103,7 +103,7 @@ class Detector {
   struct ShapePair {
     uint32_t pair = 0, shape_a = 0, shape_b = 0, group = kNoGroup;
     Separation memory;
-    bool remembers = true;  // pieces of a chain do not: they are many, and few are near
+    bool remembers = true;  // false for the segments of a chain, which are many and of which few are near
   };
 
   /// A ball around a shape in W, and a bound on the way of its points in the step [m].
@@ -165,12 +165,12 @@ class Detector {
   Options options_;
   std::vector<Solid> solids_;        // one per shape of the world
   std::vector<SphereTree> chains_;   // one per shape, empty but for arcs at the level of the thesis
-  std::vector<uint32_t> bodies_;     // that have shapes in a pair
+  std::vector<uint32_t> bodies_;     // bodies with a shape in any pair
   std::vector<uint32_t> body_;       // of each shape
   std::vector<Frame> X_WB_;          // of those bodies, indexed by body
-  std::vector<KnownMotion> motion_;  // the same
+  std::vector<KnownMotion> motion_;  // of those bodies, indexed by body
   std::vector<Ball> ball_;           // one per shape
-  std::vector<uint8_t> goes_on_;     // per shape: the wire goes on before its start
+  std::vector<uint8_t> goes_on_;     // per shape: another arc of the same wire ends at its start
   std::vector<Chain> chain_;
   std::vector<Group> group_;
   std::vector<ShapePair> shape_pairs_;  // in the order of evaluation

@@ -28,9 +28,9 @@ struct FieldPiece {
   uint32_t triangle = 0;
   Vec3 n = Vec3::UnitZ(), corner = Vec3::Zero();
   typename Curve::Height height;  // of the curve over the triangle's plane
-  int next = -1;           // piece that continues this one over a neighbour that is hardly tilted against it
-  bool continues = false;  // ... and whether it continues one
-  bool under = false;      // under the surface
+  int next = -1;           // piece over the next triangle, where both lie in about one plane; -1: none
+  bool continues = false;  // this piece is `next` of another one
+  bool under = false;      // the curve is under the surface
 };
 
 /// Calls dip(feature, place, range, branch) at each local minimum nearer than `reach` and flat_end(feature, place, run) at the
@@ -311,7 +311,7 @@ class FieldWalk {
     Stretches<Curve> part = near_;
     for (const auto& step : kAround) {
       const uint32_t i1 = i + static_cast<uint32_t>(step[0]), j1 = j + static_cast<uint32_t>(step[1]);
-      if (i1 >= field_.nx || j1 >= field_.ny) continue;  // -1 is beyond, too
+      if (i1 >= field_.nx || j1 >= field_.ny) continue;  // -1 has wrapped around to the largest number
       const Vec3 u = field_.vertex(i1, j1) - v;
       clip<Curve>(part, curve_.height(u, u.dot(v)));
       if (part.empty()) return;

@@ -24,9 +24,9 @@ using toolkit::Vec3;
 ///   CAPSULE    axis, radius     a segment, thickened; `convex` is that edge
 ///   ARC        arc, radius      an arc, thickened
 ///   CONVEX     convex           radius 0; a CYLINDER is a prism of kCylinderSides here
-///   HEIGHT_FIELD  field, X_BH, below
+///   HEIGHT_FIELD  field (in its frame H), X_BH, below
 inline constexpr int kCylinderSides =
-    48;  // of one area with the circle; off it by 0.14 % of the radius at most
+    48;  // the prism's area is that of the circle; its outline is off by at most 0.14 % of the radius
 struct Solid {
   int32_t kind = SWAGE_SHAPE_SPHERE;
   double radius = 0;           // m
@@ -54,7 +54,7 @@ double support(const Solid& solid, const Vec3& n) noexcept;
 /// [main] A ball about the origin.
 Solid make_ball(double radius);
 
-/// [main] A capsule of any size, to be written over.
+/// [main] A capsule whose axis and radius the caller sets afterwards.
 Solid make_capsule();
 
 /// [main] The solid of a shape; `convexes` is World::convex.

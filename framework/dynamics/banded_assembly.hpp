@@ -60,7 +60,7 @@ inline void add_sides(const BlockPoint& p, double sign, Side* to) noexcept {
   }
 }
 
-/// Rows of D J of a side.
+/// DJ = D J of one side: 3 rows, 4 columns.
 inline void multiply(const toolkit::Mat3& D, const Side& side, double DJ[3][4]) noexcept {
   for (int c = 0; c < 4; ++c) {
     const double x = side.sign * side.row[0][c], y = side.sign * side.row[1][c], z = side.sign * side.row[2][c];
@@ -100,15 +100,15 @@ inline void add_contact(BandedBlocks& H, const BlockPoint& a, const BlockPoint& 
     for (uint32_t i = symmetric ? j : 0; i < n; ++i) {
       BandedBlocks::Block M;
       fours ? assembly::multiply_by_fours(side[i], DJ, M.data()) : assembly::multiply_transposed<toolkit::Twos>(side[i], DJ, M.data());
-      // two sides under one block: it takes both halves
+      // two sides in one block: the diagonal block takes both off-diagonal halves
       if (symmetric && i != j && side[i].block == side[j].block) M += BandedBlocks::Block(M.transpose());
       H.add(side[i].block, side[j].block, M);
     }
   }
 }
 
-/// A thread's own matrix: nodes are coupled to two neighbours, rotations to the nodes of the three edges around. The last block has no
-/// rotation: an idle unknown.
+/// Adds the Hessian of a thread: a node is coupled to two neighbours on each side, a rotation to the nodes of three edges. The last
+/// block has no rotation; a 1 on its diagonal keeps the matrix regular.
 inline void add_band(BandedBlocks& H, uint32_t first_block, const toolkit::Band<10>& A,
                      bool symmetric) noexcept {
   const int n = A.size(), blocks = (n + 1) / 4;

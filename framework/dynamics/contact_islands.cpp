@@ -131,14 +131,14 @@ IslandWorkspace* ContactIslands::moving(const Side& side) noexcept {
   return island.done ? nullptr : &island;
 }
 
-/// Rows of an island that is solved for its forces: what is too much of them takes no part in this step. Ties always do.
+/// Limits the rows of an island that is solved in contact space: contacts beyond the room are dropped in this step, ties never.
 void ContactIslands::make_room(const contact::ContactSet& contacts, uint32_t index) noexcept {
   const auto in_island = [&](uint32_t block) { return block != kNone && island_of_[block] == index; };
   bool flexible = false;
   uint32_t constraints = 0, ties = 0;
   for (uint32_t m = 0; m < parent_.size(); ++m)
     flexible = flexible || (in_island(m) && p_.place.is_flexible(m) && !p_.place.is_banded(m));
-  if (!flexible) return;  // of bands alone it is sparse where it is large
+  if (!flexible) return;  // an island of banded bodies alone is solved sparse and has no such limit
   for (uint32_t i = 0; i < p_.n; ++i)
     constraints += p_.contact[i].active && in_island(p_.first_block(p_.contact[i]));
   for (uint32_t i = 0; i < p_.tie.size(); ++i)

@@ -41,7 +41,7 @@ bool ContactSystem::factor() noexcept {
   return ready_ && factor_rest();
 }
 
-/// What ceases to be the spring that it was is not taken for one again.
+/// True when every element counted as a spring has the factors that M was built with. Others leave M until begin().
 bool ContactSystem::springs_hold() noexcept {
   bool all = true;
   for (const uint32_t i : spring_) {
@@ -52,7 +52,7 @@ bool ContactSystem::springs_hold() noexcept {
   return all;
 }
 
-/// line = R' times the lines of an element.
+/// line_ = R' times the rows of W that belong to an element.
 void ContactSystem::combine(const Vec3& R, size_t element, const double* from, size_t stride, size_t length) noexcept {
   if (size(element) == 3)
     lines::set_sum(length, R.data(), from, stride, line_.data());
@@ -60,7 +60,7 @@ void ContactSystem::combine(const Vec3& R, size_t element, const double* from, s
     Line(line_.data(), index(length)) = R.x() * ConstLine(from, index(length));
 }
 
-/// M, of all that are springs now.
+/// Builds and factors M = I + R' W R over all elements that are springs now.
 bool ContactSystem::factor_springs() noexcept {
   spring_.clear();
   springs_ = slots_ = 0;
@@ -90,7 +90,7 @@ bool ContactSystem::factor_springs() noexcept {
   return cholesky_factor(springs_, store_.data());
 }
 
-/// Lines of V and G for one more element.
+/// Appends the rows of V and of the Schur complement G for one more element.
 void ContactSystem::add_to_rest(size_t element) noexcept {
   slot_[element] = static_cast<uint32_t>(slots_);
   for (size_t k = 0; k < size(element); ++k, ++slots_) {
@@ -106,7 +106,7 @@ void ContactSystem::add_to_rest(size_t element) noexcept {
   work += size(element) * springs_ * (springs_ / 2 + 3 + slots_);
 }
 
-/// A, of all that push back and are not among the springs of M.
+/// Builds and factors A = I + R' G S over the elements that bear force and are not in M.
 bool ContactSystem::factor_rest() noexcept {
   rest_.clear();
   lines_ = 0;
@@ -132,7 +132,7 @@ bool ContactSystem::factor_rest() noexcept {
   return lu_factor(lines_, A_.data(), pivot_.data());
 }
 
-/// The springs' half, the rest, and back.
+/// Forward substitution through M, the solve with A, and back substitution.
 void ContactSystem::solve(const double* b, double* y) noexcept {
   for (const uint32_t i : spring_)
     for (uint32_t a = 0; a < was_[i].rank; ++a) w_[first_[i] + a] = product(was_[i].R[a], size(i), b + place(i));

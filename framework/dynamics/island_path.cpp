@@ -17,9 +17,9 @@ namespace swage::dynamics {
 namespace {
 
 constexpr uint32_t kPathSteps = 48;  // normal: one per contact that changes, so 5 to 20
-constexpr uint32_t kBandedPathSteps = 150;  // the same of threads, which slide at all of their 10 to 100 contacts
-constexpr uint32_t kTurningSteps = 40;  // in which threads turn back. More: what sticks and slips in turns holds up the path
-constexpr uint32_t kTurnHalvings = 6;    // of a step on one piece, where the direction of slip turns
+constexpr uint32_t kBandedPathSteps = 150;  // the same for threads, which slide at all of their 10 to 100 contacts
+constexpr uint32_t kTurningSteps = 40;  // first steps in which a slip that reverses sticks. More: stick and slip may alternate for ever
+constexpr uint32_t kTurnHalvings = 6;    // of a step within one piece, where the direction of slip changes
 constexpr double kPassed = 1e-9;     // of a step: a contact does not come back to the kink it has just passed
 
 }  // namespace
@@ -31,7 +31,7 @@ void IslandSolver::evaluate_pieces(const Island& island, const double* z) noexce
   space_->residual(z);
 }
 
-/// The direction of the path: Newton's, and against it where F is inside out.
+/// Newton's direction on the present pieces. follow_path() reverses it where det H < 0.
 bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
   for (Constraint& constraint : island.constraints) constraint.D = tangent_on(constraint, constraint.u);
   law_ = false;
@@ -41,7 +41,7 @@ bool IslandSolver::search_direction_on_pieces(const Island& island) noexcept {
 }
 
 /// The constraint that first comes to the end of its piece, before `fraction` of the step; `passed`: the constraint that just did.
-/// `turns`: what slips and turns back is taken to stick.
+/// `turns`: a contact whose slip reverses is taken to stick.
 uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool turns, double& fraction,
                                   Pieces& next) const noexcept {
   uint32_t hit = UINT32_MAX;
@@ -59,7 +59,7 @@ uint32_t IslandSolver::first_kink(const Island& island, uint32_t passed, bool tu
   return hit;
 }
 
-/// A step to where F would vanish, shorter where F does not fall. True when it was the whole.
+/// Newton step to where F would vanish, halved while |F| does not fall. True when the whole step was taken.
 bool IslandSolver::whole_step(const Island& island, double far, double tolerance) noexcept {
   const double now = far <= tolerance ? 0 : space_->merit();
   double fraction = 1;
@@ -72,8 +72,8 @@ bool IslandSolver::whole_step(const Island& island, double far, double tolerance
   return fraction == 1;
 }
 
-/// Every constraint to the piece that it is on at z. True when it was, but for what the tolerance leaves: what just came to a kink and
-/// turned back there may have been left on the piece beyond.
+/// Puts every constraint on the piece on which it is at z. True when all were there already, within the tolerance: a constraint that
+/// reached a kink and turned back may have been left on the piece beyond it.
 bool IslandSolver::on_their_pieces(const Island& island, double tolerance) noexcept {
   bool were = true;
   for (Constraint& c : island.constraints) {
@@ -111,7 +111,7 @@ bool IslandSolver::follow_path(const Island& island, double tolerance) noexcept 
       island.constraints[passed].on = next;
       evaluate_pieces(island, z_.data());
     } else if (!down) {
-      return false;  // leads nowhere
+      return false;  // no kink ahead: the path does not return
     } else if (whole_step(island, far, tolerance) && far <= tolerance) {
       if (on_their_pieces(island, tolerance)) return true;
       evaluate_pieces(island, z_.data());

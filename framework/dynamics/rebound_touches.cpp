@@ -24,7 +24,7 @@ constexpr double kAtOnce = 1e-4;  // of the scene's length: gaps that close at o
 
 }  // namespace
 
-/// One look ahead and, where something touches, its pushes. False at the end of the step.
+/// Flies to the next touch and applies its impulses. False at the end of the step.
 bool Rebound::fly_to_next() noexcept {
   look_ahead();
   gather();
@@ -47,7 +47,7 @@ bool Rebound::fly_to_next() noexcept {
   return true;
 }
 
-/// Where everything that flies goes from now on, and how far that is swept free.
+/// Predicts the flight of every flyer and finds the time ahead_ up to which the swept paths are free.
 void Rebound::look_ahead() noexcept {
   until_ = world_->dt;
   for (const Flyer& f : flyer_) until_ = std::min(until_, at_ + kTurn / f.s.w_W.norm());
@@ -68,7 +68,7 @@ void Rebound::look_ahead() noexcept {
   }
 }
 
-/// All that touches there.
+/// Collects all touches at the time ahead_.
 void Rebound::gather() noexcept {
   touching_.clear();
   for (uint32_t i = 0; i < meeting_.size(); ++i) {
@@ -80,8 +80,8 @@ void Rebound::gather() noexcept {
   }
 }
 
-/// When it needs a push; never before the end of the look: infinite. `sinks`: it touches already, slowly, and has sunk in by all that
-/// a slow one may.
+/// Time at which a touch needs an impulse; infinite when it needs none before ahead_. `sinks` is set where a slow touch has reached
+/// the largest overlap allowed to slow ones.
 double Rebound::time_of(const Touching& touching, bool& sinks) noexcept {
   const Meeting& m = meeting_[touching.meeting];
   const double gap = touch(touching, at_).gap;
@@ -94,14 +94,14 @@ double Rebound::time_of(const Touching& touching, bool& sinks) noexcept {
     const Sides s = sides(touching, at_);
     if (comes(s) && !slow(m, s)) return at_;
   }
-  // nothing slow comes out on the far side
+  // a slow shape cannot pass through the other
   if (!fast(m)) return kNever;
   sinks = true;
   const double t = time_of_gap(touching, gap, std::min(gap, -m.sunk) - kSlow * world_->length);
   return t < kNever && comes(sides(touching, t)) ? t : kNever;
 }
 
-/// When the gap, larger now, has become `least`; never before the end of the look: infinite.
+/// Time at which the gap, now larger than `least`, has shrunk to it; infinite when it does not before ahead_.
 double Rebound::time_of_gap(const Touching& touching, double gap, double least) const noexcept {
   double low = at_, high = ahead_, at_low = gap - least, at_high = touch(touching, high).gap - least;
   if (!(at_high < 0)) return kNever;
@@ -132,7 +132,7 @@ void Rebound::advance(double t) noexcept {
   at_ = t;
 }
 
-/// Pushes what touches now, the fastest first, until nothing comes nearer but slowly; `sunk` in any case.
+/// Applies impulses to the touches of now, fastest approach first, until all approach slowly; always to `sunk`.
 void Rebound::push_all(const Touching* sunk) noexcept {
   for (uint32_t k = 0; k < kPushes; ++k) {
     const Touching* fastest = nullptr;
@@ -144,7 +144,7 @@ void Rebound::push_all(const Touching* sunk) noexcept {
       fastest = &t, of_fastest = s;
     }
     if (!fastest) return;
-    // what has sunk in stops: it does not leave from below the surface
+    // an overlapping shape stops, as it must not rebound from below the surface
     const Meeting& m = meeting_[fastest->meeting];
     const bool in = fastest == sunk || of_fastest.gap < -m.sunk - kResting * world_->length;
     push(*fastest, of_fastest, in ? 0 : m.law.restitution);
@@ -157,7 +157,7 @@ bool Rebound::fast(const Meeting& m) const noexcept {
   return is(m.body_a) || is(m.body_b);
 }
 
-/// Takes what has sunk in, though it was slow, back to where it touches: by some um, which no speed comes from.
+/// Moves overlapping shapes apart until they touch: a few um, without a change of velocity.
 void Rebound::lift(const Touching& touching) noexcept {
   const Sides s = sides(touching, at_);
   const double deep = -s.gap - meeting_[touching.meeting].sunk;

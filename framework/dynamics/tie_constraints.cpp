@@ -9,11 +9,11 @@ namespace swage::dynamics {
 using scene::kNone;
 
 namespace {
-// N/m, for which the solve's tolerance is meant: what is softer may be off by as much more for the same force.
+// N/m: stiffness to which the tolerance of the solve refers. A softer tie may be off by more for the same error of force.
 constexpr double kContactStiffness = 1e6;
 }  // namespace
 
-/// Sides and, where an object answers for itself, its points.
+/// Finds the sides of each tie and, on flexible bodies, the point that it pulls.
 void TieConstraints::begin(std::span<Tie> ties) noexcept {
   p_.tie = ties.first(std::min(ties.size(), p_.tie_workspace.size()));
   p_.health.dropped_ties += ties.size() - p_.tie.size();
@@ -28,7 +28,7 @@ void TieConstraints::begin(std::span<Tie> ties) noexcept {
       if (body == kNone) continue;
       const Vec3 across = tie.offset_W - tie.axis_W.dot(tie.offset_W) * tie.axis_W;
       const Vec3 at =
-          is_a ? tie.p_W : tie.p_W - across;  // b gives where it is held, wherever a has been pulled to
+          is_a ? tie.p_W : tie.p_W - across;  // b is pulled at its own point, which lies `across` from that of a
       side = p_.place.tied_side(body, at);
       if (!p_.place.is_flexible(side.block)) continue;
       side.point = p_.place.flexible().add_point(p_.place.block(side.block).index, body, kNone, at,
@@ -41,14 +41,14 @@ void TieConstraints::begin(std::span<Tie> ties) noexcept {
   }
 }
 
-/// What a flexible body gave way for in the last step it is expected to give way for again.
+/// Predicts for this step the displacement of flexible bodies that the last step's forces caused.
 void TieConstraints::predict() noexcept {
   for (uint32_t i = 0; i < p_.tie.size(); ++i)
     for (const Side* s : {&p_.tie_workspace[i].a, &p_.tie_workspace[i].b})
       if (s->point != kNone && !s->shares) p_.place.expect(*s, p_.tie[i].p_W);
 }
 
-/// The material points that each tie holds, once it is known who can be moved.
+/// Stores the material points of each tie in the frames of its bodies, once it is known which bodies can move.
 void TieConstraints::start() noexcept {
   for (uint32_t i = 0; i < p_.tie.size(); ++i) {
     TieWorkspace& k = p_.tie_workspace[i];

@@ -52,15 +52,15 @@ inline std::string file_refusal(const std::string& path, std::size_t most) {
   return why;
 }
 
-/// Calls take(data, size) for one block after another. "" when all was read, else a sentence without the path. Opening waits for
-/// nobody, and what grows while it is read ends at `most` as well.
+/// Calls take(data, size) for one block after another. "" when all was read, else a sentence without the path. Opening a
+/// pipe does not block, and a file that grows while it is read is refused beyond `most` bytes as well.
 template <class Take>
 std::string read_blocks(const std::string& path, std::size_t most, Take take) {
   std::string why = file_refusal(path, most);
   if (!why.empty()) return why;
   const int file = detail::open_file(path);
   if (file < 0) return say::kUnreadable(std::strerror(errno));
-  why = detail::file_refusal(file, most);  // it may be another one by now
+  why = detail::file_refusal(file, most);  // asked of the open file: the path may have been replaced since
   char block[1 << 16];
   std::size_t total = 0;
   while (why.empty()) {

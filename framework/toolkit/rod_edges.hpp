@@ -22,7 +22,7 @@ class RodEdges {
   /// Of nodes, 3 numbers each.
   void find(const double* nodes) { has_fours() ? find_by_fours(nodes) : find_with<Twos>(nodes); }
   Vec3 t(size_t j) const { return {x_[j], y_[j], z_[j]}; }
-  /// From edge j on.
+  /// Unit tangents of the edges from j on.
   template <class V>
   [[gnu::always_inline]] Three<V> t(V v, size_t j) const {
     Three<V> t{v, v, v};
@@ -37,8 +37,8 @@ class RodEdges {
   double length(size_t j) const { return length_[j]; }
   double inverse(size_t j) const { return inverse_[j]; }
 
-  /// Directors, 3 numbers an edge, after the least rotation that takes an edge from here to `to`: exactly of length 1 and across the edge
-  /// however often it is done.
+  /// Parallel transport of the directors (3 numbers an edge) from these edges to those of `to`. The results are normal to their edge and
+  /// of length 1, so that repeated transport adds no error.
   void carry(const RodEdges& to, const double* director, double* carried) const {
     has_fours() ? carry_by_fours(to, director, carried) : carry_with<Twos>(to, director, carried);
   }

@@ -37,7 +37,7 @@ inline Rod::Edge Rod::along(const Vec3& e) {
   return {inverse * e, inverse};
 }
 
-/// What a joint stands for: half of the edges that meet there, half an edge at a clamp.
+/// Length of rod that a joint stands for [m]: half of both edges that meet there, half of one edge at a clamp.
 inline double Rod::joint_length(int i) const {
   const double before = i > 0 ? rest_[at(i - 1)] : 0, after = i < n_ - 1 ? rest_[at(i)] : 0;
   return 0.5 * (before + after);
@@ -50,7 +50,7 @@ inline double Rod::joint_length(int i) const {
   return c * director + axis.cross(director) + along * axis;
 }
 
-/// The same, exactly of length 1 and across the edge however often it is done.
+/// As transported(), then made normal to `to` and of length 1 again, so that repeated transport adds no error.
 [[gnu::flatten]] inline Vec3 Rod::carried(const Vec3& director, const Vec3& from, const Vec3& to) {
   Vec3 d = transported(director, from, to);
   d -= d.dot(to) * to;
@@ -63,7 +63,7 @@ inline double Rod::joint_length(int i) const {
   return turned_from(before, std::atan2(tf.dot(d.cross(df)), d.dot(df)));
 }
 
-/// m, in whole turns the nearest to `before`.
+/// The twist m [rad] plus the whole turns that bring it nearest to `before`.
 inline double Rod::turned_from(double before, double m) {
   constexpr double kTurn = 2 * std::numbers::pi;
   return m + kTurn * std::floor((before - m) / kTurn + 0.5);
@@ -91,7 +91,7 @@ inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const 
   return j;
 }
 
-/// Of V::n inner nodes from i on, of whose edges now_ knows.
+/// Derivatives of the joints at V::n inner nodes from i on. now_ must hold their edges.
 template <class V>
 [[gnu::always_inline]] inline void Rod::differentiate_joints(const RodState& s, int i, bool second, Derivatives* to) const {
   RodJoint<V> j;
@@ -125,7 +125,7 @@ inline double Rod::energy(const RodState& s) const {
   return E;
 }
 
-/// A joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. At a clamp one of the edges is not there.
+/// Adds a joint's derivatives to those of the rod: e = x_i - x_(i-1), f = x_(i+1) - x_i. A clamped end has only one of the two edges.
 inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) const {
   if (i == 0) d.e = {}, d.ee = {}, d.ef = {}, d.e_tf = {};
   if (i == n_ - 1) d.f = {}, d.ff = {}, d.ef = {}, d.e_tf = {}, d.f_te = {};
@@ -229,7 +229,7 @@ inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hes
 }
 
 [[gnu::flatten]] inline void Rod::move(const RodState& from, const double* change, double share, RodState& to) const {
-  // all is found before any of it is written: `to` may be `from`
+  // everything is computed before anything is written, as `to` may be `from`
   now_.find(from.x);
   for (int i = 0; i < n_; ++i)
     for (int r = 0; r < 3; ++r) gone_[at(3 * i + r)] = from.x[3 * i + r] + share * change[4 * i + r];

@@ -50,7 +50,7 @@ struct Twos {
   [[gnu::always_inline]] void load(const double* from) { x = *reinterpret_cast<const Two*>(from); }
   [[gnu::always_inline]] void store(double* to) const { *reinterpret_cast<Two*>(to) = x; }
   [[gnu::always_inline]] void fill(double s) { x = Two{s, s}; }
-  /// Numbers that lie apart.
+  /// Loads and stores numbers that are `apart` doubles from each other.
   [[gnu::always_inline]] void load(const double* from, std::ptrdiff_t apart) { x = Two{from[0], from[apart]}; }
   [[gnu::always_inline]] void store(double* to, std::ptrdiff_t apart) const { to[0] = x[0], to[apart] = x[1]; }
   [[gnu::always_inline]] void root() { take_root(x); }
@@ -116,7 +116,7 @@ template <class V>
   return v;
 }
 
-/// A number of every place with a register.
+/// Element by element, the number in every place of the register.
 template <Register V>
 [[gnu::always_inline]] inline V operator*(double s, V a) {
   return every<V>(s) * a;
@@ -154,7 +154,7 @@ struct Line {
   [[gnu::always_inline]] void fill(double s) {
     for (int i = 0; i < parts; ++i) part[i].fill(s);
   }
-  /// Plus, less s times what lies there or another line.
+  /// Adds s times the numbers at `from`, or s times another line.
   [[gnu::always_inline]] void add(double s, const double* from) {
     V every, p;
     every.fill(s);
@@ -165,7 +165,7 @@ struct Line {
     every.fill(s);
     for (int i = 0; i < parts; ++i) part[i].x += every.x * other.part[i].x;
   }
-  /// The first `count` registers alone, where it is given.
+  /// Subtracts s times the numbers at `from`; only the first `count` registers where it is given.
   [[gnu::always_inline]] void take(double s, const double* from, int count = parts) {
     V every, p;
     every.fill(s);

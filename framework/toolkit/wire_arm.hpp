@@ -177,7 +177,7 @@ class WireArm {
     return 0.5 * (low + high);
   }
   static constexpr double kNear = 1e-9;  // of a curvature, or of a moment
-  static constexpr double kFar = 1e9;    // 1/m; a folded joint bears no more than it does, however far it is asked to bend
+  static constexpr double kFar = 1e9;    // 1/m: largest curvature searched; a joint folded so far bears its limit moment
 
   std::vector<Section> cell_;
   std::vector<double> curvature_;
