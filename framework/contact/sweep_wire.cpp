@@ -10,11 +10,11 @@
 namespace swage::contact {
 namespace {
 
-/// Of the wire's radius. Farther than this from some face, that face says how long to wait. Nearer to all of them the distance
-/// itself is asked for, because round an edge the planes of the faces stand off by up to 0.4 radii.
+/// In radii of the wire. A face farther away than this gives the safe time by its plane. Nearer to all of them the distance
+/// itself is computed, because round an edge the planes of the faces are off by up to 0.4 radii.
 constexpr double kClose = 0.25;
 
-/// Advances time by what is safe: all in the frame of b, which moves.
+/// Conservative advancement, all in the frame of b, which moves.
 template <class Curve>
 class WireSweep {
  public:
@@ -51,7 +51,7 @@ class WireSweep {
   }
 
  private:
-  /// A slab that stays open.
+  /// An empty slab and the time for which it stays open.
   struct Wait {
     double width = 0;  // m
     double time = 0;   // share of the step

@@ -81,7 +81,7 @@ class BandedBody {
 
   const uint32_t object_, vertices_;
   Matrix A_, factors_;
-  std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A, 3 below each other per vertex
+  std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A by blocks: the diagonal and 2 below it
   bool has_blocks_ = false;            // block_ holds the A of this step
   bool from_last_ = false;             // factors_ have the unknowns in the reverse order
   std::vector<double> column_, side_;  // columns of A^-1, vertex by vertex; those of one vertex, in the order of the factors

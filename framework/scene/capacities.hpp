@@ -21,7 +21,7 @@ struct Capacities {
 /// The most that a scene can ask for: matrices of 19 MB each (3 * 512 squared).
 inline constexpr Capacities kLargest{1024, 64, 256, 512};
 
-/// Room for one more flexible body that may touch at so many points at once. Each point may be a contact of two flexible
+/// Makes room for one more flexible body that may touch at `points` points at once. Each point may be a contact of two flexible
 /// bodies, and both may be in one island.
 inline void make_room(Capacities& room, uint32_t points) {
   points = std::min(points, kLargest.points);

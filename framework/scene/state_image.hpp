@@ -72,7 +72,7 @@ class Writer {
   void put_bytes(const void* data, size_t size) noexcept;
 
   size_t size() const noexcept { return size_; }
-  /// Of what has been put, or of the buffer: an image that is kept in case a step is taken back costs no hash.
+  /// Hash of the values put or, with a buffer, of the buffer: an image that is kept only in case a step is repeated costs no hash.
   uint64_t hash() const noexcept;
   /// False when the buffer was too small; nothing is written past it.
   bool ok() const noexcept { return ok_; }
