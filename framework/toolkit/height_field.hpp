@@ -14,7 +14,7 @@
 
 namespace swage::toolkit {
 
-/// A view of somebody's heights.
+/// A view of heights that the caller owns.
 struct HeightField {
   uint32_t nx = 0, ny = 0;    // vertices
   double dx = 0, dy = 0;      // m, sides of a cell
