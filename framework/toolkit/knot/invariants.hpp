@@ -95,8 +95,8 @@ class KnotSurface {
     return true;
   }
   /// The form on the faces of one colour, less one; the surface consists of the other faces. With the upper strand going east, a left
-  /// turn onto the other strand passes over the corners in the north-east and south-west. Where both strands run along the surface's band
-  /// in the same direction, the crossing counts in the correction.
+  /// rotation of it onto the other strand sweeps the corners in the north-east and south-west. Where both strands run along the surface's
+  /// band in the same direction, the crossing counts in the correction.
   KnotInvariants form(int colour) {
     std::array<int, kFaces> row{};
     int rows = 0, correction = 0;
