@@ -104,7 +104,7 @@ class ChainTree {
  private:
   struct Piece {
     Vec3 p0, p1, v0, v1;  // m, m/s
-    double radius = 0;    // m; 0: not there
+    double radius = 0;    // m; 0: no piece
     double s0 = 0, s1 = 0;
   };
   struct Node {

@@ -283,7 +283,7 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
     const double reach = radius + other.bound + query.margin;
     return (centre - centre_C).squaredNorm() <= reach * reach;
   };
-  // each sphere stands for a piece of wire and touches in one point
+  // each sphere represents a piece of wire and touches in one point
   Query point = query;
   point.flatness = 0;
   // and reports all its minima itself: with goes_on, all arcs of a wire but the first would touch nothing

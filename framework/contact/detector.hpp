@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Finds all contacts of a step between the objects that may touch, and carries over what each remembers.
+// Finds all contacts of a step between the objects that may touch, and carries over the memory of each.
 //
 // Units: SI. Frames: W. Threads: built on [main], detect() on [rt].
 #pragma once
@@ -20,7 +20,7 @@
 
 namespace swage::contact {
 
-/// Which surface stands for an arc.
+/// The surface that represents an arc.
 enum class Level : uint8_t {
   kExact,   // the arc itself
   kThesis,  // a chain of spheres under a tree of bounding spheres (thesis 4.2.9, 4.2.10); for comparison
@@ -29,7 +29,7 @@ enum class Level : uint8_t {
 struct Options {
   Level level = Level::kExact;
   int chain_spheres = 100;  // per wire, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
-  /// Contacts are reported while their gap is below margin * length plus what the bodies move in one step.
+  /// Contacts are reported while their gap is below margin * length plus the displacement of the bodies in one step.
   /// 0.02: 20 um for a 1 mm scene. Too small: a contact that the solve itself brings about is found one step late.
   double margin = 0.02;
   double flatness = 2e-3;   // see Query
@@ -52,7 +52,7 @@ class Detector {
   /// [main] Reserves room for every contact that detect() may write.
   void reserve(ContactSet& set) const;
 
-  /// [rt] Forgets all contacts and what was remembered about them, as at the start of a lesson.
+  /// [rt] Forgets all contacts and their memory, as at the start of a lesson.
   void reset(ContactSet& set) noexcept;
 
   /// [rt] What the next detect() needs besides the world: last step's contacts and the remembered separations.

@@ -113,7 +113,7 @@ class WireSweep {
     const Height away = receding(n);
     double left = wait.width;
     const double fastest = bend * rest - lowest<Curve>(stretch_, away);
-    // h + s away - bend s^2 / 2 is concave in s: if it is positive at an s, it was so all the way
+    // h + s away - bend s^2 / 2 is concave in s: if it is positive at an s, it is positive for all smaller ones
     for (int k = 0; k < 3 && left > tolerance_; ++k) {
       if (fastest * (rest - wait.time) <= left) return {wait.width, 1.0};
       wait.time += left / fastest;

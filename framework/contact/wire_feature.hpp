@@ -25,7 +25,7 @@ inline uint64_t feature_id(Region region, int branch, int point) {
          static_cast<uint64_t>(point);
 }
 
-/// The carrier of a polyhedron's feature. Written in place: members that the kind does not use keep what they had.
+/// The carrier of a polyhedron's feature. Written in place: members that the kind does not use keep their values.
 inline void set_convex_feature(const Solid& solid, Region region, Feature& f) {
   const Convex& c = solid.convex;
   f.tube = solid.radius;

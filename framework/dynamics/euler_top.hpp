@@ -15,7 +15,7 @@
 //     D = 1 - alpha gamma y^2 p^2
 //
 // Energy and |L| are exact to rounding whatever p is. Attitude: with a and b the momentum in the body at the start and
-// at the end, it turns about L by psi and then by the least rotation that takes b to a, so L stands still in the world
+// at the end, it turns about L by psi and then by the least rotation that takes b to a, so L is constant in the world
 // to rounding. Only psi is approximate, the integral of |L| (2 E + w . a) / (a . a + L . a), as a series to h^5: with
 // v = w at the start, f = 2 E / (a . a), g = v - f a, which is normal to a and to a', and a'' = A a by components,
 //
@@ -132,7 +132,7 @@ inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, To
 /// Beyond 64 parts (11 000 rad/s) it turns only as far as they can. The quaternion is not normalised: norm2 is its squared length.
 inline void euler_top(const EulerTop& t, double h, TopState& s) {
   const double xx = s.L.x * s.L.x, yy = s.L.y * s.L.y, zz = s.L.z * s.L.z;
-  if (!(xx + yy + zz > 1e-140)) return;  // stands still
+  if (!(xx + yy + zz > 1e-140)) return;  // at rest
   const double middle = t.gamma_alpha * yy, lambda2 = middle - t.alpha_beta * zz,
                mu2 = middle - t.beta_gamma * xx;
   constexpr double kMost = 0.1;  // rad

@@ -162,7 +162,7 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
 }
 
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
-/// what it cannot do in a few steps the convex path does better.
+/// where it does not converge in a few steps, the convex path does better.
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const bool tied = has_ties(island) && !island.banded;
   const uint32_t steps = tied ? kTiedSteps : kNewtonSteps;

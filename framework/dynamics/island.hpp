@@ -46,7 +46,7 @@ struct Constraint {
   const double* J =
       nullptr;  // 3 x (size_a + size_b), row-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
-  // --- what solve() found
+  // --- results of solve()
   Displacement u;
   Force f;
   double limit = 0;  // N, of friction

@@ -94,7 +94,7 @@ void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method)
   v0[body] = vec(V0.v), w0[body] = vec(V0.w);
 
   if (held_body[body]) {
-    // contacts held it against its weight and probably will again: detect them where its present twist leads
+    // contacts held it against its weight and probably will again: detect them where its present twist takes it
     const double h = world.dt;
     Quat q = turn(h * vec(V0.w)) * X0[body].q;
     renormalise(q);

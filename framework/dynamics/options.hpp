@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene can choose about how things move, and what the solver reports about itself.
+// Choices of a scene for motion and contact, and what the solver reports about itself.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,7 @@ struct Stats {
   uint64_t work = 0;         // multiply-adds of all steps, and of the step that took most
   uint64_t most_work = 0;
   double strayed = 0;         // radii, of the last step: largest prediction error of a chain at its contacts (contact_results.cpp)
-  base::SolverHealth health;  // what it could not do
+  base::SolverHealth health;  // shortfalls of the solver
 };
 
 }  // namespace swage::dynamics

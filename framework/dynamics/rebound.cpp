@@ -70,7 +70,7 @@ void Rebound::report(contact::ContactSet& contacts, double h) const noexcept {
   }
 }
 
-// --- who flies
+// --- which bodies fly
 
 /// Computes the predicted path of every body: from its pose at the start of the step to its present pose.
 void Rebound::find_paths() noexcept {

@@ -132,7 +132,7 @@ void Rebound::advance(double t) noexcept {
   at_ = t;
 }
 
-/// Applies impulses to the touches of now, fastest approach first, until all approach slowly; always to `sunk`.
+/// Applies impulses to the present touches, fastest approach first, until all approach slowly; always to `sunk`.
 void Rebound::push_all(const Touching* sunk) noexcept {
   for (uint32_t k = 0; k < kPushes; ++k) {
     const Touching* fastest = nullptr;

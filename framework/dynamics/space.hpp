@@ -21,7 +21,7 @@ class Space {
  public:
   virtual ~Space() = default;
 
-  /// Sets the island, which must stay as it is until the next begin(). Returns the numbers of a point z.
+  /// Sets the island, which must stay as it is until the next begin(). Returns the size of a point z.
   virtual size_t begin(const Island& island) noexcept = 0;
   /// Sets z to the pose of the linearisation. False: z becomes consistent only after a whole step from here.
   virtual bool start(double* z) noexcept = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of each thing a step has room for: one table per scene, chosen on [main] from what the objects of the scene declare,
+// Capacities of a step: one table per scene, chosen on [main] from what the objects of the scene declare,
 // and published to plugins (SWAGE_HOST_CAPACITIES). What does not fit is counted (base/solver_health.hpp).
 #pragma once
 

@@ -26,7 +26,7 @@ inline constexpr uint64_t kImageVersion = 1;
 class StateHash {
  public:
   void add(uint64_t word) noexcept { lane_[count_++ & 3].add(word); }
-  /// The same word by word, without storing each lane in between.
+  /// Adds the words one by one, without storing each lane in between.
   void add(const std::byte* data, size_t words) noexcept {
     const auto word = [&](size_t i) {
       uint64_t w;

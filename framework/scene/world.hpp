@@ -21,7 +21,7 @@ namespace swage::scene {
 
 inline constexpr uint32_t kNone = SWAGE_NONE;
 
-/// How one body moves and what it weighs; fixed once the scene is built.
+/// Motion and mass of one body; fixed once the scene is built.
 struct BodyInfo {
   int32_t motion = SWAGE_MOTION_FIXED;
   uint32_t object = kNone;

@@ -111,7 +111,7 @@ void Engine::fill_head(snapshot::Snapshot& out) const noexcept {
   out.hash = hash_;
   out.n_body = limit(w.X_WB.size(), kMaxBodies);
   out.n_particle = limit(w.particle_mass.size(), kMaxParticles);
-  for (const scene::ChainInfo& chain : w.chain)  // the vertices of chains follow, as the card says
+  for (const scene::ChainInfo& chain : w.chain)  // the vertices of chains follow, as in the scene card
     out.n_particle = limit(out.n_particle + chain.start.size(), kMaxParticles);
   out.n_object = limit(rig_.objects.size(), kMaxObjects);
   out.n_signal = limit(w.signal.size(), kMaxSignals);

@@ -102,7 +102,7 @@ bool Engine::push(const Command& command) noexcept {
 }
 
 void Engine::done(Phase phase) noexcept {
-  // smoothed over 256 steps: what a person can read
+  // smoothed over 256 steps, so that a person can read it
   const int64_t now = base::wall_ns();
   double& smooth = phase_s_[static_cast<uint32_t>(phase)];
   smooth += (1e-9 * static_cast<double>(now - stamp_) - smooth) / 256;

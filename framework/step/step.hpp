@@ -2,7 +2,7 @@
 //
 // One step of the simulation, 1 ms. Start with Engine::step() in step.cpp: one line per phase.
 //
-// Threads: built on [main]; what is marked [rt] afterwards by one thread at a time.
+// Threads: built on [main]; functions marked [rt] afterwards by one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -69,7 +69,7 @@ class Engine {
   /// Sets the pointer and keys of the next step, as given in the displayed picture. [rt]
   void point(const swage_pointer& pointer) noexcept { hands_.point(pointer); }
 
-  // --- what the last step gave, valid until the next [rt]
+  // --- results of the last step, valid until the next [rt]
   uint64_t hash() const noexcept { return hash_; }
   std::span<const judge::Event> events() const noexcept { return events_.list(); }
   uint64_t lost_events() const noexcept { return events_.lost(); }

@@ -68,7 +68,7 @@ Pose ToolProxy::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noex
   return X;
 }
 
-/// Moves X_WT along the normals of what its shapes overlap until they overlap nothing. False: it cannot be done.
+/// Moves X_WT along the normals of its shapes' overlaps until there are none. False: it cannot be done.
 bool ToolProxy::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexcept {
   contact::Query query;
   query.length = world_.length;

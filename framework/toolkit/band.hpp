@@ -204,7 +204,7 @@ class Band {
 
   int n_ = 0;
   std::vector<double>
-      a_;  // column by column; B columns of zeros at the end take what is beyond the last unknown
+      a_;  // column by column; B columns of zeros at the end pad what lies beyond the last unknown
 };
 
 }  // namespace swage::toolkit

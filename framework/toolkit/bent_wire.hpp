@@ -114,7 +114,7 @@ class BentWire {
     return {X_WJ.p, (X_WJ.q * joint_rotation(0.5 * turn(memory))).toRotationMatrix()};
   }
 
-  /// Displacement of a point of piece i per turn of joint j, while piece `base` stands still; zero when the joint is not
+  /// Displacement of a point of piece i per turn of joint j, while piece `base` is fixed; zero when the joint is not
   /// between the two. Its transpose maps forces to moments.
   static Mat3 gain(int j, const Frame& X_WJ, int base, int piece, const Vec3& p_W) {
     Mat3 G = Mat3::Zero();
@@ -189,7 +189,7 @@ class BentWire {
   static Vec3 moment(const JointMemory& m) { return {m.moment[0], m.moment[1], m.moment[2]}; }
   /// Moment over the moment at which the outer fibre first yields.
   double stress(int j, const JointMemory& memory) const { return stress(j, moment(memory)); }
-  /// The same of any moment [N m] that the section of a joint bears, in its axes.
+  /// The same for any moment [N m] on the section of a joint, in its axes.
   double stress(int j, const Vec3& m) const {
     const Joint& joint = joint_[at(j)];
     return Vec3(m[0] / joint.yield[0], m[1] / joint.yield[1], m[2] / joint.yield[2]).norm();

@@ -164,7 +164,7 @@ inline std::string build_convex(std::span<const Vec3> vertex, std::span<const ui
   return {};
 }
 
-/// The same body seen from F: vertices X_FS p.
+/// The same polyhedron in frame F: vertices X_FS p.
 inline Convex transformed(const Convex& convex, const Pose& X_FS) {
   Convex out = convex;
   for (Vec3& v : out.vertex) v = X_FS * v;

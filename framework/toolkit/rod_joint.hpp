@@ -16,7 +16,7 @@
 
 namespace swage::toolkit {
 
-/// Gradient and Hessian by (e, theta_e, f, theta_f), of which the lower half is symmetric to what is here.
+/// Gradient and Hessian by (e, theta_e, f, theta_f); of the symmetric Hessian only the upper half.
 template <class V>
 struct JointDerivatives {
   using Vec = Three<V>;

@@ -38,7 +38,7 @@ class KnotDiagram {
   int visits() const { return n_; }
   const KnotVisit& visit(int i) const { return code_[at(i)]; }
   int sign(int crossing) const { return sign_[at(crossing)]; }
-  /// Where a crossing is met over (true) or under (false).
+  /// Index of the visit to a crossing over (true) or under (false).
   int place(int crossing, bool over) const { return place_[at(crossing)][over]; }
   /// Sum of the signs.
   int writhe() const;

@@ -42,7 +42,7 @@ struct KnotFindings {
 struct KnotThread {
   static constexpr int kNodes = 402;       // most nodes of a thread
   static constexpr int kVertices = kNodes + 2;
-  static constexpr int kMostSweeps = 40;   // 3 to 8 are usual; past it, what is left is read as it is
+  static constexpr int kMostSweeps = 40;   // 3 to 8 are usual; beyond, the thread is read as straight as it is
   /// The thread fills a cube of +- 2^20 of the grid; its ends are led 2^22 farther. 10 mm of half a cube: 10 nm.
   static constexpr double kHalfCube = 1 << 20, kFar = 1 << 22;
   /// Nodes are moved by up to 8 of the grid, so that none stay exactly in a line or a plane: 1e-5 of the cube, far less
