@@ -76,8 +76,8 @@ PointPair circle_segment(const Carrier& circle, const Carrier& segment) {
   return {closest_on_circle(circle, end), end};
 }
 
-/// Two arcs: the minimum near the touching places. Beyond the end of a stretch, the nearest of what that end and what
-/// projections from the touching place say.
+/// Two arcs: the minimum near the touching places. Beyond the end of a stretch, the nearest pair of those that the end and
+/// alternating projections from the touching place give.
 PointPair circle_circle(const Carrier& a, const Carrier& b) {
   const auto circle = [](const Carrier& c) {
     toolkit::Arc arc;

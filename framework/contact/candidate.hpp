@@ -19,8 +19,8 @@ using toolkit::Mat3;
 using toolkit::Pose;
 using toolkit::Vec3;
 
-/// The part of a surface that touches, as the simplest curve or plane that carries it, in the frame of its
-/// body. The surface lies `tube` outside it.
+/// The touching part of a surface: a carrier (point, segment, circle or plane) in the frame of its
+/// body. The surface is at the distance `tube` from the carrier.
 struct Feature {
   enum Kind : uint8_t { kPoint, kSegment, kCircle, kPlane };
   Kind kind = kPoint;
@@ -43,7 +43,7 @@ struct Touch {
 /// Two features close enough to matter in this step.
 struct Candidate {
   Feature a, b;              // in the frames of body a and of body b
-  Vec3 n_B = Vec3::UnitZ();  // unit, from b into a when found, in b: which side a is on once carriers cross
+  Vec3 n_B = Vec3::UnitZ();  // unit, from b into a when found, in b: gives the gap its sign once carriers cross
   uint64_t feature = 0;      // which features and which point of a line; equal while the touch lasts
   double weight = 1;         // share of a line contact that this point stands for, 0..1
   Touch touch;               // at the poses of `detect`

@@ -12,8 +12,8 @@
 namespace swage::contact {
 
 /// Hertz: two bodies of which one is flat overlap by `depth` on a disc of radius a = sqrt(R depth). Slipping all over it,
-/// the pressure 3 N / (2 pi a^2) sqrt(1 - r^2 / a^2) has the moment 3 pi / 16 mu N a about the normal, as if all of it sat
-/// on a ring of this radius [m].
+/// the pressure 3 N / (2 pi a^2) sqrt(1 - r^2 / a^2) has the moment 3 pi / 16 mu N a about the normal, as if the whole force
+/// acted on a ring of this radius [m].
 inline double cap_ring(double radius, double depth) {
   return depth > 0 ? 3 * std::numbers::pi / 16 * std::sqrt(radius * depth) : 0.0;
 }

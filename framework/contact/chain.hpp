@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A chain as the detector sees it: its pieces, in boxes over ranges of arc length. The tree is built once and refitted each
-// step, so its order, and that of the contacts, is always the same.
+// A chain as the detector sees it: a tree of boxes over ranges of arc length, with the pieces of the chain (its segments) in the
+// leaves. The tree is built once and refitted each step, so its order, and that of the contacts, is always the same.
 //
 // Units: m. Frame: W. Threads: built on [main], the rest [rt]; nothing allocates or throws.
 #pragma once
@@ -44,7 +44,7 @@ class ChainTree {
   void refit(const scene::World& world) noexcept;
 
   uint32_t segments() const { return segments_; }
-  /// False where the chain is cut, or a piece has no length.
+  /// False where the chain is cut, and for a piece without length.
   bool there(uint32_t i) const { return i < segments_ && piece_[i].radius > 0; }
   double radius(uint32_t i) const { return piece_[i].radius; }
   const Box& all() const { return node_[0].box; }
@@ -64,7 +64,7 @@ class ChainTree {
     return (p.point(at.s) - q.point(at.t)).squaredNorm() > reach * reach;
   }
 
-  /// Unit vector from vertex `end` of piece i into the neighbouring piece; zero where there is none.
+  /// Unit vector from the first or, where `end`, the last vertex of piece i into the neighbouring piece; zero where there is none.
   Vec3 onward(uint32_t i, bool end) const;
   /// The place of piece i nearest to p_W.
   ChainPlace place(uint32_t i, const Vec3& p_W) const;
@@ -104,7 +104,7 @@ class ChainTree {
  private:
   struct Piece {
     Vec3 p0, p1, v0, v1;  // m, m/s
-    double radius = 0;    // m; 0: not there
+    double radius = 0;    // m; 0: no piece
     double s0 = 0, s1 = 0;
   };
   struct Node {
@@ -148,7 +148,7 @@ class ChainTree {
     }
   }
 
-  uint32_t chain_ = 0;  // of the world
+  uint32_t chain_ = 0;  // index in World::chain
   uint32_t segments_ = 0;
   double exclusion_ = 0, moves_ = 0;
   Vec3 drift_ = Vec3::Zero();

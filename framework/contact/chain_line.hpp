@@ -15,7 +15,7 @@ namespace swage::contact {
 /// pressure exactly.
 inline constexpr int kChainPoints = 2;
 
-/// True for an arc on a body that its object moves itself.
+/// True for an arc on a body that is moved by its object.
 inline bool in_chain(const scene::World& world, uint32_t shape) noexcept {
   const scene::Shape& s = world.shape[shape];
   return s.kind == SWAGE_SHAPE_ARC && world.body[s.body].motion == SWAGE_MOTION_SELF;

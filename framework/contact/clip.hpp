@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Parts of a curve: what is left of it below planes, and near a polyhedron. Room-internal.
+// Parts of a curve: those below planes and those near a polyhedron. Room-internal.
 #pragma once
 
 #include "contact/curve.hpp"
@@ -19,7 +19,7 @@ void fill(Stretches<Curve>& list, const Curve& curve) {
   for (int i = 0; i < curve.stretches(); ++i) list.add(curve.stretch(i));
 }
 
-/// Keeps the parts of all stretches where h <= 0; their new ends are called `border`. One height has one peak per turn:
+/// Keeps the parts of all stretches where h <= 0 and marks their new ends `border`. A height has one peak per turn:
 /// at most one stretch is split.
 template <class Curve>
 void clip(Stretches<Curve>& list, const typename Curve::Height& h, Border border = Border::kClipped) {
@@ -42,8 +42,8 @@ void clip(Stretches<Curve>& list, const typename Curve::Height& h, Border border
   list.shrink(kept);
 }
 
-/// Makes `list` what of the curve is within reach(n) of every face, n its normal, or a little further, by `slack`; ends that this
-/// cuts are called `border`. False: nothing; `memory` learns what separates.
+/// Makes `list` the parts of the curve within reach(n) + `slack` of the plane of every face, n its normal, and marks the new ends
+/// `border`. False: there are none; `memory` then takes a separating normal, if a face gives one.
 template <class Curve, class Reach>
 bool clip_to_reach(Stretches<Curve>& list, const Curve& curve, const toolkit::Convex& convex,
                    const Reach& reach, double slack, Border border, Separation& memory) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The contacts of one step, in a fixed order, and what each remembers from step to step.
+// The contacts of one step, in a fixed order, and the memory of each from step to step.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ struct Contact {
   uint32_t pair = 0;
   uint32_t shape_a = 0, shape_b = 0;  // global
   uint32_t body_a = 0, body_b = 0;    // global
-  /// A particle instead of a body and its shape (then kNone): global. Its candidate's frame is the particle, unturned.
+  /// A particle instead of a body and its shape (then kNone): global. Its candidate's frame is at the particle, along the axes of W.
   uint32_t particle_a = scene::kNone, particle_b = scene::kNone;
   ChainPlace place_a, place_b;  // on shape a and b, where those are chains
   uint64_t feature = 0;      // which features and which quadrature point; equal while the touch lasts

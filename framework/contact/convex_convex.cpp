@@ -9,18 +9,18 @@
 namespace swage::contact {
 namespace {
 
-/// A pair of edges must be apart by this share of the flatness more than any face is before it counts: 40 nm for a 1 mm
+/// A pair of edges counts only if it is farther apart than any face by this share of the flatness: 40 nm for a 1 mm
 /// scene. Two faces that meet almost level touch in a polygon, not in one of its corners after the other.
 constexpr double kFaceFirst = 0.02;
 
-/// What counts as no difference at any flatness, as a share of the scene's length: 0.1 nm for a 1 mm scene. Edges that are aligned
-/// with each other lead a face by rounding, and may lie a side apart from each other.
+/// Difference that counts as none at any flatness, as a share of the scene's length: 0.1 nm for a 1 mm scene. Edges that are aligned
+/// with each other lead a face by rounding only, and may be a side apart from each other.
 constexpr double kRounding = 1e-7;
 
-/// Sine squared below which two edges are parallel: a face says all that they could.
+/// Sine squared below which two edges are parallel: a face then gives the same axis.
 constexpr double kParallel = 1e-10;
 
-/// The direction along which the two are farthest apart, or overlap least, and the features that say so.
+/// The direction along which the two are farthest apart, or overlap least, and the features that define it.
 struct Axis {
   enum Kind : uint8_t { kFaceOfB, kFaceOfA, kEdges, kClosest } kind = kFaceOfB;
   double apart = -1e300;   // m, negative when they overlap
@@ -112,14 +112,14 @@ class ConvexPair {
     const double apart = n.dot(X_BA_ * a_.vertex[e.v0] - b_.vertex[f.v0]);
     return consider(Axis::kEdges, n, apart, i, j);
   }
-  /// Whether u points along p x q (true) or against it.
+  /// 1 where u points along p x q, -1 where it points against it.
   static double sign(const Vec3& p, const Vec3& q, const Vec3& u) {
     return p.cross(q).dot(u) < 0 ? -1.0 : 1.0;
   }
 
   // --- faces
 
-  /// Incident face of the other polyhedron, clipped to the reference face.
+  /// Adds the corners of the incident face of the other polyhedron, clipped to the reference face.
   void add_polygon() {
     const bool of_b = axis_.kind == Axis::kFaceOfB;
     const Convex &base = of_b ? b_ : a_, &other = of_b ? a_ : b_;
@@ -183,8 +183,8 @@ class ConvexPair {
     finish(*found, Axis::kEdges, uint64_t{i} << 12 | j, 0, 1);
   }
 
-  /// Closest pair of edges, end points included, of two separated polyhedra, which vertices over faces do not give. Added when nearer
-  /// than `least`.
+  /// Adds the closest pair of edges, end points included, of two separated polyhedra, where it is nearer than `least`, the distance that
+  /// vertices over faces give.
   void add_closest(double least) {
     Candidate best;
     uint64_t name = 0;

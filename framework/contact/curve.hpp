@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Centre lines of wires, in one shape for the walk through the Voronoi regions: a straight piece (a point when its
-// length is zero) and an arc. Both answer: how high above a plane, where does it rise through it, where is it closest to
+// Centre lines of wires, with one interface for the walk through the Voronoi regions: a straight piece (a point when its
+// length is zero) and an arc. Both give their height above a plane, where they rise through it, and where they are closest to
 // a line or point. Room-internal.
 //
 // Units: m. A Place is a position on the curve; a Stretch is short enough (150 deg at most) that a height has at most one
@@ -21,7 +21,7 @@ using toolkit::Vec3;
 /// How a stretch begins or ends.
 enum class Border : uint8_t {
   kEnd,      // the curve ends here
-  kJoined,   // the neighbouring stretch goes on
+  kJoined,   // the neighbouring stretch continues it
   kClipped,  // beyond, everything is too far from the polyhedron
 };
 
@@ -152,14 +152,14 @@ class ArcCurve {
   double unit() const { return arc_.radius; }  // m of wire per radian, the argument of heights
   /// Grows along the curve.
   static double order(Place e) { return e.order(); }
-  /// Whether the stretch is shorter than half a turn, as far as such functions as middle() and within() can tell.
+  /// Whether the stretch is at most half a turn, which middle(), within() and the like require.
   static bool may_join(Place from, Place to) { return from.c * to.s >= from.s * to.c; }
   /// Chord of a stretch: at most 10 % short of its length.
   double length(Place from, Place to) const {
     const double dc = to.c - from.c, ds = to.s - from.s;
     return arc_.radius * std::sqrt(dc * dc + ds * ds);
   }
-  /// How far a stretch stands out from the chord between two points at most: R sin^2 a, its sagitta is R (1 - cos a).
+  /// Upper bound of the distance of a stretch from the chord between its ends: R sin^2 a; the sagitta is R (1 - cos a).
   double bulge(const Vec3& from, const Vec3& to) const {
     return (to - from).squaredNorm() / (4 * arc_.radius);
   }
@@ -180,7 +180,7 @@ class ArcCurve {
     if (h.slope(from) < 0 && h.slope(to) > 0) return h.h0 - std::sqrt(h.hx * h.hx + h.hy * h.hy);
     return std::min(h.at(from), h.at(to));
   }
-  /// Whether h rises above zero and sinks again, or the reverse, between two places.
+  /// Whether h rises above zero and falls again, or the reverse, between two places.
   static bool has_peak(const Height& h, Place from, Place to) {
     return h.slope(from) > 0 && h.slope(to) < 0 && (h.h0 > 0 || h.h0 * h.h0 < h.hx * h.hx + h.hy * h.hy);
   }
@@ -213,7 +213,7 @@ class ArcCurve {
     return (point(from) - q).squaredNorm() <= (point(to) - q).squaredNorm() ? from : to;
   }
   static Place closest(const ToLine& g, Place from, Place to, double slope_from, double slope_to) {
-    // start where the slope would be zero were it straight
+    // start at the zero of the slope if that were linear
     const double t = slope_from / (slope_from - slope_to);
     return toolkit::minimum_between(g, from, to, between(from, to, t));
   }
@@ -234,7 +234,7 @@ class ArcCurve {
     return g.curvature(from) + g.curvature(to) >= third(g) * angle(from, to);
   }
   static double third(const ToLine& g) { return std::abs(g.kx) + std::abs(g.ky) + std::abs(g.ku) + 2 * g.R; }
-  /// The angle between two places, at least, up to a quarter turn.
+  /// Upper bound of the angle between two places up to a quarter turn apart [rad].
   static double angle(Place from, Place to) {
     const double dc = to.c - from.c, ds = to.s - from.s;
     return 1.12 * std::sqrt(dc * dc + ds * ds);
@@ -269,7 +269,7 @@ void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, d
   Place start = from;
   double slope = slope_from;
   const auto part_until = [&](Place end, double slope_end) {
-    const double sign = slope < -level ? 1 : -1;  // that is missing at the start
+    const double sign = slope < -level ? 1 : -1;  // the sign that is missing at the start
     Place found;
     if (sign * slope_end <= level && search_sign(g, start, end, slope, slope_end, sign, level, found))
       out.add(found);
@@ -292,8 +292,8 @@ void ArcCurve::split(const ToLine& g, Place from, Place to, double slope_from, d
   part_until(to, slope_to);
 }
 
-/// A place where the slope has the given sign, by halving; none where a bound on the third derivative shows that the slope
-/// is monotone, or one on the second that it stays away from zero. Pairs closer than 1e-3 rad (whose depths differ by less than 0.1 nm) are a level inflection.
+/// Finds a place where the slope has the given sign, by bisection; none where bounds on its derivatives show that the slope is
+/// monotone or stays away from zero. Extrema less than 1e-3 rad apart (depths within 0.1 nm) count as a level inflection.
 inline bool ArcCurve::search_sign(const ToLine& g, Place from, Place to, double slope_from, double slope_to,
                                   double sign, double level, Place& found) {
   const double turned = angle(from, to);

@@ -12,7 +12,7 @@ namespace {
 
 /// A contact that has no predecessor of the same feature takes the bristle of the nearest one, if it is not farther than
 /// this share of the scene's length (0.2 mm for a 1 mm scene: the points of a line across a jaw are nearer) and its
-/// normal is alike: a touch that slides from a face to its edge, or spreads into a line, goes on sticking.
+/// normal is alike: a touch that slides from a face to its edge, or spreads into a line, continues to stick.
 constexpr double kInheritReach = 0.2, kInheritCosine = 0.7;
 
 /// Motion of a body over the step that is predicted to end at its pose.
@@ -28,7 +28,7 @@ Motion motion_of(const scene::World& world, uint32_t body) {
 
 bool collides(const scene::Shape& shape) { return (shape.flags & SWAGE_SHAPE_COLLIDES) != 0; }
 
-/// Whether some face of the polyhedron has the ball on its far side, m in the frame of the polyhedron.
+/// Whether the plane of some face separates the polyhedron from a ball of radius `reach` [m], `centre` in the frame of the polyhedron.
 bool beyond_a_face(const toolkit::Convex& convex, const Vec3& centre, double reach) {
   return std::any_of(convex.face.begin(), convex.face.end(),
                      [&](const toolkit::Convex::Face& f) { return f.n.dot(centre) - f.d > reach; });
@@ -99,8 +99,8 @@ Detector::Detector(const scene::World& world, std::vector<Pair> pairs, const Opt
   find_swept(world);
 }
 
-/// The sphere chains of the thesis: one per wire, of which each arc of a wire that bends has its part. A chain per arc would be as
-/// many spheres for each, in each place a dozen that all bear, more than its object answers for.
+/// Builds the sphere chains of the thesis: one per wire, of which each arc of a wire that bends has its part. A chain per arc would have
+/// as many spheres in each arc, a dozen of them in contact at each place, more than its object has points for.
 void Detector::lay_spheres(const scene::World& world) {
   for (uint32_t i = 0; i < solids_.size(); ++i)
     if (solids_[i].kind == SWAGE_SHAPE_ARC && !in_chain(world, i))
@@ -119,7 +119,7 @@ void Detector::lay_spheres(const scene::World& world) {
   }
 }
 
-/// The group of a shape pair: all pieces of one chain against one shape of another pair; kNoGroup where neither is a chain.
+/// Group of a shape pair: all arcs of one wire (chain_line.hpp) against one other shape; kNoGroup unless just one of both is such an arc.
 uint32_t Detector::group_of(uint32_t pair, uint32_t a, uint32_t b) {
   const auto chain = [&](uint32_t shape) {
     for (uint32_t c = 0; c < chain_.size(); ++c)
@@ -210,7 +210,7 @@ bool Detector::far_apart(const Ball& ball, uint32_t other, double margin) const 
          beyond_a_face(solid.convex, X_WB_[body_[other]].inverse_times(ball.centre), beside);
 }
 
-/// Motion of a body over the step that is predicted to end at its pose; found when first asked for.
+/// Motion of a body over the step that is predicted to end at its pose; computed on first use.
 const Motion& Detector::motion(const scene::World& world, uint32_t body) noexcept {
   KnownMotion& m = motion_[body];
   if (!m.known) m.motion = motion_of(world, body), m.known = true;
@@ -283,10 +283,10 @@ void Detector::detect_chain(const scene::World& world, const ShapePair& pair, co
     const double reach = radius + other.bound + query.margin;
     return (centre - centre_C).squaredNorm() <= reach * reach;
   };
-  // each sphere stands for a piece of wire and touches in one point
+  // each sphere represents a piece of wire and touches in one point
   Query point = query;
   point.flatness = 0;
-  // and leaves nothing to the sphere before it: of a wire in several arcs all but the first would touch nothing
+  // and reports all its minima itself: with goes_on, all arcs of a wire but the first would touch nothing
   point.piece = point.goes_on = false;
   chain.visit(near, [&](uint32_t i) {
     sphere_.axis = {chain.centre[i], chain.centre[i]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Finds all contacts of a step between the objects that may touch, and carries over what each remembers.
+// Finds all contacts of a step between the objects that may touch, and carries over the memory of each.
 //
 // Units: SI. Frames: W. Threads: built on [main], detect() on [rt].
 #pragma once
@@ -20,16 +20,16 @@
 
 namespace swage::contact {
 
-/// Which surface stands for an arc.
+/// The surface that represents an arc.
 enum class Level : uint8_t {
   kExact,   // the arc itself
-  kThesis,  // a chain of spheres under a tree of bounding spheres (thesis 4.2.9, 4.2.10); to compare with
+  kThesis,  // a chain of spheres under a tree of bounding spheres (thesis 4.2.9, 4.2.10); for comparison
 };
 
 struct Options {
   Level level = Level::kExact;
   int chain_spheres = 100;  // per wire, kThesis only; 100 leaves bumps of 11.75 um on a 6.4 mm, 0.1 mm wire
-  /// Contacts are reported while their gap is below margin * length plus what the bodies move in one step.
+  /// Contacts are reported while their gap is below margin * length plus the displacement of the bodies in one step.
   /// 0.02: 20 um for a 1 mm scene. Too small: a contact that the solve itself brings about is found one step late.
   double margin = 0.02;
   double flatness = 2e-3;   // see Query
@@ -43,16 +43,16 @@ class Detector {
   /// [main] Throws std::invalid_argument for options outside their range.
   Detector(const scene::World& world, std::vector<Pair> pairs, const Options& options);
 
-  /// [rt] Contacts at the poses of `world`, which are where the step is predicted to end; the twists say where it began.
+  /// [rt] Finds the contacts at the poses of `world`, the predicted end of the step; the twists give the poses at its start.
   /// Bodies that move farther than the thickness of their wires are swept; their contact is where they first touch. `set`
   /// holds last step's contacts on entry: bristle, force and slip of a contact that lasts are carried over, all else is
   /// written anew.
   void detect(const scene::World& world, ContactSet& set) noexcept;
 
-  /// [main] Room for every contact that detect() may write.
+  /// [main] Reserves room for every contact that detect() may write.
   void reserve(ContactSet& set) const;
 
-  /// [rt] Forgets all contacts and what was remembered about them, as at the start of a lesson.
+  /// [rt] Forgets all contacts and their memory, as at the start of a lesson.
   void reset(ContactSet& set) noexcept;
 
   /// [rt] What the next detect() needs besides the world: last step's contacts and the remembered separations.
@@ -63,35 +63,35 @@ class Detector {
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
-  // --- queries within the step, for what flies and rebounds in it (dynamics/rebound.hpp): detector_swept.cpp
+  // --- queries within the step, for bodies that fly and rebound in it (dynamics/rebound.hpp): detector_swept.cpp
 
-  /// Two shapes, at least one of them on a DYNAMIC body (it may fly), none on a body that its object moves itself. Numbered 0 to swept_pairs().
+  /// Two shapes, at least one of them on a DYNAMIC body and none on a body that its object moves. Indexed from 0 to swept_pairs() - 1.
   struct Shapes {
     uint32_t pair = 0, shape_a = 0, shape_b = 0;  // the object pair; global
     uint32_t body_a = 0, body_b = 0;              // global
   };
   /// A contact that must stay in the set, because an impulse acted there.
   struct Struck {
-    uint32_t swept = 0;  // number of the shapes
+    uint32_t swept = 0;  // index of the two shapes
     Candidate candidate;
   };
   enum class Reach : uint8_t {
     kFar,   // cannot meet in this step
     kNear,  // may meet
-    kFast,  // may meet, and move so far that one may come out on the far side of the other
+    kFast,  // may meet, and move so far that one may pass through the other
   };
   size_t swept_pairs() const { return swept_.size(); }
   const Shapes& swept(uint32_t i) const { return swept_[i]; }
-  /// [rt] Whether two shapes may meet while their bodies move so.
+  /// [rt] Whether two shapes may meet under these motions of their bodies.
   Reach reach(const scene::World& world, uint32_t i, const Motion& a, const Motion& b) const noexcept;
-  /// [rt] When they first overlap by more than `sunk` [m] plus a small tolerance that grows with the number of touches before, so
+  /// [rt] First time at which they overlap by more than `sunk` [m] plus a small tolerance that grows with the number of touches before, so
   /// that a present touch is not found again at once. Polyhedra cannot be made thinner and are found slightly before they touch.
   FirstTouch first_overlap(const scene::World& world, uint32_t i, const Motion& a, const Motion& b, double sunk,
                          uint32_t touches) noexcept;
   /// [rt] Their contacts at these poses with gaps up to `margin`; valid until the next query.
   const Manifold& touches(const scene::World& world, uint32_t i, const Frame& X_WA, const Frame& X_WB,
                           double margin) noexcept;
-  /// [rt] Finds the contacts of the bodies marked in `moved` anew, at their poses of now; the others stay. Laws, bristles and
+  /// [rt] Finds the contacts of the bodies marked in `moved` anew, at their present poses; the others stay. Laws, bristles and
   /// forces of lasting contacts are carried over; contacts with an impulse stay as long as there is room.
   void look_again(const scene::World& world, ContactSet& set, std::span<const uint8_t> moved,
                   std::span<const Struck> struck) noexcept;
@@ -106,12 +106,12 @@ class Detector {
     bool remembers = true;  // false for the segments of a chain, which are many and of which few are near
   };
 
-  /// A ball around a shape in W, and a bound on the way of its points in the step [m].
+  /// Bounding sphere of a shape in W, and a bound on the displacement of the shape's points in the step [m].
   struct Ball {
     Vec3 centre = Vec3::Zero();
     double radius = 0, moves = 0;
   };
-  /// The arcs of one wire (chain_line.hpp) in one ball; and such a wire against one shape.
+  /// The arcs of one wire (chain_line.hpp) in one bounding sphere; and the pair of such a wire and one shape.
   struct Chain {
     uint32_t first = 0, shapes = 0;
     Ball ball;
@@ -164,7 +164,7 @@ class Detector {
   std::vector<Pair> pairs_;
   Options options_;
   std::vector<Solid> solids_;        // one per shape of the world
-  std::vector<SphereTree> chains_;   // one per shape, empty but for arcs at the level of the thesis
+  std::vector<SphereTree> chains_;   // one per shape; empty except for arcs at Level::kThesis
   std::vector<uint32_t> bodies_;     // bodies with a shape in any pair
   std::vector<uint32_t> body_;       // of each shape
   std::vector<Frame> X_WB_;          // of those bodies, indexed by body

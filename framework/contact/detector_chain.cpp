@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The detector's part for chains: which pieces are near, where on the chain a contact is, and what it remembers of the contact
-// that was there before.
+// The detector's part for chains: which pieces are near, where on the chain a contact is, and the memory that it takes from the
+// contact that was there before.
 #include <algorithm>
 
 #include "contact/detector.hpp"
@@ -10,8 +10,8 @@
 namespace swage::contact {
 namespace {
 
-/// A contact at the end of a piece is the next piece's to tell where the gap goes on falling there by more than this slope. Of two
-/// pieces that meet in a lowest vertex the first tells of it; an end is a place within this share of the piece.
+/// A contact at the end of a piece is reported by the next piece if the gap falls into that by more than this slope. Of two
+/// pieces that meet in a lowest vertex the first reports it; an end is a place within this share of the piece.
 constexpr double kFalls = 1e-6, kEnd = 1e-9;
 
 /// A line of contact this many radii long weighs as much as one touch: 0.44 mm of a 10-0 thread, which bears on a jaw 0.5 mm wide
@@ -19,8 +19,8 @@ constexpr double kFalls = 1e-6, kEnd = 1e-9;
 constexpr double kLine = 40;
 
 /// Touches nearer to each other along the chain than this many radii, with gaps that differ by less than this share of the scene's
-/// length (0.1 um for a 1 mm scene, what 0.1 N presses in), share the weight of one: where a thread bends towards what it touches,
-/// both pieces of a joint come near in turn, and would be twice as stiff as one.
+/// length (0.1 um for a 1 mm scene, what 0.1 N presses in), share the weight of one: where a thread bends towards a surface,
+/// both pieces of a joint come near to it, and would be twice as stiff as one.
 constexpr double kShare = 2, kShareGap = 1e-4;
 
 /// Points of a piece that lies on a face or along a wire, for the friction moment (chain_line.hpp).
@@ -49,7 +49,7 @@ struct Detector::Part {
   uint32_t segment = 0;
   Frame X_BS;  // piece in its body
 
-  /// Where on the chain a contact is, n pointing into this side: on the centre line beyond half the overlap and the radius.
+  /// Place of a contact on the chain, n pointing into this side: on the centre line, from the touch by the radius and half the gap along n.
   ChainPlace place(const Touch& t, const Vec3& n) const {
     return chain != nullptr ? chain->place(segment, t.p_W + (solid->radius + 0.5 * t.gap) * n) : ChainPlace{};
   }
@@ -118,7 +118,7 @@ void Detector::detect_with_chain(const scene::World& world, const ShapePair& pai
   });
 }
 
-/// Finds the contacts of two parts, swept where they move farther than they are thick, and tells where on their chains they are.
+/// Finds the contacts of two parts, swept where they move farther than they are thick, and sets their places on the chains.
 void Detector::detect_parts(const scene::World& world, const ShapePair& pair, const Part& a, const Part& b,
                             ContactSet& set) noexcept {
   const double margin = options_.margin * world.length;
@@ -137,7 +137,7 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
   for (int i = 0; i < manifold_.count; ++i) {
     Candidate& c = manifold_.candidate[static_cast<size_t>(i)];
     const Touch& t = c.touch;
-    constexpr uint64_t kFarEnd = 9;  // of a straight wire (wire_convex.cpp): the neighbour's lowest place
+    constexpr uint64_t kFarEnd = 9;  // far end of a straight wire (wire_convex.cpp): the neighbour's lowest place
     if ((c.feature & 0xF) == kFarEnd) continue;
     Contact contact;
     contact.place_a = a.place(t, t.n_W), contact.place_b = b.place(t, -t.n_W);
@@ -154,7 +154,7 @@ void Detector::detect_parts(const scene::World& world, const ShapePair& pair, co
   }
 }
 
-/// Returns whether the contacts are those of the first touch of the sweep.
+/// Finds the contacts of two parts. Returns whether they are those of the first touch of the sweep.
 bool Detector::collide_parts(const Part& a, const Part& b, double moves, const Query& query,
                              double length) noexcept {
   Separation none;

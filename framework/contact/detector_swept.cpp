@@ -9,9 +9,9 @@
 namespace swage::contact {
 namespace {
 
-/// By how much thinner a wire is swept at its first touch, and again after each further one: this share of its radius, at most
-/// kThinnerMost touch gaps (12.5 um both for a wire of 50 um in a 1 mm scene). Smaller: what slides along a surface takes more
-/// queries. Larger: what grazes a surface no deeper than that is not found.
+/// Reduction of a wire's radius in a sweep, and its further reduction after each touch: this share of the radius, at most
+/// kThinnerMost touch gaps (12.5 um both for a wire of 50 um in a 1 mm scene). Smaller: a body that slides along a surface takes more
+/// queries. Larger: a graze of a surface less deep than that is not found.
 constexpr double kThinner = 0.25, kThinnerMost = 12.5;
 constexpr double kThinnest = 0.1;  // share of its radius that is left in any case
 
@@ -29,7 +29,7 @@ double way_of(const Solid& solid, const Motion& motion) {
 
 }  // namespace
 
-/// Spheres of the thesis's chain stay with the query at the end of the step.
+/// Lists the shapes for queries within the step. Sphere chains of the thesis are left to detect(), at its end.
 void Detector::find_swept(const scene::World& world) {
   for (const ShapePair& pair : shape_pairs_) {
     const uint32_t a = world.shape[pair.shape_a].body, b = world.shape[pair.shape_b].body;
@@ -149,7 +149,7 @@ void Detector::add_struck(const scene::World& world, const ShapePair& pair, Cont
   }
 }
 
-/// The laws that the couplings gave to the contacts of the same shapes, or else of the same objects.
+/// Gives the contacts the laws that the couplings gave to the contacts of the same shapes, or else of the same objects.
 void Detector::take_laws(ContactSet& set, size_t first) const noexcept {
   for (size_t i = first; i < set.contact.size(); ++i) {
     Contact& c = set.contact[i];

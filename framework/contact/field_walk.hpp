@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A curve over a height field: all places where its distance to the surface has a local minimum, along the curve and on the
-// surface alike, and the ends of what lies flat. Room-internal; README.md states the method.
+// surface alike, and the ends of the parts that lie flat. Room-internal; README.md states the method.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace swage::contact {
 
-/// What of a height field is closest, and its name within the field.
+/// The closest feature of a height field, and its index within the field.
 struct FieldFeature {
   Region::Kind kind = Region::kFace;
   uint32_t index = 0;     // face: the triangle. edge: 3 x vertex + 0, 1, 2. vertex: its number
@@ -58,7 +58,7 @@ class FieldWalk {
     for (int k = 0; k < piece_.size(); ++k)
       if (!piece_[k].continues) walk_run(k, dip, flat_end);
   }
-  /// Pieces beyond the table.
+  /// Number of pieces that the table had no room for.
   int dropped() const { return dropped_; }
   const Piece& piece(int k) const { return piece_[k]; }
 
@@ -180,8 +180,8 @@ class FieldWalk {
       dropped_ += !piece_.add(p);
     }
   }
-  /// Normal of the plane that ends a face above its side k, `along`: square to the face; at a ridge that is no feature, midway between
-  /// the two faces, where both are equally far.
+  /// Normal of the plane that bounds the places above a face at its side k, `along`: perpendicular to the face or, at a ridge that is no
+  /// feature, midway between the two faces, where both are equally far.
   Vec3 border(const Vec3& along, const Piece& p, uint32_t k) const {
     const Vec3 side = along.cross(p.n).normalized();
     const uint32_t other = neighbour(p.triangle, k);
@@ -204,7 +204,7 @@ class FieldWalk {
     return i > 0 ? triangle(i - 1, j, 0) : kNone;
   }
 
-  /// Orders the pieces along the curve and finds which continue which.
+  /// Orders the pieces along the curve and links each to the piece that continues it.
   void link() {
     std::sort(piece_.begin(), piece_.end(), [](const Piece& a, const Piece& b) {
       const double x = Curve::order(a.from), y = Curve::order(b.from);
@@ -257,7 +257,7 @@ class FieldWalk {
     if (first.at_from != Border::kClipped) flat_end(face(first), first.from, run);
     if (last.at_to != Border::kClipped) flat_end(face(last), last.to, run);
   }
-  /// Under a fold the distance jumps from that of one face to that of the next; the size of the jump [m].
+  /// Jump of the distance [m] where the nearest face changes under a fold; 0 where there is none.
   double step_after(const Piece& p) const {
     if (p.next < 0 || !p.under || smooth(p.n, piece_[p.next].n)) return 0;
     const double step = piece_[p.next].height.at(piece_[p.next].from) - p.height.at(p.to);
@@ -265,7 +265,7 @@ class FieldWalk {
   }
   static FieldFeature face(const Piece& p) { return {Region::kFace, p.triangle, p.corner, p.n}; }
 
-  // --- edges and vertices, where they stand out
+  // --- edges and vertices, where they are convex
 
   template <class Dip>
   void walk_edge(uint32_t i, uint32_t j, uint32_t k, Dip& dip) {

@@ -17,7 +17,7 @@
 
 namespace swage::contact {
 
-/// What to look for.
+/// Parameters of a search for contacts.
 struct Query {
   double margin = 0;     // m, report features with a gap below this
   double length = 1e-3;  // m, characteristic length of the scene
@@ -40,7 +40,7 @@ struct Manifold {
   int dropped = 0;  // found beyond the capacity
 
   void clear() { count = dropped = 0; }
-  /// Room for a candidate of this gap [m], in the order of adding; null when there is none. Beyond the capacity the deepest stay.
+  /// Adds a candidate for a contact of this gap [m] and returns it, or null without room. Beyond the capacity the deepest stay.
   Candidate* add(double gap);
 };
 

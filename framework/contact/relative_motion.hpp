@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How fast two moving solids come nearer to each other within a step. Room-internal.
+// Bounds on the speed at which two moving solids approach each other within a step. Room-internal.
 #pragma once
 
 #include "contact/sweep.hpp"
 
 namespace swage::contact {
 
-/// An advance closes most of the gap when bodies approach head on: 2 or 3 are usual, more when they slide.
+/// Most advances of a sweep. One closes most of the gap when bodies approach head on: 2 or 3 are usual, more when they slide.
 inline constexpr int kMaxAdvances = 48;
 
 /// Motion of the points of a as b sees it, in the frame of b, per step. With rho = p - p_B in W:
 ///   u(p) = R_b' (d_a - d_b - w_b x (p_A - p_B)) + w x (p - p_A),   w = R_b' (w_a - w_b)        now
 ///   |u'| = |w_a x (w_a x r) - 2 w_b x rho' + w_b x (w_b x rho)| <= bend                         at any time of the step
-/// so from now on, for the time s, no point comes nearer along n than by s (-n . u + bend s / 2).
+/// so that for the time s from now no point comes nearer along n by more than s (-n . u + bend s / 2).
 class RelativeMotion {
  public:
   RelativeMotion(const Solid& a, const Motion& motion_a, const Motion& motion_b)
@@ -27,11 +27,11 @@ class RelativeMotion {
     bend_ = w_a * w_a * r + w_b * (2 * rate + w_b * rho);
   }
 
-  /// Whether anything but translation happens.
+  /// Whether the motion has a rotation.
   bool turns() const { return turns_; }
   double bend() const { return bend_; }
 
-  /// Velocities of now.
+  /// Sets the velocities at the present poses.
   void look(const Vec3& p_WA, const Frame& X_WB) {
     u_A_ = X_WB.turn_back(turns_ ? Vec3(d_W_ - w_b_W_.cross(p_WA - X_WB.p)) : d_W_);
     if (turns_) w_ = X_WB.turn_back(w_W_);
@@ -41,7 +41,7 @@ class RelativeMotion {
   const Vec3& spin() const { return w_; }
   /// u at the place r from a's origin.
   Vec3 at(const Vec3& r) const { return u_A_ + w_.cross(r); }
-  /// A bound on |u|, from now to the end of the step, within `bound` of there.
+  /// Bound on |u|, from now to the end of the step, for points within `bound` of the place r.
   double fastest(const Vec3& r, double bound) const { return at(r).norm() + w_.norm() * bound + bend_; }
 
  private:

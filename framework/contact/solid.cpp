@@ -69,7 +69,7 @@ toolkit::Convex prism(double radius, double half_length) {
   return out_convex;
 }
 
-/// Points to the heights that `world` has now; a sphere around the box of the field.
+/// Points the field to the present heights of `world` and sets the sphere around its box.
 void fit_field(Solid& s, const scene::World& world, const scene::Shape& shape) {
   const scene::HeightFieldInfo& info = world.field[shape.field];
   s.field.z = info.state == scene::kNone ? info.height.data() : world.plugin_state.data() + info.state;

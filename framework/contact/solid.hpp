@@ -34,7 +34,7 @@ struct Solid {
   toolkit::Arc arc;            // in the body's frame
   toolkit::Convex convex;      // in the body's frame
   toolkit::HeightField field;  // in its own frame H; heights are read where they live
-  Frame X_BH;                  // of the field in the body
+  Frame X_BH;                  // pose of the field in the body
   double below = 0;            // m, how far the solid reaches under the field's surface
   double height = 0;           // m, from there to its highest vertex
   Vec3 centre = Vec3::Zero();  // m, of the bounding sphere, in the body's frame

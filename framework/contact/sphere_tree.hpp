@@ -25,7 +25,7 @@ struct SphereTree {
   };
   double radius = 0;             // m, of each sphere
   std::vector<Vec3> centre;      // m, in the order of the leaves
-  std::vector<uint32_t> number;  // which sphere of the chain that is, counted from the start of the arc
+  std::vector<uint32_t> number;  // number of each of these spheres along the arc, counted from its start
   std::vector<Node> node;        // node[0] is the root
 
   /// Calls visit(i) for each sphere i below nodes for which near(centre, radius) holds.
@@ -41,7 +41,7 @@ struct SphereTree {
   }
 };
 
-/// When a leaf is not split further.
+/// Limits at which a node is not split further.
 struct SphereTreeLimits {
   int levels = 5;            // the root alone is 1 level
   uint32_t few_spheres = 4;  // or when no more than these are below
@@ -50,7 +50,7 @@ struct SphereTreeLimits {
 /// [main] Centres of `count` spheres, evenly from one end of the arc to the other.
 std::vector<Vec3> sphere_chain(const toolkit::Arc& arc, int count);
 
-/// [main] Of `count` spheres evenly along a wire, those on the arc that is its part between the shares `from` and `to` of its length;
+/// [main] Centres of those of `count` spheres, evenly along a wire, that are on the arc: its part between the shares `from` and `to`;
 /// the middle of the arc where there is none.
 std::vector<Vec3> sphere_chain_part(const toolkit::Arc& arc, int count, double from, double to);
 

@@ -26,7 +26,7 @@ class Nearest {
   double expected(const Frame& X_WA, const Frame& X_WB) const {
     return known_ ? 1.01 * reevaluate(candidate_, X_WA, X_WB).gap : tolerance_;
   }
-  /// Whether anything is nearer than the margin, or the tolerance.
+  /// Finds the nearest features. False when nothing is nearer than the margin, or the tolerance where that is larger.
   bool look(const Frame& X_WA, const Frame& X_WB, double margin) {
     query_.margin = std::max(margin, tolerance_);
     if (collide(a_, X_WA, b_, X_WB, query_, memory_, work_) == 0) return false;

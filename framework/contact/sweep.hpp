@@ -13,20 +13,20 @@
 namespace swage::contact {
 
 /// Bodies that move less than the thickness of their wires, or than this share of the scene's length (20 um for a 1 mm
-/// scene) when they have sharp edges, cannot come out on the far side of each other and are not swept.
+/// scene) when they have sharp edges, cannot pass through each other and are not swept.
 inline constexpr double kSweepFrom = 0.02;
 inline double swept_from(const Solid& a, const Solid& b, double length) {
   return std::max(a.radius + b.radius, kSweepFrom * length);
 }
 
 /// Swept bodies touch when their gap is below this share of the scene's length (1 um for a 1 mm scene): the pose only
-/// serves to find out which features meet, so a wire's fiftieth is near enough.
+/// serves to find the features that meet, for which a fiftieth of a wire's radius is near enough.
 inline constexpr double kTouchGap = 1e-3;
 
 /// Motion of a body over one step: constant velocity and spin.
 struct Motion {
   Pose X0;                   // X_WB at the start
-  Vec3 d = Vec3::Zero();     // m, way of the body's origin
+  Vec3 d = Vec3::Zero();     // m, displacement of the body's origin
   Vec3 turn = Vec3::Zero();  // rad, rotation vector
 
   Pose at(double t) const {

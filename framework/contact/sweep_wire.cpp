@@ -10,11 +10,11 @@
 namespace swage::contact {
 namespace {
 
-/// Of the wire's radius. Farther than this from some face, that face says how long to wait. Nearer to all of them the distance
-/// itself is asked for, because round an edge the planes of the faces stand off by up to 0.4 radii.
+/// In radii of the wire. A face farther away than this gives the safe time by its plane. Nearer to all of them the distance
+/// itself is computed, because round an edge the planes of the faces are off by up to 0.4 radii.
 constexpr double kClose = 0.25;
 
-/// Advances time by what is safe: all in the frame of b, which moves.
+/// Conservative advancement, all in the frame of b, which moves.
 template <class Curve>
 class WireSweep {
  public:
@@ -51,7 +51,7 @@ class WireSweep {
   }
 
  private:
-  /// A slab that stays open.
+  /// An empty slab and the time for which it stays open.
   struct Wait {
     double width = 0;  // m
     double time = 0;   // share of the step
@@ -113,7 +113,7 @@ class WireSweep {
     const Height away = receding(n);
     double left = wait.width;
     const double fastest = bend * rest - lowest<Curve>(stretch_, away);
-    // h + s away - bend s^2 / 2 is concave in s: if it is positive at an s, it was so all the way
+    // h + s away - bend s^2 / 2 is concave in s: if it is positive at an s, it is positive for all smaller ones
     for (int k = 0; k < 3 && left > tolerance_; ++k) {
       if (fastest * (rest - wait.time) <= left) return {wait.width, 1.0};
       wait.time += left / fastest;

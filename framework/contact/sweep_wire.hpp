@@ -7,7 +7,7 @@
 
 namespace swage::contact {
 
-/// As first_touch(), for a wire a (sphere, capsule, arc) and what it may meet (polyhedron, capsule, sphere).
+/// As first_touch(), for a wire a (sphere, capsule, arc) and a solid b (polyhedron, capsule, sphere).
 FirstTouch first_touch_wire(const Solid& a, const Motion& motion_a, const Solid& b, const Motion& motion_b,
                             double tolerance, Separation& memory) noexcept;
 

@@ -81,7 +81,7 @@ inline Region locate(const Convex& c, const Vec3& p) {
     region = next;
   }
 
-  // rounding made the search run in a circle: p is at a border, and any region there is as good
+  // rounding made the search cycle: p is at a border, and any region there is as good
   double least = 1e300;
   for (uint32_t k = 0; k < c.edge.size(); ++k) {
     const Convex::Edge& e = c.edge[k];

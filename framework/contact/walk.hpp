@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The walk of a curve through the Voronoi regions of a polyhedron: where it is in which region, and all local minima of
+// The walk of a curve through the Voronoi regions of a polyhedron: which part of it is in which region, and all local minima of
 // the distance within reach. Room-internal; README.md states the method.
 #pragma once
 
@@ -34,12 +34,12 @@ class RegionDistance {
       q_ = convex.vertex[region.index];
     }
   }
-  /// To the line through q along the unit vector u, or to the point q when u is zero.
+  /// Distance to the line through q along the unit vector u, or to the point q when u is zero.
   RegionDistance(const Curve& curve, const Vec3& q, const Vec3& u)
       : curve_(curve), kind_(u.isZero(0) ? Region::kVertex : Region::kEdge), q_(q), u_(u) {
     if (on_edge()) line_ = curve.to_line(q, u);
   }
-  /// To a plane.
+  /// Distance to a plane.
   RegionDistance(const Curve& curve, const typename Curve::Height& height)
       : curve_(curve), kind_(Region::kFace), height_(height) {}
 
@@ -48,7 +48,7 @@ class RegionDistance {
     const Vec3 w = curve_.point(e) - q_;
     return (w - w.dot(u_) * u_).norm();
   }
-  /// Of the sign of the slope of the distance; its unit depends on the region.
+  /// A number with the sign of the slope of the distance; its unit depends on the region.
   double slope(Place e) const {
     if (on_face()) return height_.slope(e);
     if (on_edge()) return line_.slope(e);
@@ -82,8 +82,8 @@ class RegionDistance {
   typename Curve::ToLine line_;
 };
 
-/// Calls visit(place) at each local minimum between two places. `falling`: whether the distance sank before the first, and
-/// then whether it sinks at the second.
+/// Calls visit(place) at each local minimum between two places. `falling`: whether the distance fell before the first; set to
+/// whether it falls at the second.
 template <class Curve, class Visit>
 void for_each_dip(const RegionDistance<Curve>& distance, typename Curve::Place from, typename Curve::Place to,
                   double level, bool& falling, Visit&& visit) {
@@ -91,8 +91,8 @@ void for_each_dip(const RegionDistance<Curve>& distance, typename Curve::Place f
   const double slope_from = distance.slope(from), slope_to = distance.slope(to);
   toolkit::FixedVector<typename Curve::Place, 8> cut;
   distance.split(from, to, slope_from, slope_to, level, cut);
-  // at the start of a piece a kink, or the end of the curve, may be the minimum. Where the curve is tangent there, what follows says
-  // whether it sinks: a sixteenth of the way on
+  // at the start of a piece a kink, or the end of the curve, may be the minimum. Where the slope is level there, the slope a sixteenth
+  // of the interval further on decides whether the distance falls
   double slope_on = slope_from;
   if (falling && std::abs(slope_from) <= level) {
     typename Curve::Place on = cut.empty() ? to : cut[0];
@@ -132,7 +132,7 @@ struct Dip {
   double distance = 0;  // m, from the curve
 };
 
-/// Where a curve is in which region, and where the distance has its minima.
+/// The parts of a curve in each region, and the minima of its distance from a polyhedron.
 template <class Curve>
 class Walk {
  public:
@@ -143,7 +143,7 @@ class Walk {
   using Pieces = toolkit::FixedVector<Piece<Place>, kPieces>;
   using Dips = toolkit::FixedVector<Dip<Place>, 24>;
 
-  /// Looks along `stretch` for places of the curve nearer than `reach`. goes_on: the wire goes on before the curve's start.
+  /// Searches `stretch` for places of the curve nearer than `reach`. goes_on: the wire continues before the curve's start.
   Walk(const Curve& curve, const Convex& convex, double radius, double reach, const Stretches<Curve>& stretch,
        bool goes_on = false)
       : curve_(curve),
@@ -165,7 +165,7 @@ class Walk {
 
   const Pieces& pieces() const { return piece_; }
   const Dips& dips() const { return dip_; }
-  /// Minima beyond the table.
+  /// Number of minima that the table had no room for.
   int dropped() const { return dropped_; }
 
  private:
@@ -193,7 +193,7 @@ class Walk {
   }
 
   /// Moves `to` to where h rises through zero between the two places. A curve that is just outside and rising (it
-  /// passed a corner of the region) leaves at once; one that is outside and sinking has just come in.
+  /// passed a corner of the region) leaves at once; one that is outside and falling has just come in.
   static bool leaves(const typename Curve::Height& h, Place from, Place& to) {
     const double h_from = h.at(from), h_to = h.at(to);
     if (h_from >= 0 && h.slope(from) > 0) {

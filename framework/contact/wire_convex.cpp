@@ -9,7 +9,7 @@ namespace swage::contact {
 namespace {
 
 /// A stretch counts as level while its ends differ by less than kLevel times the flatness, as tilted from kSteep times on:
-/// 4 and 40 um for a 1 mm scene. Nearer together: a wire pinched by more than 0.2 N rocks, because its weights follow its
+/// 4 and 40 um for a 1 mm scene. Closer to each other: a wire pinched by more than 0.2 N rocks, because its weights follow its
 /// tilt one step late.
 constexpr double kLevel = 2, kSteep = 20;
 
@@ -22,8 +22,8 @@ constexpr double kPoint = 0.999, kPointOfPiece = 0.98;
 /// A minimum is a point contact. A piece whose distance varies by less than the flatness lies on the polyhedron: pressure
 /// spreads along it, so it becomes a line of points of equal weight at the midpoints of equal parts, which gives an even
 /// pressure its friction moment. `sharp` (1: point, 0: line) fades one into the other, so that no force jumps when a
-/// wire is laid down. A straight wire that lies tilted over a face touches at one end of what lies over it, but may come to touch
-/// at the other within the step, and then rocks unless that is a contact, too: a far end.
+/// wire is laid down. A straight wire that is tilted over a face touches at one end of its part over the face, but may come to touch
+/// at the other within the step, and would rock unless that is a contact, too: the far end.
 template <class Curve>
 class Writer {
  public:
@@ -87,12 +87,12 @@ class Writer {
       if (beside) low = std::min(low, dip.distance);
     }
     const double d0 = distance(piece.region, piece.from), d1 = distance(piece.region, piece.to);
-    // a wire that goes on before the curve's start leaves a minimum there to the arc before, and may rest on this one all the same
+    // a wire that continues before the curve's start leaves a minimum there to the arc before, and may rest on this arc all the same
     if (k == 0 && query_.goes_on) low = std::min(low, d0);
     if (low > a_.radius + b_.radius + query_.margin) return 1;
 
-    // how far the distance bends away from a straight slope, and how steep that slope is. Slope counts for less: points of
-    // a line follow it by themselves, and weights that followed it closely would chase the tilt they cause
+    // how far the distance bends away from a straight slope, and how steep that slope is. The slope counts less: points of
+    // a line adapt to it by themselves, and weights that followed it closely would follow the tilt that they cause
     const double flat = query_.flatness * query_.length;
     const double tilt = std::abs(d1 - d0);
     if (tilt >= kSteep * flat || std::min(d0, d1) - low >= flat) return 1;
@@ -140,8 +140,8 @@ class Writer {
     }
   }
 
-  /// Where a straight piece over a face is farthest from it, and what a contact there weighs: nothing where it is out of reach, or
-  /// as near to the other end as the wire is thick.
+  /// The place at which a straight piece over a face is farthest from it, and the weight of a contact there: 0 where it is out of reach, or
+  /// nearer to the other end than the wire is thick.
   struct FarEnd {
     Place place{};
     double weight = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Wires against a convex polyhedron or, with the polyhedron of one edge or one vertex that a capsule or a sphere has
-// inside, against those. Room-internal; README.md states the method.
+// Wires against a convex polyhedron, or against a capsule or a sphere, whose axis or centre counts as a polyhedron of one edge
+// or one vertex. Room-internal; README.md states the method.
 #pragma once
 
 #include "contact/narrow_phase.hpp"

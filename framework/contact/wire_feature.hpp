@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names and carriers of the features that touch. Room-internal.
+// Identities and carriers of the features that touch. Room-internal.
 #pragma once
 
 #include <type_traits>
@@ -18,14 +18,14 @@ inline double ramp(double x, double low, double high) {
   return t * t * (3 - 2 * t);
 }
 
-/// Identity of a contact within its pair of shapes: what of b, which of two minima on one edge, which point of a line.
+/// Identity of a contact within its pair of shapes: the feature of b, which of two minima on one edge, which point of a line.
 inline uint64_t feature_id(Region region, int branch, int point) {
   const uint64_t kind = region.kind == Region::kInside ? Region::kFace : region.kind;
   return (kind << 40) | (uint64_t{region.index} << 8) | (static_cast<uint64_t>(branch) << 4) |
          static_cast<uint64_t>(point);
 }
 
-/// The carrier of a polyhedron's feature. Written in place: members that the kind does not use keep what they had.
+/// The carrier of a polyhedron's feature. Written in place: members that the kind does not use keep their values.
 inline void set_convex_feature(const Solid& solid, Region region, Feature& f) {
   const Convex& c = solid.convex;
   f.tube = solid.radius;
@@ -48,7 +48,7 @@ inline void set_convex_feature(const Solid& solid, Region region, Feature& f) {
   }
 }
 
-/// How far the place p of a wire is from the feature of a polyhedron, and the way out of it there.
+/// Distance of the place p of a wire from the feature of a polyhedron, and the outward normal there.
 struct Offset {
   double distance;  // m, of the centre line; negative under a face
   Vec3 n;           // unit

@@ -20,7 +20,7 @@ struct BlockPoint {
   BlockJacobian J[2];
 };
 
-/// A point at the share `s` of the edge after `node`, `arm` [m] from the centre line; t: the edge's tangent.
+/// Point on a thread at the fraction `s` of the edge after `node`, `arm` [m] from the centre line; t: unit tangent of the edge.
 inline BlockPoint thread_point(uint32_t first_block, uint32_t node, double s, const toolkit::Vec3& t,
                                const toolkit::Vec3& arm) {
   BlockPoint p;
@@ -46,7 +46,7 @@ inline BlockPoint body_point(uint32_t first_block, const toolkit::Vec3& arm) {
 
 namespace assembly {
 
-/// One side: its block, and the rows of its J, four numbers each.
+/// One block under one side: its index, the sign of the side (+1: a, -1: b), and the 3 x 4 Jacobian by rows.
 struct Side {
   uint32_t block;
   double sign;
@@ -87,7 +87,7 @@ SWAGE_FOURS inline void multiply_by_fours(const Side& side, const double DJ[3][4
 
 }  // namespace assembly
 
-/// H += J' D J, J = J_a - J_b; D [N/m]. Symmetric: the half that BandedBlocks::add asks for.
+/// H += J' D J, J = J_a - J_b; D [N/m]. `symmetric`: adds one of the blocks (a, b) and (b, a), as BandedBlocks::add() expects.
 inline void add_contact(BandedBlocks& H, const BlockPoint& a, const BlockPoint& b, const toolkit::Mat3& D,
                         bool symmetric) noexcept {
   assembly::Side side[4];

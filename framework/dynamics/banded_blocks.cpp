@@ -32,7 +32,7 @@ bool BandedBlocks::analyse(uint32_t blocks, std::span<const Pair> coupled) noexc
   return false;
 }
 
-/// Eliminates the block of least degree, joins its neighbours, and so on.
+/// Minimum degree order: eliminates the block of least degree, couples its neighbours with each other, and repeats.
 bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
   std::fill_n(near_.begin(), static_cast<size_t>(n_) * words_, uint64_t{0});
   const auto join = [&](uint32_t a, uint32_t b) { line(a)[b / 64] |= uint64_t{1} << (b % 64); };
@@ -68,7 +68,7 @@ bool BandedBlocks::order(std::span<const Pair> coupled) noexcept {
   return true;
 }
 
-/// Rows become places in the order, and every product finds its block.
+/// Renumbers rows in elimination order and lists, for every product, the block from which it is subtracted.
 bool BandedBlocks::list_updates() noexcept {
   for (uint32_t k = 0; k < n_; ++k) {
     for (uint32_t e = first_[k]; e < first_[k + 1]; ++e) row_[e] = at_[row_[e]];
@@ -99,12 +99,12 @@ void BandedBlocks::add(uint32_t a, uint32_t b, const Block& M) noexcept {
     diagonal_[i] += M;
   else if (i > j)
     lower_[place(i, j)] += M;
-  else  // above the diagonal: kept transposed, as what it would be below it
+  else  // above the diagonal: kept transposed, at its mirror place below
     upper_[place(j, i)] += M.transpose();
 }
 
-/// D = L U in place, without pivoting. Not its inverse: where a thread is a million times stiffer along than across, that would lose the
-/// stiffness across when it is multiplied by the stiffness along. Symmetric: L is made of U, which is made of the upper half alone.
+/// D = L U in place, without pivoting. The inverse is not formed: for a thread a million times stiffer along than across, a product with
+/// it would lose the stiffness across. Symmetric: L is made from U, which is made from the upper half alone.
 bool BandedBlocks::split(Block& D) noexcept {
   for (int k = 0; k < 4; ++k) {
     const double pivot = D(k, k);
@@ -124,7 +124,7 @@ BlockStore BandedBlocks::store() const noexcept {
 
 bool BandedBlocks::factor(bool symmetric) noexcept {
   symmetric_ = symmetric, negative_ = 0;
-  // symmetric: either half was given
+  // symmetric: each block was added in one half or the other
   if (symmetric)
     for (uint32_t e = 0; e < first_[n_]; ++e) lower_[e] += upper_[e];
   const BlockStore blocks = store();

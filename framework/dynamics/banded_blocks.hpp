@@ -3,11 +3,11 @@
 // Newton's system of flexible bodies and of the rigid ones that they touch, H = A + J' D J, factored directly as a sparse matrix of
 // 4 x 4 blocks. A thread of n nodes is n blocks (x, theta), each coupled to two on either side (its band); a contact couples the
 // nodes under its two points, wherever along the thread these are; a rigid body is two blocks (v, -) and (w, -), the fourth
-// unknowns idle. So contacts of a thread with itself, with rigid bodies and between threads are all alike, and the cost grows with
-// what is coupled, not with the square of the contacts.
+// unknowns idle. Contacts of a thread with itself, with rigid bodies and with other threads are treated alike, and the cost grows
+// with the number of coupled blocks, not with the square of the number of contacts.
 //
-// analyse() orders the blocks so that little fills in (least degree, the lowest index of equals) and lists every update; it is
-// repeated only when pairs change. factor() does L U without pivoting, of its blocks too; symmetric, L D L' of
+// analyse() orders the blocks for little fill-in (minimum degree, the lowest index of equals) and lists every update; it is
+// repeated only when pairs change. factor() computes L U without pivoting, within the blocks too; for a symmetric H, L D L' of
 // one half alone. Its order of operations is fixed: the same bits at every level of optimisation.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates.
@@ -29,27 +29,27 @@ class BandedBlocks {
     uint32_t a = 0, b = 0;
   };
 
-  /// Room for so many blocks, and blocks below the diagonal with what fills in.
+  /// Reserves room for `max_blocks` blocks on the diagonal and `max_fill` blocks below it, fill-in included.
   BandedBlocks(uint32_t max_blocks, uint32_t max_fill);
 
-  /// The pattern: which blocks are coupled; pairs may repeat. False: there is no room for what fills in.
+  /// Sets the pattern: which blocks are coupled; pairs may repeat. False: there is no room for the fill-in.
   bool analyse(uint32_t blocks, std::span<const Pair> coupled) noexcept;
   uint32_t blocks() const noexcept { return n_; }
-  /// Blocks below the diagonal, and products of blocks that factor() makes.
+  /// Number of blocks below the diagonal, and of block products in factor().
   size_t fill() const noexcept { return row_.size() < first_[n_] ? row_.size() : first_[n_]; }
   size_t work() const noexcept { return updates_; }
 
   void set_zero() noexcept;
-  /// H(a, b) += M. Symmetric: the caller adds (a, b) or (b, a), not both. Else (b, a) is added on its own.
+  /// H(a, b) += M. For a symmetric H the caller adds (a, b) or (b, a), not both; otherwise both, each by its own call.
   void add(uint32_t a, uint32_t b, const Block& M) noexcept;
 
-  /// False: a pivot is not above zero (symmetric), or zero, or not finite.
+  /// False where a pivot is zero or not finite or, if `symmetric`, negative.
   bool factor(bool symmetric) noexcept;
   /// x = H^-1 x, 4 numbers a block.
   void solve(double* x) const noexcept;
-  /// Lines of two numbers even where the machine has four: for the test that both give the same bits.
+  /// Uses registers of two doubles even where the machine has four: for the test that both give the same bits.
   void work_by_twos() noexcept { fours_ = false; }
-  /// Pivots below zero: an odd number where the determinant is.
+  /// Number of negative pivots: odd where det H < 0.
   uint32_t negative_pivots() const noexcept { return negative_; }
 
  private:
@@ -57,7 +57,7 @@ class BandedBlocks {
 
   bool order(std::span<const Pair> coupled) noexcept;
   bool list_updates() noexcept;
-  /// The entry of a row in a column, both in the order.
+  /// Index of the block at (row, column), both in elimination order.
   uint32_t& place(uint32_t row, uint32_t column) noexcept { return place_[size_t{row} * n_ + column]; }
   bool split(Block& D) noexcept;
   BlockStore store() const noexcept;
@@ -69,14 +69,14 @@ class BandedBlocks {
   bool symmetric_ = true;
   uint32_t negative_ = 0;
   bool fours_ = toolkit::has_fours();
-  std::vector<uint64_t> near_;              // neighbours of each block as bits
-  std::vector<uint32_t> at_, of_, degree_;  // place in the order of a block, and back
-  std::vector<uint32_t> first_;             // of a column's entries, in the order; n + 1
-  std::vector<uint32_t> row_;               // of an entry, in the order
-  std::vector<uint32_t> place_;             // of an entry, by its row and column
+  std::vector<uint64_t> near_;              // neighbours of each block, one bit each
+  std::vector<uint32_t> at_, of_, degree_;  // per block: place in the elimination order; its inverse; degree
+  std::vector<uint32_t> first_;             // per column in that order: index of its first block; n + 1
+  std::vector<uint32_t> row_;               // per block below the diagonal: its row in that order
+  std::vector<uint32_t> place_;             // index of the block at a row and column in that order
   std::vector<uint32_t> first_update_;
   std::vector<BlockUpdate> update_;
-  Blocks diagonal_, lower_, upper_;         // upper_: transposed, where unsymmetric
+  Blocks diagonal_, lower_, upper_;         // upper_: blocks above the diagonal, transposed
   mutable std::vector<double> y_;
 };
 

@@ -18,7 +18,7 @@ static_assert(toolkit::Band<10>::kStride == SWAGE_BAND_COLUMN && SWAGE_BAND_REAC
 namespace {
 constexpr uint32_t kBack = (SWAGE_BAND_REACH + SWAGE_BAND_UNKNOWNS - 1) / SWAGE_BAND_UNKNOWNS;  // vertices within reach
 
-/// 0 x is 0 for all but infinity and NaN, in whatever order it is summed.
+/// True when all numbers are finite: 0 x is 0 except for infinity and NaN, in whatever order the sum is taken.
 bool finite(const double* x, size_t n) noexcept {
   return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
 }
@@ -50,7 +50,7 @@ bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
     if (!finite(gradient_.data(), unknowns())) return false;
     hold();
     take_factors();
-    if (!factors_.factor()) continue;  // nor is what is no number
+    if (!factors_.factor()) continue;  // also for NaN; the next A is stiffer
     for (uint32_t i = 0; i < unknowns(); ++i) free_[i] = -gradient_[i];
     solve(free_.data());
     has_blocks_ = false;
@@ -60,7 +60,7 @@ bool BandedBody::linearise(FlexibleBody& object, bool from_last) noexcept {
   return false;
 }
 
-/// What has no stiffness stays where it is.
+/// Fixes unknowns without stiffness where they are.
 void BandedBody::hold() noexcept {
   for (int j = 0; j < A_.size(); ++j) {
     double* a = A_.column(j);
@@ -73,13 +73,13 @@ void BandedBody::hold() noexcept {
   }
 }
 
-/// Of the same size: nothing allocates.
+/// Copies A to the factors, in reverse order where from_last_. Sizes are equal: nothing allocates.
 void BandedBody::take_factors() noexcept {
   if (!from_last_) {
     factors_ = A_;
     return;
   }
-  // entry k of column j is that of column n - 1 - j - k; beyond the end there is nothing
+  // entry k of column j is entry k of column n - 1 - j - k of A; beyond the end it is 0
   constexpr std::ptrdiff_t kNext = 1 - SWAGE_BAND_COLUMN;
   const int n = A_.size();
   for (int j = 0; j < n; ++j) {
@@ -97,7 +97,7 @@ void BandedBody::take_factors() noexcept {
   std::fill_n(factors_.column(n), SWAGE_BAND_REACH * SWAGE_BAND_COLUMN, 0.0);
 }
 
-/// What is zero in front stays so.
+/// Solves in place. Leading zeros of x stay 0 and are skipped.
 void BandedBody::solve(double* x) const noexcept {
   const auto n = static_cast<std::ptrdiff_t>(unknowns());
   if (from_last_) std::reverse(x, x + n);
@@ -114,7 +114,7 @@ const double* BandedBody::column(uint32_t vertex, uint32_t least, uint32_t most)
   const uint32_t at = placed(vertex), from = placed(from_last_ ? most : least);
   if (column_from_[vertex] <= from) return to;
   double* side = from_last_ ? side_.data() : to;
-  // the sweep forward looks back as far as a band reaches
+  // forward substitution reads back as far as the band reaches
   const uint32_t clear = std::min(from, at - std::min(at, kBack));
   std::fill(side + of_vertex * clear, side + of_vertex * vertices_, 0.0);
   for (uint32_t k = 0; k < kUnknowns; ++k) {
@@ -129,7 +129,7 @@ const double* BandedBody::column(uint32_t vertex, uint32_t least, uint32_t most)
   return to;
 }
 
-/// Only who factors the whole asks for them.
+/// Copies A to blocks, on demand: only the sparse solve of a whole island needs them.
 void BandedBody::find_blocks() noexcept {
   has_blocks_ = true;
   for (uint32_t j = 0; j < vertices_; ++j)

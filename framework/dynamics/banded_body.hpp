@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A chain whose mechanics is a band (swage.object.band/1), in one step: unknowns q are the changes of its vertices, and the
-// rotations of its pieces about themselves, from where it advanced to. With the contact forces J' f,
+// A chain whose mechanics is a band (swage.object.band/1), in one step. The unknowns q are the displacements of its vertices and
+// the rotations of its segments about their axes, from the state to which the chain advanced. With the contact forces J' f,
 //
 //     A q + g = J' f,    A = M/h^2 + K,    g = M/h^2 (x - x_free) + dE/dx
 //
-// A point of its surface moves with the two vertices of its piece and turns with the piece: 8 unknowns side by side.
+// A point of its surface moves with the two vertices of its segment and turns with the segment: 8 consecutive unknowns.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -25,9 +25,9 @@ class FlexibleBody;
 
 class BandedBody {
  public:
-  static constexpr uint32_t kUnknowns = 4;       // of a vertex
-  static constexpr uint32_t kOfPoint = 8;        // of a point: those of two vertices
-  static constexpr double kHeld = 1e30;          // N/m, of a fixed vertex: 1 N moves it by less than an atom
+  static constexpr uint32_t kUnknowns = 4;       // per vertex: 3 of displacement, 1 of rotation
+  static constexpr uint32_t kOfPoint = 8;        // per point of the surface: those of two vertices
+  static constexpr double kHeld = 1e30;          // N/m, stiffness of a fixed vertex: 1 N moves it by less than an atom
 
   BandedBody(uint32_t object, uint32_t vertices);
 
@@ -37,8 +37,8 @@ class BandedBody {
 
   /// Begins a step, at the state to which the chain advanced.
   void begin() noexcept;
-  /// Asks its object for A and g. False: there is no such step. `from_last`: it is eliminated from its last vertex on, and columns of
-  /// vertices near the first one are short; else the other way round.
+  /// Asks its object for A and g and factors A. False: the object has no such step. `from_last`: A is eliminated from the last vertex
+  /// on, and the columns of vertices near the first one are short; otherwise from the first vertex on.
   bool linearise(FlexibleBody& object, bool from_last = false) noexcept;
   /// q += d.
   void go(const double* d) noexcept;
@@ -49,9 +49,9 @@ class BandedBody {
   // of DofBlock, `unknowns` numbers each
   /// A (q + d) + g.
   void residual(const double* d, double* F) const noexcept;
-  /// From q to where it goes without contacts.
+  /// Step from q to the state without contacts.
   void to_free(double* d) const noexcept;
-  /// d = A^-1 F. Not from columns: forces that balance each other move little, and columns a great deal that must cancel.
+  /// d = A^-1 F by substitution. Not as a sum of column()s: those of forces that balance each other are large and cancel.
   void apply_inverse(const double* F, double* d) const noexcept {
     std::copy_n(F, unknowns(), d);
     solve(d);
@@ -59,11 +59,11 @@ class BandedBody {
   /// F' A^-1 F.
   double merit(const double* F) const noexcept;
   void add_stiffness(BandedBlocks& H, uint32_t first_block, bool symmetric) noexcept;
-  /// How unknowns go with forces on those of one vertex: a column of A^-1, four numbers an unknown, of the vertices from `least` to
-  /// `most`, of which it is one. Solved for once a step.
+  /// The four columns of A^-1 for forces on the unknowns of one vertex: four numbers per unknown, valid for the vertices from `least`
+  /// to `most`, of which it is one. Solved for once per step.
   const double* column(uint32_t vertex, uint32_t least, uint32_t most) noexcept;
 
-  /// The Jacobian of a point with respect to q: `turn` = tangent x arm.
+  /// Displacement of a point of the surface at q, and in the state without contacts [m]: `turn` = tangent x arm [m].
   toolkit::Vec3 moved(const contact::ChainPlace& at, const toolkit::Vec3& turn) const noexcept {
     return moved(at, turn, q_.data());
   }
@@ -81,11 +81,11 @@ class BandedBody {
 
   const uint32_t object_, vertices_;
   Matrix A_, factors_;
-  std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A, 3 below each other per vertex
-  bool has_blocks_ = false;            // of this step
+  std::vector<BandedBlocks::Block, Eigen::aligned_allocator<BandedBlocks::Block>> block_;  // A by blocks: the diagonal and 2 below it
+  bool has_blocks_ = false;            // block_ holds the A of this step
   bool from_last_ = false;             // factors_ have the unknowns in the reverse order
-  std::vector<double> column_, side_;  // of A^-1, vertex by vertex; one of them, in the order of the factors
-  std::vector<uint32_t> column_from_;  // of this step, per vertex: the first vertex, in that order, of which it is there
+  std::vector<double> column_, side_;  // columns of A^-1, vertex by vertex; those of one vertex, in the order of the factors
+  std::vector<uint32_t> column_from_;  // per vertex: first vertex, in that order, from which its columns are known in this step
   std::vector<double> gradient_, free_, q_;
   mutable std::vector<double> line_;
 };

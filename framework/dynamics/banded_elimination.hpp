@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What banded_blocks.cpp does with its blocks, by lines of four numbers (toolkit/wide.hpp). Blocks are column by column; each number
-// has the same taken from it in the same order at every width. Header-only, [rt].
+// Block operations of banded_blocks.cpp by registers of two or four doubles (toolkit/wide.hpp). Blocks are column-major; the order of
+// operations on each number is the same at every width, and so are the bits. Header-only, [rt].
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@
 
 namespace swage::dynamics {
 
-/// A product of two blocks below the diagonal, of one column.
+/// One update of the elimination: the product of two blocks below the diagonal, of one column.
 struct BlockUpdate {
-  uint32_t to;    // block from which it is taken
+  uint32_t to;    // block from which the product is subtracted
   uint16_t i, j;  // places of its factors in the column
 };
 
-/// The blocks as they lie, 16 numbers each.
+/// The blocks of the matrix in memory, 16 numbers each.
 struct BlockStore {
   double *diagonal, *lower, *upper;  // upper: transposed
-  const uint32_t* row;               // of each block below the diagonal, in the order
-  const uint32_t* first;             // such block of each column, n + 1
+  const uint32_t* row;               // row of each block below the diagonal, in elimination order
+  const uint32_t* first;             // index of the first such block of each column, n + 1
   uint32_t n;
 };
 
@@ -77,9 +77,9 @@ template <class V>
   b.store(A + 4), c.store(A + 8), d.store(A + 12);
 }
 
-/// X D = A, D: the pivots of LU. What is symmetric must be taken from one half alone: the two halves of a block differ by rounding,
-/// which grows as often as what it couples (a thread tied to a needle, 1e5 N/m) is stiffer than what is left when that is eliminated
-/// (the inertia of both, 1e-2 N/m), until it is the larger.
+/// X D = A, D: the pivots of LU. A symmetric matrix must be factored from one half alone: the two halves of a block differ by rounding,
+/// which elimination multiplies by the ratio of the coupling (a thread tied to a needle, 1e5 N/m) to the stiffness that is left after it
+/// (the inertia of both, 1e-2 N/m), until the difference is the larger.
 template <class V>
 [[gnu::always_inline]] inline void divide_by_pivots(const double* LU, const double* A, double* X) noexcept {
   Line<V> a, b, c, d;
@@ -88,7 +88,7 @@ template <class V>
   a.store(X), b.store(X + 4), c.store(X + 8), d.store(X + 12);
 }
 
-/// A column whose diagonal block is split: column, A U^-1; row, kept transposed, A' L'^-1; and their products.
+/// Eliminates a column with a factored diagonal block: lower <- A U^-1, upper (transposed) <- A L'^-1, then subtracts their products.
 template <class V>
 [[gnu::always_inline]] inline void column(const BlockStore& s, const BlockColumn& c, bool symmetric) noexcept {
   const double* LU = s.diagonal + kBlock * c.k;
@@ -110,7 +110,7 @@ template <class V>
   }
 }
 
-/// y = H^-1 y, in the order.
+/// y = H^-1 y, in elimination order.
 template <class V>
 [[gnu::always_inline]] inline void solve(const BlockStore& s, double* y) noexcept {
   for (uint32_t k = 0; k < s.n; ++k) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The law of a constraint, a contact or a tie: force, tangent and energy at a displacement. Each is the derivative of the next,
-// which one test checks for all (tests/unit/dynamics/constraint_law.cpp); a hinge drive (hinge_drive.hpp) answers the same three.
-// With its friction limit held the force is minus the gradient of a convex energy. Header-only, pure functions, [rt].
+// The law of a constraint, a contact or a tie: force, tangent (minus the derivative of the force) and, with the friction limit held,
+// a convex energy whose gradient is minus the force. One test checks all (tests/unit/dynamics/constraint_law.cpp); a hinge drive
+// (hinge_drive.hpp) has the same three. Header-only, pure functions, [rt].
 #pragma once
 
 #include "dynamics/island.hpp"
@@ -36,7 +36,7 @@ inline Force force_on(const Constraint& c, const Displacement& u) {
 inline Tangent tangent_on(const Constraint& c, const Displacement& u) {
   return c.tie ? tie_tangent_on(c.on.tie, *c.tie, u) : tangent_on(c.on.contact, c.surface, u);
 }
-/// Where u + t e leaves them, t, and the pieces from there on; infinite: nowhere.
+/// The t at which u + t e leaves the present pieces, and the pieces beyond; infinite where it never does.
 inline double kink(const Constraint& c, const Displacement& u, const Displacement& e, Pieces& next) {
   next = c.on;
   if (c.tie) {
@@ -49,7 +49,7 @@ inline double kink(const Constraint& c, const Displacement& u, const Displacemen
   return k.t;
 }
 
-/// With the limit held [J].
+/// Energy with the friction limit held [J].
 inline double constraint_energy(const Constraint& c, const Displacement& u, double limit) {
   return c.tie ? tie_energy(*c.tie, u) : tresca_energy(c.surface, u, limit);
 }

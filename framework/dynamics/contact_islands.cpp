@@ -20,7 +20,7 @@ uint32_t ContactIslands::root(uint32_t block) noexcept {
   return block;
 }
 
-/// Blocks linked by active contacts; islands in the order of their first contact.
+/// Finds blocks linked by active contacts and ties; islands are in the order of their first contact.
 void ContactIslands::find(const contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i, island_of_[i] = kNone;
   for (uint32_t i = 0; i < p_.n; ++i) {
@@ -45,7 +45,7 @@ void ContactIslands::find(const contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < island_.size(); ++i) fill(contacts, i);
 }
 
-/// Blocks in the order in which contacts name them; a contact's constraint in the contacts' order.
+/// Adds blocks in the order in which contacts name them, and constraints in the order of the contacts.
 void ContactIslands::fill(const contact::ContactSet& contacts, uint32_t index) noexcept {
   IslandWorkspace& island = island_[index];
   if (index > 0) {
@@ -96,7 +96,7 @@ void ContactIslands::join_ties() noexcept {
   }
 }
 
-/// Islands of what no contact names, after the others.
+/// Adds islands of blocks that no contact names, after the others.
 void ContactIslands::add_tie_islands() noexcept {
   for (uint32_t i = 0; i < p_.tie.size(); ++i) {
     if (!p_.tie_workspace[i].active) continue;

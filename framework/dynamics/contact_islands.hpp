@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which blocks and constraints are solved together: those that active contacts and ties link.
+// Islands: blocks and constraints that active contacts and ties link, and that are solved together.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -17,7 +17,7 @@ class ContactIslands {
  public:
   explicit ContactIslands(ContactProblem& problem);
 
-  /// Finds the islands of what is active now and fills their constraints.
+  /// Finds the islands of the active contacts and ties and fills in their constraints.
   void find(const contact::ContactSet& contacts) noexcept;
 
   std::vector<IslandWorkspace>& all() noexcept { return island_; }
@@ -32,7 +32,7 @@ class ContactIslands {
   std::span<DofBlock* const> blocks(const IslandWorkspace& island) const noexcept {
     return {member_block_.data() + island.first_block, island.blocks};
   }
-  /// Its place in its island.
+  /// Place of a block in its island.
   uint32_t local(uint32_t block) const noexcept { return local_[block]; }
 
  private:

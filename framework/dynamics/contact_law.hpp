@@ -41,11 +41,11 @@ struct Surface {
   double mu = 0;
 };
 
-/// Surfaces that do not rebound push k (d + T d') at the overlap d. T, the retardation time, is a share of that of the scene
-/// (scales.hpp), the smaller the more they rebound. [s]
+/// Retardation time T of a contact [s]: at the overlap d the surfaces push with k (d + T d'). T is 1 - e of that of the scene
+/// (scales.hpp), so that surfaces with the restitution e = 1 have none.
 inline double retardation(double restitution, double of_scene) { return (1 - restitution) * of_scene; }
 
-/// d' over the step h [s] is (d - d0) / h, implicit: a contact stiffer by 1 + T / h that counts its overlap from T / (h + T) d0.
+/// Implicit over the step h [s], d' = (d - d0) / h: a contact stiffer by 1 + T / h whose overlap counts from T / (h + T) d0.
 inline Surface surface(double stiffness, double friction, double T, double h) {
   return {stiffness * (1 + T / h), kTangentRatio * stiffness, friction};
 }
@@ -56,7 +56,7 @@ inline double relaxed_gap(double T, double h, double gap_before) {
 /// How the friction limit of a contact depends on its normal force; that of a tie is a constant of its law.
 enum class Friction {
   kCoulomb,  // mu f_n
-  kTresca,   // held
+  kTresca,   // a given constant
 };
 
 /// Friction limited by a given `limit` [N].
@@ -100,12 +100,12 @@ inline Tangent tangent(const Surface& s, const Displacement& d, const Force& f, 
   return t;
 }
 
-/// A force of an earlier step or pass, in the axes of now. At its limit but for a thousandth, as the axes may have turned: it slipped.
+/// A force of an earlier step or pass, in the present axes. Within 0.1 % of its limit it counts as slipping: the axes may have turned.
 inline Force force_before(const Surface& s, double fn, double f1, double f2) {
   return {fn, f1, f2, f1 * f1 + f2 * f2 >= 0.998 * s.mu * s.mu * fn * fn};
 }
 
-/// The law near the displacement that gave that force, on the piece that it was on: f(u) = f - D (u - u(f)).
+/// The law linearised at the displacement u(f) that gives the force f, on the piece of f: f(u) = f - D (u - u(f)).
 struct LinearLaw {
   Force f;  // at u
   Tangent D;
@@ -118,10 +118,10 @@ inline LinearLaw law_before(const Surface& s, const Force& f, const Displacement
           D};
 }
 
-/// The law as a projection (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353): f = P(f - r w), w = s + f / k_t what has
-/// slipped, P to the disc of mu f_n; in linear form about a force f and a displacement u that need not belong together. For any
-/// r > 0 [N/m] it has the solutions of the law. What slipped and turned back within a step sticks at once where r times its way back is
-/// less than its limit; the law itself sends it to the other side of a cone that is a thousand times smaller than the way.
+/// The law as a projection (Alart and Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991) 353): f = P(f - r w), w = s + f / k_t the slip,
+/// P to the disc of radius mu f_n; linearised about a force f and a displacement u that need not belong together. For any
+/// r > 0 [N/m] it has the solutions of the law. A slip that reverses within a step sticks at once where r times its reverse displacement is
+/// below its limit; the law itself throws it across a friction cone that is a thousand times smaller than that displacement.
 inline LinearLaw law_projected(const Surface& s, const Force& f, const Displacement& u, double r) {
   LinearLaw law;
   if (!(f.fn - r * (u.g + f.fn / s.k) > 0)) return law;
@@ -136,7 +136,7 @@ inline LinearLaw law_projected(const Surface& s, const Force& f, const Displacem
   }
   law.f = {fn, 0, 0, true};
   if (!(limit > 0)) return law;
-  // along the force mu f_n, across it what turns it
+  // along the force mu f_n, across it a stiffness that turns the force
   const double e1 = a1 / a, e2 = a2 / a, share = limit / a, c = share * r / (1 - share * rest);
   const double across = c * (e1 * u.s2 - e2 * u.s1);
   law.f.f1 = s.mu * fn * e1 + across * e2, law.f.f2 = s.mu * fn * e2 - across * e1;
@@ -184,7 +184,7 @@ struct Kink {
   Piece next = Piece::kOpen;
 };
 
-/// Where a t^2 + 2 b t + c passes 0, from below (`rising`) or from above; a little before 0 counts as there. Infinite: nowhere.
+/// The t at which a t^2 + 2 b t + c passes 0, from below (`rising`) or from above; t > -1e-12 counts as 0. Infinite: nowhere.
 inline double zero_of(bool rising, double a, double b, double c) {
   const double square = b * b - a * c;
   if (!(square > 0)) return HUGE_VAL;
@@ -194,8 +194,8 @@ inline double zero_of(bool rising, double a, double b, double c) {
   return t > -1e-12 ? std::fmax(0.0, t) : HUGE_VAL;
 }
 
-/// What slips along e turns back where it comes nearest to where its bristle hangs, if that is nearer by half than it is now. The
-/// cone there is a thousand times smaller than the way of a step: Newton's step would pass it, to and fro.
+/// The t at which a slip along e comes nearest to s = 0, the anchor of its bristle, if that is less than half as far as now. The stick
+/// cone there is a thousand times smaller than the displacement of a step: Newton's steps would jump across it again and again.
 inline double turns_back(const Displacement& d, const Displacement& e) {
   const double se = d.s1 * e.s1 + d.s2 * e.s2, ee = e.s1 * e.s1 + e.s2 * e.s2, ss = d.s1 * d.s1 + d.s2 * d.s2;
   return se < 0 && ss * ee - se * se < 0.25 * ss * ee ? -se / ee : HUGE_VAL;

@@ -37,7 +37,7 @@ void ContactProblem::begin(scene::World& world, Motion& motion, const contact::C
   }
 }
 
-/// What overlaps; and what bore force on a chain: at the predicted poses it may be off only because nothing bears it there.
+/// True for contacts that overlap, and for those that bore force on a band: without forces, at the predicted poses, they may be open.
 bool ContactProblem::takes_part(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
   if (overlaps(c)) return true;
   return k.bore && c.law.stiffness > 0 && (place.is_banded(k.a.block) || place.is_banded(k.b.block));
@@ -57,14 +57,14 @@ void ContactProblem::linearise(const contact::Contact& c, const ContactWorkspace
   to.before = force_before(to.surface, to.n.dot(c.f_a_W), to.t1.dot(c.f_a_W), to.t2.dot(c.f_a_W));
 }
 
-/// How far a side's material point is from where it was predicted to be, or from where its shape is [m].
+/// Displacement of a side's material point from its predicted place or, on a flexible body, of the surface from its shape [m].
 Vec3 ContactProblem::moved(const Side& side, const Vec3& p_own, const Vec3& p_W) const noexcept {
   if (side.body == kNone) return Vec3::Zero();
   if (side.point != kNone) return off_shape(side, p_W);
   return place.frame(side) * p_own - p_W;
 }
 
-/// The tie at the present poses. Its axis turns with a; what it is stretched across the axis stands in the world.
+/// Linearises a tie at the present poses. Its axis turns with a; its offset across the axis keeps its direction in the world.
 void ContactProblem::linearise(const Tie& of, TieWorkspace& k, Constraint& to) noexcept {
   to.n = k.a.body != kNone ? Vec3(place.frame(k.a).R * k.axis_A) : k.axis_A;
   axes_across(to.n, to.t1, to.t2);
@@ -76,7 +76,7 @@ void ContactProblem::linearise(const Tie& of, TieWorkspace& k, Constraint& to) n
   to.before = {to.n.dot(of.f_a_W), to.t1.dot(of.f_a_W), to.t2.dot(of.f_a_W)};
 }
 
-/// The bristle of the last step, turned as its surfaces turned since, in the tangent plane of now.
+/// The bristle of the last step, rotated with its surfaces since, in the present tangent plane.
 Vec3 ContactProblem::carried_bristle(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
   if (c.bristle_W.isZero(0)) return Vec3::Zero();
   bool has_a, has_b;
@@ -90,8 +90,8 @@ Vec3 ContactProblem::carried_bristle(const contact::Contact& c, const ContactWor
   return length > 0 ? Vec3(flat * (c.bristle_W.norm() / length)) : Vec3::Zero();
 }
 
-/// Gap, place and normal of a contact at the present poses. A flexible side stays where it advanced to; how far from there it
-/// really is, by itself and by what contacts make it give, is added to the gap.
+/// Gap, place and normal of a contact at the present poses. The shapes of a flexible side stay where it advanced to; the displacement
+/// of the surface from them is added to the gap.
 void ContactProblem::evaluate(contact::ContactSet& contacts, uint32_t i) noexcept {
   contact::Contact& c = contacts.contact[i];
   const ContactWorkspace& k = contact[i];
@@ -102,7 +102,7 @@ void ContactProblem::evaluate(contact::ContactSet& contacts, uint32_t i) noexcep
   c.gap += off_shapes(c, k);
 }
 
-/// By how much a gap is wider than that of the shapes.
+/// Gap of the surfaces minus that of the shapes [m].
 double ContactProblem::off_shapes(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
   double off = 0;
   if (k.a.point != kNone) off += c.n_W.dot(off_shape(k.a, c.p_W));
@@ -110,7 +110,7 @@ double ContactProblem::off_shapes(const contact::Contact& c, const ContactWorksp
   return off;
 }
 
-/// What is between the shape on which a contact was found and the surface at the present poses, at a point of a flexible body.
+/// Displacement of the surface at the present poses from the shape on which a contact was found, at a point of a flexible body [m].
 Vec3 ContactProblem::off_shape(const Side& side, const Vec3& p_W) const noexcept {
   const uint32_t slot = place.block(side.block).index;
   return place.flexible().displaced(slot) ? place.flexible().off_shape(slot, side.point)

@@ -21,44 +21,44 @@
 
 namespace swage::dynamics {
 
-/// A coupling that says stiffness 0 lets the two pass through each other there.
+/// True when a contact overlaps and pushes. Stiffness 0: a coupling lets the two bodies pass through each other there.
 inline bool overlaps(const contact::Contact& c) { return c.gap < 0 && c.law.stiffness > 0; }
 
 /// The workspace of a contact in this step, beside the contact set.
 struct ContactWorkspace {
   Side a, b;
-  bool active = false;   // takes part: overlaps, or did in an earlier pass
-  bool skipped = false;  // a flexible body has not been asked about it
-  bool needed = false;   // it was asked all the same, because its block has no other point
+  bool active = false;   // takes part in the solve: overlaps, or did in an earlier pass
+  bool skipped = false;  // no flexible body has been asked about it
+  bool needed = false;   // asked about only because its block has no other point
   bool bore = false;     // bore force in the last step
   bool dropped = false;  // has no room in its island
   uint32_t constraint = scene::kNone;
-  contact::Touch found;  // of the shapes, when the step began
+  contact::Touch found;  // gap, place and normal of the shapes when the step began
 };
 
 /// The workspace of a tie in this step: its two sides and the material points that it holds, in their bodies.
 struct TieWorkspace {
   Side a, b;
   Vec3 p_A = Vec3::Zero(), p_B = Vec3::Zero();
-  Vec3 p_W = Vec3::Zero();      // now
+  Vec3 p_W = Vec3::Zero();      // present place of the tie
   Vec3 axis_A = Vec3::UnitX();  // its axis, in body a
   uint32_t constraint = scene::kNone;
   bool active = false;  // at least one of its sides can be moved
 };
 
-/// One island: a stretch of the blocks and of the constraints.
+/// One island: a range of the blocks and one of the constraints.
 struct IslandWorkspace {
   uint32_t first_block = 0, blocks = 0;
   uint32_t first_constraint = 0, constraints = 0;
   uint32_t unknowns = 0;
-  double geometry_error = 0;  // m, distance of its contacts from where the linear problem put them
+  double geometry_error = 0;  // m, distance of its contacts from where the linear problem predicted them
   uint32_t passes = 0;
   double relaxation = 1;  // share taken of the last linear problem's step
   bool converged = false, limits_hold = true, held = false, done = false;
-  double remaining = 0;                          // m, the rest of that step
+  double remaining = 0;                          // m, the part of that step that was not taken
   bool tied = false;                             // ties are among its constraints
-  bool own = false;                              // flexible bodies that are no bands are among its blocks
-  bool banded = false;                           // bands are
+  bool own = false;                              // flexible bodies other than bands are among its blocks
+  bool banded = false;                           // bands are among its blocks
   bool stalled = false;                          // passes no longer converge
   double last_errors[2] = {HUGE_VAL, HUGE_VAL};  // m, one and two passes ago
 };
@@ -74,7 +74,7 @@ struct ContactProblem {
   bool takes_part(const contact::Contact& c, const ContactWorkspace& k) const noexcept;
   /// Gap, place and normal of a contact at the present poses.
   void evaluate(contact::ContactSet& contacts, uint32_t contact) noexcept;
-  /// Axes, law, gap and tangential displacement of its constraint there.
+  /// Axes, law, gap and tangential displacement of a constraint at the present poses.
   void linearise(const contact::Contact& c, const ContactWorkspace& k, Constraint& constraint) noexcept;
   void linearise(const Tie& tie, TieWorkspace& k, Constraint& constraint) noexcept;
 
@@ -94,14 +94,14 @@ struct ContactProblem {
   base::SolverHealth health;  // of this step
   double h = 1e-3;            // s
   Scales scales;
-  uint32_t n = 0;  // contacts that take part in this step
+  uint32_t n = 0;  // contacts of this step that there is room for
   Placement place;
   std::vector<ContactWorkspace> contact;  // per contact
   std::span<Tie> tie;                     // of this step, those that fit
   std::vector<TieWorkspace> tie_workspace;
   std::vector<Constraint> constraint;  // island by island
   std::vector<uint8_t> solved;         // per block: an island has moved it
-  std::vector<uint32_t> ranked;        // contacts, those that must have room first
+  std::vector<uint32_t> ranked;        // contacts in the order in which they are given room
 
  private:
   Vec3 carried_bristle(const contact::Contact& c, const ContactWorkspace& k) const noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The end of a contact solve: what did not converge is slowed, results are written, what fell short is counted.
+// The end of a contact solve: slows islands that did not converge, writes the results, counts the shortfalls.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +10,8 @@ namespace swage::dynamics {
 
 using scene::kNone;
 
-/// An island that did not converge must not gain energy: nothing in it leaves faster than the loads on it can
-/// make it in a step, or than twice what pushes it.
+/// Slows an island that did not converge, so that it gains no energy: nothing in it moves faster than its loads can make it
+/// in a step, or than twice the fastest of the bodies that push it.
 void ContactSolve::clamp_velocity(const contact::ContactSet& contacts,
                                   const IslandWorkspace& island) noexcept {
   double fastest = 0;
@@ -46,7 +46,7 @@ void ContactSolve::write_back(Motion& motion, contact::ContactSet& contacts) noe
   p_.place.flexible().apply_impulses();
 }
 
-/// Bands went by what is in their unknowns; what pushes them their objects are told.
+/// Adds the contact and tie forces on the points of bands, to be reported to their objects; bands move by their unknowns.
 void ContactSolve::report_forces(const contact::ContactSet& contacts) noexcept {
   const auto report = [&](const Side& s, const Vec3& f) {
     if (s.point != kNone && p_.place.is_banded(s.block))
@@ -70,7 +70,7 @@ void ContactSolve::write_contact(contact::Contact& c, const ContactWorkspace& k)
   const Constraint& constraint = p_.constraint[k.constraint];
   c.gap = constraint.at.g + constraint.relaxed_gap;
 
-  // the bristle bears what friction bears; the rest has slipped
+  // the bristle keeps the stretch that friction bears; the rest is slip
   const double stretch = std::sqrt(constraint.at.s1 * constraint.at.s1 + constraint.at.s2 * constraint.at.s2);
   const double most = constraint.limit / constraint.surface.kt;
   const double keep = stretch > most ? most / stretch : 1;
@@ -98,8 +98,8 @@ void ContactSolve::hold(Motion& motion, const Side& side) const noexcept {
   if (m.kind == DofBlock::Kind::kParticle) motion.held_particle[m.index] = 1;
 }
 
-/// How far a chain went along, or away from, what it is near to, beyond where contacts were looked for: in its radii, of the farthest
-/// place. A contact is a plane: some radii on, what lies there is not what was looked at. What both did together does not count.
+/// Largest displacement of one side of a chain's contact relative to the other since contacts were detected, in radii of the chain.
+/// A contact is a plane: some radii away the surface there is another. Displacements that both sides share do not count.
 double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept {
   const auto chain = [&](const Side& s) { return s.point != kNone && p_.place.is_banded(s.block); };
   double most = 0;
@@ -117,7 +117,7 @@ double ContactSolve::strayed(const contact::ContactSet& contacts) const noexcept
   return most;
 }
 
-/// What this step fell short of.
+/// Counts the shortfalls and the work of this step.
 void ContactSolve::count(const contact::ContactSet& contacts, Stats& stats) noexcept {
   p_.health.dropped_contacts += contacts.dropped + (contacts.contact.size() - p_.n);
   for (uint32_t i = 0; i < p_.n; ++i) p_.health.dropped_contacts += p_.contact[i].dropped;

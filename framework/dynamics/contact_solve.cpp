@@ -11,13 +11,13 @@ using scene::kNone;
 namespace {
 
 constexpr double kGeometry =
-    0.01;  // by how much a contact may be elsewhere than its linear model says, in tolerances: 1 pm
+    0.01;  // largest distance of a contact from where its linear model predicted it, in tolerances: 1 pm
 constexpr uint32_t kFreePasses = 4;       // before friction limits are held
-constexpr double kLeastRelaxation = 0.1;  // of the way that a pass asks for
+constexpr double kLeastRelaxation = 0.1;  // of the step that a pass computes
 constexpr double kMostRelaxation =
-    8;  // the same where ties hold: what they bear turns with what moves, and passes fall short
+    8;  // the largest, with ties: their forces turn with the moving bodies, and passes fall short
 constexpr uint32_t kPasses = 12;      // geometry evaluations before an island is left at its best
-constexpr uint32_t kTiedPasses = 24;  // the same where ties hold
+constexpr uint32_t kTiedPasses = 24;  // the same in islands with ties
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void ContactSolve::solve(scene::World& world, Motion& motion, contact::ContactSe
   finish(motion, contacts, stats);
 }
 
-/// Passes until every island is done. True when something moved that one of them did not settle.
+/// Passes until every island is done. True when released blocks moved or one pass was not enough.
 bool ContactSolve::iterate(contact::ContactSet& contacts, Stats& stats) noexcept {
   bool regroup = true, again = release(contacts);
   for (uint32_t pass = 0; pass < (p_.tie.empty() ? kPasses : kTiedPasses); ++pass) {
@@ -97,8 +97,8 @@ void ContactSolve::begin(scene::World& world, Motion& motion, contact::ContactSe
   ties_.start();
 }
 
-/// Blocks that were expected to stay held but overlap nothing go where they go by themselves, and meet what is there. True when
-/// there are some.
+/// Moves blocks that were predicted as held but touch nothing to their free poses, and activates contacts that overlap there. True
+/// when there are some.
 bool ContactSolve::release(contact::ContactSet& contacts) noexcept {
   std::fill(touched_.begin(), touched_.end(), uint8_t{0});
   for (uint32_t i = 0; i < p_.n; ++i)
@@ -123,8 +123,8 @@ bool ContactSolve::release(contact::ContactSet& contacts) noexcept {
   return moved;
 }
 
-/// Looks at the contacts of everything that moved. An island is done when they are where its linear problem said they
-/// would be. True when a contact has begun to overlap that took no part.
+/// Evaluates the contacts of all blocks that moved. An island is done when they are where its linear problem predicted them.
+/// True when a contact that was not active has begun to overlap.
 bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
   for (IslandWorkspace& island : islands_.all())
     if (!island.done) island.geometry_error = 0;
@@ -160,7 +160,7 @@ bool ContactSolve::refresh(contact::ContactSet& contacts) noexcept {
     const bool all_the_way =
         island.relaxation == 1 || (island.tied && island.remaining <= p_.scales.converged);
     island.done = island.converged && all_the_way && island.geometry_error <= kGeometry * p_.scales.converged;
-    // two surfaces that meet at the edge of a feature can send each other to and fro: no later pass is better
+    // contacts at the edge of a feature can alternate between two states: no later pass is better
     if (island.passes > (island.tied ? kPasses : kFreePasses) &&
         !(island.geometry_error < 0.5 * island.last_errors[1])) {
       island.stalled = true;
@@ -206,7 +206,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
         constraint.f.fn * constraint.n + constraint.f.f1 * constraint.t1 + constraint.f.f2 * constraint.t2;
   }
 
-  // nothing moved that could be seen: the geometry is what it was
+  // done where the step was negligible: the geometry has not changed
   island.converged = outcome.converged;
   island.limits_hold = outcome.limits_hold;
   island.held = island.held || outcome.held;
@@ -219,7 +219,7 @@ void ContactSolve::solve_island(contact::ContactSet& contacts, IslandWorkspace& 
   stats.rounds += outcome.rounds;
 }
 
-/// A flexible body goes by the forces of its constraints, and will be given those.
+/// Moves a flexible body by the forces of its constraints, which it will get as impulses.
 void ContactSolve::move_flexible(uint32_t block, std::span<const Constraint> constraints,
                                  double relaxation) noexcept {
   const uint32_t slot = p_.place.block(block).index, local = islands_.local(block);
@@ -231,8 +231,8 @@ void ContactSolve::move_flexible(uint32_t block, std::span<const Constraint> con
   p_.place.flexible().go(slot, relaxation);
 }
 
-/// How much of the way that the linear problem asks for is gone: what Aitken's rule makes of this way and the one before, seen
-/// at the contacts. Where normals turn with what moves, passes that went all the way would jump to and fro.
+/// Sets the share of the linear problem's step that is taken: Aitken's rule on this step and the one before, as displacements at
+/// the contacts. Where normals turn with the bodies, passes that took whole steps would oscillate.
 void ContactSolve::relax(IslandWorkspace& island) noexcept {
   double along = 0, change = 0;
   for (uint32_t r = island.first_constraint; r < island.first_constraint + island.constraints; ++r) {
@@ -251,7 +251,7 @@ void ContactSolve::relax(IslandWorkspace& island) noexcept {
                                    island.tied ? kMostRelaxation : 1.0);
 }
 
-/// How gap and displacement change with the unknowns of both sides.
+/// Jacobian of gap and tangential displacement with respect to the unknowns of both sides.
 const double* ContactSolve::jacobian(const Side& side_a, const Side& side_b, const Vec3& p_W,
                                      Constraint& constraint) noexcept {
   const bool a = p_.place.moves(side_a.block), b = p_.place.moves(side_b.block);

@@ -22,7 +22,7 @@ class ContactSolve {
  public:
   ContactSolve(const scene::World& world, const Options& options);
 
-  /// Contacts and ties of an island with threads up to which it is solved for its forces; 0: it never is. [main]
+  /// Most contacts and ties at which an island with threads is solved in contact space, for its forces; 0: never. [main]
   void set_few(uint32_t contacts) noexcept { few_ = contacts; }
 
   /// Final poses and twists of all dynamic bodies, hinges and particles; results in `contacts` and `ties`; impulses to
@@ -60,8 +60,8 @@ class ContactSolve {
   FlexiblePoints points_;
   TieConstraints ties_;
   IslandSolver solver_;
-  std::vector<double> J_;     // of the constraints of one island
-  std::vector<double> move_;  // of the blocks of one island
+  std::vector<double> J_;     // Jacobians of the constraints of one island
+  std::vector<double> move_;  // displacements of the blocks of one island
   size_t J_used_ = 0;
   std::vector<uint8_t> touched_;  // per block
 };

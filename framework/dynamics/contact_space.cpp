@@ -84,7 +84,7 @@ void ContactSpace::apply_delassus(const double* y, double* v) const noexcept {
 
 // --- steps
 
-/// Where neither D nor c is another than the last time, the step leads to where it led then.
+/// Where neither D nor c has changed since the last call, the step ends at the same point.
 bool ContactSpace::search_direction(const double* z, bool same, double* step) noexcept {
   const Kept kept = linearise(z);
   if (!(same && kept.stiffness && factored_)) {
@@ -98,7 +98,7 @@ bool ContactSpace::search_direction(const double* z, bool same, double* step) no
   return true;
 }
 
-/// c = f + D v, and the stiffness of the drives.
+/// Computes c = f + D v and the stiffness of the drives.
 ContactSpace::Kept ContactSpace::linearise(const double* z) noexcept {
   Kept kept;
   const auto keep = [](double& old, double now, bool& same) {
@@ -123,7 +123,7 @@ ContactSpace::Kept ContactSpace::linearise(const double* z) noexcept {
   return kept;
 }
 
-/// D = S R' of a constraint: along the normal and what friction does with it, then across.
+/// Factors D = S R' of a constraint: the normal with its friction, then the tangential directions.
 void ContactSpace::split(const Constraint& constraint, ContactSystem::Factors& f) noexcept {
   const Tangent& D = constraint.D;
   f.rank = 0;
@@ -134,13 +134,13 @@ void ContactSpace::split(const Constraint& constraint, ContactSystem::Factors& f
     add(root * constraint.n);
     if (D.n1 != 0 || D.n2 != 0) f.S[0] += (D.n1 * constraint.t1 + D.n2 * constraint.t2) / root;
   }
-  // not below zero by rounding either, where a contact that slips opens
+  // rounding may leave these below zero where a slipping contact opens
   if (!(std::max(D.t11, D.t22) > 0)) return;
   if (D.t12 == 0 && D.t11 == D.t22) {
     const double root = std::sqrt(D.t11);
     add(root * constraint.t1);
     add(root * constraint.t2);
-  } else if (D.t11 >= D.t22) {  // of rank one, as laws are that push across a direction only
+  } else if (D.t11 >= D.t22) {  // rank one: the law resists across one direction only
     const double root = std::sqrt(D.t11);
     add(root * constraint.t1 + D.t12 / root * constraint.t2);
   } else {
@@ -149,7 +149,7 @@ void ContactSpace::split(const Constraint& constraint, ContactSystem::Factors& f
   }
 }
 
-/// Islands without a thread have few directions, and next to none alike: where something slips there they are factored whole.
+/// Islands without a thread need few search directions, hardly two alike: where something slips there they are factored whole.
 bool ContactSpace::factor() noexcept {
   bool springs = true;
   for (size_t i = 0; i < n_constraints_; ++i) {
@@ -167,7 +167,7 @@ bool ContactSpace::factor() noexcept {
   return system_.factor();
 }
 
-/// v and y where the step ends.
+/// Computes v and y at the end of the step.
 void ContactSpace::solve() noexcept {
   std::copy_n(free_.begin(), n_, v_.begin());
   apply_delassus(c_.data(), v_.data());
@@ -197,7 +197,7 @@ double ContactSpace::slope(const double* z, const double* step) noexcept {
   return sum;
 }
 
-/// What the forces y move a body, particle or band by.
+/// d = A^-1 J' y: displacement of a body, particle or band under the forces y.
 void ContactSpace::apply_inverse_mass(uint32_t block, const double* y, double* d) noexcept {
   const DofBlock& m = *island_->blocks[block];
   double* F = of_block_.data();
@@ -246,7 +246,7 @@ double ContactSpace::moved(const double* z) noexcept {
   return longest;
 }
 
-/// From the pose of the linearisation to z.
+/// Displacement of a block from the pose of the linearisation to z.
 void ContactSpace::go(uint32_t block, const double* z, double* d) noexcept {
   const DofBlock& m = *island_->blocks[block];
   apply_inverse_mass(block, z + n_, d);

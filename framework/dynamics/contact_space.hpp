@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island in the forces y of its constraints, 3 numbers each in W, and one per hinge for its drive. Without them the blocks would
-// move by d* from here, and the constraints would be at
+// An island whose unknowns are the forces y of its constraints, 3 numbers each in frame W, and one torque per hinge drive. Without
+// them the blocks would move by d* from the present pose, and the constraints would be at
 //
 //     v = v* + W y,    v* = u(at) + J d*,    W = J A^-1 J'                      the Delassus operator
 //
-// and y = f(v) is to be found. W consists of 3 x 3 blocks: of a flexible body those that it answered, of a rigid body J A^-1 J'.
-// With f(v) ~ c - D v and D = S R', of as many columns as directions in which constraints push back (0 open, 1 without friction or
+// and y = f(v) is to be found. W consists of 3 x 3 blocks: the mobility that a flexible body answered, J A^-1 J' for a rigid body.
+// With f(v) ~ c - D v and D = S R', with one column per direction in which a constraint resists (0 open, 1 without friction or
 // torn, 2 sliding, 3 sticking), Newton's step ends at
 //
 //     (I + R' W S) s = R' (v* + W c),    y = c - S s,    v = v* + W y                     contact_system.hpp
 //
 // which is where H d = -F ends (multiply by J A^-1; det H = det A det(I + R' W S)). The merit F' A^-1 F is (y - f)' W (y - f). W
-// may be singular: y is unique where f gives way. c = 0 but for what slides, so v hardly cancels.
+// may be singular: y is unique where f is compliant. c = 0 except for sliding contacts, so that little cancels in v.
 //
-// A point z is v, then y; only after a whole step from the start does v = v* + W y hold. [rt]; built on [main].
+// A point z is v followed by y; v = v* + W y holds only after a whole step from the start. [rt]; built on [main].
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ namespace swage::dynamics {
 
 class ContactSpace final : public Space {
  public:
-  /// Of islands of so many constraints and drives, and of one block's sides; unknowns of bands.
+  /// Reserves for islands of `max_constraints` constraints and `max_hinges` drives; `max_of_bands`: unknowns of all bands.
   ContactSpace(uint32_t max_constraints, uint32_t max_hinges, uint32_t max_of_bands = 0);
 
   size_t begin(const Island& island) noexcept override;
@@ -45,17 +45,17 @@ class ContactSpace final : public Space {
   void finish(const double* z, double* d) noexcept override;
 
  private:
-  /// A side of a constraint on the block at hand.
+  /// One side of a constraint on the block that is being added to W.
   struct JacobianBlock {
     uint32_t constraint = 0, point = 0;
     double sign = 1;
-    const double* J = nullptr;  // 3 lines of `stride`, in the constraint's axes; of a flexible body none
+    const double* J = nullptr;  // 3 rows of `stride`, in the constraint's axes; unused for a flexible body
     uint32_t stride = 0;
-    uint32_t first = 0;  // unknown of the block, of its first column
+    uint32_t first = 0;  // index of its first column among the unknowns of the block
   };
-  /// What has not changed since the last direction.
+  /// What is unchanged since the last search direction.
   struct Kept {
-    bool stiffness = true, forces = true;  // of the drives; c
+    bool stiffness = true, forces = true;  // stiffness of the drives; c
   };
 
   void collect(uint32_t block) noexcept;
@@ -84,10 +84,10 @@ class ContactSpace final : public Space {
   std::vector<double> W_;
   std::vector<double> free_;  // v*
   std::vector<double> c_, drive_, v_,
-      y_;  // of the last direction, and where it leads; N m/rad, of the drives
+      y_;  // of the last direction and its end point; drive_: N m/rad
   std::vector<double> F_, line_;
-  std::vector<double> of_block_;  // numbers of a block
-  std::vector<Vec3> Jt_, Minv_Jt_;  // of the block at hand, per arm and unknown: columns of J' and A^-1 J'
+  std::vector<double> of_block_;  // work space: the unknowns of one block
+  std::vector<Vec3> Jt_, Minv_Jt_;  // of the present block, per side and unknown: columns of J' and A^-1 J'
   std::vector<JacobianBlock> arm_;
   std::vector<const DofBlock*> hinge_;
 };

@@ -4,18 +4,18 @@
 //
 //     (I + R' W S) s = R' b,    D = S R'
 //
-// with up to three numbers s for each element: a constraint that pushes back, or the drive of a hinge. From direction to direction only
-// those change that slip or come to another piece of their law; the others are springs, R = S. Their part is factored anew only where
-// one of them ceases to be the spring that it was,
+// with up to three numbers s for each element: a constraint that bears force, or the drive of a hinge. From one search direction to the
+// next only elements change that slip or come to another piece of their law; the others are springs, R = S. Their part is factored
+// anew only when one of the springs changes,
 //
 //     M = I + R_k' W R_k = U' U,    V = U'^-1 R_k' W_ke
 //
-// and the rest each time, with the Delassus operator that the springs leave it, of the Schur complement:
+// and the other elements each time, with the Schur complement G as their Delassus operator:
 //
 //     A = I + R_e' G S_e,    G = W_ee - V' V
 //
 // det M > 0, so that the sign of the determinant is that of det A. Why: of 28 constraints of a thread wound round jaws 16 stick, and
-// a solve has seven directions in the mean; A has 18 lines where the whole has 75. [rt]; built on [main].
+// a solve has seven search directions on average; A has 18 rows where the whole has 75. [rt]; built on [main].
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ using toolkit::Vec3;
 
 class ContactSystem {
  public:
-  /// D = S R' of an element, in W; of a drive the first number of R = S.
+  /// Factors of D = S R' of an element, in frame W; a drive uses the first number of R = S only.
   struct Factors {
     uint32_t rank = 0;
     bool spring = false;  // R = S, constant on its piece of the law
@@ -38,15 +38,15 @@ class ContactSystem {
 
   ContactSystem(uint32_t max_constraints, uint32_t max_drives);
 
-  /// A new W: symmetric, n x n, with 3 numbers per constraint and then one per drive. It is read until the next begin().
+  /// Sets W: symmetric, n x n, with 3 numbers per constraint and then one per drive. It is not copied, but read until the next begin().
   void begin(const double* W, size_t constraints, size_t drives) noexcept;
-  /// Of a constraint, or of a drive (after all constraints); to be filled before factor().
+  /// Factors of a constraint, or of a drive (counted after all constraints); to be filled before factor().
   Factors& of(size_t element) noexcept { return of_[element]; }
-  /// False where it is singular or not finite.
+  /// False where the system is singular or not finite.
   bool factor() noexcept;
-  /// y -= S s, for b; n numbers each.
+  /// Solves for s with the right-hand side R' b and subtracts S s from y; n numbers each.
   void solve(const double* b, double* y) noexcept;
-  /// Of the determinant.
+  /// Sign of the determinant.
   int sign() const noexcept;
 
   /// Multiply-adds since it was last set to 0.
@@ -55,7 +55,7 @@ class ContactSystem {
  private:
   size_t elements() const noexcept { return constraints_ + drives_; }
   size_t size(size_t element) const noexcept { return element < constraints_ ? 3 : 1; }
-  /// Of its first number.
+  /// Index of the element's first number in W.
   size_t place(size_t element) const noexcept { return element < constraints_ ? 3 * element : 2 * constraints_ + element; }
   const double* W(size_t number) const noexcept { return W_ + number * n_; }
   double* V(size_t slot) noexcept { return store_.data() + (springs_ + slot) * springs_; }
@@ -69,14 +69,14 @@ class ContactSystem {
 
   const double* W_ = nullptr;
   size_t constraints_ = 0, drives_ = 0, n_ = 0;
-  size_t springs_ = 0, slots_ = 0, lines_ = 0;  // lines of M, G and A
+  size_t springs_ = 0, slots_ = 0, lines_ = 0;  // rows of M, G and A
   bool ready_ = false;                          // M is factored
-  std::vector<Factors> of_, was_;               // was: of the springs of M
-  std::vector<uint8_t> left_;                   // elements that ceased to be springs
-  std::vector<uint32_t> spring_, rest_;         // elements
-  std::vector<uint32_t> first_, slot_;          // of an element: its line in M or A, in G
-  std::vector<uint32_t> number_;                // of a line of G
-  std::vector<double> store_;                   // U, then V line by line, then G: n^2 numbers at most
+  std::vector<Factors> of_, was_;               // was_: of the springs in M
+  std::vector<uint8_t> left_;                   // per element: has ceased to be a spring
+  std::vector<uint32_t> spring_, rest_;         // elements of M; of A
+  std::vector<uint32_t> first_, slot_;          // per element: its first row in M or A, in G
+  std::vector<uint32_t> number_;                // per row of G: its number in W
+  std::vector<double> store_;                   // U, then V row by row, then G: n^2 numbers at most
   std::vector<double> A_, line_, w_, right_, s_;
   std::vector<uint32_t> pivot_;
 };

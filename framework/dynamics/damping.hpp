@@ -4,10 +4,10 @@
 //
 //   f = -k_d v   (4.15)        t = -k_t w   (4.16)
 //
-// Both are linear, so their flow over a step is an exponential. The forces here lead to its end: under a constant force F the speed
-// becomes v + (1 - exp(-k_d h / m)) (F / k_d - v), and the same about each principal axis with k_t and the moment of inertia. A body
-// that a contact holds does not fall, and its weight counts in full: there the damping is that of the speed alone.
-// No step makes it unstable: the motion never turns round. Units SI. Frame W. [rt]
+// Both are linear, so their flow over a step is an exponential. The forces here lead exactly to its end: under a constant F the speed
+// becomes v + (1 - exp(-k_d h / m)) (F / k_d - v), and the same about each principal axis with k_t and the moment of inertia. For a
+// body that a contact holds F = 0, as the contact bears its loads: the damping there is that of the speed alone.
+// Stable for every step length: damping never reverses the motion. Units SI. Frame W. [rt]
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// v* and W of an island: where its constraints would stand without forces, and how they give.
+// v* and W of an island: displacements of its constraints without forces, and the Delassus operator.
 #include <algorithm>
 
 #include "dynamics/contact_space.hpp"
@@ -36,7 +36,7 @@ size_t ContactSpace::begin(const Island& island) noexcept {
   return 2 * n_;
 }
 
-/// The sides of constraints that a block is on.
+/// Collects the sides of constraints that are on a block.
 void ContactSpace::collect(uint32_t block) noexcept {
   arm_.clear();
   for (uint32_t i = 0; i < n_constraints_; ++i) {
@@ -50,7 +50,7 @@ void ContactSpace::collect(uint32_t block) noexcept {
   }
 }
 
-/// Blocks as the flexible body answered them; it has come `extra` of its way already.
+/// Adds the mobility that the flexible body answered; its points already have the displacement `extra`.
 void ContactSpace::add_flexible(const DofBlock& block) noexcept {
   const PointMobility& own = block.own;
   for (size_t p = 0; p < arm_.size(); ++p) {
@@ -72,7 +72,7 @@ void ContactSpace::add_flexible(const DofBlock& block) noexcept {
   }
 }
 
-/// J A^-1 J'. The signs of the sides are in J.
+/// Adds J A^-1 J' of a rigid body, hinge or particle. The signs of the sides are in J.
 void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
   const uint32_t size = block.size;
   double to_free[6], F[6], d[6];
@@ -105,8 +105,8 @@ void ContactSpace::add_rigid(const DofBlock& block, uint32_t hinge) noexcept {
   if (block.kind == DofBlock::Kind::kHinge) add_drive(block, 3 * n_constraints_ + hinge);
 }
 
-/// J A^-1 J' of a band: a side goes with two vertices, and with what forces on those of another side move them by. The same in every pass
-/// of a step are the columns of A^-1; J is not.
+/// Adds J A^-1 J' of a band: a side moves with two vertices, by the columns of A^-1 for forces at the two vertices of another side. These
+/// columns are the same in every pass of a step; J is not.
 void ContactSpace::add_banded(const DofBlock& block) noexcept {
   constexpr uint32_t kColumns = BandedBody::kOfPoint, kOfVertex = BandedBody::kUnknowns;
   using Sides = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;  // of a vertex: its columns of J'
@@ -150,7 +150,7 @@ void ContactSpace::add_banded(const DofBlock& block) noexcept {
   }
 }
 
-/// The force of a drive acts on the angle: a constraint of its own, beside those that the hinge is on.
+/// Adds the row of a hinge drive: its torque acts on the angle, beside the constraints on the hinge.
 void ContactSpace::add_drive(const DofBlock& hinge, size_t at) noexcept {
   hinge.to_free(&free_[at]);
   line(at)[at] = 1 / hinge.drive.inertia_hh;

@@ -14,7 +14,7 @@
 
 namespace swage::dynamics {
 
-/// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: n.
+/// Factors A in place as P A = L U, partial pivoting. False when a pivot is zero or not finite. `row`: P as n row indices.
 inline bool lu_factor(size_t n, double* A, uint32_t* row) noexcept {
   for (size_t i = 0; i < n; ++i) row[i] = static_cast<uint32_t>(i);
   for (size_t k = 0; k < n; ++k) {
@@ -72,8 +72,8 @@ inline void lu_solve(size_t n, const double* LU, const uint32_t* row, const doub
 
 namespace dense {
 
-/// Two pivots at a time: each number has the same taken from it in the same order as by one at a time, and is read and written half as
-/// often.
+/// Eliminates two pivots at a time: the operations on each number and their order are those of one at a time, with half the loads and
+/// stores.
 template <class V>
 [[gnu::always_inline]] inline bool ldl_factor(size_t n, double* A) noexcept {
   const auto pivots = [](double pivot) { return pivot > 0 && std::isfinite(pivot); };
@@ -96,8 +96,8 @@ template <class V>
 }
 SWAGE_FOURS inline bool ldl_factor_by_fours(size_t n, double* A) noexcept { return ldl_factor<toolkit::Fours>(n, A); }
 
-/// Four lines of U at a time: what they take from the rest of x is taken in their order, so that the bits are those of one at a time,
-/// and x is read and written a quarter as often.
+/// Four rows of U at a time: each is subtracted from the rest of x in the order of the rows, so that the bits are those of one at a time,
+/// with a quarter of the loads and stores of x.
 template <class V>
 [[gnu::always_inline]] inline void solve_transposed(size_t n, const double* U, double* x) noexcept {
   size_t k = 0;
@@ -125,13 +125,13 @@ SWAGE_FOURS inline void solve_transposed_by_fours(size_t n, const double* U, dou
 
 }  // namespace dense
 
-/// Factors a symmetric, positive definite A in place as L D L^T, of which it reads the upper half and leaves D L^T there. False
+/// Factors a symmetric, positive definite A in place as L D L^T: reads its upper half and leaves D L^T there. False
 /// when a pivot is not above zero or not finite.
 inline bool ldl_factor(size_t n, double* A) noexcept {
   return toolkit::has_fours() ? dense::ldl_factor_by_fours(n, A) : dense::ldl_factor<toolkit::Twos>(n, A);
 }
 
-/// Four sums at a time, in pairs, of which no order depends on the compiler.
+/// Dot product by four partial sums of fixed order, so that the bits do not depend on the compiler.
 inline double dot(size_t n, const double* a, const double* b) noexcept {
   using Two = Eigen::Vector2d;
   const auto two = [](const double* x) { return Eigen::Map<const Two>(x); };

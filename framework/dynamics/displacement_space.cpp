@@ -53,7 +53,7 @@ bool DisplacementSpace::update_drives(const double* d) noexcept {
   return same;
 }
 
-/// Between kinks H does not change, and its factors are still there.
+/// Between kinks H does not change, and its factors are reused.
 bool DisplacementSpace::search_direction(const double* d, bool same, double* step) noexcept {
   same = update_drives(d) && same;
   if (!same || !factored_) {

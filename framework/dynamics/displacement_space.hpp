@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An island in the displacements d of its blocks: H step = -F, dense. [rt]; built on [main].
+// An island whose unknowns are the displacements d of its blocks: H step = -F, dense. [rt]; built on [main].
 #pragma once
 
 #include <cstdint>
@@ -29,10 +29,10 @@ class DisplacementSpace : public Space {
   void finish(const double* z, double* d) noexcept override;
 
  protected:
-  /// `max_dense`: unknowns of an island that is solved here.
+  /// `max_dense`: most unknowns of an island that is solved with the dense H.
   DisplacementSpace(uint32_t max_unknowns, uint32_t max_dense);
   const Island& island() const noexcept { return *island_; }
-  /// Stiffnesses of the drives at d. True when they are what they were.
+  /// Updates the stiffnesses of the drives to those at d. True when none changed.
   bool update_drives(const double* d) noexcept;
 
   bool factored_ = false;  // H_ holds the factors of the last system

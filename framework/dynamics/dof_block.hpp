@@ -17,7 +17,7 @@ namespace swage::dynamics {
 
 /// The answer of a flexible body about its points: their displacement is the free one plus h^2 W f.
 struct PointMobility {
-  const double* W = nullptr;      // m/s per N s, stride x stride, constraint-major
+  const double* W = nullptr;      // m/s per N s, stride x stride, row-major
   const double* extra = nullptr;  // m, displacement beyond the free one; stride
   size_t stride = 0;
   double hh = 0;  // s2
@@ -27,18 +27,18 @@ struct DofBlock {
   enum class Kind : uint8_t { kRigid, kHinge, kParticle, kFlexible, kBanded };
   Kind kind = Kind::kRigid;
   uint32_t index = 0;            // body, hinge, particle of the world, or place among the flexible bodies
-  uint32_t size = 6;             // unknowns; kFlexible: none, it answers for its points (contact_space.hpp)
-  uint32_t offset = 0;           // of its unknowns in the island
+  uint32_t size = 6;             // number of unknowns; kFlexible: 0, its points answer instead (contact_space.hpp)
+  uint32_t offset = 0;           // of its first unknown in the island
   double m_hh = 0;               // N/m, mass / h^2
   Mat3 I_hh = Mat3::Zero();      // N m / rad, inertia in W over h^2
   Mat3 inv_I_hh = Mat3::Zero();  // its inverse
   HingeDrive drive;
-  double stiffness = 0;  // N m/rad of the drive in the last system
+  double stiffness = 0;  // N m/rad, of the drive, in the last system
 
   Vec3 x = Vec3::Zero();  // m, from the pose without contacts
   Vec3 a = Vec3::Zero();  // rad, rotation over the step
-  // N m, L0 / h + t: angular momentum at the start and torque. Balance is of momentum, because the spin of a thin wire about
-  // itself says little about the rest of it
+  // N m, L0 / h + t: angular momentum at the start, and torque. Momentum is balanced, not angular velocity: that of a thin wire may
+  // be almost all spin about its own axis, which says little about the rest of the momentum
   Vec3 b = Vec3::Zero();
   double angle = 0;                                 // kHinge: x itself [rad], not relative to x_hat
   Vec3 axis = Vec3::Zero(), anchor = Vec3::Zero();  // kHinge: in W
@@ -67,7 +67,7 @@ struct DofBlock {
     }
   }
 
-  /// The step from here to the pose without contacts; of a hinge without its drive.
+  /// Step from the present pose to the pose without contacts; for a hinge without its drive.
   void to_free(double* d) const noexcept {
     if (kind == Kind::kBanded) return band->to_free(d);
     if (kind == Kind::kHinge) {
@@ -93,7 +93,7 @@ struct DofBlock {
     for (int i = 0; i < 3; ++i) d[3 + i] = turn[i];
   }
 
-  /// Adds dF/dd to the island's matrix H (n x n, constraint-major). Not of a band (sparse_space.hpp).
+  /// Adds dF/dd to the island's matrix H (n x n, row-major). Not for a band (sparse_space.hpp).
   void add_stiffness(const double* d, size_t n, double* H) const noexcept {
     double* at = H + offset * n + offset;
     for (uint32_t i = 0; i < size; ++i) at[i * n + i] += m_hh;
@@ -105,7 +105,7 @@ struct DofBlock {
     }
   }
 
-  /// F' A^-1 F: h^2 times twice the kinetic energy that the unbalanced impulse h F would give [J].
+  /// F' A^-1 F: twice the kinetic energy that the unbalanced impulse h F would give [J].
   double merit(const double* F) const noexcept {
     if (kind == Kind::kRigid) {
       const Vec3 f(F[0], F[1], F[2]), t(F[3], F[4], F[5]);
@@ -117,7 +117,7 @@ struct DofBlock {
     return sum / m_hh;
   }
 
-  /// Size of a change [m]: of the centre; turns, and all of a band, show at the contacts.
+  /// Displacement of the centre [m]; 0 for hinges and bands. Rotations and bands are measured at the contacts.
   double length(const double* d) const noexcept {
     if (kind != Kind::kRigid && kind != Kind::kParticle) return 0;
     return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);

@@ -13,7 +13,7 @@
 namespace swage::dynamics {
 
 namespace {
-constexpr double kTouch = 0.01;  // gap at which something that rebounds touches, in tolerances: 1 pm
+constexpr double kTouch = 0.01;  // tolerance of the gap at a touch of the rebound, in tolerances of the solve: 1 pm
 }
 
 struct Dynamics::Core {
@@ -35,7 +35,7 @@ struct Dynamics::Core {
   Stats stats;
 };
 
-/// Where rigid bodies alone touch, a step that does not converge is done again in parts.
+/// Where rigid bodies alone touch, a step that does not converge is repeated in parts.
 void Dynamics::Core::solve_contacts(scene::World& world, contact::ContactSet& contacts, std::span<FlexibleBody* const> self,
                                     std::span<Tie> ties, contact::Detector* detector) noexcept {
   const auto flew = [](uint8_t f) { return f != 0; };
@@ -50,7 +50,7 @@ void Dynamics::Core::solve_contacts(scene::World& world, contact::ContactSet& co
 
 namespace {
 
-/// What contacts and ties put on each hinge, about its axis.
+/// Adds the torque of contacts and ties on each hinge, about its axis.
 void add_hinge_torques(scene::World& world, const contact::ContactSet& contacts, std::span<const Tie> ties) {
   for (uint32_t i = 0; i < world.hinge.size(); ++i) {
     const scene::HingeInfo& info = world.hinge[i];
@@ -101,7 +101,7 @@ void Dynamics::solve(scene::World& world, contact::ContactSet& contacts, std::sp
     add_hinge_torques(world, contacts, ties);
   }
   if (ended) return;
-  // the touches of this step did not end within its budget of looks
+  // the touches of this step did not end within its budget of predictions
   ++core_->stats.health.over_budget;
   core_->stats.health.steps = short_steps + 1;
 }

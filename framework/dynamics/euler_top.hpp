@@ -15,14 +15,14 @@
 //     D = 1 - alpha gamma y^2 p^2
 //
 // Energy and |L| are exact to rounding whatever p is. Attitude: with a and b the momentum in the body at the start and
-// at the end, it turns about L by psi and then by the least rotation that takes b to a, so L stands still in the world
+// at the end, it turns about L by psi and then by the least rotation that takes b to a, so L is constant in the world
 // to rounding. Only psi is approximate, the integral of |L| (2 E + w . a) / (a . a + L . a), as a series to h^5: with
 // v = w at the start, f = 2 E / (a . a), g = v - f a, which is normal to a and to a', and a'' = A a by components,
 //
 //     psi / |L| = f h + (h^3 s2 + h^4 s3 / 4 + h^5 (s4 + 3 s2 a'.a' / a.a) / 20) / (12 a.a)
 //     s2 = g . A a     s3 = g . A a'     s4 = g . A A a
 //
-// Written for a short chain of dependent operations, of which its time consists. Header-only, pure functions, [rt].
+// Written for a short chain of dependent operations, which determines its run time. Header-only, pure functions, [rt].
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ struct EulerTop {
   }
 };
 
-/// Along the renamed axes.
+/// Components along the renamed axes.
 struct Triple {
   double x, y, z;
   double dot(const Triple& b) const { return x * b.x + y * b.y + z * b.z; }
@@ -60,7 +60,7 @@ struct Triple {
 /// Attitude of the renamed axes in W (whose own are renamed alike), and momentum along them.
 struct TopState {
   double w, x, y, z;  // quaternion
-  double norm2 = 1;  // its length squared: it is made a unit quaternion last, beside what else has to be done
+  double norm2 = 1;  // its squared length: it is normalised last, beside other operations
   Triple L;          // N m s
 
   void normalise() {
@@ -103,7 +103,7 @@ inline double angle_about_momentum(const EulerTop& t, const Triple& a, const Tri
   return h * (f + h2 * over_G2 * (1.0 / 12) * ((s2 + 0.25 * h * s3) + bend));
 }
 
-/// The top over h [s] from a unit quaternion.
+/// Advances the top by h [s] from a unit quaternion.
 inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, TopState& s) {
   const Triple a = s.L;
   const Triple da{t.alpha * a.y * a.z, t.beta * a.z * a.x, t.gamma * a.x * a.y};
@@ -128,11 +128,11 @@ inline void turn_top(const EulerTop& t, double lambda2, double mu2, double h, To
   s.L = b;
 }
 
-/// The top over h [s], in as many equal parts as turn_top needs: one up to 170 rad/s at 1 kHz for moments 1 : 2 : 3.
-/// Beyond 64 parts (11 000 rad/s) it turns no farther than they can. The quaternion is left with its norm2.
+/// Advances the top by h [s], in as many equal parts as turn_top needs: one up to 170 rad/s at 1 kHz for moments 1 : 2 : 3.
+/// Beyond 64 parts (11 000 rad/s) it turns only as far as they can. The quaternion is not normalised: norm2 is its squared length.
 inline void euler_top(const EulerTop& t, double h, TopState& s) {
   const double xx = s.L.x * s.L.x, yy = s.L.y * s.L.y, zz = s.L.z * s.L.z;
-  if (!(xx + yy + zz > 1e-140)) return;  // stands still
+  if (!(xx + yy + zz > 1e-140)) return;  // at rest
   const double middle = t.gamma_alpha * yy, lambda2 = middle - t.alpha_beta * zz,
                mu2 = middle - t.beta_gamma * xx;
   constexpr double kMost = 0.1;  // rad

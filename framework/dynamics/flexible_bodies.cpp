@@ -8,7 +8,7 @@ namespace swage::dynamics {
 
 namespace {
 
-/// 0 x is 0 for all but infinity and NaN, in whatever order it is summed.
+/// True when all numbers are finite: 0 x is 0 except for infinity and NaN, in whatever order the sum is taken.
 bool finite(const double* x, size_t n) noexcept {
   return (0.0 * Eigen::Map<const Eigen::VectorXd>(x, static_cast<Eigen::Index>(n))).sum() == 0;
 }
@@ -29,7 +29,7 @@ FlexibleBodies::FlexibleBodies(const scene::World& world) : room_(world.capacity
     if (std::count_if(world.shape.begin(), world.shape.end(), chain) != 1) continue;
     band_.push_back(std::make_unique<BandedBody>(object, static_cast<uint32_t>(world.chain[first->chain].start.size())));
   }
-  // a contact may touch one of them twice
+  // both sides of a contact may be on one of them
   const size_t points = band_.empty() ? room_ : std::max<size_t>(room_, 2 * (size_t{world.capacity.contacts} + world.capacity.ties));
   const size_t n = size_t{3} * room_;
   for (Object& o : object_) {
@@ -111,7 +111,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
     const bool answered = flexible_[i]->mobility(points, o.v_free.data(), o.W.data()) &&
                           flexible_[i]->displacement(points, o.u.data());
 
-    // a failed object, or one that answers nonsense, stands still
+    // a failed object, or one whose answer is not finite, cannot be moved
     o.sound = answered && finite(o.v_free.data(), n) && finite(o.u.data(), n) && finite(o.W.data(), n * n);
     if (!o.sound) {
       unanswered += o.points;
@@ -125,7 +125,7 @@ uint32_t FlexibleBodies::ask(double h) noexcept {
 }
 
 void FlexibleBodies::expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept {
-  if (object_[slot].band) return;  // it starts where it advanced to
+  if (object_[slot].band) return;  // a band starts at the state to which it advanced
   const Vec3 prediction_error_at = displacement - u_free(slot, point);
   for (uint32_t i = 0; i < 3; ++i) object_[slot].expected[3 * point + i] = prediction_error_at[i];
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object with mechanics of its own, as the contact solve sees it. The step implements it on top of the
+// A flexible body: an object with its own mechanics, as the contact solve sees it. The step implements it on top of the
 // plugin extensions swage.object.solver/1 or /2 and swage.object.band/1; tests implement it directly.
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace swage::dynamics {
 
-/// Answers for the flexible bodies of one object. All calls [rt], noexcept, at most once per step and in this
-/// order; but compliance may be asked a second time, for more points, when the first answer surprises. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
-/// contact set.
+/// Interface to the flexible bodies of one object. All calls [rt], noexcept, at most once per step and in this order; but mobility may
+/// be asked for a second time, for more points, when points move farther than expected. `point[i].body` and `point[i].shape` are
+/// indices of the world; points are in the order of the contact set.
 class FlexibleBody {
  public:
   virtual ~FlexibleBody() = default;
@@ -21,22 +21,22 @@ class FlexibleBody {
   /// Index of the object, as in BodyInfo::object.
   virtual uint32_t object() const noexcept = 0;
 
-  /// Its surface is its shapes: it need not be asked about contacts that these do not reach.
+  /// True when the surface is that of the shapes: the object need not be asked about contacts whose shapes are apart.
   virtual bool surface_is_shape() const noexcept { return false; }
 
-  /// Places on its chains of the points of the next calls; valid until this is called again.
+  /// Gives the places, on the object's chains, of the points of the next calls; valid until the next locate().
   virtual void locate(std::span<const swage_chain_place> /*place*/) noexcept {}
 
-  /// Its mobility: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, constraint-major, symmetric, positive
+  /// Its mobility: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n, row-major, symmetric, positive
   /// semi-definite [m/s per N s]. False: the object has failed, its points take part as if they could not be
   /// moved.
   virtual bool mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept = 0;
 
-  /// It answers displacement(): its surface is apart from its shapes in every step, however small the displacement.
+  /// True when it answers displacement(): its surface counts as apart from its shapes in every step, however small the displacement.
   virtual bool displaces() const noexcept { return false; }
 
-  /// By how much the free surface is displaced from the shapes at the same points: u_W is 3 n [m], zero on entry. False: as
-  /// if it stood still there.
+  /// Displacement of the free surface from the shapes at the same points: u_W is 3 n [m], zero on entry. False: the object has
+  /// failed, as in mobility().
   virtual bool displacement(std::span<const swage_contact_point> /*point*/, double* /*u_W*/) noexcept {
     return true;
   }
@@ -45,7 +45,7 @@ class FlexibleBody {
   /// twists.
   virtual void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
 
-  /// Its one chain is a band (swage/abi/band.h): linearise and displace take the places of mobility and apply_impulses.
+  /// True when its one chain is a band (swage/abi/band.h): linearise and displace take the places of mobility and apply_impulses.
   virtual bool banded() const noexcept { return false; }
   virtual bool linearise(uint32_t /*stiffer*/, double* /*stiffness*/, double* /*gradient*/) noexcept { return false; }
   virtual void displace(const double* /*change*/, std::span<const swage_contact_point> /*point*/,

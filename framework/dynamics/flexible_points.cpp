@@ -14,7 +14,7 @@ FlexiblePoints::FlexiblePoints(ContactProblem& problem) : p_(problem) {
   touched_.assign(p_.place.blocks(), 0), points_.assign(p_.place.blocks(), 0);
 }
 
-/// Points of all contacts that matter, in their order; of a block that then has none, those of all that it has.
+/// Adds the points of all contacts that are not skipped, in their order; for a block without any, those of all its contacts.
 void FlexiblePoints::add(const contact::ContactSet& contacts, std::span<const Tie> ties, bool all) noexcept {
   ask_all_ = all;
   n_skipped_ = 0;
@@ -26,7 +26,7 @@ void FlexiblePoints::add(const contact::ContactSet& contacts, std::span<const Ti
   };
   for (uint32_t i = 0; i < p_.n; ++i) {
     ContactWorkspace& k = p_.contact[i];
-    // what passes through never pushes: nobody needs to know how much gives there
+    // a contact of stiffness 0 never pushes: its mobility is not needed
     if (!(contacts.contact[i].law.stiffness > 0))
       for (Side* s : {&k.a, &k.b})
         if (own(*s)) s->block = kNone;
@@ -36,7 +36,7 @@ void FlexiblePoints::add(const contact::ContactSet& contacts, std::span<const Ti
     n_skipped_ += k.skipped;
   }
   if (n_skipped_ > 0) {
-    // it would be taken for free
+    // a block without points would be taken for free
     std::fill(touched_.begin(), touched_.end(), uint8_t{0});
     for (uint32_t m = 0; m < points_.size(); ++m) touched_[m] = p_.place.is_flexible(m) && points_[m] == 0;
     for (uint32_t i = 0; i < p_.n; ++i) {
@@ -66,20 +66,20 @@ void FlexiblePoints::add(const contact::Contact& c, ContactWorkspace& k) noexcep
   }
 }
 
-/// Shapes that are apart, where they tell how the surfaces come.
+/// True for a contact whose shapes are apart, where the surface of the flexible body is that of its shapes.
 bool FlexiblePoints::may_skip(const contact::Contact& c, const ContactWorkspace& k) const noexcept {
   if (ask_all_ || c.gap <= p_.scales.near || !(c.law.stiffness > 0)) return false;
   bool own = false;
   for (const Side* s : {&k.a, &k.b}) {
     if (!p_.place.is_flexible(s->block)) continue;
     own = true;
-    if (p_.place.is_banded(s->block)) return false;  // what it costs does not grow with its points
+    if (p_.place.is_banded(s->block)) return false;  // the cost of a band does not grow with its points
     if (!p_.place.flexible().surface_is_shape(p_.place.block(s->block).index)) return false;
   }
   return own;
 }
 
-/// The solve starts where flexible bodies expect their points: contacts that they come back to from there show when it has moved them.
+/// Starts the solve where flexible bodies expect their points. Contacts to which they return are found once the solve has moved them.
 void FlexiblePoints::start_at_predictions(contact::ContactSet& contacts, TieConstraints& ties) noexcept {
   for (uint32_t i = 0; i < p_.n; ++i)
     for (const Side* s : {&p_.contact[i].a, &p_.contact[i].b})
@@ -91,7 +91,7 @@ void FlexiblePoints::start_at_predictions(contact::ContactSet& contacts, TieCons
       contacts.contact[i].gap = p_.contact[i].found.gap + p_.off_shapes(contacts.contact[i], p_.contact[i]);
 }
 
-/// Contacts were found on shapes; where a surface stands elsewhere they overlap by something else.
+/// Corrects the gaps, found on shapes, where the surface of a flexible body is displaced from its shapes.
 void FlexiblePoints::meet_surfaces(contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < p_.n; ++i) {
     ContactWorkspace& k = p_.contact[i];
@@ -108,7 +108,7 @@ void FlexiblePoints::meet_surfaces(contact::ContactSet& contacts) noexcept {
 /// Whether something moved so far from its expected place that a contact that no flexible body was asked about may touch.
 /// `moved`: the solve has moved something.
 bool FlexiblePoints::missed_contact(contact::ContactSet& contacts, bool moved) noexcept {
-  uint32_t of = kNone;  // whose way is known
+  uint32_t of = kNone;  // block to which prediction_error belongs
   PredictionError prediction_error;
   for (uint32_t i = 0; n_skipped_ > 0 && i < p_.n; ++i) {
     const ContactWorkspace& k = p_.contact[i];
@@ -129,8 +129,8 @@ bool FlexiblePoints::missed_contact(contact::ContactSet& contacts, bool moved) n
   return false;
 }
 
-/// How far points of a flexible body may be from where they were expected, at most: what its asked points are, and the farther a
-/// point is from them, for the width that they have across their length, the more.
+/// Bound on the prediction error of a flexible body's points: the largest error of the points asked about, which grows with the
+/// distance of a point from their centre, relative to their width across their length.
 FlexiblePoints::PredictionError FlexiblePoints::prediction_error(const contact::ContactSet& contacts,
                                                                  uint32_t block) const noexcept {
   PredictionError out;
@@ -158,7 +158,7 @@ FlexiblePoints::PredictionError FlexiblePoints::prediction_error(const contact::
   return out;
 }
 
-/// Contacts as they were before the solve looked at them.
+/// Restores gap, place and normal of the contacts to those before the solve.
 void FlexiblePoints::restore(contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < p_.n; ++i) {
     contact::Contact& c = contacts.contact[i];
@@ -166,7 +166,7 @@ void FlexiblePoints::restore(contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// Contacts that flexible bodies have no room for: they share the points of others.
+/// Marks contacts for which flexible bodies have no room: they share the points of others.
 void FlexiblePoints::find_who_shares(const contact::ContactSet& contacts,
                                      std::span<const Tie> ties) noexcept {
   const size_t n_ties = std::min<size_t>(ties.size(), p_.room.ties);

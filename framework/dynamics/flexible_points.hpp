@@ -22,11 +22,11 @@ class FlexiblePoints {
  public:
   explicit FlexiblePoints(ContactProblem& problem);
 
-  /// Adds the points of contacts, of all of them where `all`.
+  /// Adds the points of contacts that overlap or nearly do; of all contacts where `all`.
   void add(const contact::ContactSet& contacts, std::span<const Tie> ties, bool all) noexcept;
   /// Corrects the gaps of contacts of a body whose surface is apart from its shapes.
   void meet_surfaces(contact::ContactSet& contacts) noexcept;
-  /// The solve starts where flexible bodies expect their points.
+  /// Starts the solve where flexible bodies expect their points.
   void start_at_predictions(contact::ContactSet& contacts, TieConstraints& ties) noexcept;
   /// Whether a contact that no flexible body was asked about may touch. `moved`: the solve has moved something.
   bool missed_contact(contact::ContactSet& contacts, bool moved) noexcept;
@@ -37,7 +37,7 @@ class FlexiblePoints {
   /// A bound on the distance of a flexible body's points from their expected places [m]: most (1 + grows |p - middle|).
   struct PredictionError {
     double most = 0, grows = 0;  // m, 1/m
-    Vec3 middle = Vec3::Zero();  // m, of the points that were asked about
+    Vec3 middle = Vec3::Zero();  // m, centre of the points that were asked about
   };
 
   void add(const contact::Contact& c, ContactWorkspace& k) noexcept;
@@ -50,7 +50,7 @@ class FlexiblePoints {
   bool ask_all_ = false;
   uint32_t n_skipped_ = 0;        // contacts that flexible bodies have not been asked about
   std::vector<uint8_t> touched_;  // per block
-  std::vector<uint32_t> points_;  // per block, that contacts ask for
+  std::vector<uint32_t> points_;  // per block: number of points that contacts ask for
 };
 
 }  // namespace swage::dynamics

@@ -54,7 +54,7 @@ inline void flow_top(const RigidMass& m, double h, Top& t) {
        r.c * t.L2 - r.s * t.L1};
 }
 
-/// Exact flow of what is left, L2^2 (1/I_k - 1/I_j) / 2: a turn about axis 2.
+/// Exact flow of the remainder, L2^2 (1/I_k - 1/I_j) / 2: a rotation about axis 2.
 inline void flow_rest(const RigidMass& m, double h, Top& t) {
   const Turn r(h * m.rest * t.L2);
   t = {t.w * r.c2 - t.z * r.s2,
@@ -130,7 +130,7 @@ void taylor_kicked(const RigidMass& m, const Vec3& t_W, double h, Spin& x) {
   x.L += x.q.conjugate() * (0.5 * h * t_W);
 }
 
-/// Half the torque before, half after; angular velocity before the quaternion is of unit length again (euler_top.hpp).
+/// Half the torque before, half after. The angular velocity is computed before the quaternion is normalised (euler_top.hpp).
 void elliptic(const RigidMass& m, const Vec3& t_W, double h, RigidState& s) {
   const EulerTop& e = m.euler;
   const bool torque = !t_W.isZero(0);

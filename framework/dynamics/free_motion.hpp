@@ -22,13 +22,13 @@ struct RigidState {
   Vec3 w_W;  // rad/s
 };
 
-/// What does not change about it, prepared on [main].
+/// Constants of a rigid body, prepared on [main].
 struct RigidMass {
   double mass = 1;        // kg
   Vec3 I = Vec3::Ones();  // kg m2, principal
   Vec3 inv_I = Vec3::Ones();
 
-  // the symmetric top nearest to it: axis i, equal moments I[j] across; axis k carries what is left
+  // the nearest symmetric top: axis i, equal moments I[j] across; axis k carries the remainder
   int i = 0, j = 1, k = 2;
   double top = 0;   // 1/I[i] - 1/I[j]
   double rest = 0;  // 1/I[k] - 1/I[j]
@@ -40,7 +40,7 @@ struct RigidMass {
 };
 
 /// Moves `s` by h [s] under the force f_W [N] at the centre of mass and the torque t_W [N m], both constant
-/// in W. Translation is exact but for kThesis and kSymplecticEuler, which are what their names say.
+/// in W. Translation is exact except for kThesis (explicit Euler) and kSymplecticEuler.
 void move_free(FreeMotion method, const RigidMass& m, const Vec3& f_W, const Vec3& t_W, double h,
                RigidState& s) noexcept;
 

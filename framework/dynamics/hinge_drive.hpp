@@ -24,7 +24,7 @@ struct HingeDrive {
   double low = 0, high = 0;  // rad, end stops relative to q0
   double stop = 0;           // N m / rad, stiffness of an end stop
   double inertia_hh = 0;     // kg m2 / s2, I / h^2
-  double x_hat = 0;          // rad, where it would go without drive, stops and contacts
+  double x_hat = 0;          // rad, change of the angle without drive, stops and contacts
 
   HingeDrive() = default;
   /// `angle`, `rate`: at the start of the step; `torque`: from forces on the child [N m].
@@ -37,7 +37,7 @@ struct HingeDrive {
         high(std::max(0.0, info.max - angle)),
         inertia_hh(info.inertia / (h * h)),
         x_hat(h * rate + h * h * torque / info.inertia) {
-    // a stop gives a millionth of what inertia and drive give
+    // a stop is a million times as stiff as inertia and drive
     stop = 1e6 * (inertia_hh + kappa);
   }
 
@@ -52,14 +52,14 @@ struct HingeDrive {
     const double drive = std::abs(t0 - kappa * x) < max ? kappa : 0.0;
     return drive + (x > high || x < low ? stop : 0.0);
   }
-  /// t(x) - x dt/dx: where the tangent at x meets x = 0; to the bit the same all along a piece.
+  /// t(x) - x dt/dx: value at 0 of the tangent at x; the same bits all along one piece.
   double torque_at_zero(double x) const {
     const double t = t0 - kappa * x;
     return (std::abs(t) < max ? t0 : std::copysign(max, t)) + (x > high  ? stop * high
                                                                : x < low ? stop * low
                                                                          : 0.0);
   }
-  /// Its gradient is -t. [J]
+  /// Energy of drive and stops [J]: its gradient is -t.
   double energy(double x) const {
     const double t = std::abs(t0 - kappa * x);
     double e = kappa > 0 ? (t <= max ? 0.5 * t * t : max * (t - 0.5 * max)) / kappa : 0.0;
@@ -67,7 +67,7 @@ struct HingeDrive {
     if (x < low) e += 0.5 * stop * (x - low) * (x - low);
     return e;
   }
-  /// Where it goes when nothing touches it: inertia_hh (x - x_hat) = t(x), solved exactly.
+  /// Change of the angle when nothing touches the hinge: inertia_hh (x - x_hat) = t(x), solved exactly.
   double free() const {
     double x = (inertia_hh * x_hat + t0) / (inertia_hh + kappa);
     const double t = t0 - kappa * x;

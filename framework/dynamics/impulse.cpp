@@ -11,7 +11,7 @@ using toolkit::vec;
 
 namespace {
 
-/// One side of a contact: velocity of its point, and how much it gives along n to an impulse along n.
+/// One side of a contact: velocity of its point, and its mobility along n.
 struct Party {
   scene::World& world;
   const Motion& motion;
@@ -39,7 +39,7 @@ struct Party {
     return axis.cross(p_W - X_WP * vec(info.anchor));
   }
 
-  /// Denominator of 4.43: 1/m + ((I^-1 (r x n)) x r) . n; zero for what nothing moves.
+  /// Denominator of 4.43: 1/m + ((I^-1 (r x n)) x r) . n; zero for a side that cannot be moved.
   double mobility(const Vec3& n) const {
     if (particle != kNone) return 1 / world.particle_mass[particle];
     Vec3 axis;
@@ -55,7 +55,7 @@ struct Party {
     }
   }
 
-  /// 4.41 and 4.42: the impulse j n.
+  /// Applies an impulse: 4.41 and 4.42.
   void take(const Vec3& impulse) const {
     if (particle != kNone) {
       const Vec3 dv = impulse / world.particle_mass[particle];

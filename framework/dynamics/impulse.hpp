@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The impulse response of thesis 4.3, equations 4.37 to 4.43: one contact after the other, along the normal, without
-// friction and without a memory. Kept to compare with.
+// friction and without a memory. Kept for comparison.
 #pragma once
 
 #include "contact/contact_set.hpp"

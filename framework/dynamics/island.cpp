@@ -13,18 +13,18 @@ namespace swage::dynamics {
 namespace {
 
 constexpr uint32_t kNewtonSteps = 8;  // of Coulomb's Newton before the convex path is taken
-constexpr uint32_t kHalvings = 3;     // of one of them
-constexpr uint32_t kBandedHalvings = 0;  // the same of threads: their path costs less than shorter steps
+constexpr uint32_t kHalvings = 3;     // of one of these steps
+constexpr uint32_t kBandedHalvings = 0;  // the same with threads: their path costs less than shorter steps
 constexpr uint32_t kTiedSteps = 20,
-                   kTiedHalvings = 6;  // the same where ties hold: they do not turn F inside out
+                   kTiedHalvings = 6;  // the same with ties, with which det H does not change its sign
 constexpr double kDecrease = 1e-3;     // fraction of the predicted decrease that a step must bring
 constexpr double kFlat = 0.1;          // slope that ends a line search, of the slope at its start
 constexpr uint32_t kSearch = 30;       // evaluations of one line search
 constexpr uint32_t kConvexSteps = 12;  // Newton steps of one convex problem
 constexpr uint32_t kTrescaRounds = 3;  // convex problems, each with the limits that the one before gave
-constexpr uint32_t kMostBends = 100;   // contacts of a thread whose path is followed: beyond it uses up the budget
+constexpr uint32_t kMostBends = 100;   // constraints of an island with threads whose path is followed: a longer one uses up the budget
 constexpr double kNeverSlips = 1e300;  // N
-constexpr double kHere = 1e-4;         // tolerances that rounding may leave of a step
+constexpr double kHere = 1e-4;         // in tolerances: a step as short as this is due to rounding
 
 bool has_ties(const Island& island) {
   return std::any_of(island.constraints.begin(), island.constraints.end(),
@@ -56,10 +56,10 @@ uint64_t IslandSolver::work() const noexcept {
   return displacement_space_->work + contact_space_->work + (sparse_space_ ? sparse_space_->work : 0);
 }
 
-/// To the pose of the linearisation.
+/// Sets z to the pose of the linearisation.
 void IslandSolver::start() noexcept { consistent_ = space_->start(z_.data()); }
 
-/// Forces of all constraints and the residual at z.
+/// Computes the forces of all constraints and the residual at z.
 void IslandSolver::evaluate(const Island& island, const double* z, Friction friction) noexcept {
   space_->displace(z);
   for (Constraint& c : island.constraints) c.f = constraint_force(c, c.u, friction, c.limit);
@@ -74,7 +74,7 @@ bool IslandSolver::search_direction(const Island& island, Friction friction) noe
   return law_;
 }
 
-/// Tangents of all constraints. True when they are what they were.
+/// Updates the tangents of all constraints. True when none changed.
 bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexcept {
   bool same = true;
   const auto keep = [&same](double& kept, double now) {
@@ -91,7 +91,7 @@ bool IslandSolver::same_stiffness(const Island& island, Friction friction) noexc
   return same;
 }
 
-/// A whole step from the start, where points of the space are reached by that alone.
+/// Takes a whole step from the start, where the space needs that for a consistent point.
 bool IslandSolver::make_consistent(const Island& island, Friction friction) noexcept {
   if (consistent_) return true;
   const bool where_it_was = island.banded && friction == Friction::kCoulomb;
@@ -114,8 +114,8 @@ bool IslandSolver::make_consistent(const Island& island, Friction friction) noex
   return consistent_ = true;
 }
 
-/// Newton step with every constraint on the pieces of the last step or pass. A thread that goes on as it went leaves or enters most of
-/// its contacts, which would begin on pieces that none of them is on; what bore nothing begins as the law has it there.
+/// Newton step with every constraint on its piece of the last step or pass. A thread that has advanced freely has opened or overlapped most
+/// of its contacts, and the law there would give pieces that do not apply. Contacts that bore no force begin with the law at the start.
 bool IslandSolver::begin_where_it_was(const Island& island) noexcept {
   space_->displace(z_.data());
   for (Constraint& c : island.constraints) {
@@ -141,10 +141,10 @@ void IslandSolver::advance(double fraction) noexcept {
   for (size_t i = 0; i < point_size_; ++i) trial_[i] = z_[i] + fraction * step_[i];
 }
 
-/// The merit below which a correction H^-1 F cannot be seen: where nothing slips H is above A, so a correction dx of the lightest
-/// block's centre has m dx^2 / h^2 <= F' A^-1 F. A hundredth of the tolerance, because places far from the centre move more. On
-/// one piece of every contact the first step ends there, and need not be confirmed by a second. What slips, holds by a tie or has
-/// unknowns of its own goes on until its correction is small.
+/// Merit below which a correction H^-1 F is negligible: where nothing slips H is above A, so a correction dx of the lightest
+/// block's centre has m dx^2 / h^2 <= F' A^-1 F. dx is a hundredth of the tolerance, because points far from the centre move more. Where
+/// every contact stays on one piece, the first step ends there and need not be confirmed by a second. Islands that slip, have ties or
+/// flexible bodies iterate until the correction itself is small.
 double IslandSolver::negligible_merit(const Island& island, double tolerance) const noexcept {
   double lightest = HUGE_VAL;
   for (const DofBlock* block : island.blocks) {
@@ -162,7 +162,7 @@ bool IslandSolver::sticks(const Island& island) const noexcept {
 }
 
 /// Semi-smooth Newton on F with a line search on the merit F' A^-1 F, for which its direction descends. Gives up soon:
-/// what it cannot do in a few steps the convex path does better.
+/// where it does not converge in a few steps, the convex path does better.
 bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
   const bool tied = has_ties(island) && !island.banded;
   const uint32_t steps = tied ? kTiedSteps : kNewtonSteps;
@@ -175,7 +175,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
     if ((i > 0 && over_budget()) || !search_direction(island, Friction::kCoulomb)) return false;
     const double far = space_->length(step_.data());
     if (!std::isfinite(far)) return false;
-    // every constraint is on the piece for which the last step was made: it ended here
+    // every constraint is on the piece for which the last step was computed: that step ended at the solution
     if (island.contact_space && far <= kHere * tolerance) return true;
     if (far > tolerance && now < 0) now = space_->merit();
 
@@ -183,7 +183,7 @@ bool IslandSolver::newton(const Island& island, double tolerance) noexcept {
     for (uint32_t k = 0;; ++k, fraction *= 0.5) {
       advance(fraction);
       evaluate(island, trial_.data(), Friction::kCoulomb);
-      // close enough that the last correction settles it
+      // close enough: this correction is the last
       if (far <= tolerance) break;
       next = space_->merit();
       if (next <= (1 - 2 * kDecrease * fraction) * now) break;
@@ -211,13 +211,13 @@ double IslandSolver::slope(const Island& island, double fraction) noexcept {
   return sum;
 }
 
-/// The fraction of the step at which the energy is least, well enough: the slope there is a tenth of what it was. Regula
+/// Fraction of the step at which the energy is nearly least: the slope there is at most a tenth of that at the start. Regula
 /// falsi on the slope, which is piecewise smooth with steep kinks where a contact begins to slip.
 double IslandSolver::search(const Island& island) noexcept {
   space_->set_search_direction(step_.data());
   const double start = slope(island, 0), good = kFlat * std::abs(start);
   double low = 0, high = 1, at_low = start, at_high = slope(island, 1);
-  if (at_high <= good) return 1;  // the whole step still descends, or all but
+  if (at_high <= good) return 1;  // the energy still falls at the end of the step, or nearly so
   for (uint32_t k = 0; k < kSearch; ++k) {
     // every third time the middle, so that the bracket surely shrinks
     double fraction = low - at_low * (high - low) / (at_high - at_low);
@@ -248,7 +248,7 @@ bool IslandSolver::minimise(const Island& island, double tolerance) noexcept {
       evaluate(island, z_.data(), Friction::kTresca);
       return true;
     }
-    // a short piece of a long step may only have met a kink; two are the end
+    // one short part of a long step may only have met a kink; two in a row end the search
     const double fraction = search(island);
     advance(fraction);
     z_.swap(trial_);
@@ -274,8 +274,8 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
     outcome.converged = minimise(island, tolerance);
     outcome.limits_hold = limits_hold(island);
   } else {
-    // threads that touch many things begin with the projection: Newton's method seldom ends there, and a path is too long. With few
-    // contacts a path ends as near as it can; the projection may end where an edge has turned once about itself
+    // threads with many contacts begin with the projection: Newton's method seldom converges there, and a path is too long. With few
+    // contacts a path ends at a near solution; the projection may end where an edge has turned once about itself
     const bool many = island.banded && island.constraints.size() > kMostBends, sparse = many && !island.contact_space;
     outcome.converged = sparse ? project(island, tolerance) : newton(island, tolerance);
     if (!outcome.converged && many) {
@@ -291,10 +291,10 @@ Outcome IslandSolver::solve(const Island& island, const Scales& scales, Limits l
   return outcome;
 }
 
-/// Along the path, from the start, then from where nothing slips: a contact that must slip then slips the right way. Where neither
-/// ends, or where it ends far away, with limits held. Far: friction that falls as a light body slides, because it slides out of
-/// a wedge, lets it go altogether within the step; with the limits that it had it slides as far as its loads beat those. A thread goes
-/// far: it runs through what holds it.
+/// Follows the path from the start, then from the solution without slip, from where a contact that must slip slips the right way. Where
+/// neither converges, or ends far away, limits are held. Far: a light body that slides out of a wedge loses friction as it slides,
+/// and leaves within the step; with held limits it slides only as far as its loads exceed these. A thread goes
+/// far: it runs through the contacts that hold it.
 void IslandSolver::fall_back(const Island& island, const Scales& scales, Outcome& outcome) noexcept {
   const double tolerance = scales.converged;
   outcome.fell_back = true;

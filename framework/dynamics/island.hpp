@@ -5,7 +5,7 @@
 //     F(d) = A (x + d - x_hat) - sum over contacts of J' f(u + J d) = 0.
 //
 // f is Coulomb's law of a compliant contact (contact_law.hpp). Newton's method on F with a line search; where that stalls, its
-// path is followed from piece to piece of the law; where that does not end, a convex problem with the friction limits held
+// path is followed from piece to piece of the law; where that does not converge, a convex problem with the friction limits held
 // (Tresca). README.md. The unknowns are d, or the forces of the constraints: space.hpp.
 //
 // Threads: the solver is built on [main]; solve() is [rt] and neither allocates nor throws.
@@ -33,30 +33,30 @@ struct Pieces {
 /// One contact or tie in an island. Side a pushes with +f, side b with -f; a side that cannot be moved has no columns.
 struct Constraint {
   uint32_t contact = 0;         // in the contact set, or among the ties
-  const TieLaw* tie = nullptr;  // of a tie: then n is its axis, and g the displacement along it
+  const TieLaw* tie = nullptr;  // of a tie, else nullptr: n is then its axis, and g the displacement along it
   uint32_t block_a = UINT32_MAX, block_b = UINT32_MAX;  // among those of the island; none: cannot be moved
-  uint32_t point_a = 0, point_b = 0;                    // of flexible bodies
+  uint32_t point_a = 0, point_b = 0;                    // on flexible bodies
   uint32_t size_a = 0, size_b = 0;                      // columns of J of either side
   uint32_t offset_a = 0, offset_b = 0;                  // of the unknowns in the island
   Surface surface;
   Vec3 n, t1, t2;          // axes in W
-  Displacement at;         // at the linearisation; its gap counts from `yielded`
+  Displacement at;         // at the linearisation; its gap counts from `relaxed_gap`
   double relaxed_gap = 0;  // m, gap at which retarded surfaces stop pushing
-  Force before;            // of the last step or pass, in the axes of now
+  Force before;            // force of the last step or pass, in the present axes
   const double* J =
-      nullptr;  // 3 x (size_a + size_b), constraint-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
+      nullptr;  // 3 x (size_a + size_b), row-major: d(g, s1, s2) / d(unknowns of a, unknowns of b)
 
-  // --- what solve() found
+  // --- results of solve()
   Displacement u;
   Force f;
   double limit = 0;  // N, of friction
   Pieces on;
-  Force projected;         // of project(): force that goes with the step
-  Displacement along;      // along the Newton step
-  Tangent D;               // in the last system
+  Force projected;         // project() only: the iterate of the force
+  Displacement along;      // displacement along the Newton step
+  Tangent D;               // tangent in the last system
   Displacement last_step;  // from `at` to `u`, in the last pass
-  // N on a, in W; in contact space only. What flexible bodies are given: f but for the tolerance of the solve, which is 1e-10 m, at
-  // 1e6 N/m 0.1 mN, and that would throw a needle of 0.4 mg by a quarter of a millimetre
+  // N on a, in W; contact space only. The force that flexible bodies get: it is f but for the tolerance of the solve, 1e-10 m or, at
+  // 1e6 N/m, 0.1 mN, which would throw a needle of 0.4 mg by a quarter of a millimetre
   Vec3 y = Vec3::Zero();
 };
 
@@ -65,7 +65,7 @@ struct Island {
   std::span<Constraint> constraints;
   uint32_t size = 0;           // numbers of d
   bool contact_space = false;  // solved for the forces: flexible bodies are among the blocks
-  bool banded = false;         // bands are among them: sparse, unless it is solved for the forces
+  bool banded = false;         // bands are among the blocks: solved sparse unless in contact space
 };
 
 /// How a solve ended.
@@ -73,7 +73,7 @@ struct Outcome {
   bool converged = false;   // the last correction was below the tolerance
   bool limits_hold = true;  // and every friction limit is mu f_n, to a thousandth of the largest
   bool fell_back = false;   // Newton's method alone did not converge
-  bool held = false;        // friction limits of an earlier pass, held from here on
+  bool held = false;        // friction limits are held from here on
   uint32_t newton = 0;      // linear systems solved
   uint32_t rounds = 0;      // convex problems solved
   double moved = 0;         // m, from the pose of the linearisation
@@ -85,7 +85,7 @@ enum class Limits : uint8_t {
   kHeld,     // those of the last pass: convex, so that passes do not alternate
 };
 
-/// Whether any constraint bears force.
+/// True when a tangent is not zero: its constraint resists.
 inline bool stiffens(const Tangent& D) { return D.nn != 0 || D.t11 != 0 || D.t22 != 0; }
 
 class Space;
@@ -103,7 +103,7 @@ class IslandSolver {
 
   std::span<const double> d() const { return {d_.data(), size_}; }
 
-  /// A step begins, of so many multiply-adds. Past them each island is left at its best point so far, with friction limits held.
+  /// Begins a step with a budget of multiply-adds. Beyond it each island is left at its best point so far, with friction limits held.
   void begin_step(uint64_t budget) noexcept;
   uint64_t work() const noexcept;
   bool over_budget() const noexcept { return work() > budget_; }
@@ -141,16 +141,16 @@ class IslandSolver {
   double search(const Island& island) noexcept;
 
   uint64_t budget_ = UINT64_MAX;
-  size_t size_ = 0, point_size_ = 0;  // of d, of a point
+  size_t size_ = 0, point_size_ = 0;  // numbers of d, of a point z
   uint32_t newton_ = 0;
-  bool consistent_ = false;  // the point is one of the space's, not only the start
+  bool consistent_ = false;  // z_ is a consistent point of the space, not only the start
   bool has_first_ = false;
   bool law_ = false;         // D of the constraints is the tangent of the law, not of one of its pieces
   std::unique_ptr<Space> displacement_space_, sparse_space_, contact_space_;
   Space* space_ = nullptr;
   std::vector<double> z_, trial_, step_, d_;
   std::vector<double> before_;  // z_ of the last convex problem
-  std::vector<double> first_;   // z_ where begin_where_it_was() led
+  std::vector<double> first_;   // z_ after the step of begin_where_it_was()
 };
 
 }  // namespace swage::dynamics

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Newton's path through the pieces of Coulomb's law. On one piece of every contact F is smooth, almost linear, and its Newton
-// direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact comes to the end of its piece the path bends into
-// the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can turn F inside out, so that the determinant of its
-// derivative changes sign there; the path then leads back up for a while, to where it changes again. Stepping over the bends, as a
-// line search does, jumps to and fro between the pieces instead. Where the path ends every constraint must be on the piece that it was
-// taken to be on, or it goes on from there.
+// direction leads straight down: F(d + t step) = (1 - t) F(d). Where a contact reaches the end of its piece the path bends into
+// the next (Katzenelson, Bell Syst. Tech. J. 44 (1965) 1605). Friction can change the sign of det H from one piece to
+// the next; |F| then rises along the path for a while, until the sign changes again. Steps across the bends, as a line search
+// takes them, alternate between the pieces instead. Where the path ends every constraint must be on the piece that it was
+// taken to be on; otherwise the path continues from there.
 #include <algorithm>
 #include <cmath>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Newton's method on the law as a projection (law_projected(), contact_law.hpp), with the forces of the contacts as unknowns beside the
-// displacements. Islands of threads that are wound about each other have hundreds of contacts, which stick and slip in turns over cones of
-// a tenth of a nanometre: Newton's method on the law itself throws them from one side of the cone to the other, and its path comes to
-// each of these bends one by one. Here all contacts find their pieces at once, as in the primal-dual active set method of Hueber, Stadler
+// displacements. Islands of threads that are wound about each other have hundreds of contacts, which alternate between stick and slip over
+// cones of a tenth of a nanometre: Newton's method on the law itself jumps from one side of the cone to the other, and its path meets
+// these bends one by one. Here all contacts find their pieces at once, as in the primal-dual active set method of Hueber, Stadler
 // and Wohlmuth (SIAM J. Sci. Comput. 30 (2008) 572).
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,13 @@ namespace swage::dynamics {
 namespace {
 
 constexpr uint32_t kSteps = 44;       // normal: 8 to 15
-constexpr uint32_t kWholeSteps = 8;   // then steps that get no shorter are shortened: what is left may go round in a circle
-constexpr double kShortened = 0.6;    // of such a step
-constexpr double kShorter = 0.5;      // of the step before: gets shorter
-constexpr double kScale = 0.01;       // r over the tangential stiffness. On braids of 100 to 300 contacts 0.1 and 0.0001 end less often
-constexpr double kNear = 1e-2;        // tolerances, of a step after which the factors need not be made anew
-constexpr double kEnds = 1e-4;        // the same of the last step; a cone is less than one tolerance
-constexpr uint32_t kSettles = 3;      // steps with those factors
+constexpr uint32_t kWholeSteps = 8;   // after these, steps that get no shorter are shortened: the iteration may be a cycle
+constexpr double kShortened = 0.6;    // share taken of such a step
+constexpr double kShorter = 0.5;      // of the step before: a step below this counts as shorter
+constexpr double kScale = 0.01;       // r over the tangential stiffness. On braids of 100 to 300 contacts 0.1 and 0.0001 converge less
+constexpr double kNear = 1e-2;        // in tolerances: step after which the factors are kept
+constexpr double kEnds = 1e-4;        // in tolerances: the last step; a cone is less than one tolerance
+constexpr uint32_t kSettles = 3;      // most steps with those factors
 
 Force linear_force(const Constraint& c) noexcept {
   const Tangent& D = c.D;
@@ -33,7 +33,7 @@ Force linear_force(const Constraint& c) noexcept {
 
 }  // namespace
 
-/// Forces and tangents of the projection at z, and the direction from there.
+/// Computes forces and tangents of the projection at z, and the search direction from there.
 bool IslandSolver::search_direction_of_projection(const Island& island) noexcept {
   space_->displace(z_.data());
   for (Constraint& c : island.constraints) {
@@ -48,7 +48,7 @@ bool IslandSolver::search_direction_of_projection(const Island& island) noexcept
   return there;
 }
 
-/// From the forces of the last step or pass. True: it ended, and where it ended the law holds.
+/// Iterates from the forces of the last step or pass. True when it converged to a point at which the law holds.
 bool IslandSolver::project(const Island& island, double tolerance) noexcept {
   for (Constraint& c : island.constraints) c.projected = c.before.fn > 0 ? c.before : Force{};
   double last = HUGE_VAL;
@@ -72,7 +72,7 @@ bool IslandSolver::project(const Island& island, double tolerance) noexcept {
   return false;
 }
 
-/// To where the law itself holds, by the factors that are there.
+/// Corrects z to a point at which the law itself holds, with the present factors.
 bool IslandSolver::settle(const Island& island, double tolerance) noexcept {
   for (uint32_t i = 0; i < kSettles; ++i) {
     evaluate(island, z_.data(), Friction::kCoulomb);

@@ -10,10 +10,10 @@
 
 namespace swage::dynamics {
 
-/// The same number as Eigen counts.
+/// n as an Eigen::Index.
 inline Eigen::Index index(size_t n) noexcept { return static_cast<Eigen::Index>(n); }
 
-/// From the axes of a constraint to W.
+/// A vector given in the axes of a constraint, in W.
 inline Vec3 in_world(const Constraint& constraint, double n, double t1, double t2) {
   return n * constraint.n + t1 * constraint.t1 + t2 * constraint.t2;
 }
@@ -49,7 +49,7 @@ inline void add_force(const Constraint& constraint, double* F) {
     Fb[j] -= J0[i] * constraint.f.fn + J1[i] * constraint.f.f1 + J2[i] * constraint.f.f2;
 }
 
-/// H += J' D J, constraint by constraint of H and some columns at a time: what is written lies side by side.
+/// H += J' D J, row by row of H and some columns at a time, so that memory is written contiguously.
 inline void add_stiffness(const Constraint& constraint, const Tangent& D, size_t n, double* H) {
   constexpr uint32_t kBlock = 64;
   double k0[kBlock], k1[kBlock], k2[kBlock];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sums of lines of a dense matrix, number by number: the bits are those of any width of registers (toolkit/wide.hpp). Header-only, [rt].
+// Linear combinations of rows of a dense matrix, with the same bits at every width of registers (toolkit/wide.hpp). Header-only, [rt].
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ template <class V>
     v.store(to + i);
   });
 }
-/// The same of four lines.
+/// to = (((to - s0 x0) - s1 x1) - s2 x2) - s3 x3.
 template <class V>
 [[gnu::always_inline]] inline void take_four(size_t n, const double* s, const double* const* x, double* to) {
   for_each<V>(n, [=](auto v, size_t i) __attribute__((always_inline)) {
@@ -53,7 +53,7 @@ template <class V>
     v.store(to + i);
   });
 }
-/// to = (s0 x0 + s1 x1) + s2 x2, or that more; three lines `stride` apart.
+/// to = (s0 x0 + s1 x1) + s2 x2 or, where kMore, to += that; the three rows are `stride` apart.
 template <class V, bool kMore>
 [[gnu::always_inline]] inline void combine_three(size_t n, const double* s, const double* x, size_t stride, double* to) {
   const double s0 = s[0], s1 = s[1], s2 = s[2];

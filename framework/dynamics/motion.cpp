@@ -94,7 +94,7 @@ void Motion::predict_body(scene::World& world, uint32_t body, FreeMotion method)
   v0[body] = vec(V0.v), w0[body] = vec(V0.w);
 
   if (held_body[body]) {
-    // contacts held it against its weight and will again: look for them where it would go by itself
+    // contacts held it against its weight and probably will again: detect them where its present twist takes it
     const double h = world.dt;
     Quat q = turn(h * vec(V0.w)) * X0[body].q;
     renormalise(q);
@@ -110,7 +110,7 @@ void Motion::predict_hinge(scene::World& world, uint32_t hinge) noexcept {
   X0[info.child] = Pose(world.X_WB[info.child]);
   q0[hinge] = world.hinge_angle[hinge];
 
-  // what the forces on the child mean about the axis
+  // torque about the axis of the forces on the child
   const Pose X_WP(world.X_WB[info.parent]);
   const Vec3 anchor = X_WP * vec(info.anchor), axis = X_WP.q * vec(info.axis);
   const swage_wrench& F = world.F_B_W[info.child];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene can choose about how things move, and what the solver reports about itself.
+// Choices of a scene for motion and contact, and what the solver reports about itself.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ enum class Response : uint8_t {
   kImpulse,    // impulse response of thesis 4.3, frictionless, contact by contact; for comparison
 };
 
-/// Multiply-adds of a step, about 25 ms of one core: ten times what the stock scenes need at most. Less: hard steps end early.
-/// More: a scene that is too large holds up the loop longer before it says so.
+/// Budget of a step in multiply-adds, about 25 ms of one core: ten times what the stock scenes need at most. Less: hard steps end early.
+/// More: a scene that is too large delays the loop longer before it is reported.
 inline constexpr uint64_t kBudget = 100'000'000;
 
 /// Retardation time of surfaces that do not rebound [s]: T = 2 sqrt(m / k) damps critically (the body leaves at exp(-2) of its speed),
 /// and 1 ms does so for a jaw of 0.25 kg at 1e6 N/m, the heaviest of a trainer at its usual stiffness. Shorter: a heavy jaw throws the
-/// needle that it closes on. Longer: a jaw that opens lets go late. A property of the surfaces: it stays where lengths are scaled and
-/// times are not (catalogue S01), and goes with the length where a material is scaled, whose times go with it (physics.rigid Scale).
+/// needle that it closes on. Longer: a jaw that opens lets go late. A property of the surfaces: unchanged where lengths are scaled and
+/// times are not (catalogue S01), proportional to the length where a material is scaled with its times (physics.rigid Scale).
 inline constexpr double kRetardation = 1e-3;
 
 struct Options {
@@ -55,8 +55,8 @@ struct Stats {
   uint64_t asked_again = 0;  // steps in which flexible bodies were asked about all their contacts after all
   uint64_t work = 0;         // multiply-adds of all steps, and of the step that took most
   uint64_t most_work = 0;
-  double strayed = 0;         // radii, of the last step: how far chains went beyond what their contacts say (contact_results.cpp)
-  base::SolverHealth health;  // what it could not do
+  double strayed = 0;         // radii, of the last step: largest prediction error of a chain at its contacts (contact_results.cpp)
+  base::SolverHealth health;  // shortfalls of the solver
 };
 
 }  // namespace swage::dynamics

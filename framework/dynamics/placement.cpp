@@ -109,7 +109,7 @@ void Placement::take_answers() noexcept {
     if (!block_[first_flexible_ + slot].band) block_[first_flexible_ + slot].own = flexible_.answer(slot);
 }
 
-/// Trial of any body at the pose that the world has for it.
+/// Prepares the trial of a body at its pose in the world.
 void Placement::prepare(uint32_t body) noexcept {
   Trial& t = trial_[body];
   const int32_t kind = world_->body[body].motion;
@@ -122,7 +122,7 @@ void Placement::prepare(uint32_t body) noexcept {
     set_pose(t, X);
     return;
   }
-  // a kinematic body's twist says where it was at the start
+  // the twist of a kinematic body gives its pose at the start
   t.X = t.X0 = X;
   t.F = Frame(X);
   t.a = h_ * w;
@@ -168,7 +168,7 @@ void Placement::prepare_block(uint32_t block) noexcept {
   }
 }
 
-/// Inertia in W at the present attitude.
+/// Updates the inertia in W to the present attitude.
 void Placement::turn_inertia(DofBlock& m) noexcept {
   const RigidMass& mass = motion_->mass[m.index];
   const Trial& t = trial_[m.index];
@@ -206,7 +206,7 @@ Vec3 Placement::carried(const Trial& t, const Vec3& p_W) noexcept {
   return (t.X.p - t.X0.p) + (r - t.back * r);
 }
 
-/// The same of a place on a body's surface; a chain goes as its vertices do, and turns across itself with them.
+/// The same for a place on a body's surface; a chain moves with its vertices, and a segment tilts with its two ends.
 Vec3 Placement::carried(const Side& side, const Vec3& p_W) const noexcept {
   if (side.chain == kNone) return carried(trial_[side.body], p_W);
   const scene::ChainView chain(*world_, world_->chain[side.chain]);
@@ -221,16 +221,16 @@ void Placement::expect(const Side& side, const Vec3& p_W) noexcept {
   flexible_.expect(side.block - first_flexible_, side.point, carried(side, p_W));
 }
 
-/// Displacement of the centre line to where it advanced to. As in its unknowns a piece that tilts does not carry its surface along
-/// itself: with that, and without its derivative, pieces that slide over an edge would rock on it.
+/// Displacement of the centre line over the step, to where it advanced. The surface displacement by the tilt of a segment is left out, as
+/// in the unknowns: with it, but without its derivative, segments that slide over an edge would rock on it.
 Vec3 Placement::advanced(const Side& side) const noexcept {
   const scene::ChainView chain(*world_, world_->chain[side.chain]);
   const double t = side.place.share;
   return h_ * ((1 - t) * chain.v(side.place.segment) + t * chain.v(side.place.segment + 1));
 }
 
-/// How a point of a band goes when its piece turns about itself by 1 rad [m]. Of a tie the arm is that of the place that was asked about:
-/// where it is later in the solve, its other side may have gone far from where the band advanced to.
+/// Displacement of a band's point per rotation of its segment about its axis [m/rad]. A tie uses the place at which its point was added:
+/// its present place may be far from where the band advanced to, as its other side has moved.
 Vec3 Placement::turn_about_itself(const Side& side, const Vec3& p_W) const noexcept {
   const scene::ChainView chain(*world_, world_->chain[side.chain]);
   const Vec3 p0 = chain.p(side.place.segment), u = chain.p(side.place.segment + 1) - p0;

@@ -18,14 +18,14 @@
 
 namespace swage::dynamics {
 
-/// One side of a contact: a body or a particle, and what moves it.
+/// One side of a contact or tie: a body or a particle, and the block that moves it.
 struct Side {
   uint32_t body = scene::kNone, particle = scene::kNone;
   uint32_t block = scene::kNone;  // index into Placement, or kNone: cannot be moved
-  uint32_t point = scene::kNone;  // flexible bodies: among the points of their block
-  uint32_t chain = scene::kNone;  // of the world, where the body's surface is one there
-  contact::ChainPlace place;      // on it
-  bool tied = false;              // of a tie
+  uint32_t point = scene::kNone;  // flexible bodies: index among the points of their block
+  uint32_t chain = scene::kNone;  // chain of the world, where the body's surface is that of a chain
+  contact::ChainPlace place;      // place on that chain
+  bool tied = false;              // side of a tie, not of a contact
   bool shares = false;            // shares the point of another contact: there was no room for its own
 };
 
@@ -35,23 +35,23 @@ class Placement {
 
   /// Forgets the last step. A body is prepared when a contact first names it.
   void begin(scene::World& world, Motion& motion, std::span<FlexibleBody* const> self) noexcept;
-  /// The side of a contact, its block ready at the predicted pose.
+  /// Returns the side of a contact, its block prepared at the predicted pose.
   Side side(uint32_t body, uint32_t particle) noexcept;
-  /// The same of a place on a chain.
+  /// The same for a place on a chain.
   Side side(uint32_t body, uint32_t particle, uint32_t shape, const contact::ChainPlace& place) noexcept;
 
-  /// The side of a tie at p_W; on a body with a chain, the nearest place of that.
+  /// Returns the side of a tie at p_W; on a body with a chain, at the nearest place of the chain.
   Side tied_side(uint32_t body, const Vec3& p_W) noexcept;
 
   FlexibleBodies& flexible() noexcept { return flexible_; }
   const FlexibleBodies& flexible() const noexcept { return flexible_; }
-  /// Flexible blocks have their mobility once they have been asked for it in this step.
+  /// Copies the mobilities that flexible bodies answered in this step to their blocks.
   void take_answers() noexcept;
 
   DofBlock& block(uint32_t i) noexcept { return block_[i]; }
   const DofBlock& block(uint32_t i) const noexcept { return block_[i]; }
   uint32_t blocks() const noexcept { return static_cast<uint32_t>(block_.size()); }
-  /// Numbers of all blocks together.
+  /// Number of unknowns of all blocks together.
   uint32_t unknowns() const noexcept;
   bool is_flexible(uint32_t block) const noexcept {
     return block != scene::kNone && block >= first_flexible_;
@@ -60,7 +60,7 @@ class Placement {
   bool is_banded(uint32_t block) const noexcept {
     return is_flexible(block) && block_[block].kind == DofBlock::Kind::kBanded;
   }
-  /// False for a flexible block that moves nowhere.
+  /// False for kNone and for a flexible block that cannot move.
   bool moves(uint32_t block) const noexcept {
     return block != scene::kNone && (!is_flexible(block) || flexible_.gives(block - first_flexible_));
   }
@@ -68,19 +68,19 @@ class Placement {
   toolkit::Frame frame(const Side& side) const noexcept;
   /// Displacement over the step of the material point at p_W [m].
   Vec3 displacement(const Side& side, const Vec3& p_W) const noexcept;
-  /// A point of a flexible body is expected in the pose that its solver wrote.
+  /// Sets the expected displacement of a flexible body's point: to its place in the pose that the body's solver wrote.
   void expect(const Side& side, const Vec3& p_W) noexcept;
-  /// How far a point of a flexible body is from where it stands in the pose that its solver wrote [m].
+  /// Displacement of a flexible body's point from its place in the pose that the body's solver wrote [m].
   Vec3 prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
-  /// The same of where it goes without contacts [m].
+  /// The same for the displacement of the point without contacts [m].
   Vec3 free_prediction_error_at(const Side& side, const Vec3& p_W) const noexcept;
-  /// Rotation vector over the step [rad]; `known`: false for what has none of its own.
+  /// Rotation vector over the step [rad]; `known`: false for particles, flexible bodies and the world, which have none.
   Vec3 rotation(const Side& side, bool& known) const noexcept;
-  /// How far a place of any side is from where contacts were looked for [m].
+  /// Displacement of a place of any side from where contacts were detected [m].
   Vec3 off_prediction(const Side& side, const Vec3& p_W) const noexcept;
-  /// m, of the chain there; 0 where it is cut.
+  /// Radius of the chain at a side [m]; 0 where the chain is cut.
   double radius(const Side& side) const noexcept;
-  /// Unknowns that move a side: so many, from there on among those of its block.
+  /// Unknowns that move a side: `size` of them, from `offset` on among those of its block.
   struct Columns {
     uint32_t size = 0, offset = 0;
   };
@@ -92,24 +92,24 @@ class Placement {
   void move(uint32_t block, const double* d) noexcept;
   /// Moves a block that was predicted as held, but is not, to its free pose. False when it is there.
   bool release(uint32_t block) noexcept;
-  /// Limits its velocity over the step to `speed` [m/s]: the last fallback.
+  /// Limits the velocity of a block over the step to `speed` [m/s]: the last fallback.
   void slow_down(uint32_t block, double speed) noexcept;
-  /// Speed that the loads on it give a body's centre, or a particle, in this step where nothing touches it [m/s].
+  /// Speed that its loads would give a body's centre, or a particle, in this step without contacts [m/s].
   double gain(uint32_t block) const noexcept;
   /// Speed of the material point at p_W over the step [m/s].
   double speed(const Side& side, const Vec3& p_W) const noexcept {
     return displacement(side, p_W).norm() / h_;
   }
 
-  /// Poses and twists of everything into the world. `solved`: per block, whether it was in an island.
+  /// Writes poses and twists of all blocks to the world. `solved`: per block, whether it was in an island.
   void write_back(std::span<const uint8_t> solved) noexcept;
 
  private:
   struct Trial {
-    uint64_t step = 0;             // for which it was prepared
+    uint64_t step = 0;             // step for which it was prepared
     Pose X0, X;                    // at the start of the step, now
     toolkit::Frame F;              // now
-    Mat3 back = Mat3::Identity();  // turns a vector of now to what it was at the start
+    Mat3 back = Mat3::Identity();  // rotates a vector from the present attitude to that at the start
     Vec3 a = Vec3::Zero();         // rotation over the step
     bool stands = false;           // X0 = X
   };

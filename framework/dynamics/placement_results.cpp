@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Placement: the end of a solve. What did not converge is slowed, poses and twists are written.
+// Placement: the end of a solve. Slows blocks that did not converge, writes poses and twists.
 #include <algorithm>
 
 #include "dynamics/placement.hpp"
@@ -24,13 +24,13 @@ void Placement::slow_down(uint32_t block, double speed) noexcept {
   DofBlock& m = block_[block];
   if (m.kind == DofBlock::Kind::kRigid) {
     Trial& t = trial_[m.index];
-    // what flew has had its pushes: it stays where it landed
+    // a body that flew has had its impulses: it stays where it landed
     if (motion_->flown[m.index]) return set_pose(t, motion_->X_free[m.index]);
     const Vec3 way = t.X.p - t.X0.p;
     const double far = way.norm();
     if (far <= h_ * speed) return;
     const double keep = h_ * speed / far;
-    // a couple may turn it as far as it does where nothing touches it: who is wrung out of a grip is not held back
+    // a torque may turn it as far as without contacts: a body wrung out of a grip is not held back
     const double given = (m.inv_I_hh * vec(world_->F_B_W[m.index].t)).norm(), angle = t.a.norm();
     const double keep_turn = given >= angle ? 1 : std::max(keep, given / angle);
     set_pose(t, Pose(t.X0.p + keep * way, turn(keep_turn * t.a) * t.X0.q));

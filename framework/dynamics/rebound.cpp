@@ -16,9 +16,9 @@ using toolkit::vec;
 
 namespace {
 
-constexpr uint32_t kLooks = 64;        // ahead in one step; normal: two for each touch. A step that needs more is counted over budget
+constexpr uint32_t kLooks = 64;        // predictions in one step; normal: two per touch. A step that needs more is counted over budget
 constexpr size_t kMeetings = 1 << 14;  // pairs of shapes with something that flies
-constexpr int kRounds = 4;             // of lifting at the end of the step
+constexpr int kRounds = 4;             // of lift() at the end of the step
 
 }  // namespace
 
@@ -45,7 +45,7 @@ bool Rebound::fly(scene::World& world, Motion& motion, contact::ContactSet& cont
   uint32_t looks = 0;
   while (looks < kLooks && fly_to_next()) ++looks;
   const bool ended = looks < kLooks;
-  // what flies fast has met all that it meets, also where that needed no push: contacts of the whole way mean nothing any more
+  // fast bodies have met all that they meet, even without an impulse: contacts found along the whole path no longer apply
   bool fast = false;
   for (const Flyer& f : flyer_)
     if (f.fast && !motion.held_body[f.body]) moved_[f.body] = 1, fast = true;
@@ -70,9 +70,9 @@ void Rebound::report(contact::ContactSet& contacts, double h) const noexcept {
   }
 }
 
-// --- who flies
+// --- which bodies fly
 
-/// How every body moves as it is predicted: from its pose at the start of the step to that of now.
+/// Computes the predicted path of every body: from its pose at the start of the step to its present pose.
 void Rebound::find_paths() noexcept {
   const double h = world_->dt;
   for (uint32_t b = 0; b < path_.size(); ++b) {
@@ -105,7 +105,7 @@ contact::Law Rebound::law_of(const contact::ContactSet& contacts, uint32_t swept
   return *law;
 }
 
-/// True when there are some.
+/// Finds the bodies that fly. True when there are some.
 bool Rebound::find_flyers(const contact::ContactSet& contacts) noexcept {
   find_rebounding(contacts);
   find_fast(contacts);
@@ -113,7 +113,7 @@ bool Rebound::find_flyers(const contact::ContactSet& contacts) noexcept {
   return !flyer_.empty();
 }
 
-/// What is free and overlaps something with a restitution above 0.
+/// Finds bodies that were not held and overlap something with a restitution above 0.
 void Rebound::find_rebounding(const contact::ContactSet& contacts) noexcept {
   for (const contact::Contact& c : contacts.contact) {
     if (!(c.law.restitution > 0) || !(c.gap < 0) || !(c.law.stiffness > 0)) continue;
@@ -126,14 +126,14 @@ void Rebound::find_rebounding(const contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// What may come out on the far side of something.
+/// Finds bodies that may pass through something.
 void Rebound::find_fast(const contact::ContactSet& contacts) noexcept {
   for (uint32_t i = 0; i < detector_->swept_pairs(); ++i) {
     const Detector::Shapes& s = detector_->swept(i);
     const contact::Motion &a = path_[s.body_a], &b = path_[s.body_b];
     if (detector_->reach(*world_, i, a, b) != Detector::Reach::kFast) continue;
     if (!(law_of(contacts, i).stiffness > 0)) continue;
-    // what spins fast goes on another path than that of a constant twist
+    // the path of a body that spins fast is not that of a constant twist
     const bool spins = std::max(a.turn.squaredNorm(), b.turn.squaredNorm()) > kTurn * kTurn;
     if (!spins && !detector_->first_overlap(*world_, i, a, b, 0, 0).hit) continue;
     for (const uint32_t body : {s.body_a, s.body_b}) {
@@ -143,7 +143,7 @@ void Rebound::find_fast(const contact::ContactSet& contacts) noexcept {
   }
 }
 
-/// What a flyer may meet, and can move, flies too.
+/// Bodies that a flyer may meet, and can move, fly too.
 void Rebound::join_met() noexcept {
   for (bool more = !flyer_.empty(); more;) {
     more = false;
@@ -192,7 +192,7 @@ void Rebound::find_meetings(const contact::ContactSet& contacts) noexcept {
 
 // --- the end of the step
 
-/// The end of the step, without what slow touches sank in by: where nothing overlaps the contact solve has nothing to add.
+/// Ends the step and removes the overlaps of slow touches: where nothing overlaps the contact solve has nothing to add.
 void Rebound::settle() noexcept {
   advance(world_->dt);
   for (int round = 0; round < kRounds; ++round) {
@@ -202,7 +202,7 @@ void Rebound::settle() noexcept {
       const Meeting& m = meeting_[t.meeting];
       if (!moved_[m.body_a] && !moved_[m.body_b]) continue;
       const Sides s = sides(t, at_);
-      // what leaves comes out by itself: lifted, it would gain height
+      // separating shapes part by themselves: lifted, they would gain height
       if (s.coming < -kResting * world_->length / world_->dt) continue;
       if (comes(s)) push(t, s, 0);
       lift(t);
@@ -210,7 +210,7 @@ void Rebound::settle() noexcept {
   }
 }
 
-/// The end of a step whose touches do not end: what flies goes on with what it touched last, as if it stuck to it.
+/// Ends a step whose touches do not end: a flyer moves with what it touched, as if it stuck to it.
 void Rebound::carry_along() noexcept {
   const double now = at_;
   for (Flyer& f : flyer_) {
@@ -227,7 +227,7 @@ void Rebound::carry_along() noexcept {
   }
 }
 
-/// Hands over what flew to the contact solve: at its end of the step, as if it had come there by the motion that it now has.
+/// Hands the flown bodies to the contact solve: at the end of the step, as if they had come there with their present twist.
 void Rebound::land(contact::ContactSet& contacts) noexcept {
   const double h = world_->dt;
   for (Flyer& f : flyer_) {
@@ -236,7 +236,7 @@ void Rebound::land(contact::ContactSet& contacts) noexcept {
     const RigidMass& mass = motion_->mass[f.body];
     motion_->X_free[f.body] = {s.p_W, s.q_WB};
     motion_->v_free[f.body] = s.v_W, motion_->w_free[f.body] = s.w_W;
-    // a start of the step from which that motion, with its angular momentum, leads there
+    // a pose at the start of the step from which that twist, with its angular momentum, leads to the end
     const Quat q0 = dynamics::turn(-h * s.w_W) * s.q_WB;
     const Vec3 L = s.q_WB * mass.I.cwiseProduct(s.q_WB.conjugate() * s.w_W);
     motion_->X0[f.body] = Pose(s.p_W - h * s.v_W, q0);
@@ -255,7 +255,7 @@ Rebound::Flyer* Rebound::flyer(uint32_t body) noexcept {
   return flyer_of_[body] == kNone ? nullptr : &flyer_[flyer_of_[body]];
 }
 
-/// How a body moves from now to the end of the look.
+/// Path of a body from now to the end of the prediction.
 contact::Motion Rebound::path(uint32_t body) const noexcept {
   contact::Motion m;
   m.X0 = pose(body, at_);
@@ -269,7 +269,7 @@ contact::Motion Rebound::path(uint32_t body) const noexcept {
   return m;
 }
 
-/// A flyer at the time t, from now on.
+/// State of a flyer at the time t, not before now.
 RigidState Rebound::state(const Flyer& f, double t) const noexcept {
   if (!(t > at_)) return f.s;
   if (t == until_) return f.end;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What flies within a step: from touch to touch, each found anew where the bodies then are. A DYNAMIC body flies when it moves so
-// far in the step that it may come out on the far side of something, or when nothing held it in the last step and it meets
+// Flight within a step: from touch to touch, each found anew at the poses of its time. A DYNAMIC body flies when it moves so far
+// in the step that it may pass through something, or when nothing held it in the last step and it meets
 // something with a restitution above 0. At a touch it gets Newton's impulse and flies on with the new velocity:
 //
-//     n . v+ = -e n . v-       |j_t| <= mu j_n, which stops the point that touches if it can
+//     n . v+ = -e n . v-       |j_t| <= mu j_n, which stops the sliding of the touching point if it can
 //
-// A touch is slow, and is left to the contact solve, when its rebound would not last a step: 2 e |n . v-| < h |n . a|. So the end of
-// a row of bounces, infinitely many in finite time, is cut off where the bounces are 1 um high. Where a body flies fast, only what
-// comes nearer by less than 2.5 um in a step (for a 1 mm scene) is slow; having sunk in by as much, it is stopped, and lifted
-// back. No path is left unswept: a body whose touches do not end within the step goes on as if it stuck to what it touches.
+// A touch is slow, and is left to the contact solve, when its rebound would not last a step: 2 e |n . v-| < h |n . a|. This ends a
+// series of bounces, infinitely many in finite time, where the bounces are 1 um high. Where a body flies fast, a touch is slow only if
+// its gap closes by less than 2.5 um in a step (for a 1 mm scene); once it overlaps by as much, the body is stopped and moved back to
+// the touch. No path is left unswept: a body whose touches do not end within the step moves as if it stuck to what it touches.
 // Equations: README.md.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
@@ -35,23 +35,23 @@ struct Waypoint {
 };
 
 class Rebound {
-  /// A look ahead ends where something has turned by this [rad]: the path that is swept, a constant twist, is then by 4 um at most
-  /// off that of a needle of 2.5 mm. Larger: it is off by more, with the square. Smaller: more looks.
+  /// A prediction ends where a body has turned by this [rad]: the swept path, of a constant twist, is then off by at most 4 um from
+  /// that of a needle of 2.5 mm. Larger: the error grows with its square. Smaller: more predictions.
   static constexpr double kTurn = 0.12;
-  static constexpr double kResting = 1e-9;  // of the scene's length, per step: slower is at rest against each other
+  static constexpr double kResting = 1e-9;  // of the scene's length, per step: a smaller relative motion counts as rest
 
  public:
   Rebound(const scene::World& world, uint32_t max_contacts);
 
-  /// Flies everything that flies in this step: its end of the step in `motion` and `world`, its contacts there in `contacts`.
-  /// tolerance: m, of the gap at which it touches.
-  /// False where the touches did not end within the budget of looks.
+  /// Flies all bodies that fly in this step: writes their end poses to `motion` and `world`, their contacts there to `contacts`.
+  /// tolerance: m, of the gap at a touch.
+  /// False where the touches did not end within the budget of predictions.
   bool fly(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,
            FreeMotion method, double tolerance) noexcept;
   /// After the contact solve: adds the impulses, divided by the step, to the forces of the contacts.
   void report(contact::ContactSet& contacts, double h) const noexcept;
 
-  /// Of the last step, body by body in the order of time.
+  /// Of the last step; those of one body are in the order of time.
   std::span<const Waypoint> waypoints() const { return waypoint_; }
 
  private:
@@ -59,29 +59,29 @@ class Rebound {
   struct Flyer {
     uint32_t body = scene::kNone;
     bool fast = false;  // may pass through something
-    Vec3 f_W = Vec3::Zero(), t_W = Vec3::Zero();  // loads
-    RigidState s, end;                            // now, and at the end of the look when nothing is met
+    Vec3 f_W = Vec3::Zero(), t_W = Vec3::Zero();  // loads: N, N m
+    RigidState s, end;                            // now, and at the end of the prediction if nothing is met
     Vec3 turn = Vec3::Zero();                     // rad, from now to then
   };
-  /// Two shapes of which one flies.
+  /// A pair of shapes of which at least one flies.
   struct Meeting {
-    uint32_t swept = 0;  // number of the shapes with the detector
+    uint32_t swept = 0;  // index among the detector's swept pairs
     uint32_t body_a = 0, body_b = 0;
     contact::Law law;
-    double sunk = 0;       // m, by which they overlapped when the step began
-    uint32_t touches = 0;  // in this step, that needed no push
+    double sunk = 0;       // m, overlap when the step began
+    uint32_t touches = 0;  // in this step, without an impulse
     bool pushed = false;
   };
   struct Touching {
     uint32_t meeting = 0;
     contact::Candidate candidate;
   };
-  /// What an impulse needs to know of a touch.
+  /// A touch as its impulse needs it.
   struct Sides {
-    Vec3 n, p;                         // from b to a; where
+    Vec3 n, p;                         // unit normal from b to a; place [m]
     Flyer *a = nullptr, *b = nullptr;  // null: does not fly
     Vec3 v;                            // m/s, of a against b
-    double gap = 0, coming = 0;  // m, m/s
+    double gap = 0, coming = 0;  // m; approach speed, m/s
   };
   struct Impulse {
     uint32_t shape_a, shape_b;
@@ -89,12 +89,12 @@ class Rebound {
     Vec3 on_a_W;  // N s
   };
 
-  /// I^-1 m, in W.
+  /// I^-1 moment, in W.
   static Vec3 turned_by(const RigidMass& mass, const Quat& q, const Vec3& moment) {
     return q * mass.inv_I.cwiseProduct(q.conjugate() * moment);
   }
 
-  // who flies
+  // which bodies fly
   void find_paths() noexcept;
   bool find_flyers(const contact::ContactSet& contacts) noexcept;
   void find_rebounding(const contact::ContactSet& contacts) noexcept;
@@ -148,10 +148,10 @@ class Rebound {
   std::vector<contact::Detector::Struck> struck_;
   std::vector<Waypoint> waypoint_;
 
-  // of one look ahead
+  // of one prediction
   double until_ = 0;             // s, its end
-  double ahead_ = 0;             // s, as far as nothing passes through anything
-  uint32_t hit_ = scene::kNone;  // meeting that ends there
+  double ahead_ = 0;             // s, time up to which nothing passes through anything
+  uint32_t hit_ = scene::kNone;  // meeting that touches at ahead_
   toolkit::FixedVector<Touching, 64> touching_;
 };
 

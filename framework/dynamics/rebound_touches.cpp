@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// From touch to touch within the step: the look ahead, the time at which something needs a push, and Newton's impulse there.
+// From touch to touch within the step: the prediction, the time at which a touch needs an impulse, and Newton's impulse there.
 #include <algorithm>
 #include <cmath>
 
@@ -16,11 +16,11 @@ using toolkit::Frame;
 
 namespace {
 
-constexpr uint32_t kPushes = 64;  // at one time; normal: one for each point of a line that touches
+constexpr uint32_t kPushes = 64;  // impulses at one time; normal: one for each point of a line contact
 constexpr uint32_t kSecants = 40;
 constexpr double kNever = HUGE_VAL;
-constexpr double kSlow = 2.5e-3;  // of the scene's length, per step: what comes so slowly is left to the contact solve
-constexpr double kAtOnce = 1e-4;  // of the scene's length: gaps that close at one time, 0.1 um for a 1 mm scene
+constexpr double kSlow = 2.5e-3;  // of the scene's length, per step: slower approaches are left to the contact solve
+constexpr double kAtOnce = 1e-4;  // of the scene's length: smaller gaps close at one time, 0.1 um for a 1 mm scene
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool Rebound::fly_to_next() noexcept {
     if (time < first) first = time, late = sinks ? &t : nullptr;
   }
   if (first == kNever) {
-    // nothing that was found needs a push: nothing passes through anything as far as was looked
+    // no touch needs an impulse: nothing passes through anything up to ahead_
     if (hit_ == kNone && until_ == world_->dt) return false;
     if (hit_ != kNone) ++meeting_[hit_].touches;
     advance(ahead_);
@@ -106,7 +106,7 @@ double Rebound::time_of_gap(const Touching& touching, double gap, double least) 
   double low = at_, high = ahead_, at_low = gap - least, at_high = touch(touching, high).gap - least;
   if (!(at_high < 0)) return kNever;
 
-  // Illinois: regula falsi that halves what stands still
+  // Illinois: regula falsi that halves the value at an end that stays
   double t = low;
   for (uint32_t k = 0; k < kSecants; ++k) {
     t = low + (high - low) * at_low / (at_low - at_high);
@@ -132,7 +132,7 @@ void Rebound::advance(double t) noexcept {
   at_ = t;
 }
 
-/// Applies impulses to the touches of now, fastest approach first, until all approach slowly; always to `sunk`.
+/// Applies impulses to the present touches, fastest approach first, until all approach slowly; always to `sunk`.
 void Rebound::push_all(const Touching* sunk) noexcept {
   for (uint32_t k = 0; k < kPushes; ++k) {
     const Touching* fastest = nullptr;
@@ -172,7 +172,7 @@ bool Rebound::comes(const Sides& s) const noexcept {
   return s.coming > kResting * world_->length / world_->dt;
 }
 
-/// Whether it is left to the contact solve.
+/// True when the touch is left to the contact solve.
 bool Rebound::slow(const Meeting& meeting, const Sides& s) const noexcept {
   const double h = world_->dt;
   double pressed = 0;
@@ -182,7 +182,7 @@ bool Rebound::slow(const Meeting& meeting, const Sides& s) const noexcept {
   return 2 * meeting.law.restitution * s.coming <= std::max(h * pressed, kResting * world_->length / h);
 }
 
-/// What an impulse on a, and against it on b, adds to the speed of a against b where they touch.
+/// Change of the velocity of a relative to b at the touch by the impulse j on a and -j on b.
 Vec3 Rebound::added(const Sides& s, const Vec3& j) const noexcept {
   Vec3 v = Vec3::Zero();
   for (const Flyer* f : {s.a, s.b}) {
@@ -197,7 +197,7 @@ Vec3 Rebound::added(const Sides& s, const Vec3& j) const noexcept {
 /// Newton's impulse on a.
 Vec3 Rebound::impulse(const Sides& s, double restitution, double friction) const noexcept {
   const Vec3 j = (1 + restitution) * s.coming / s.n.dot(added(s, s.n)) * s.n;
-  // friction, where it takes energy: against what would slide after j, up to mu j
+  // friction, where it takes energy: against the sliding that is left after j, up to mu j
   const Vec3 slides = s.v + added(s, j), across = slides - s.n.dot(slides) * s.n;
   const double speed = across.norm();
   if (!(speed > 0)) return j;
@@ -208,7 +208,7 @@ Vec3 Rebound::impulse(const Sides& s, double restitution, double friction) const
   return with.dot(2 * s.v + added(s, with)) <= j.dot(2 * s.v + added(s, j)) ? with : j;
 }
 
-/// Both take the impulse where they touch.
+/// Applies the impulse of a touch to both bodies.
 void Rebound::push(const Touching& touching, const Sides& s, double restitution) noexcept {
   const Meeting& m = meeting_[touching.meeting];
   const Vec3 j = impulse(s, restitution, m.law.friction);

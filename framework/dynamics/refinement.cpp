@@ -58,7 +58,7 @@ void Refinement::run(scene::World& world, Motion& motion, contact::ContactSet& c
   count(stats, whole);
 }
 
-/// Everything that the solve moves to where it was when the step began.
+/// Moves everything that the solve moves back to the start of the step.
 void Refinement::go_back(scene::World& world, Motion& motion, contact::ContactSet& contacts) const noexcept {
   for (size_t i = 0; i < memory_.size(); ++i)
     contacts.contact[i].bristle_W = memory_[i].bristle_W, contacts.contact[i].f_a_W = memory_[i].f_a_W;
@@ -74,7 +74,7 @@ void Refinement::go_back(scene::World& world, Motion& motion, contact::ContactSe
   }
 }
 
-/// Kinematic bodies to where they are `rest` [s] before the end of the step.
+/// Moves kinematic bodies to where they are `rest` [s] before the end of the step.
 void Refinement::follow(scene::World& world, double rest) const noexcept {
   for (uint32_t b = 0; b < world.body.size(); ++b) {
     const int32_t kind = world.body[b].motion;
@@ -85,7 +85,7 @@ void Refinement::follow(scene::World& world, double rest) const noexcept {
   }
 }
 
-/// One step, however many of its parts fell short; for lack of room, what the step as a whole fell short of.
+/// Counts at most one step as short, however many parts fell short; lack of room is counted as of the whole step.
 void Refinement::count(Stats& stats, const base::SolverHealth& whole) const noexcept {
   const base::SolverHealth parts = stats.health;
   stats.health = whole;

@@ -4,7 +4,7 @@
 // several rad in 1 ms, past all contacts of the step, although a longer line of contact would hold it after 0.1 rad. Within a part
 // the rotation is small enough: its contacts are found anew, with the bristles of the part before.
 //
-// Flexible bodies, particles and ties keep the step as it is, and it is counted; so does a step in which something flew (rebound.hpp).
+// Steps with flexible bodies, particles or ties, or in which something flew (rebound.hpp), are not repeated, only counted.
 //
 // Threads: built on [main]; the rest [rt], nothing allocates or throws.
 #pragma once
@@ -25,14 +25,14 @@ class Refinement {
  public:
   explicit Refinement(const scene::World& world);
 
-  /// Before the contact solve: keeps the state that the solve overwrites and the parts start from. False: there is no room for it.
+  /// Before the contact solve: keeps the state that the solve overwrites and the parts start from. False: no room for it.
   bool keep(const Motion& motion, const contact::ContactSet& contacts, const base::SolverHealth& health) noexcept;
-  /// The step from its start on, in parts. Contact forces are those of the last part.
+  /// Repeats the step from its start in parts. Contact forces are those of the last part.
   void run(scene::World& world, Motion& motion, contact::ContactSet& contacts, contact::Detector& detector,
            ContactSolve& solve, const Options& options, Stats& stats) noexcept;
 
  private:
-  /// Of a contact, from the last step.
+  /// State of a contact from the last step.
   struct Memory {
     Vec3 bristle_W, f_a_W;
   };
@@ -44,7 +44,7 @@ class Refinement {
   std::vector<uint64_t> held_body_, held_hinge_;
   base::SolverHealth health_;
   std::vector<swage_pose> X_end_;    // per body: where kinematic ones are at the end of the step
-  std::vector<uint8_t> everything_;  // per body: is looked at anew
+  std::vector<uint8_t> everything_;  // per body, all 1: contacts of every body are detected anew
 };
 
 }  // namespace swage::dynamics

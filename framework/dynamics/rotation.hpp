@@ -40,7 +40,7 @@ inline Quat turn(const Vec3& a) {
   return {c, s * a.x(), s * a.y(), s * a.z()};
 }
 
-/// Back to unit length; exact to rounding for a quaternion that left it by rounding.
+/// Normalises q, exact to rounding where its length is off by rounding only.
 inline void renormalise(Quat& q) { q.coeffs() *= 1.5 - 0.5 * q.squaredNorm(); }
 
 /// log: the rotation vector [rad] of a unit quaternion. Series of the arc sine up to 0.1 rad (next term 4e-18).
@@ -52,8 +52,8 @@ inline Vec3 rotation_vector(const Quat& q) {
   return 2 * k * q.vec();
 }
 
-/// What a short vector becomes when its body turns by `a`: to second order in a, then back to its own length, because
-/// only direction may change.
+/// A short vector v rotated with its body by the rotation vector `a`: to second order in a, then scaled to its own length, because
+/// only its direction may change.
 inline Vec3 carried(const Vec3& v, const Vec3& a) {
   const Vec3 once = a.cross(v);
   const Vec3 turned = v + once + 0.5 * a.cross(once);

@@ -12,12 +12,12 @@ namespace swage::dynamics {
 struct Scales {
   double converged = 1e-10;   // m, last correction of a solve
   double near = 2e-7;         // m, gap below which a flexible body is asked about a contact from the start
-  double lost = 1e-4;         // m, displacement of one solve beyond which its friction has let go altogether
+  double lost = 1e-4;         // m, displacement in one solve beyond which the solve is repeated with friction limits held
   double retardation = 1e-3;  // s, of surfaces that do not rebound (contact_law.hpp)
 
   /// For a scene of 1 mm:
   ///   converged  0.1 nm: at 1e6 N/m an error of 0.1 mN
-  ///   near       0.2 um: what a held needle strays in a step in a trembling hand. Smaller: bodies are asked twice more often.
+  ///   near       0.2 um: prediction error per step of a needle held by a trembling hand. Smaller: bodies are asked twice more often.
   ///              Larger: they are asked about more points
   ///   lost       0.1 mm, a tenth of the scene: nothing that is held or slides goes so far in one step. Smaller: what slides fast
   ///              keeps the friction limits of the step before. Larger: a light body slides out of a wedge without friction

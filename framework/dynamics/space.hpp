@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// In which unknowns an island is solved. Newton's method, its line search and its path (island.hpp) work with a point z, the
-// constraints there and a search direction; z is one of three:
+// Unknowns in which an island is solved. Newton's method, its line search and its path (island.hpp) work with a point z, the
+// constraints there and a search direction; z belongs to one of three spaces:
 //
 //     DisplacementSpace     displacements of the blocks: few where many contacts hold one body
 //     SparseSpace           the same where bands are among the blocks: sparse
-//     ContactSpace   forces of the constraints: what objects with flexible bodies answer for
+//     ContactSpace          forces of the constraints: flexible bodies answer with a mobility for these
 //
 // All take the same steps but for rounding. [rt]; built on [main].
 #pragma once
@@ -21,9 +21,9 @@ class Space {
  public:
   virtual ~Space() = default;
 
-  /// Numbers of a point z of this island. The island stays as it is until the next begin().
+  /// Sets the island, which must stay as it is until the next begin(). Returns the size of a point z.
   virtual size_t begin(const Island& island) noexcept = 0;
-  /// z at the pose of the linearisation. False: z becomes consistent only after a whole step from here.
+  /// Sets z to the pose of the linearisation. False: z becomes consistent only after a whole step from here.
   virtual bool start(double* z) noexcept = 0;
 
   /// Fills u of every constraint.
@@ -43,12 +43,12 @@ class Space {
   /// The farthest that a centre or a constraint moves along a step [m].
   virtual double length(const double* step) noexcept = 0;
 
-  /// The same from the pose of the linearisation to z.
+  /// The farthest that a centre or a constraint is from the pose of the linearisation, at z [m].
   virtual double moved(const double* z) noexcept = 0;
   /// Ends the solve at z: displacements of the blocks, and of every constraint the force y.
   virtual void finish(const double* z, double* d) noexcept = 0;
 
-  /// Multiply-adds of matrices since it was last set to 0: what a budget counts.
+  /// Multiply-adds of matrix operations since it was last set to 0, which the budget counts.
   uint64_t work = 0;
 };
 

@@ -7,7 +7,7 @@
 
 namespace swage::dynamics {
 
-/// What islands with bands may have.
+/// Largest sizes of islands with bands.
 struct SparseRoom {
   uint32_t vertices = 0;     // of all bands together; 0: there are none
   uint32_t constraints = 0;  // of one island

@@ -16,7 +16,7 @@ bool same_pairs(const std::vector<BandedBlocks::Pair>& a, const std::vector<Band
                     [](const auto& p, const auto& q) { return p.a == q.a && p.b == q.b; });
 }
 
-/// In the axes of a constraint.
+/// The tangent as a matrix in the axes of a constraint.
 Mat3 matrix(const Tangent& D) noexcept {
   Mat3 M;
   M << D.nn, 0, 0, D.n1, D.t11, D.t12, D.n2, D.t12, D.t22;
@@ -56,13 +56,13 @@ size_t SparseSpace::begin(const Island& island) noexcept {
   return island.size;
 }
 
-/// Bands have gone on as they went: only where the loads and contacts of this step lead them is a point to search from.
+/// False: bands have only advanced freely, and a search must begin where the loads and contacts of this step lead them.
 bool SparseSpace::start(double* d) noexcept {
   DisplacementSpace::start(d);
   return false;
 }
 
-/// One side, its columns four to a block.
+/// One side of a constraint by blocks of H: four columns per block of a band, three per block of others.
 BlockPoint SparseSpace::point(uint32_t block, const Constraint& c, bool is_a) const noexcept {
   BlockPoint p;
   const uint32_t size = is_a ? c.size_a : c.size_b, stride = c.size_a + c.size_b;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A compliant link between two bodies and its law: along its axis a bristle that slides beyond a limit, across it a spring that
-// gives way beyond its strength. Both limits are constants of the step, so the force is minus the gradient of a convex energy.
+// yields beyond its strength. Both limits are constants of the step, so the force is minus the gradient of a convex energy.
 //
 //     f_along  = clamp(-k_along s, -forward, backward)
 //     f_across = -k_across s,  returned radially to `strength`
@@ -23,8 +23,8 @@ using toolkit::Vec3;
 struct TieLaw {
   double k_across = 0, k_along = 0;  // N/m
   double strength = HUGE_VAL;        // N
-  double forward_limit = HUGE_VAL;   // N, holds a back that moves along +axis
-  double backward_limit = HUGE_VAL;  // N, along -axis
+  double forward_limit = HUGE_VAL;   // N, limit of the force on a while a moves along +axis
+  double backward_limit = HUGE_VAL;  // N, the same along -axis
 };
 
 /// One tie of a step. Frame W, global bodies; kNone: the world.
@@ -32,14 +32,14 @@ struct Tie {
   uint32_t body_a = scene::kNone, body_b = scene::kNone;
   Vec3 p_W = Vec3::Zero();       // m, where it acts on both, at the predicted poses
   Vec3 axis_W = Vec3::UnitX();   // unit
-  Vec3 offset_W = Vec3::Zero();  // m, of a against b from rest, at the predicted poses
+  Vec3 offset_W = Vec3::Zero();  // m, displacement of a relative to b from rest, at the predicted poses
   TieLaw law;
   // --- results of the solve
   Vec3 f_a_W = Vec3::Zero();           // N on a
   Vec3 plastic_slip_W = Vec3::Zero();  // m, plastic part of the displacement
 };
 
-// Piece by piece, as contact_law.hpp has it: along the axis and across it each sticks or slips by itself
+// The law piece by piece, as in contact_law.hpp: sticks or slips along the axis and, independently, across it
 
 struct TiePieces {
   Piece along = Piece::kStick, across = Piece::kStick;
@@ -83,7 +83,7 @@ inline Tangent tie_tangent(const TieLaw& law, const Displacement& d) {
   return tie_tangent_on(tie_pieces(law, d), law, d);
 }
 
-/// The pieces that a force of an earlier pass was on, in the axes of now.
+/// Pieces on which a force of an earlier step or pass was, in the present axes.
 inline TiePieces tie_pieces_before(const TieLaw& law, const Force& f) {
   constexpr double kNearly = 0.999;  // the axes may have turned by a thousandth
   const bool slips = f.fn <= -kNearly * law.forward_limit || f.fn >= kNearly * law.backward_limit;
@@ -100,7 +100,7 @@ struct TieKink {
 inline TieKink tie_kink(const TiePieces& on, const TieLaw& law, const Displacement& d, const Displacement& e) {
   TieKink kink{HUGE_VAL, on};
   const bool sticks = on.along == Piece::kStick;
-  // the end of the bristle to which it goes, or, slipping, the one to which it comes back
+  // k_along times the displacement at which it begins to slip or, where it slips, at which it sticks again
   const double end = sticks == (e.g > 0) ? law.forward_limit : -law.backward_limit;
   if ((sticks ? e.g != 0 : d.g * e.g < 0) && law.k_along > 0 && std::isfinite(end)) {
     kink.t = std::fmax(0.0, (end / law.k_along - d.g) / e.g);

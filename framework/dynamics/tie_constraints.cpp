@@ -41,7 +41,7 @@ void TieConstraints::begin(std::span<Tie> ties) noexcept {
   }
 }
 
-/// Predicts for this step the displacement of flexible bodies that the last step's forces caused.
+/// Expects the points of ties on flexible bodies at their places in the poses that the bodies' solvers wrote.
 void TieConstraints::predict() noexcept {
   for (uint32_t i = 0; i < p_.tie.size(); ++i)
     for (const Side* s : {&p_.tie_workspace[i].a, &p_.tie_workspace[i].b})
@@ -93,7 +93,7 @@ void TieConstraints::write() noexcept {
     TieWorkspace& k = p_.tie_workspace[i];
     Tie& tie = p_.tie[i];
     Constraint fixed;
-    if (!k.active) {  // nothing of it can be moved: its force follows from where it is
+    if (!k.active) {  // neither side can be moved: the force follows from the present poses
       p_.linearise(tie, k, fixed);
       fixed.f = tie_force(tie.law, fixed.at);
       tie.f_a_W = fixed.f.fn * fixed.n + fixed.f.f1 * fixed.t1 + fixed.f.f2 * fixed.t2;

@@ -15,10 +15,10 @@ class TieConstraints {
  public:
   explicit TieConstraints(ContactProblem& problem) : p_(problem) {}
 
-  /// Sides and, where a flexible body answers for itself, its points.
+  /// Finds the sides of each tie and, on flexible bodies, the point that it pulls.
   void begin(std::span<Tie> ties) noexcept;
   void predict() noexcept;
-  /// Finds the material points that each tie holds, once the movable sides are known.
+  /// Stores the material points of each tie in the frames of its bodies, once it is known which sides can move.
   void start() noexcept;
   /// Updates the constraints of all ties whose sides moved.
   void refresh(ContactIslands& islands) noexcept;

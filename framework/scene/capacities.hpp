@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much of each thing a step has room for: one table per scene, chosen on [main] from what the objects of the scene declare,
+// Capacities of a step: one table per scene, chosen on [main] from what the objects of the scene declare,
 // and published to plugins (SWAGE_HOST_CAPACITIES). What does not fit is counted (base/solver_health.hpp).
 #pragma once
 
@@ -21,7 +21,7 @@ struct Capacities {
 /// The most that a scene can ask for: matrices of 19 MB each (3 * 512 squared).
 inline constexpr Capacities kLargest{1024, 64, 256, 512};
 
-/// Room for one more flexible body that may touch at so many points at once. Each point may be a contact of two flexible
+/// Makes room for one more flexible body that may touch at `points` points at once. Each point may be a contact of two flexible
 /// bodies, and both may be in one island.
 inline void make_room(Capacities& room, uint32_t points) {
   points = std::min(points, kLargest.points);

@@ -11,7 +11,7 @@
 
 namespace swage::scene {
 
-/// A place on a chain: on the centre line, `share` of the way from vertex `segment` to the next.
+/// A place on the centre line of a chain: at the fraction `share` of the segment from vertex `segment` to the next.
 struct ChainPlace {
   uint32_t segment = kNone;  // kNone: on no chain
   double share = 0;          // 0..1
@@ -31,14 +31,14 @@ class ChainView {
   uint32_t segments() const noexcept { return static_cast<uint32_t>(n_ - 1); }
   /// m
   toolkit::Vec3 p(size_t i) const noexcept { return {at_[3 * i], at_[3 * i + 1], at_[3 * i + 2]}; }
-  /// m/s, over the step that ended where the vertex stands.
+  /// m/s, mean velocity over the step that ended at p(i).
   toolkit::Vec3 v(size_t i) const noexcept {
     const double* v = at_ + 3 * (n_ + i);
     return {v[0], v[1], v[2]};
   }
   /// m, arc length.
   double s(size_t i) const noexcept { return at_[6 * n_ + i]; }
-  /// m, of the piece from vertex i on; 0: there is none.
+  /// m, of the segment from vertex i on; 0: the segment is cut out.
   double radius(size_t i) const noexcept { return at_[7 * n_ + i]; }
 
  private:
@@ -46,10 +46,10 @@ class ChainView {
   const double* at_;
 };
 
-/// Private doubles of a chain of n vertices.
+/// Number of private doubles of a chain of n vertices.
 inline constexpr uint32_t chain_doubles(uint32_t n) { return 8 * n; }
 
-/// The place of one piece, or of a whole chain, that is nearest to p_W; on no piece where none is left.
+/// The place nearest to p_W on one segment, or on a whole chain; its segment is kNone where none is left.
 ChainPlace place_on(const ChainView& chain, uint32_t segment, const toolkit::Vec3& p_W) noexcept;
 ChainPlace nearest_place(const ChainView& chain, const toolkit::Vec3& p_W) noexcept;
 

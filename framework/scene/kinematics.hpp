@@ -28,7 +28,7 @@ inline void follow(World& world, uint32_t body, const toolkit::Pose& X_WB) {
   world.X_WB[body] = X_WB.abi();
 }
 
-/// Pose of a hinge's child in the world when its parent stands at X_WP and the angle is `angle` [rad].
+/// Pose of a hinge's child in the world for the pose X_WP of its parent and the angle `angle` [rad].
 inline toolkit::Pose hinged(const HingeInfo& hinge, const toolkit::Pose& X_WP, double angle) {
   using namespace toolkit;
   const Vec3 anchor = vec(hinge.anchor);

@@ -8,8 +8,8 @@
 
 namespace swage::scene {
 
-// Scene lengths from the world's origin. Normal: up to 100 (a tray). Smaller cuts scenes off; larger lets what was dropped fall
-// for seconds, which nobody sees
+// Scene lengths from the world's origin. Normal: up to 100 (a tray). Smaller cuts scenes off; larger lets dropped bodies fall
+// for seconds, out of sight
 inline constexpr double kRoomLengths = 1000;
 
 inline double room(const World& world) { return kRoomLengths * world.length; }  // m

@@ -26,7 +26,7 @@ inline constexpr uint64_t kImageVersion = 1;
 class StateHash {
  public:
   void add(uint64_t word) noexcept { lane_[count_++ & 3].add(word); }
-  /// The same word by word, without storing each lane in between.
+  /// Adds the words one by one, without storing each lane in between.
   void add(const std::byte* data, size_t words) noexcept {
     const auto word = [&](size_t i) {
       uint64_t w;
@@ -72,7 +72,7 @@ class Writer {
   void put_bytes(const void* data, size_t size) noexcept;
 
   size_t size() const noexcept { return size_; }
-  /// Of what has been put, or of the buffer: an image that is kept in case a step is taken back costs no hash.
+  /// Hash of the values put or, with a buffer, of the buffer: an image that is kept only in case a step is repeated costs no hash.
   uint64_t hash() const noexcept;
   /// False when the buffer was too small; nothing is written past it.
   bool ok() const noexcept { return ok_; }

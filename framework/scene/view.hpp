@@ -23,8 +23,8 @@ inline uint32_t local(const Range& range, uint32_t global) {
 /// The view that goes to the object's callbacks; `input` and times are those of the current step. [rt]
 swage_object_step view(World& world, const Slices& slices, const swage_input* input) noexcept;
 
-/// The whole world, for lessons and seeing devices; `object` is the view of each object, `event` what happened since they
-/// looked last. [rt]
+/// The whole world, for lessons and for devices that receive it; `object` is the view of each object, `event` the events since
+/// their last view. [rt]
 swage_view view(const World& world, std::span<const swage_object_step> object,
                 std::span<const swage_view_event> event) noexcept;
 

@@ -21,7 +21,7 @@ namespace swage::scene {
 
 inline constexpr uint32_t kNone = SWAGE_NONE;
 
-/// How one body moves and what it weighs; fixed once the scene is built.
+/// Motion and mass of one body; fixed once the scene is built.
 struct BodyInfo {
   int32_t motion = SWAGE_MOTION_FIXED;
   uint32_t object = kNone;
@@ -32,7 +32,7 @@ struct BodyInfo {
   std::string name;
 };
 
-/// A surface fixed to a body. X_BS places the shape's own frame S; which numbers count depends on the kind:
+/// A surface fixed to a body. X_BS places the shape's own frame S; the numbers in use depend on the kind:
 ///   SPHERE    radius, centre at S
 ///   CAPSULE   radius, axis S.z from -half_length to +half_length
 ///   CYLINDER  the same with flat ends
@@ -69,7 +69,7 @@ struct HeightFieldInfo {
 struct ChainInfo {
   std::vector<swage_vec3> start;  // m, vertices as declared, in B
   std::vector<double> s;          // m, arc length of each vertex, rising
-  std::vector<double> radius;     // m, of the piece that begins at each vertex; 0: none, as at the last
+  std::vector<double> radius;     // m, of the segment that begins at each vertex; 0: no segment, as at the last
   double bend_radius = 0;         // m, least radius of curvature
   uint32_t state = kNone;         // first of 8 n in World::plugin_state
 };

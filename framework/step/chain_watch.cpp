@@ -12,7 +12,7 @@ using toolkit::Vec3;
 
 namespace {
 
-/// Radii that a chain overlaps what it has met unseen: deeper than what lies close by chance. Smaller: divided in vain. 2: has passed.
+/// In radii of the chain: overlap with something that it met unseen. Smaller: steps are divided for overlaps by chance. 2: has passed.
 constexpr double kDeep = 0.5;
 
 }  // namespace
@@ -59,7 +59,7 @@ bool ChainWatch::passed_itself() noexcept {
   return false;
 }
 
-/// A vertex is farther than its radius from where contacts were looked for.
+/// True when a vertex is farther than the radius from where contacts were detected.
 bool ChainWatch::went_far() const noexcept {
   const double* from = p_looked_.data();
   for (const scene::ChainInfo& info : world_.chain) {
@@ -71,7 +71,7 @@ bool ChainWatch::went_far() const noexcept {
   return false;
 }
 
-/// The detector is shown chains that come from there, among bodies that stand, and then their own velocities are put back.
+/// Detects the contacts of chains that come from p_looked_, among resting bodies, and then restores all velocities.
 void ChainWatch::look_along_the_way() noexcept {
   V_ = world_.V_WB;
   std::fill(world_.V_WB.begin(), world_.V_WB.end(), swage_twist{});
@@ -92,8 +92,8 @@ void ChainWatch::look_along_the_way() noexcept {
   world_.V_WB = V_;
 }
 
-/// There is no contact with the same shape at that piece or the next. Bodies that move themselves, and what a coupling lets a chain
-/// through somewhere, are not asked: tissue with a thread in it.
+/// True when no known contact is with the same shape at that piece or a neighbour. Left out are bodies that their object moves, and pairs
+/// of which a coupling lets the chain pass somewhere: tissue with a thread in it.
 bool ChainWatch::unseen(const contact::Contact& met, const contact::ContactSet& known) const noexcept {
   const bool a = met.place_a.segment != scene::kNone, b = met.place_b.segment != scene::kNone;
   const auto itself = [&](uint32_t body, bool chain) { return !chain && world_.body[body].motion == SWAGE_MOTION_SELF; };

@@ -14,7 +14,7 @@ namespace swage::step {
 
 namespace {
 
-// changes the point of view: what was a is b
+// swaps the two sides
 void turn(swage_contact& c) {
   std::swap(c.body_a, c.body_b);
   std::swap(c.shape_a, c.shape_b);
@@ -63,7 +63,7 @@ void Couplings::on_event(const swage_coupling_step* step, uint32_t event, double
   if (event < slot.event.count) context.self->events_.emit(slot.event.first + event, value);
 }
 
-// a coupling holds nothing any more when it, or one of its objects, is in quarantine
+// a coupling is released when it is in quarantine, or one of its objects is frozen
 bool Couplings::released(uint32_t coupling) const noexcept {
   const host::CouplingSlot& slot = rig_.couplings[coupling];
   return slot.instance->quarantined.load(std::memory_order_relaxed) != 0 || objects_.frozen(slot.object_a) ||
@@ -117,7 +117,7 @@ swage_coupling_step& Couplings::begin(uint32_t coupling, std::span<swage_contact
   return s;
 }
 
-// takes the contacts of released couplings out of the set, the others keep their order
+// removes the contacts of released couplings from the set; the others keep their order
 void Couplings::release(contact::ContactSet& set) noexcept {
   bool any = false;
   for (uint32_t p = 0; p < set.of_pair.size(); ++p) any |= set.of_pair[p].count > 0 && released_pair(p);
@@ -167,7 +167,7 @@ void Couplings::take_laws(contact::ContactSet& set) noexcept {
   }
 }
 
-// the contacts of a coupling's pair, in a copy of its own and seen from its own side
+// copies the contacts of a coupling's pair, as seen from its own side
 std::span<swage_contact> Couplings::mine(uint32_t coupling, const scene::Range& range) noexcept {
   const host::CouplingSlot& slot = rig_.couplings[coupling];
   std::copy_n(shown_.begin() + range.first, range.count, mine_.begin());
@@ -191,7 +191,7 @@ void Couplings::call(uint32_t coupling, host::Call call, const contact::ContactS
   });
   writes_.check(instance, call);
 
-  // only the law may be changed, only before the solve, and only to something sensible
+  // only the law may change, only before the solve, and only to valid numbers
   if (!host::accept(instance, call, now, step.signal, step.n_signal, kAnyNumber))
     std::fill_n(step.signal, step.n_signal, 0.0);
   if (!host::accept(instance, call, now, step.state, step.n_state, kAnyNumber))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What happens between two objects: contacts as couplings see them, their calls, the law they ask for.
+// Couplings between two objects: contacts as their plugins see them, the calls of the plugins, and the laws that they set.
 #pragma once
 
 #include <span>
@@ -19,16 +19,16 @@ class Couplings {
   /// [main]
   Couplings(host::Rig& rig, const Objects& objects, Events& events, WriteGuard& writes);
 
-  void reset() noexcept;                                 // [rt] all
+  void reset() noexcept;                                 // [rt] all couplings
   void reset_those_of(uint32_t object) noexcept;         // [rt]
-  void resolve(contact::ContactSet& contacts) noexcept;  // [rt] detected, not solved: they may change the law
+  void resolve(contact::ContactSet& contacts) noexcept;  // [rt] detected, not yet solved: couplings may change the law
   void finish(contact::ContactSet& contacts) noexcept;   // [rt] solved: forces are known
-  /// The links of this step, for the solve: coupling by coupling. [rt] after resolve
+  /// The ties of this step, for the solve: coupling by coupling. [rt] after resolve
   std::span<dynamics::Tie> ties() noexcept;
-  void tied() noexcept;  // [rt] solved: hands each coupling its own, before finish
-  /// Torn places to draw; how many. [rt] between steps
+  void tied() noexcept;  // [rt] solved: returns to each coupling its ties, before finish
+  /// Writes the torn places to draw and returns their number. [rt] between steps
   uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
-  uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same of them
+  uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same for wounds
   std::span<const dynamics::Tie> solved_ties() const noexcept { return tie_; }
 
  private:
@@ -37,7 +37,7 @@ class Couplings {
     uint32_t coupling = 0;
   };
 
-  /// What a coupling draws: its answer, without entries that are not finite. [rt] between steps
+  /// Marks that a coupling draws; none where one of them is not finite. [rt] between steps
   template <class Mark, class Ask>
   uint32_t marks(uint32_t coupling, host::Call call, std::span<Mark> out, Ask ask) const noexcept;
   bool released(uint32_t coupling) const noexcept;
@@ -59,9 +59,9 @@ class Couplings {
   std::vector<swage_coupling_step> step_;
   std::vector<Context> context_;
   std::vector<swage_contact> shown_;   // shown_[i] stands for contact i of the set
-  std::vector<swage_contact> mine_;    // what one coupling gets to see and change
-  std::vector<swage_tie> shown_tie_;   // as couplings see them, one after the other
-  std::vector<scene::Range> ties_of_;  // coupling
+  std::vector<swage_contact> mine_;    // contacts that one coupling may see and change
+  std::vector<swage_tie> shown_tie_;   // ties as couplings see them, coupling by coupling
+  std::vector<scene::Range> ties_of_;  // per coupling
   std::vector<dynamics::Tie> tie_;     // tie_[i] stands for shown_tie_[i]
 };
 

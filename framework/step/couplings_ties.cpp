@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Links that couplings make between the bodies of their two objects: asked for after resolve, handed back solved. And the
-// marks that they leave for the eye.
+// Ties that couplings make between the bodies of their two objects: requested after resolve, returned solved. And the
+// marks of couplings to draw.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ using scene::kNone;
 
 namespace {
 
-constexpr double kUnit = 1e-6;  // by how much an axis may miss the length of 1
+constexpr double kUnit = 1e-6;  // tolerance of an axis' length of 1
 
 bool finite(const swage_vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 

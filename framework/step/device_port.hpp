@@ -13,13 +13,13 @@
 
 namespace swage::step {
 
-/// What the scene does to the tool that a device leads, in the device frame D0.
+/// Effect of the scene on the tool that a device leads, in the device frame D0.
 struct ToolForce {
   uint64_t step = 0;
   double time_s = 0;    // simulated
   swage_vec3 force{};   // N at the hand: contact forces times the force scale
   swage_vec3 torque{};  // N m, about the tool's origin
-  swage_pose anchor{};  // where the hand would be if it were where its tool is: behind it while a fixed solid or its speed holds the tool
+  swage_pose anchor{};  // pose of the hand that matches the tool: behind the hand while a fixed solid or the speed limit holds the tool
   swage_twist anchor_twist{};
   double stiffness = 0, damping = 0;  // N/m, N s/m, between anchor and hand
 };
@@ -27,18 +27,18 @@ struct ToolForce {
 class DevicePort {
  public:
   virtual ~DevicePort() = default;
-  /// Shows the scene to a device that sees; once per step, before read(). Replays are blind. [rt]
+  /// Shows the scene to a device that takes it; once per step, before read(). Replays get nothing. [rt]
   virtual void look(uint64_t, const swage_sight&) noexcept {}
   /// Newest sample; leaves `sample` as it is when there is none. [rt]
   virtual void read(uint64_t step, double time_s, swage_sample& sample) noexcept = 0;
-  /// What the hand should feel, before any guard. [rt]
+  /// Sends the force that the hand should feel, before any guard. [rt]
   virtual void send(const ToolForce& force) noexcept = 0;
 };
 
-/// Lets a device see, if it can. [rt]
+/// Shows the scene to a device, if it takes it. [rt]
 void show(host::DeviceSlot& slot, uint64_t step, const swage_sight& sight) noexcept;
 
-/// A command without force for the time of a step, s simulated. [rt]
+/// A command without force. time_s: simulated time of the step [s]. [rt]
 swage_command no_force(double time_s) noexcept;
 
 /// Asks a LOCKSTEP device in the step. `sample` stays as it was where the device fails, which the guard counts against it. [rt]

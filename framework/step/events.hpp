@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What happened in a step, in order. Events of the host carry the index of the script like all others.
+// Events of a step, in order. Events of the host have an index in the script like all others.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class Events {
     late_.reserve(kCapacity);
   }
 
-  /// A new step: the list is empty but for what the lesson could not see in the last one. [rt]
+  /// Begins a step: clears the list; late() has the events that the lesson could not see in the last step. [rt]
   void begin(uint64_t step) noexcept {
     step_ = step;
     list_.clear();
@@ -41,12 +41,12 @@ class Events {
       ++lost_;
     }
   }
-  /// How many there are; and only so many stay, as the rest of the step is done again. [rt]
+  /// Number of events; keep_first() drops those after the first `count`, as the rest of the step is repeated. [rt]
   std::size_t count() const noexcept { return list_.size(); }
   void keep_first(std::size_t count) noexcept { list_.resize(std::min(count, list_.size())); }
   void emit_host(judge::HostEvent event, double value) noexcept { emit(first_host_ + event, value); }
 
-  /// The lesson observes now: it sees events from here on in the next step. [rt]
+  /// Called as the lesson observes: it sees later events of this step in the next one. [rt]
   void observe() noexcept {
     late_.erase(late_.begin(), late_.begin() + static_cast<std::ptrdiff_t>(late_seen_));
     late_seen_ = 0;
@@ -57,7 +57,7 @@ class Events {
   std::span<const judge::Event> list() const noexcept { return list_; }  // of this step
   std::span<const judge::Event> late() const noexcept {
     return {late_.data(), late_seen_};
-  }  // of the last, unseen
+  }  // of the last step, not yet seen
   uint64_t lost() const noexcept { return lost_; }
   uint32_t first_host() const noexcept { return first_host_; }
   void clear() noexcept {

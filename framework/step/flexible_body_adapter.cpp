@@ -13,7 +13,7 @@ namespace swage::step {
 FlexibleBodyAdapter::FlexibleBodyAdapter(host::ObjectSlot& slot, uint32_t object,
                                          const swage_object_step& view, const scene::World& world)
     : slot_(slot), object_(object), view_(view), local_(std::max(world.capacity.points, 2 * (world.capacity.contacts + world.capacity.ties))) {
-  std::string gap;  // a table with gaps is none
+  std::string gap;  // a table with gaps counts as none
   const auto* band = host::find_table<swage_band>(*slot.instance, SWAGE_EXT_BAND, false, gap);
   const auto chain = [&](const scene::Shape& s) { return s.object == object && s.kind == SWAGE_SHAPE_CHAIN; };
   const auto first = std::find_if(world.shape.begin(), world.shape.end(), chain);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An object with mechanics of its own as the contact solve sees it: the plugin's swage.object.solver/1 or /2, and
+// A flexible body for the contact solve: calls the plugin's swage.object.solver/1 or /2, and
 // swage.object.band/1, behind the guard.
 #pragma once
 
@@ -38,9 +38,9 @@ class FlexibleBodyAdapter final : public dynamics::FlexibleBody {
   const uint32_t object_;
   const swage_object_step& view_;
   const swage_band* band_ = nullptr;  // of an object whose one chain is a band
-  uint32_t unknowns_ = 0;             // of that
+  uint32_t unknowns_ = 0;             // unknowns of that band
   std::vector<swage_contact_point> local_;  // the points in the object's own indices
-  std::span<const swage_chain_place> place_;  // where on a chain they are
+  std::span<const swage_chain_place> place_;  // their places on chains
 };
 
 }  // namespace swage::step

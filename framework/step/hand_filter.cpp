@@ -13,7 +13,7 @@ using toolkit::Pose;
 using toolkit::Quat;
 using toolkit::Vec3;
 
-// what is left of a vector beyond `band`
+// part of a vector beyond `band`
 Vec3 beyond(const Vec3& a, double band) {
   const double length = a.norm();
   return length > band ? Vec3(a * (1 - band / length)) : Vec3(Vec3::Zero());
@@ -25,7 +25,7 @@ swage_pose filtered(const host::HandFilters& f, FilterMemory& memory, const swag
   const Pose now(in);
   const bool fresh = memory.started == 0 || returns;
   if (fresh) memory.low = in;
-  // a deflection that returns leads on from where it has led
+  // under rate control a returning hand continues from the last output
   if (fresh && f.rate <= 0) memory.out = in;
   memory.started = 1;
 

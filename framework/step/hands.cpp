@@ -22,12 +22,12 @@ namespace {
 
 constexpr uint32_t kHasPose = SWAGE_VALID_POSE;
 constexpr uint32_t kHeld = SWAGE_VALID_POSE | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP;
-// s without a valid value after which a hand is met again as after a clutch. Shorter gaps are drop-outs of a bus, in which a hand
+// s without a valid value after which a hand is matched again as after a clutch. Shorter gaps are drop-outs of a bus, in which a hand
 // moves less than its tremor
 constexpr double kLost = 0.1;
-// closure at which a returning hand has met the one that is held
+// difference of closure at which a returning hand has met the held closure
 constexpr double kMet = 0.02;
-// s in which a hand that speaks of the world gets back to where it says that it is
+// s, time constant by which the offset of a device in world coordinates fades
 constexpr double kFade = 0.25;
 
 // the nearest unit quaternion, or false when there is none
@@ -45,7 +45,7 @@ Vec3 limited(const Vec3& a, double longest) {
   return length > longest ? Vec3(a * (longest / length)) : a;
 }
 
-// what the person does, as the other hand would do it (abi/device.h)
+// pointer and keys, mirrored for the other hand (abi/device.h)
 swage_pointer other_hand(const swage_pointer& p) {
   constexpr std::pair<uint32_t, uint32_t> kPairs[] = {
       {0, 3}, {25, 23}, {36, 37}, {44, 45}};  // A-D, Z-X, left-right, pgup-pgdn
@@ -166,10 +166,10 @@ void Hands::read(WriteGuard& writes) noexcept {
     if (!usable(i)) continue;
     const swage_sample last = sample_[i];
     port_[i]->read(world.step, world.time(), sample_[i]);
-    // what it was shown lies where it lay
+    // the device must not have written into the scene that it was shown
     if (rig_.devices[i].sight != nullptr) writes.check(*rig_.devices[i].instance, host::Call::kExchange);
 
-    // what is not a number costs the device, not the scene
+    // a number that is not finite is a fault of the device and does not reach the scene
     host::Instance& instance = *rig_.devices[i].instance;
     const double* numbers = &sample_[i].time_s;
     constexpr std::size_t kNumbers = 1 + 7 + 6 + 2;
@@ -187,7 +187,7 @@ void Hands::read(WriteGuard& writes) noexcept {
   for (uint32_t i = 0; i < input_.size(); ++i) map_input(i);
 }
 
-// hand space to scene: scaled down and turned, unless the device already speaks of the world
+// hand space to scene: scaled down and rotated, unless the device already gives world coordinates
 void Hands::place(uint32_t device) noexcept {
   const host::DeviceSlot& slot = rig_.devices[device];
   const swage_sample& sample = sample_[device];
@@ -196,7 +196,7 @@ void Hands::place(uint32_t device) noexcept {
     ++hold_[device].pose_gone;
     return;
   }
-  // a tool that is clutched stays, and is met again however short that was
+  // a clutched tool stays, and its hand is matched again however short the clutch was
   if (clutched(device)) {
     hold_[device].pose_gone = std::max(hold_[device].pose_gone + 1, static_cast<uint64_t>(std::ceil(kLost / rig_.world.dt)));
     return;
@@ -213,7 +213,7 @@ void Hands::place(uint32_t device) noexcept {
   seen_[device] = 1;
 }
 
-// A pedal that has fallen silent stays as it was last, as every lost hand does.
+// A pedal without valid values keeps its last state, as every lost hand does.
 bool Hands::clutched(uint32_t device) const noexcept {
   const host::HandFilters& filters = rig_.devices[device].filters;
   const bool pedal = filters.clutch_device < sample_.size();
@@ -226,8 +226,8 @@ bool Hands::returns(uint32_t device) const noexcept {
   return seen_[device] && static_cast<double>(hold_[device].pose_gone) * rig_.world.dt >= kLost;
 }
 
-// A hand that comes back after it was lost goes on from where its tool stands: the way between is kept, or, where a device speaks of
-// the world itself, faded out.
+// A hand that returns after it was lost continues from the pose of its tool: the offset between both is kept or, for a device in
+// world coordinates, faded out.
 void Hands::meet_pose(uint32_t device, swage_pose& X_WD) noexcept {
   Hold& hold = hold_[device];
   const bool again = returns(device);
@@ -249,8 +249,8 @@ void Hands::meet_pose(uint32_t device, swage_pose& X_WD) noexcept {
   hold.clutched = p.norm() > 1e-6 * rig_.world.length || turn.norm() > 1e-6;
 }
 
-// Closure and grip stay as they were while nothing valid comes. A person who comes back with another closure takes the jaws over
-// where the two meet.
+// Closure and grip are held while nothing valid comes. A hand that returns with another closure takes over the jaws
+// where both are equal.
 void Hands::hold_closure(uint32_t device) noexcept {
   const swage_sample& sample = sample_[device];
   Hold& hold = hold_[device];
@@ -292,7 +292,7 @@ void Hands::follow() noexcept {
   for (uint32_t i = 0; i < input_.size(); ++i) lead(i);
 }
 
-// The tool goes towards its hand, never faster than the limits nor through a fixed solid, and its bodies get the twist that
+// Moves the tool towards its hand, never faster than the limits nor through a fixed solid, and gives its bodies the twist that
 // leads there: whatever the device does, contacts see a motion and not a jump.
 void Hands::lead(uint32_t object) noexcept {
   const host::ObjectSlot& slot = rig_.objects[object];
@@ -382,7 +382,7 @@ ToolForce Hands::to_hand(uint32_t device, const Felt& tool) const noexcept {
   out.time_s = rig_.world.time();
   out.force = toolkit::raw(Vec3(q_D0W * (k * felt.f_W)));
   out.torque = toolkit::raw(Vec3(q_D0W * (k * s * felt.t_W)));
-  // from where the device is: a clutch, filters and a hand that was met anew lie between it and the scene
+  // from the pose of the device: clutch, filters and the offset of a matched hand are between it and the scene
   out.anchor = {toolkit::raw(Vec3(toolkit::vec(sample_[device].pose.p) + q_D0W * (s * felt.behind_W))),
                 toolkit::raw(Quat(q_D0W * felt.X_WT.q))};
   out.anchor_twist = {toolkit::raw(Vec3(q_D0W * (s * toolkit::vec(felt.V_WT.v)))),

@@ -24,14 +24,14 @@ class Hands {
   Hands(host::Rig& rig, std::vector<DevicePort*> ports);
 
   void reset() noexcept;                                    // [rt]
-  /// What devices read of the person's pointer and keys from now on, given in the picture as it is shown. [rt]
+  /// Sets the pointer and keys that devices read from now on, as given in the displayed picture. [rt]
   void point(const swage_pointer& pointer) noexcept;
   bool see() const noexcept;                                // whether a device sees the scene
-  /// Shows the scene to the devices that see; each that writes into it is at fault. `writes` has just been taken. [rt]
+  /// Shows the scene to the devices that take it; a device that writes into it is at fault. `writes` has just been taken. [rt]
   void look(const swage_sight& sight, WriteGuard& writes) noexcept;
   void read(WriteGuard& writes) noexcept;  // [rt] newest sample of every device
-  void follow() noexcept;                                   // [rt] tools after their hands
-  void send(const contact::ContactSet& contacts) noexcept;  // [rt] what the tools feel
+  void follow() noexcept;                                   // [rt] moves tools towards their hands
+  void send(const contact::ContactSet& contacts) noexcept;  // [rt] forces on the tools
 
   const swage_input* input(uint32_t object) const noexcept;  // nullptr when no device is bound
   std::span<const swage_sample> samples() const noexcept { return sample_; }
@@ -39,15 +39,15 @@ class Hands {
   std::size_t image_size() const;                // [main]
   void save(scene::Writer& out) const noexcept;  // [main or rt] last samples and hands
   bool restore(scene::Reader& in) noexcept;
-  /// Every hand has come to the end of its script or is in quarantine: of two that work together one may be done first.
+  /// True when every hand has ended its script or is in quarantine: of two that work together one may end first.
   bool gone() const noexcept;
 
  private:
-  /// What a hand holds while its device says nothing valid, and how it is met again afterwards. Plain words, saved with the state.
+  /// Values held while a device gives nothing valid, and how its hand is matched again afterwards. Plain words, saved with the state.
   struct Hold {
     uint64_t known = 0;                       // SWAGE_VALID_* that it has ever given, of pose, closure and grip
     uint64_t pose_gone = 0, closure_gone = 0; // steps since each was last given
-    uint64_t clutched = 0;                    // 1: p and q below lie between device and hand
+    uint64_t clutched = 0;                    // 1: p and q below are the offset between device and hand
     uint64_t meeting = 0;                     // 1: the closure is held until the person's meets it, coming from below; 2: from above
     swage_vec3 p{};                           // m, added to the device's place
     swage_quat q{1, 0, 0, 0};                 // after the device's rotation
@@ -77,9 +77,9 @@ class Hands {
   std::vector<DevicePort*> port_;
   std::vector<swage_sample> sample_;  // of each device, as used in this step
   std::vector<swage_pose> X_WD_;      // of each device: the hand in the scene, last valid one
-  std::vector<uint8_t> seen_;         // of each device: a valid pose has come
+  std::vector<uint8_t> seen_;         // of each device: it has given a valid pose
   std::vector<Hold> hold_;            // of each device
-  std::vector<FilterMemory> filter_;  // of each device; empty where nobody is filtered, and then no part of the state
+  std::vector<FilterMemory> filter_;  // of each device; empty where no device is filtered, and then not in the saved state
   std::vector<swage_input> input_;    // of each object
   std::vector<swage_pose> X_OB_;      // of each body: as declared in its object
 };

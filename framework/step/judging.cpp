@@ -85,7 +85,7 @@ void Judging::notice_quarantine() noexcept {
 void Judging::observe() noexcept {
   notice_quarantine();
 
-  // everything that happened since the lesson last looked
+  // all events since the lesson last observed
   seen_.clear();
   for (const judge::Event& e : events_.late()) seen_.push_back({e.event, 0, e.value});
   for (const judge::Event& e : events_.list()) seen_.push_back({e.event, 0, e.value});

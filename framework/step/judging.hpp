@@ -23,15 +23,15 @@ class Judging {
 
   void reset() noexcept;              // [rt]
   void observe() noexcept;            // [rt]
-  void notice_quarantine() noexcept;  // [rt] tells of instances that have just been put there
+  void notice_quarantine() noexcept;  // [rt] reports instances that are newly in quarantine
 
-  swage_sight sight() noexcept;  // [rt] the scene as it is, for hands that see; valid until the next call
+  swage_sight sight() noexcept;  // [rt] the present scene, for devices that take it; valid until the next call
 
   const judge::Verdict& verdict() const noexcept { return referee_.verdict(); }
   std::size_t image_size() const;                // [main]
   void save(scene::Writer& out) const noexcept;  // [main or rt] the verdict so far
   bool restore(scene::Reader& in) noexcept;
-  /// A plugin is in quarantine: the attempt is void.
+  /// True when a plugin is in quarantine: the attempt is void.
   bool is_void() const noexcept { return bad_count_ > 0; }
   uint32_t quarantined() const noexcept { return bad_count_; }
 

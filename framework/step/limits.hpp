@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bounds on what plugins and devices may say. They are far outside of what a lesson needs: a value beyond them is an error of the plugin or device.
+// Bounds on values from plugins and devices. They are far beyond what a lesson needs: a larger value is an error of the plugin or device.
 #pragma once
 
 namespace swage::step {
@@ -8,7 +8,7 @@ namespace swage::step {
 // N and N m that an object may put on one of its bodies in one step. Normal: 1e-6 to 1. Larger: nothing in microsurgery
 inline constexpr double kMaxForce = 1e3;
 // N at one contact. Normal: up to 16, a needleholder closed hard; a fist holds some 500. Larger: a stiffness, a mass or a rate that
-// is of no such scene, and a result that no hand can make
+// does not belong to such a scene, and a result that no hand can cause
 inline constexpr double kMaxContactForce = 500;
 // m/s of a free surface. Normal: under 0.1. Larger: an unstable solver on its way to infinity
 inline constexpr double kMaxSpeed = 1e3;
@@ -20,7 +20,7 @@ inline constexpr double kMaxPosition = 1e3;
 inline constexpr double kAnyNumber = 1e300;
 
 // Lengths of the scene per second that a tool follows its device. Normal hands: up to 50. Faster (a tracker that jumps, a
-// script that teleports) the tool sweeps behind, so that it pushes through nothing; slower limits would be felt
+// script that teleports) the tool lags behind on a swept path, so that it passes through nothing; slower limits would be felt
 inline constexpr double kMaxToolSpeed = 250;
 // rad/s. Normal wrists: up to 10
 inline constexpr double kMaxToolTurn = 30;

@@ -37,7 +37,7 @@ void clear(std::vector<T>& array, const scene::Range& range, uint32_t width = 1)
   std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(first), count, T{});
 }
 
-// an object that could, but has no body of its own to move, answers for nothing
+// whether one of these bodies is moved by its object; an object without any is no flexible body
 bool moves_itself(const scene::World& world, const scene::Range& body) {
   for (uint32_t b = body.first; b < body.first + body.count; ++b)
     if (world.body[b].motion == SWAGE_MOTION_SELF) return true;
@@ -52,7 +52,7 @@ void Objects::for_chains(const host::ObjectSlot& slot, const F& each) noexcept {
     if (rig_.world.shape[i].kind == SWAGE_SHAPE_CHAIN) each(rig_.world.shape[i]);
 }
 
-/// Their doubles lie one after the other (scene/chain.hpp).
+/// Checks the private doubles of chains: places, velocities, arc lengths and radii, one after the other (scene/chain.hpp).
 template <class Accept>
 bool Objects::sound_chains(uint32_t object, const Accept& accept) noexcept {
   bool all = true;
@@ -192,7 +192,7 @@ void Objects::finish() noexcept {
     const bool whole = host::accept(instance, host::Call::kFinish, world.step, view_[i].signal,
                                     slot.signal.count, kAnyNumber);
     if (!whole) clear(world.signal, slot.signal);
-    // what it keeps is saved, hashed and given back to it: a number that is none stays for ever
+    // the state is saved, hashed and given back to the object: a NaN would stay for ever
     if (!host::accept(instance, host::Call::kFinish, world.step, view_[i].state, slot.state.count, kAnyNumber))
       clear(world.plugin_state, slot.state), put_back_chains(slot);
   }
@@ -248,7 +248,7 @@ bool Objects::left_room(uint32_t object) const noexcept {
   return false;
 }
 
-// finite and near; quarantined otherwise
+// whether an object's state is finite and near; it is quarantined otherwise
 bool Objects::sound(uint32_t object, host::Call call) noexcept {
   host::Instance& instance = *rig_.objects[object].instance;
   const swage_object_step& view = view_[object];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The objects of a scene between the phases: their views and calls; an object in quarantine keeps its last pose.
+// The objects of a scene: their views, and their calls in each phase; an object in quarantine keeps its last pose.
 #pragma once
 
 #include <memory>
@@ -21,20 +21,20 @@ class Objects {
 
   void reset() noexcept;                 // [rt] all of them, and the world
   void reset(uint32_t object) noexcept;  // [rt] one of them
-  void begin() noexcept;                 // [rt] views of this step; remembers where everything was
+  void begin() noexcept;                 // [rt] views of this step; stores where everything was
   void forces() noexcept;                // [rt]
-  void advance() noexcept;               // [rt] own mechanics
+  void advance() noexcept;               // [rt] flexible bodies by their own mechanics
   void finish() noexcept;                // [rt]
   void freeze() noexcept;                // [rt] objects in quarantine keep their last pose
-  void guard() noexcept;                 // [rt] looks through the state that the solve has left
+  void guard() noexcept;                 // [rt] checks the state after the solve
 
-  /// Dents to draw; how many. [rt] between steps
+  /// Writes the dents to draw and returns their number. [rt] between steps
   uint32_t dents(uint32_t object, std::span<swage_dent> out) const noexcept;
 
   std::span<const swage_object_step> views() const noexcept { return view_; }
   const swage_object_step& view(uint32_t object) const noexcept { return view_[object]; }
-  std::span<dynamics::FlexibleBody* const> self() noexcept;  // own mechanics that are not in quarantine
-  /// In quarantine, or out of the room (scene/room.hpp): the object keeps its last pose.
+  std::span<dynamics::FlexibleBody* const> self() noexcept;  // flexible bodies that are not frozen
+  /// True in quarantine, or out of the room (scene/room.hpp): the object keeps its last pose.
   bool frozen(uint32_t object) const noexcept {
     return gone_[object] != 0 ||
            rig_.objects[object].instance->quarantined.load(std::memory_order_relaxed) != 0;
@@ -57,7 +57,7 @@ class Objects {
   const Hands& hands_;
   WriteGuard& writes_;
   std::vector<swage_object_step> view_;
-  std::vector<uint8_t> gone_;  // by what the state says at the beginning of the step
+  std::vector<uint8_t> gone_;  // out of the room at the beginning of the step
   std::vector<std::unique_ptr<FlexibleBodyAdapter>> self_;
   std::vector<dynamics::FlexibleBody*> self_now_;
 
@@ -65,7 +65,7 @@ class Objects {
   std::vector<swage_pose> X_WB_before_;
   std::vector<double> particle_before_, hinge_before_;
   std::vector<std::vector<double>> chain_before_;  // per chain of the world
-  // the start
+  // at the start
   std::vector<double> particle_start_;
   std::vector<uint64_t> random_start_;
 };

@@ -11,10 +11,10 @@
 namespace swage::step {
 
 namespace {
-// of the scene's length: 20 um in a scene of 1 mm. What lies on something or is held overlaps by 1 um at most
+// of the scene's length: 20 um in a scene of 1 mm. Objects that rest on something or are held overlap by 1 um at most
 constexpr double kDeepOverlap = 0.02;
 
-/// A thread that a coupling ties to the other: its end sits inside.
+/// True when one of both is a thread that a coupling ties to the other: its end is inside.
 bool swaged(const host::Rig& rig, const contact::Pair& pair) {
   const auto is_thread = [&](uint32_t object) {
     return rig.objects[object].instance->extension(SWAGE_TRAIT_STRAND) != nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that a scene tells at its first step. Tests name them, and never repeat their words.
+// Sentences about a scene at its first step. Tests use the constants, and never repeat their words.
 #pragma once
 
 #include "base/sentence.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What of an engine is state, and how it is shown.
+// The state of an engine: saving, hashing and snapshots.
 #include <algorithm>
 
 #include "step/step.hpp"
@@ -9,7 +9,7 @@
 
 namespace swage::step {
 
-// what the next step depends on, and what the hash of a step names; the memory of the judge changes no answer
+// state that the next step depends on and that the hash of a step covers; the memory of the judge has no influence on the motion
 void Engine::write_state(scene::Writer& out) const noexcept {
   scene::save(rig_.world, out);
   dynamics_.save(out);
@@ -26,7 +26,7 @@ bool Engine::read_state(scene::Reader& in) noexcept {
   return scene::restore(rig_.world, in) && dynamics_.restore(in) && detector_.restore(contacts_, in);
 }
 
-// the largest that it can become: contacts come and go
+// largest size of an image: the number of contacts varies
 std::size_t Engine::image_size() const {
   scene::Writer dynamics;
   dynamics_.save(dynamics);
@@ -73,7 +73,7 @@ uint64_t Engine::object_hash(uint32_t object) const noexcept {
 
 namespace {
 
-// what is shown of a lesson for the left hand
+// mirrors what is shown of a lesson for the left hand
 void mirror(snapshot::Snapshot& out) {
   using toolkit::mirrored;
   for (uint32_t i = 0; i < out.n_body; ++i) out.X_WB[i] = mirrored(out.X_WB[i]);
@@ -98,7 +98,7 @@ void mirror(snapshot::Snapshot& out) {
 
 }  // namespace
 
-// how many there are of everything, and what the lesson says
+// sizes of all arrays, and the verdict of the lesson
 void Engine::fill_head(snapshot::Snapshot& out) const noexcept {
   using namespace snapshot;
   const scene::World& w = rig_.world;
@@ -111,7 +111,7 @@ void Engine::fill_head(snapshot::Snapshot& out) const noexcept {
   out.hash = hash_;
   out.n_body = limit(w.X_WB.size(), kMaxBodies);
   out.n_particle = limit(w.particle_mass.size(), kMaxParticles);
-  for (const scene::ChainInfo& chain : w.chain)  // the vertices of chains follow, as the card says
+  for (const scene::ChainInfo& chain : w.chain)  // the vertices of chains follow, as in the scene card
     out.n_particle = limit(out.n_particle + chain.start.size(), kMaxParticles);
   out.n_object = limit(rig_.objects.size(), kMaxObjects);
   out.n_signal = limit(w.signal.size(), kMaxSignals);
@@ -161,7 +161,7 @@ void Engine::fill(snapshot::Snapshot& out) const noexcept {
   if (rig_.mirror) mirror(out);
 }
 
-// dents and torn places, for the eye: asked when somebody looks, and never part of the state
+// dents, tears and wounds to draw: requested when a snapshot is filled, and never part of the state
 void Engine::fill_marks(snapshot::Snapshot& out) const noexcept {
   using namespace snapshot;
   out.n_dent = out.n_tear = out.n_wound = 0;

@@ -15,7 +15,7 @@ namespace {
 // commands of one step; normal is 0 or 1. More wait in their ring for the next step
 constexpr std::size_t kMaxCommands = 64;
 
-/// What is found has room for what the scene may find.
+/// Options with the scene's capacity of contacts.
 Options with_room(Options options, const scene::World& world) {
   options.contact.capacity = world.capacity.contacts;
   return options;
@@ -29,15 +29,15 @@ void Engine::step() noexcept {
 
   read();         // newest sample of each device
   command();      // resets, marks, live parameters
-  follow();       // tools after their hands: limited in speed, swept
-  move();         // once; in parts where a chain would go too far at once:
+  follow();       // tools follow their hands: limited in speed, swept
+  move();         // one step; in parts where a chain would move too far in it:
                   //   free_motion()  forces of the objects, then as if nothing touched anything
                   //   detect()       contacts, in a fixed order
                   //   couple()       couplings turn contacts into laws and events
                   //   solve()        contacts and motion, together and implicit
   finish();       // derived quantities and signals
-  observe();      // the lesson looks
-  guard();        // who wrote nonsense stands still from here on
+  observe();      // the lesson observes
+  guard();        // objects with invalid numbers stand still from here on
   send();         // forces to the hands, through the ports
   publish();      // step number and hash
 }
@@ -102,7 +102,7 @@ bool Engine::push(const Command& command) noexcept {
 }
 
 void Engine::done(Phase phase) noexcept {
-  // smoothed over 256 steps: what a person can read
+  // smoothed over 256 steps, so that a person can read it
   const int64_t now = base::wall_ns();
   double& smooth = phase_s_[static_cast<uint32_t>(phase)];
   smooth += (1e-9 * static_cast<double>(now - stamp_) - smooth) / 256;
@@ -157,7 +157,7 @@ void Engine::solve() noexcept {
   done(Phase::kSolve);
 }
 
-// what the solver fell short of is counted in every step, and an event in the first
+// steps in which the solver fell short are counted; the first of an attempt is an event
 void Engine::tell_shortfall() noexcept {
   const uint64_t steps = dynamics_.stats().health.steps;
   if (steps > steps_short_ && told_short_ == 0) {
@@ -221,7 +221,7 @@ void Engine::apply(const Command& c) noexcept {
   }
 }
 
-// bristles and forces of an object's contacts mean nothing after it was put back
+// bristles and forces of an object's contacts are invalid after it was reset
 void Engine::forget_contacts(uint32_t object) noexcept {
   for (uint32_t p = 0; p < contacts_.of_pair.size(); ++p) {
     const contact::Pair& pair = rig_.pairs[p];

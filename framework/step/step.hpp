@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One millisecond. Start with Engine::step() in step.cpp: one line per phase.
+// One step of the simulation, 1 ms. Start with Engine::step() in step.cpp: one line per phase.
 //
-// Threads: built on [main]; what is marked [rt] afterwards by one thread at a time.
+// Threads: built on [main]; functions marked [rt] afterwards by one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -60,16 +60,16 @@ class Engine {
   /// One step of World::dt. [rt]
   void step() noexcept;
 
-  /// Everything back to the start, the verdict too. Once before the first step. [rt]
+  /// Resets everything to the start, the verdict too. Called once before the first step. [rt]
   void reset() noexcept;
 
-  /// For the next step; false when too many wait. [rt]
+  /// Queues a command for the next step; false when too many wait. [rt]
   bool push(const Command& command) noexcept;
 
-  /// What the person does with pointer and keys in the next step, in the picture as it is shown. [rt]
+  /// Sets the pointer and keys of the next step, as given in the displayed picture. [rt]
   void point(const swage_pointer& pointer) noexcept { hands_.point(pointer); }
 
-  // --- what the last step gave, valid until the next [rt]
+  // --- results of the last step, valid until the next [rt]
   uint64_t hash() const noexcept { return hash_; }
   std::span<const judge::Event> events() const noexcept { return events_.list(); }
   uint64_t lost_events() const noexcept { return events_.lost(); }
@@ -81,22 +81,22 @@ class Engine {
   const dynamics::Stats& stats() const noexcept { return dynamics_.stats(); }
   uint32_t quarantined() const noexcept {
     return judging_.quarantined();
-  }                                                            // not 0: the attempt does not count
-  /// Steps, and parts of them, that were taken back and done in parts (substeps.cpp).
+  }                                                            // not 0: the attempt is void
+  /// Number of steps, and of parts of steps, that were undone and repeated in parts (substeps.cpp).
   uint64_t divided() const noexcept { return divided_; }
-  bool hand_gone() const noexcept { return hands_.gone(); }    // a script has come to its end
+  bool hand_gone() const noexcept { return hands_.gone(); }    // every script has ended
   const double* phase_s() const noexcept { return phase_s_; }  // [kPhases] s, wall, smoothed
 
-  /// Everything of a snapshot but the health of the loop. [rt]
+  /// Fills a snapshot but for the health of the loop. [rt]
   void fill(snapshot::Snapshot& out) const noexcept;
 
-  /// The whole state that the next step depends on, plugins' private doubles included; what devices hold is their own. False
+  /// The whole state that the next step depends on, plugins' private doubles included; not what devices hold themselves. False
   /// when `out` is smaller than image_size(), or when `in` is of another scene. [main or rt, between steps]
   std::size_t image_size() const;
   bool save(std::span<std::byte> out) const noexcept;
   bool restore(std::span<const std::byte> in) noexcept;
 
-  /// Hash of one object's part of the state, to name who differs. [main or rt, between steps]
+  /// Hash of one object's part of the state, to find which object differs. [main or rt, between steps]
   uint64_t object_hash(uint32_t object) const noexcept;
 
  private:
@@ -117,7 +117,7 @@ class Engine {
 
   // substeps.cpp
   static constexpr std::size_t kDivisions = 6;
-  struct Begun {  // before free motion
+  struct Begun {  // state before free motion
     std::vector<std::byte> state;
     base::SolverHealth health;
     std::size_t events = 0;
@@ -153,13 +153,13 @@ class Engine {
   std::vector<Command> command_;
   std::vector<host::Instance*> instance_;  // in the order of evaluation
   std::vector<const swage_live*> live_;    // of each instance, or nullptr
-  std::vector<std::byte> dynamics_start_;  // what it remembers before the first step
+  std::vector<std::byte> dynamics_start_;  // saved state of dynamics_ before the first step
   std::vector<Begun> begun_;               // per level of division; empty where no step is divided
   std::vector<swage_pose> X_end_;          // at the end of the step, of bodies that follow
   uint64_t divided_ = 0;                   // parts of steps that were divided, so far
   uint64_t hash_ = 0;
-  uint64_t steps_short_ = 0;  // in which the solver fell short, so far
-  uint64_t told_short_ = 0;   // not 0: the event of this attempt has been
+  uint64_t steps_short_ = 0;  // steps in which the solver fell short, so far
+  uint64_t told_short_ = 0;   // not 0: the event was emitted in this attempt
   int64_t stamp_ = 0;         // ns, wall
   double phase_s_[snapshot::kPhases] = {};
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A step is done in parts where a chain goes too far in it. Contacts are looked for where the chain would go on to, and each is a plane
-// for the whole step. A chain that is snatched or springs back leaves the plane, and passes the edge of what it touched, or what was not
-// near. Such a step is taken back and done in four parts, each of them again in four where that is still too far. A spring moves a mass
-// from rest as the square of the time: 0.4 mm of a step are 0.1 um of a sixty-fourth.
+// A step is divided where a chain moves too far in it. Contacts are detected where the chain would advance to, and each is a plane
+// for the whole step. A chain that is snatched or springs back leaves the plane, and passes the edge of what it touched, or something that
+// was not near. Such a step is undone and repeated in four parts, each of them again in four where that is still too far. A spring moves a
+// mass from rest as the square of the time: 0.4 mm in a step become 0.1 um in a sixty-fourth.
 #include "dynamics/rotation.hpp"
 #include "step/step.hpp"
 
@@ -14,16 +14,16 @@ using toolkit::vec;
 
 namespace {
 
-/// Parts of what is divided, and how often it may be (kUsual, Engine::kDivisions). More parts: what is far in one of
+/// Parts of a divided step; kUsual and Engine::kDivisions limit how often. More parts: a step that is too far in one of
 /// them alone costs more. Fewer divisions: a snatched thread passes through itself.
 constexpr int kParts = 4;
 
-/// How often a step is divided by what may lead to a passage: down to 1/64. Where a chain did pass through itself it is divided on
-/// (Engine::kDivisions): a thread of 4e-7 kg/m that bears 20 mN springs by ten of its diameters in 1/64 ms.
+/// How often a step is divided for displacements that may lead to a passage: down to 1/64. Where a chain did pass through itself it is
+/// divided further (Engine::kDivisions): a thread of 4e-7 kg/m that bears 20 mN springs by ten of its diameters in 1/64 ms.
 constexpr std::size_t kUsual = 3;
 
-/// Radii that a chain may go past what it is near to, beyond where contacts were looked for: its own thickness. Smaller: what slides
-/// fast costs several times as much. Larger: passages.
+/// In radii of a chain: allowed displacement relative to what it is near to since contacts were detected; its own thickness. Smaller: fast
+/// sliding costs several times as much. Larger: passages.
 constexpr double kFar = 2;
 
 }  // namespace
@@ -71,14 +71,14 @@ void Engine::take_back(const Begun& begun) noexcept {
   events_.keep_first(begun.events);
 }
 
-/// Too far for one step. One that did not converge is divided once: where it never does, the cost stays that of five.
+/// True when the step was too far for one. If it did not converge it is divided once: where it never does, the cost stays that of five.
 bool Engine::fell_short(const Begun& begun, std::size_t level) noexcept {
   const dynamics::Stats& stats = dynamics_.stats();
   if ((level < kUsual && stats.strayed > kFar) || (level == 0 && stats.health.not_converged > begun.health.not_converged)) return true;
   return chains_.passed_itself() || (level < kUsual && chains_.met_unseen(contacts_));
 }
 
-/// Bodies that follow to where they are `rest` [s] before the end of the whole step.
+/// Moves bodies that follow to where they are `rest` [s] before the end of the whole step.
 void Engine::follow_to(double rest) noexcept {
   scene::World& world = rig_.world;
   for (uint32_t b = 0; b < world.body.size(); ++b) {

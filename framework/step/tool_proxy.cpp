@@ -11,10 +11,10 @@ using toolkit::Vec3;
 
 namespace {
 
-// Lengths of the scene that any point of a tool moves between two looks at what it overlaps. Normal: 0.05 (a hand at 50 mm/s).
-// Solids thinner than twice this would be come out of on the far side; smaller costs time when the hand jumps
+// Lengths of the scene that any point of a tool moves between two tests for overlaps. Normal: 0.05 (a hand at 50 mm/s).
+// A tool could pass through solids thinner than twice this; smaller costs time when the hand jumps
 constexpr double kPart = 0.1;
-// At a hand that jumps farther than this many parts in one step, the parts grow
+// Most parts of a step. If a hand jumps farther, the parts grow
 constexpr int kMostParts = 16;
 // Lengths of the scene by which a tool may overlap a solid after it was pushed out: far below what is seen or felt
 constexpr double kLeft = 1e-6;
@@ -54,7 +54,7 @@ Pose ToolProxy::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noex
   const double parts = std::ceil((way.norm() + arm * turn.norm()) / (kPart * world_.length));
   const int n = static_cast<int>(std::clamp(parts, 1.0, static_cast<double>(kMostParts)));
 
-  // the way that is left is walked from where the last part came to rest, so that the tool slides
+  // each part moves on from where the last one came to rest, so that the tool slides
   Pose X = X_from;
   for (int i = 1; i <= n; ++i) {
     const Vec3 p = X.p + (X_to.p - X.p) / (n - i + 1);
@@ -68,7 +68,7 @@ Pose ToolProxy::rest(uint32_t object, const Pose& X_from, const Pose& X_to) noex
   return X;
 }
 
-/// Moves X_WT along the normals of what its shapes overlap until they overlap nothing. False: it cannot be done.
+/// Moves X_WT along the normals of its shapes' overlaps until there are none. False: it cannot be done.
 bool ToolProxy::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexcept {
   contact::Query query;
   query.length = world_.length;
@@ -94,7 +94,7 @@ bool ToolProxy::push_out(uint32_t object, const Pose& X_from, Pose& X_WT) noexce
   return false;
 }
 
-/// How far the shapes that can be stopped reach from the tool's frame.
+/// Largest distance from the tool's frame of the shapes that can be stopped [m].
 double ToolProxy::reach(uint32_t object, const Pose& X_from) const noexcept {
   double most = 0;
   for (const Stop& s : stop_) {

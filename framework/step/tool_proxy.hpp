@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a tool that follows a hand cannot go through: fixed solids that a coupling lets it touch. Both sides are moved from
-// outside, so no contact force could hold them apart; the tool's proxy stops at the surface and slides along it while the
-// hand runs ahead.
+// Proxy (god object) of a tool that follows a hand: it cannot pass through fixed solids that a coupling lets the tool touch. Both
+// have a prescribed motion, so no contact force could hold them apart; the proxy stops at the surface and slides along it while the
+// hand moves on.
 //
 // Units: m. Threads: built on [main]; rest() is [rt] and allocates nothing.
 #pragma once
@@ -18,8 +18,8 @@ class ToolProxy {
  public:
   explicit ToolProxy(const host::Rig& rig);
 
-  /// Where the frame of the tool comes to rest on its way from X_from, where its bodies stand now, to X_to: pushed out of
-  /// whatever it would overlap, and back at X_from when that cannot be done. X_to itself when nothing is there.
+  /// Pose of the tool's frame at the end of its motion from X_from, where its bodies are now, to X_to: pushed out of whatever it
+  /// would overlap; where that fails, the pose before. X_to itself when nothing is in between.
   toolkit::Pose rest(uint32_t object, const toolkit::Pose& X_from, const toolkit::Pose& X_to) noexcept;
 
  private:

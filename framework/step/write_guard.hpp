@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Plugins see arrays of the whole scene. Where things are and how they move changes only in calls of a solver: after every other
-// call it is compared with what it was, put back, and whoever wrote is quarantined. About 30 ns a call for twenty bodies.
+// Plugins see arrays of the whole scene. Poses and velocities change only in calls of a solver: after every other
+// call they are compared with a copy and restored, and a plugin that wrote is quarantined. About 30 ns a call for twenty bodies.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ class WriteGuard {
  public:
   explicit WriteGuard(scene::World& world) : world_(world) { take(); }
 
-  /// What the host has made of the scene; before a phase in which plugins only read it. [rt]
+  /// Copies poses and velocities, before a phase in which plugins only read them. [rt]
   void take() noexcept;
-  /// After a call of `instance`. [rt]
+  /// Compares and restores them after a call of `instance`. [rt]
   void check(host::Instance& instance, host::Call call) noexcept;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A circular arc and what lies closest on it, without trigonometric functions: a place on the arc is a unit
+// A circular arc and its places closest to others, without trigonometric functions: a place on the arc is a unit
 // vector (c, s) in its plane, so only +, -, *, / and sqrt are used and every machine gets the same bits.
 // Header-only.
 #pragma once
@@ -75,7 +75,7 @@ struct Arc {
   bool contains(Turn e) const { return e.order() <= end_order; }
 };
 
-/// Component of the arc's height above a plane: h(e) = h0 + hx c + hy s.
+/// Height of the arc above a plane: h(e) = h0 + hx c + hy s.
 struct ArcHeight {
   double h0 = 0, hx = 0, hy = 0;
 
@@ -89,8 +89,8 @@ struct ArcHeight {
   double slope(Turn e) const { return hy * e.c - hx * e.s; }  // dh / d angle
 };
 
-/// The nearer of the two ends to a plane, line or point is decided by the caller's distance; `better` says
-/// whether the first argument is smaller.
+/// The end of the arc at which `distance`, the caller's distance to a plane, line or point, is smaller;
+/// the start where both are equal.
 template <class Distance>
 Turn nearer_end(const Arc& arc, const Distance& distance) {
   return distance(Turn{}) <= distance(arc.end) ? Turn{} : arc.end;
@@ -180,7 +180,7 @@ struct ArcPair {
 ///   f(e_a, e_b) = |w|^2 / 2,   w = p(e_a) - q(e_b),   p' = R_a t_a,   p'' = -R_a r_a (r radial, t along)
 ///   f' = (R_a t_a . w, -R_b t_b . w)
 ///   f'' = (R_a^2 - R_a r_a . w, -R_a R_b t_a . t_b; ., R_b^2 + R_b r_b . w)
-/// where that is positive definite, else straight downhill; no step turns by more than a fifth of a radian, nor away.
+/// where that is positive definite, else straight downhill; no step turns by more than a fifth of a radian or increases the distance.
 inline ArcPair minimum_near(const Arc& p, const Arc& q, const ArcPair& guess) {
   ArcPair e = guess;
   for (int i = 0; i < 40; ++i) {
@@ -196,7 +196,7 @@ inline ArcPair minimum_near(const Arc& p, const Arc& q, const ArcPair& guess) {
     const double longest = std::max(std::abs(s_a), std::abs(s_b));
     if (longest > 0.2) s_a *= 0.2 / longest, s_b *= 0.2 / longest;
     if (longest < 1e-10) return {e.a.stepped(s_a), e.b.stepped(s_b)};
-    // half as far while that is no nearer
+    // halve the step while the distance would grow
     ArcPair next;
     double share = 2;
     do {

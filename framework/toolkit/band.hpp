@@ -57,7 +57,7 @@ class Band {
     }
   }
 
-  /// Unknown i stays where it is: its row and column become those of 1.
+  /// Fixes unknown i: its row and column become those of the identity.
   void hold(int i) {
     for (int k = 1; k <= B; ++k) {
       column(i)[k] = 0;
@@ -86,7 +86,7 @@ class Band {
   }
 
   /// x = A^-1 x for R right-hand sides at once, side by side: unknown i of side r is x[i R + r]. Each gets the bits that it would
-  /// get alone. `first`: unknowns before it are 0 in all of them; `least`: those before it are not wanted.
+  /// get alone. `first`: unknowns before it are 0 in all of them; `least`: results before it are not needed.
   template <int R = 1>
   void solve(double* x, int first = 0, int least = 0) const {
     if (R % 4 == 0 && has_fours())
@@ -99,7 +99,7 @@ class Band {
   using Back = std::ptrdiff_t;
   static constexpr Back kColumn = kStride;
 
-  /// Column j + k, for k = 1 .. B, less l_k times column j from its entry k on.
+  /// Subtracts l_k times column j, from its entry k on, from column j + k, for k = 1 .. B.
   template <int... K>
   void update(double* a, double inverse, std::integer_sequence<int, K...>) {
     (update_column<K + 1>(a, inverse), ...);
@@ -113,7 +113,7 @@ class Band {
     to -= l * Eigen::Map<const Part>(a + K);
   }
 
-  /// The same with the column at hand in registers, so that the next one need not wait for it.
+  /// Factors with the present column in registers, so that the next one need not wait for it.
   SWAGE_FOURS static bool factor_by_fours(double* a, int n) {
     Line<Fours, kStride> now;
     now.load(a);
@@ -149,8 +149,8 @@ class Band {
     return true;
   }
 
-  // Each unknown less its share of up to B others: in two sums, of the odd and of the even neighbours, the nearest last, as it is the one
-  // that has just been found
+  // Substitution subtracts up to B neighbours from each unknown, in two sums, of the odd and of the even ones, the nearest last, as it is
+  // the one computed just before
   template <int R>
   using Narrow = std::conditional_t<R % 2 == 0, Twos, Ones>;
 
@@ -160,7 +160,7 @@ class Band {
   }
   template <class V, int R>
   [[gnu::always_inline]] static void solve_with(const double* a, int n, double* x, int first, int least) {
-    Line<V, R> near, next;  // the two that were found last
+    Line<V, R> near, next;  // the two unknowns computed last
     near.load(x + static_cast<Back>(first) * R), next = near;
     for (int j = first + 1; j < n; ++j) {
       double* at = x + static_cast<Back>(j) * R;
@@ -182,7 +182,7 @@ class Band {
       next = near, near = now;
     }
   }
-  /// Less the sum of l[k dl] x[k dx], k = 1 .. last, the nearest two of which are given.
+  /// now -= the sum of l[k dl] x[k dx], k = 1 .. last, of which `near` and `next` are x[dx] and x[2 dx].
   template <class V, int R>
   [[gnu::always_inline]] static void take(const double* l, Back dl, Back dx, int last, const double* x, const Line<V, R>& near,
                                           const Line<V, R>& next, Line<V, R>& now) {
@@ -204,7 +204,7 @@ class Band {
 
   int n_ = 0;
   std::vector<double>
-      a_;  // column by column; B columns of zeros at the end take what is beyond the last unknown
+      a_;  // column by column; B columns of zeros at the end pad what lies beyond the last unknown
 };
 
 }  // namespace swage::toolkit

@@ -2,8 +2,8 @@
 //
 // A curved wire that bends: rigid arc pieces of equal length, joined by elastic-plastic springs that turn in the plane, out of
 // it and about the wire. Each joint stands for the half pieces on its two sides: stiffness EI / length, limit by the law of its
-// section at three places along them (Gauss), as the moment changes from one end to the other: at first yield less flows than a piece.
-// Statics only: without mass of their own the pieces find their shape at once, so moments follow from the forces
+// section at three Gauss points along them, because the moment varies there: at first yield less than a piece flows.
+// Statics only: the pieces have no mass and take their shape at once, so moments follow from the forces
 // alone, m = G' f, and turns from the law. That is exact up to the wire's first frequency (4 kHz for 4 mm of 0.1 mm steel).
 //
 // Frames: P_i of piece i in its middle, on the centre line: x away from the circle's centre, y along the wire towards the
@@ -21,20 +21,20 @@
 
 namespace swage::toolkit {
 
-/// What a joint remembers; plain numbers that a host can keep.
+/// Memory of a joint: plain numbers that a host can keep.
 struct JointMemory {
   double turn[3] = {};    // rad, rotation of piece j + 1 against j beyond the unbent wire, in J
-  double moment[3] = {};  // N m, that goes with it, in J
+  double moment[3] = {};  // N m, moment at that rotation, in J
   struct Place {
     double curvature[3] = {};  // in yield curvatures
     WireMemory law;
   };
   static constexpr int kPlaces = 3;
   Place place[kPlaces];
-  double broken = 0;  // 1: it bears nothing any more
+  double broken = 0;  // 1: the joint is broken and has the stiffness share kLimp
 };
 
-/// exp_rotation of what a joint turns by: below a tenth of a radian by series whose next terms are under 1e-19.
+/// exp_rotation of the rotation of a joint: below a tenth of a radian by series whose next terms are under 1e-19.
 inline Quat joint_rotation(const Vec3& a) {
   const double q = 0.25 * a.squaredNorm();  // square of half the angle
   if (q > 2.5e-3) return exp_rotation(a);
@@ -46,14 +46,14 @@ inline Quat joint_rotation(const Vec3& a) {
 class BentWire {
  public:
   static constexpr int kMaxPieces = 48;
-  /// Stiffness that is left of a broken joint: the halves hang together by a thread of metal.
+  /// Share of the stiffness that is left of a broken joint: a thread of metal still connects the halves.
   static constexpr double kLimp = 1e-3;
-  /// Turn of a joint [rad] at which its two pieces lie against each other: they bear what is more than the section does, and
+  /// Rotation of a joint [rad] at which its two pieces lie against each other: they bear the moment beyond that of the section, and
   /// the joint turns no farther. Less would cut a bend to a right angle and back short; beyond pi pieces pass through each other.
   static constexpr double kFolded = 3;
-  /// Most that all joints turn in one step, summed [rad]. A load beyond the plastic moment has no shape in which it is at rest until
-  /// its lever is gone: the wire gives way at this rate. More, and the linear step is worth nothing; a hand that moves the point
-  /// of a 4 mm arm at 1 m/s asks for less, 0.25 in 1 ms.
+  /// Largest sum of the rotations of all joints in one step [rad]. A load beyond the plastic moment has no shape at rest until
+  /// its lever arm is gone: the wire yields at this rate. Larger: the linear step is invalid; a hand that moves the point
+  /// of a 4 mm arm at 1 m/s needs less, 0.25 in 1 ms.
   static constexpr double kMostTurn = 0.5;
 
   BentWire() = default;
@@ -65,7 +65,7 @@ class BentWire {
     half_back_ = half_.inverse();
   }
 
-  /// The section at a joint.
+  /// Sets the section at a joint.
   void set_section(int joint, const WireSection& s) {
     Joint& j = joint_[at(joint)];
     for (int i = 0; i < 3; ++i) {
@@ -82,7 +82,7 @@ class BentWire {
   double piece_length() const { return radius_ * piece_sweep_; }  // m
   const WireMaterial& material() const { return material_; }
 
-  /// Poses of all pieces from that of piece `base`. X: n.
+  /// Computes the poses of all pieces from that of piece `base`. X: n.
   void place(int base, const Pose& X_WP, const JointMemory* memory, Pose* X) const {
     X[base] = X_WP;
     for (int j = base; j < joints(); ++j) {
@@ -108,14 +108,14 @@ class BentWire {
     return X;
   }
 
-  /// Where a joint is and how its axes lie, from the pose of the piece before it.
+  /// Frame J of a joint, from the pose of the piece before it.
   Frame joint_frame(const Pose& X_WP, const JointMemory& memory) const {
     const Pose X_WJ = X_WP * half_;
     return {X_WJ.p, (X_WJ.q * joint_rotation(0.5 * turn(memory))).toRotationMatrix()};
   }
 
-  /// Displacement of a point of piece i per turn of joint j, while piece `base` stands still; zero when the joint is not
-  /// between the two. Its transpose makes moments of forces.
+  /// Displacement of a point of piece i per turn of joint j, while piece `base` is fixed; zero when the joint is not
+  /// between the two. Its transpose maps forces to moments.
   static Mat3 gain(int j, const Frame& X_WJ, int base, int piece, const Vec3& p_W) {
     Mat3 G = Mat3::Zero();
     const double sign = base <= j && j < piece ? 1 : piece <= j && j < base ? -1 : 0;
@@ -125,7 +125,7 @@ class BentWire {
     return G;
   }
 
-  /// Turn per moment [rad / N m] of a joint that is loaded on as it was; folded it is stiff. True: it yields.
+  /// Rotation per moment [rad / N m] of a joint under continued loading; 0 when folded. True: it yields or is folded.
   bool flexibility(int j, const JointMemory& memory, Mat3& F) const {
     if (folded(memory)) {
       F.setZero();
@@ -152,8 +152,8 @@ class BentWire {
     return F;
   }
 
-  /// Change of the moment from one end of a joint's stretch to the other [N m], by the moments on all joints, in their axes: that
-  /// towards the neighbour to which it is less, as beyond a clamp, and on its other side, nothing is borne.
+  /// Change of the moment from one end of a joint's stretch to the other [N m], from the moments on all joints, in their axes: that
+  /// towards the neighbour to which it is less, as the moment may drop to zero beyond a clamp.
   Vec3 slope(int j, const Vec3* moment) const {
     const auto turned = [](const Vec3& v, double c, double s) { return Vec3(c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]); };
     const double c = std::cos(piece_sweep_), s = std::sin(piece_sweep_);
@@ -164,7 +164,7 @@ class BentWire {
     return before.squaredNorm() < after.squaredNorm() ? before : after;
   }
 
-  /// Turns a joint by `by` [rad] more, to kFolded at most, and finds the moment that goes with it. `slope`: see above.
+  /// Turns a joint by `by` [rad] more, to kFolded at most, and computes its moment. `slope`: of slope().
   void bend(int j, const Vec3& by, JointMemory& memory, const Vec3& slope = Vec3::Zero()) const {
     const Vec3 to = turn(memory) + by;
     const double size = to.norm(), kept = size > kFolded ? kFolded / size : 1;
@@ -175,26 +175,26 @@ class BentWire {
     if (damage(memory) >= 1) memory.broken = 1;
   }
 
-  /// Turn by which a joint goes to the moment that a load brings. Where the load falls it gives elastically, whatever it was doing.
+  /// Rotation of a joint to the moment of a load. Where the load falls the joint unloads elastically, even if it was yielding.
   Vec3 answer(int j, const Vec3& moment, const Mat3& F, bool flows, const JointMemory& memory) const {
     const Vec3 now = this->moment(memory), more = moment - now;
     return flows && now.dot(more) < 0 ? Vec3(unloading(j, memory) * more) : Vec3(F * more);
   }
-  /// Of the turns that joints ask for, [rad] summed, the share that they get.
+  /// Share of the requested rotations, [rad] summed, that all joints get.
   static double share(double asked) { return asked > kMostTurn ? kMostTurn / asked : 1; }
-  /// Its two pieces lie against each other.
+  /// True when the two pieces of a joint lie against each other.
   static bool folded(const JointMemory& m) { return turn(m).squaredNorm() >= (1 - 1e-9) * kFolded * kFolded; }
 
   static Vec3 turn(const JointMemory& m) { return {m.turn[0], m.turn[1], m.turn[2]}; }
   static Vec3 moment(const JointMemory& m) { return {m.moment[0], m.moment[1], m.moment[2]}; }
-  /// Moment over what first makes the outer fibre yield, 1 at first yield.
+  /// Moment over the moment at which the outer fibre first yields.
   double stress(int j, const JointMemory& memory) const { return stress(j, moment(memory)); }
-  /// The same of any moment [N m] that the section of a joint bears, in its axes.
+  /// The same for any moment [N m] on the section of a joint, in its axes.
   double stress(int j, const Vec3& m) const {
     const Joint& joint = joint_[at(j)];
     return Vec3(m[0] / joint.yield[0], m[1] / joint.yield[1], m[2] / joint.yield[2]).norm();
   }
-  /// Turn that stays when the load goes [rad].
+  /// Rotation that remains after unloading [rad].
   Vec3 residual(int j, const JointMemory& memory) const {
     if (memory.broken != 0) return turn(memory);
     Vec3 e = Vec3::Zero();
@@ -202,11 +202,11 @@ class BentWire {
     const Joint& joint = joint_[at(j)];
     return {joint.yield_turn[0] * e[0], joint.yield_turn[1] * e[1], joint.yield_turn[2] * e[2]};
   }
-  /// Plastic strain of the outer fibre so far over what breaks it.
+  /// Accumulated plastic strain of the outer fibre over the strain that breaks it.
   double damage(const JointMemory& memory) const {
     return path(memory) * material_.yield / material_.youngs / material_.break_strain;
   }
-  /// Way of the plastic curvature where it is longest, in yield curvatures.
+  /// Path length of the plastic curvature where it is longest, in yield curvatures.
   static double path(const JointMemory& memory) {
     double longest = 0;
     for (const JointMemory::Place& place : memory.place) longest = std::max(longest, place.law.path);
@@ -219,14 +219,14 @@ class BentWire {
     double yield_turn[3] = {1, 1, 1};  // rad
     double root[3] = {1, 1, 1};        // root of the elastic flexibility
   };
-  // Gauss's places along a joint's stretch, from its middle over its length, and their shares
+  // Gauss points along a joint's stretch, from its middle in lengths of the stretch, and their weights
   static constexpr double kAlong[JointMemory::kPlaces] = {-0.3872983346207417, 0, 0.3872983346207417};
   static constexpr double kShare[JointMemory::kPlaces] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  // Most that the moment changes along a stretch, in yield moments: a wire of four pieces that bears its plastic moment at one end and
-  // nothing at the other. More is asked by loads beyond that, which no section bears.
+  // Largest change of the moment along a stretch, in yield moments: that of a wire of four pieces with its plastic moment at one end and
+  // nothing at the other. Only loads beyond that, which no section bears, cause more.
   static constexpr double kMostSlope = 0.5;
   static constexpr int kPasses = 12;     // normal: 3 to 5
-  static constexpr double kNear = 1e-9;  // of the last, yield curvatures
+  static constexpr double kNear = 1e-9;  // yield curvatures: the last correction
 
   static size_t at(int i) { return static_cast<size_t>(i); }
   static Vec3 curvature(const JointMemory::Place& p) { return {p.curvature[0], p.curvature[1], p.curvature[2]}; }
@@ -237,8 +237,8 @@ class BentWire {
     return size > kMostSlope ? Vec3(kMostSlope / size * s) : s;
   }
 
-  /// Bends the places of a joint to curvatures whose mean is e, under moments that change evenly from one to the next. Returns the mean
-  /// of the moments; all in yield curvatures and moments. Elastic, it is e.
+  /// Bends the Gauss points of a joint to curvatures whose mean is e, under moments that vary linearly along it. Returns the mean
+  /// of the moments; all in yield curvatures and moments. While elastic, that mean is e.
   Vec3 bend_places(const Vec3& e, const Vec3& slope, JointMemory& memory) const {
     constexpr int n = JointMemory::kPlaces;
     Vec3 c[n], before = Vec3::Zero();
@@ -261,7 +261,7 @@ class BentWire {
     return elastic ? e : m;
   }
 
-  /// Newton's method, from c. False where it does not end.
+  /// Newton's method for the curvatures, from c. False where it does not converge.
   bool find_places(const Vec3& e, const Vec3& slope, const JointMemory& memory, Vec3* c) const {
     constexpr int n = JointMemory::kPlaces;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -287,7 +287,7 @@ class BentWire {
     }
     return false;
   }
-  /// Turn per moment of a joint whose load falls.
+  /// Rotation per moment of a joint whose load falls.
   Mat3 unloading(int j, const JointMemory& memory) const {
     return elastic(j) / (memory.broken != 0 ? kLimp : 1);
   }

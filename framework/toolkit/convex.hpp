@@ -67,7 +67,7 @@ inline double size(const Convex& c) {
   return largest;
 }
 
-/// Fills the edge that leads from `a` to `b` in face `f`; empty text, or what is wrong with it.
+/// Adds the edge from `a` to `b` to face `f`. Returns an empty text, or what is wrong with it.
 inline std::string add_edge(Convex& c, uint32_t f, uint32_t a, uint32_t b) {
   for (uint32_t k = 0; k < c.edge.size(); ++k) {
     Convex::Edge& e = c.edge[k];
@@ -85,7 +85,7 @@ inline std::string add_edge(Convex& c, uint32_t f, uint32_t a, uint32_t b) {
   return {};
 }
 
-/// Directions of edges and the planes between Voronoi regions; all faces and edges are known.
+/// Fills directions of edges and planes between Voronoi regions; all faces and edges are known.
 inline void finish(Convex& c) {
   c.edges_at.assign(c.vertex.size(), {});
   for (uint32_t k = 0; k < c.edge.size(); ++k) {
@@ -164,7 +164,7 @@ inline std::string build_convex(std::span<const Vec3> vertex, std::span<const ui
   return {};
 }
 
-/// The same body seen from F: vertices X_FS p.
+/// The same polyhedron in frame F: vertices X_FS p.
 inline Convex transformed(const Convex& convex, const Pose& X_FS) {
   Convex out = convex;
   for (Vec3& v : out.vertex) v = X_FS * v;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A short list on the stack: what std::vector is on [main]. Elements that were not added are not even initialised.
+// A short list on the stack, for code that must not allocate. Elements that were not added are not even initialised.
 // Header-only.
 #pragma once
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a fluid does to a rigid body of slender pieces and spheres: buoyancy and drag, for an object that adds forces.
+// Drag of a fluid on a rigid body of slender pieces and spheres, for an object that adds forces.
 //
 // A piece of a cylinder bears Lamb's drag across its axis and half of it along (rod_drag.hpp); a sphere Stokes' with the correction of
-// Schiller and Naumann (1935), 24/Re (1 + 0.15 Re^0.687), to Re = 800. Pieces do not shield each other; no mass of the fluid goes along.
+// Schiller and Naumann (1935), 24/Re (1 + 0.15 Re^0.687), to Re = 800. Pieces do not shield each other; there is no added mass.
 //
 // The coefficients are those of the speed that the body has; the drag itself is that of the speed at the end of the step,
 //
 //   (M + h D) V1 = M V0 + h F,    drag = -D V1
 //
-// so that a light body in a viscous fluid is not unstable, and sinks in the end as D V = F says, whatever the step.
+// so that a light body in a viscous fluid is stable, and reaches the terminal velocity of D V = F at any step.
 // Units SI. Frame W. Header-only, [rt]: nothing allocates.
 #pragma once
 
@@ -50,7 +50,7 @@ class FluidDrag {
     // a cylinder that spins about itself: 4 pi mu r^2 per length (Lamb 1932, art. 333)
     D_.bottomRightCorner<3, 3>() += std::numbers::pi * fluid_.viscosity * diameter * diameter * length * t * t.transpose();
   }
-  /// A sphere about the centre of mass, which the fluid also keeps from spinning: pi mu d^3.
+  /// A sphere about the centre of mass, whose spin has the drag pi mu d^3 as well.
   void add_sphere(double diameter) {
     add(Vec3::Zero(), Mat3(sphere_drag(fluid_, diameter, V_.v.norm()) * Mat3::Identity()));
     D_.bottomRightCorner<3, 3>() += std::numbers::pi * fluid_.viscosity * diameter * diameter * diameter * Mat3::Identity();

@@ -2,7 +2,7 @@
 //
 // A surface over a grid: heights at the vertices, two triangles a cell. Header-only, allocation-free.
 //
-// Frame H: vertex (i, j) stands at (i dx, j dy, z), i < nx along x, j < ny along y; outside is +z. Cell (i, j) has its
+// Frame H: vertex (i, j) is at (i dx, j dy, z), i < nx along x, j < ny along y; outside is +z. Cell (i, j) has its
 // corner of least x and y at vertex (i, j) and is cut from there to the opposite corner. Triangle 2 (j nx + i) is the
 // half below that diagonal (towards +x), 2 (j nx + i) + 1 the half above it. Units: m.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace swage::toolkit {
 
-/// A view of somebody's heights.
+/// A view of heights that the caller owns.
 struct HeightField {
   uint32_t nx = 0, ny = 0;    // vertices
   double dx = 0, dy = 0;      // m, sides of a cell

@@ -6,8 +6,8 @@
 //
 //   E = q / (4 pi e0) [ (1/|r2| - 1/|r1|) u + (u.r1/|r1| - u.r2/|r2|) rho / rho^2 ]
 //
-// Two long parallel threads at a distance d push each other by q^2 / (2 pi e0 d) per length. An earthed metal plane at the distance h
-// pulls as a thread of the opposite charge behind it at 2 h does: q^2 / (4 pi e0 h).
+// Two long parallel threads at a distance d repel each other by q^2 / (2 pi e0 d) per length. An earthed metal plane at the distance h
+// attracts like a thread of the opposite charge at 2 h, its mirror image: q^2 / (4 pi e0 h).
 // Units SI. Header-only, pure, [rt].
 #pragma once
 
@@ -21,7 +21,7 @@ namespace swage::toolkit {
 
 inline constexpr double kVacuumPermittivity = 8.8541878128e-12;  // F/m (CODATA 2018)
 
-/// Field [V/m] at p of the piece from a to b with q [C/m]. Nearer to its line than `least` [m], the thread's thickness, it grows no more.
+/// Field [V/m] at p of the piece from a to b with q [C/m]. It stops growing within `least` [m] of the piece's line, the thread's thickness.
 inline Vec3 charged_piece_field(const Vec3& a, const Vec3& b, double q, const Vec3& p, double least) {
   const Vec3 u = (b - a).normalized(), r1 = p - a, r2 = p - b, rho = r1 - r1.dot(u) * u;
   const double across2 = std::max(rho.squaredNorm(), least * least);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bridge between the boundary's plain structs and Eigen, and the rotations everybody needs. Header-only.
+// Conversions between the plain structs of the ABI and Eigen, and the usual rotations. Header-only.
 #pragma once
 
 #include <swage/abi/base.h>
@@ -20,7 +20,7 @@ inline Quat quat(const swage_quat& q) { return {q.w, q.x, q.y, q.z}; }
 inline swage_vec3 raw(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
 inline swage_quat raw(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-/// q v, Eigen's formula: its own is a call wherever it is used. Same operations in the same order.
+/// q v by Eigen's formula, same operations in the same order, inlined: Eigen's own is a call wherever it is used.
 inline Vec3 rotated(const Quat& q, const Vec3& v) {
   const Vec3 u = q.vec();
   Vec3 uv = u.cross(v);
@@ -67,7 +67,7 @@ struct Frame {
   }
   Vec3 inverse_times(const Vec3& p_A) const { return turn_back(p_A - p); }
 
-  // products with the matrix, column by column: compilers make less of Eigen's general product
+  // products with the matrix, column by column: compilers generate slower code for Eigen's general product
   Vec3 turn(const Vec3& v_B) const { return v_B.x() * R.col(0) + v_B.y() * R.col(1) + v_B.z() * R.col(2); }
   Vec3 turn_back(const Vec3& v_A) const { return {R.col(0).dot(v_A), R.col(1).dot(v_A), R.col(2).dot(v_A)}; }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bytes of a file from outside, none of a pipe, a device or a file beyond a limit. [main]
+// Reads files from outside; refuses pipes, devices and files beyond a limit. [main]
 #pragma once
 
 #include <fcntl.h>
@@ -16,8 +16,8 @@
 
 namespace swage::toolkit {
 
-/// A lesson, a needle or a table has kilobytes, a hand of five minutes at 1 kHz 30 megabytes; more is a mistake, and what is made of
-/// it would take the memory of the machine.
+/// A lesson, a needle or a table has kilobytes, a hand recording of five minutes at 1 kHz 30 megabytes. A larger file is a mistake,
+/// and parsing it would exhaust the memory of the machine.
 inline constexpr std::size_t kMostFileBytes = std::size_t{32} << 20;
 
 namespace detail {
@@ -31,7 +31,7 @@ inline int open_file(const std::string& path) {
   return open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
 }
 
-/// Why an open file is not to be read, "" when it is.
+/// Reason not to read an open file; "" when it may be read.
 inline std::string file_refusal(int file, std::size_t most) {
   struct stat status {};
   if (fstat(file, &status) != 0) return say::kUnreadable(std::strerror(errno));
@@ -42,7 +42,7 @@ inline std::string file_refusal(int file, std::size_t most) {
 
 }  // namespace detail
 
-/// Why a file is not to be read, as a sentence without the path; "" when it may be.
+/// Reason not to read a file, as a sentence without the path; "" when it may be read.
 inline std::string file_refusal(const std::string& path, std::size_t most) {
   const int file = detail::open_file(path);
   if (file < 0)
@@ -78,7 +78,7 @@ std::string read_blocks(const std::string& path, std::size_t most, Take take) {
   return why;
 }
 
-/// The whole file. False with a sentence, and with what had been read.
+/// Reads the whole file. False: `why` has a sentence, and `bytes` what was read until then.
 inline bool read_file(const std::string& path, std::size_t most, std::string& bytes, std::string& why) {
   bytes.clear();
   why = read_blocks(path, most, [&](const char* data, std::size_t size) { bytes.append(data, size); });

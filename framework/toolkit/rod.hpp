@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A thin elastic rod: a chain of n nodes with a director on each edge (discrete elastic rod, Bergou et al. 2008 and 2010), of round
-// section, that stretches, bends and twists. Unknowns are the nodes' positions and the edges' rotations about themselves, in the
+// section, that stretches, bends and twists. Unknowns are the nodes' positions and the edges' rotations about their axes, in the
 // order x0 theta0 x1 theta1 .. x(n-1), so that a node is coupled to 10 unknowns before and after: the Hessian is a band.
 //
-//   m/h^2 (x - x_hat) + dE/dx = 0        backward Euler; second_order: BDF2, for what flies free
-//   I/h^2 (theta - theta_0) + dE/dtheta = 0       rotation keeps no speed: 1e-7 of the twisting stiffness, it holds what is torque-free
+//   m/h^2 (x - x_hat) + dE/dx = 0        backward Euler; second_order: BDF2, for rods in free flight
+//   I/h^2 (theta - theta_0) + dE/dtheta = 0       no angular velocity: 1e-7 of the twisting stiffness, only holds torque-free edges
 //
 // An end that is clamped has one more joint, over half an edge, between the direction of the clamp and the first edge (half-cell
 // clamp): the deflection is of order 2 in the length of the edges, where a frozen first edge is of order 1.
@@ -32,7 +32,7 @@ namespace swage::toolkit {
 struct RodSection {
   double stretching = 0;  // N, EA
   double bending = 0;     // N m2, EI; 0: a chain (catenary)
-  double twisting = 0;    // N m2, GJ; 0: directors only go along
+  double twisting = 0;    // N m2, GJ; 0: directors only follow their edges
   double mass = 0;        // kg/m
   double radius = 0;      // m
 
@@ -43,15 +43,15 @@ struct RodSection {
   }
 };
 
-/// What lasts from step to step, in numbers of the caller: size(n) of them.
+/// State that lasts from step to step, in size(n) numbers of the caller.
 struct RodState {
   int n = 0;
   double* x = nullptr;         // [3 n] m
   double* v = nullptr;         // [3 n] m/s
   double* director = nullptr;  // [3 (n - 1)] unit, perpendicular to its edge
-  double* twist = nullptr;     // [n] rad at the nodes, whole turns counted; of an end where it is clamped
+  double* twist = nullptr;     // [n] rad at the nodes, whole turns counted; at an end where it is clamped
   double* before = nullptr;    // [6 n] x and v of the step before, for second_order
-  double* steps = nullptr;     // [1] how many of those there are
+  double* steps = nullptr;     // [1] number of steps kept there
 
   RodState() = default;
   RodState(int nodes, double* numbers)
@@ -80,7 +80,7 @@ struct RodState {
   Vec3 material(int j) const { return Eigen::Map<const Vec3>(director + 3 * j); }
 };
 
-/// The direction that an end keeps, and the director there.
+/// The fixed direction of an end, and the director there.
 struct RodClamp {
   bool on = false;
   Vec3 tangent = Vec3::UnitX(), director = Vec3::UnitY();
@@ -91,14 +91,14 @@ struct RodLoad {
   double h = 0;                    // s; 0: statics, nothing has mass
   Vec3 gravity = Vec3::Zero();     // m/s2
   std::span<const double> force;   // [3 n] N on the nodes
-  std::span<const double> torque;  // [n - 1] N m on the edges about themselves
-  std::span<const double> spring;  // [6 n] N/m, xx yx zx yy zy zz, hold nodes to where they begin the step
-  RodFluid fluid;                  // drags, bears up and is carried along
+  std::span<const double> torque;  // [n - 1] N m on the edges about their axes
+  std::span<const double> spring;  // [6 n] N/m, xx yx zx yy zy zz, to the nodes' places at the start of the step
+  RodFluid fluid;                  // its drag, buoyancy and added mass
   bool second_order = false;
 };
 
 struct RodEffort {
-  int iterations = 0;    // solves
+  int iterations = 0;    // linear solves
   bool settled = false;  // the last change was below the tolerance
   double change = 0;     // m, of the last iteration
 };
@@ -121,46 +121,46 @@ class Rod {
   double node_mass(int i) const { return mass_[at(i)]; }
 
   RodClamp& clamp(int end) { return clamp_[end]; }
-  /// A node that stays, or goes where the caller puts it.
+  /// Holds a node: it stays, or moves as the caller puts it.
   void hold(int node, bool on = true) { held_[at(node)] = on; }
-  /// An edge that has parted: it bears nothing, and the ends on its two sides are free.
+  /// Cuts an edge: it bears nothing, and the ends on its two sides are free.
   void cut(int edge, bool on = true) { cut_[at(edge)] = on; }
-  /// An edge that does not turn about itself.
+  /// Holds the rotation of an edge about its axis.
   void hold_turn(int edge, bool on = true) { turn_held_[at(edge)] = on; }
 
-  /// Straight directors without twist, at rest. x stands already.
+  /// Sets directors without twist and zero velocities; s.x is given.
   void start(RodState& s) const;
-  /// After a clamp has turned, by less than half a turn.
+  /// Updates the twist at the clamps after one has turned, by less than half a turn.
   void follow_clamps(RodState& s) const;
   /// One step in time, or (h = 0) the shape at rest. `tolerance` [m], of the last change.
   RodEffort step(RodState& s, const RodLoad& load, int iterations, double tolerance);
 
-  /// All nodes go on by h v, but for what alternates from node to node. False: only held ones did, as it would stretch an edge by more
-  /// than `most_strain` or turn it by much.
+  /// Advances all nodes by h v, but for the part that alternates from node to node. False: only held nodes, as it would stretch an edge
+  /// by more than `most_strain` or turn it by more than the linear model allows.
   bool go_on(RodState& s, const RodLoad& load, double most_strain);
-  /// For contacts: the step that prepare() or step() has begun, linear about the state `s`. Afterwards matrix() is its Hessian, factored,
-  /// and change() is how far the rod goes from there without contacts. False where there is no such step.
+  /// For contacts: linearises the step that prepare() or step() has begun, about the state `s`. Afterwards matrix() is the factored
+  /// Hessian and change() the displacement of the rod from there without contacts. False where the Hessian cannot be factored.
   bool linearise(const RodState& s, const RodLoad& load);
   const double* change() const { return change_.data(); }
-  /// The same for one who solves for contacts himself: the columns of its matrix (kStride numbers each, 0 on the diagonal of what is
-  /// held) and its gradient. `stiffer` 1, 2 ..: for as long as it cannot be factored, as a rod that is not stable is made so; of
-  /// the same state and load then.
+  /// The same for a caller that solves for contacts: writes the columns of the matrix (kStride numbers each, 0 on the diagonal of held
+  /// unknowns) and the gradient. While the matrix cannot be factored the caller asks again, of the same state and load, with `stiffer`
+  /// 1, 2 .., which stiffens a rod that is not stable.
   void linearise(const RodState& s, const RodLoad& load, int stiffer, double* columns, double* gradient);
-  /// After that: goes from `s` by a change of all unknowns.
+  /// After that linearise(): moves from `s` by a change of all unknowns.
   void go(const RodState& s, const double* change, RodState& to);
-  /// After linearise() about `s`: where that linear step leads under more forces on the unknowns [N, N m], which become their
-  /// changes. Exactly so: what an edge is stretched by turning, of second order, the next step takes back.
+  /// After the first linearise(), about `s`: solves that linear step under additional forces on the unknowns [N, N m], which the changes
+  /// overwrite. One solve: the stretch of an edge that turns, of second order, is corrected by the next step.
   void respond(const RodState& s, const RodLoad& load, double* force, RodState& to);
-  /// Begins a step at a state; then iterate() goes on from any other, with the forces of contacts as a load, and finish() ends it.
+  /// Begins a step at a state; iterate() then continues from any state, with contact forces as a load, and finish() ends the step.
   void prepare(const RodState& start, const RodLoad& load);
   RodEffort iterate(RodState& s, const RodLoad& load, int iterations, double tolerance);
-  /// Velocities of what has come to where it is.
+  /// Sets the velocities from the positions reached.
   void finish(RodState& s, const RodLoad& load) const;
-  /// At rest it would stay: the Hessian without mass is positive definite.
+  /// True when the equilibrium is stable: the Hessian without mass is positive definite.
   bool stable(const RodState& s, const RodLoad& load);
   const Matrix& matrix() const { return A_; }
 
-  /// Edges stiffen by the tension of this state.
+  /// Sets the tension that stiffens the edges to that of this state.
   void take_tension(const RodState& s) {
     now_.find(s.x);
     for (int j = 0; j < edges(); ++j)
@@ -169,10 +169,10 @@ class Rod {
   double energy(const RodState& s) const;  // J, elastic
   /// Gradient of the elastic energy, 4 n - 1 numbers, and its Hessian, when asked for.
   void differentiate(const RodState& s, double* gradient, Matrix* hessian) const;
-  /// Goes by `share` of a change of all unknowns: nodes go, directors go along and turn.
+  /// Moves by `share` of a change of all unknowns: directors are transported with their edges and turned about them.
   void move(const RodState& from, const double* change, double share, RodState& to) const;
   double tension(const RodState& s, int j) const;  // N, of an edge
-  /// That of the linear model after the last iteration: without what an edge was stretched by turning.
+  /// Tension of the linear model after the last iteration: without the stretch of an edge by its turning.
   double linear_tension(int j) const { return cut_[at(j)] ? 0.0 : tension_[at(j)]; }
   /// Angle over length at an inner node [1/m].
   double curvature(const RodState& s, int i) const;
@@ -180,9 +180,9 @@ class Rod {
   double turns(const RodState& s) const;
 
  private:
-  /// An edge turns in one iteration by so much at most [rad], across itself and about itself: the linear model holds no farther.
+  /// Largest rotation of an edge in one iteration [rad], of its direction and about its axis: the range of the linear model.
   static constexpr double kMostAcross = 0.5, kMostAbout = 1;
-  static constexpr int kStiffer = 14;  // ways to make the matrix definite
+  static constexpr int kStiffer = 14;  // attempts to make the matrix definite
 
   static size_t at(int i) { return static_cast<size_t>(i); }
   struct Edge {
@@ -201,7 +201,7 @@ class Rod {
     return !cut_[at(i - 1)] && !cut_[at(i)];
   }
   double joint_length(int i) const;
-  /// Of twist, between directors on two edges: of the many that differ by whole turns the one nearest to `before`.
+  /// Twist between the directors of two edges: of the angles that differ by whole turns the one nearest to `before`.
   static double angle(const Vec3& te, const Vec3& tf, const Vec3& de, const Vec3& df, double before);
   static double turned_from(double before, double m);
   static Vec3 transported(const Vec3& director, const Vec3& from, const Vec3& to);
@@ -246,12 +246,12 @@ class Rod {
   // of the present step
   Matrix A_;
   std::vector<double> x0_, hat_, drag_, pushed_, gradient_, change_, turned_, stored_, trial_;
-  std::vector<double> diagonal_;  // of A_, before it was made larger
+  std::vector<double> diagonal_;  // of A_, before it was shifted
   mutable RodEdges now_, next_;  // of a state, and after a change
   mutable std::vector<double> gone_, carried_, sine_, cosine_;  // nodes, directors and joints after it
   bool slow_ = false;
-  int way_ = -1;     // of making it definite, in which linearise() left A_; -1: it did not
-  double g_ = 0;     // s, of the backward Euler step that it is
+  int way_ = -1;     // `stiffer` with which linearise() left A_; -1: it did not
+  double g_ = 0;     // s, length of the equivalent backward Euler step
   double m_hh_ = 0;  // 1/s2, 1 / g^2
 };
 

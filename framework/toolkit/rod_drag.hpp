@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a fluid does to a thin thread that moves across itself: the force per length over the speed. Header-only, pure.
+// Drag of a fluid on a thin thread that moves across its axis: force per length over speed. Header-only, pure.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace swage::toolkit {
 struct RodFluid {
   double density = 0;    // kg/m3; water 998, air 1.2
   double viscosity = 0;  // Pa s; water 1.0e-3, air 1.8e-5; 0: no fluid
-  double carried = 0;    // kg/m3, of the fluid that goes along across the axis: its density; 0: none does
+  double carried = 0;    // kg/m3, density of the fluid that counts as added mass across the axis; 0: none
 };
 
 /// Drag of a cylinder across its axis, per length and speed [N s/m2]. Lamb 1911 up to Re = 0.7, where it meets White's fit of

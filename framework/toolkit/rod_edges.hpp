@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The edges of a rod, several side by side (wide.hpp): their directions, and how directors go along with them. Each edge gets the
+// The edges of a rod, several at a time (wide.hpp): their directions, and the transport of directors with them. Each edge gets the
 // bits that it would get alone. Header-only; the buffers are made on [main], the rest is [rt].
 #pragma once
 
@@ -19,7 +19,7 @@ class RodEdges {
     for (std::vector<double>* v : {&x_, &y_, &z_, &length_, &inverse_}) v->resize(edges);
   }
 
-  /// Of nodes, 3 numbers each.
+  /// Computes the edges between nodes, 3 numbers each.
   void find(const double* nodes) { has_fours() ? find_by_fours(nodes) : find_with<Twos>(nodes); }
   Vec3 t(size_t j) const { return {x_[j], y_[j], z_[j]}; }
   /// Unit tangents of the edges from j on.
@@ -42,8 +42,8 @@ class RodEdges {
   void carry(const RodEdges& to, const double* director, double* carried) const {
     has_fours() ? carry_by_fours(to, director, carried) : carry_with<Twos>(to, director, carried);
   }
-  /// From each but the last edge to the next one: sine and cosine of the angle from its director, transported, to that of the next, times
-  /// the same length.
+  /// From each edge but the last to the next: sine and cosine of the angle from its transported director to that of the next, both times
+  /// the same factor.
   void twists(const double* director, double* sine, double* cosine) const {
     has_fours() ? twists_by_fours(director, sine, cosine) : twists_with<Twos>(director, sine, cosine);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rod: its elastic energy and what follows from it. Part of rod.hpp.
+// Rod: its elastic energy, the derivatives, and displacements by a change of the unknowns. Part of rod.hpp.
 #pragma once
 
 #include "toolkit/rod.hpp"
@@ -84,7 +84,7 @@ inline RodJoint<Ones> Rod::joint(const RodState& s, int i, const Edge& e, const 
   j.bend = {section_.bending / l}, j.turn = {section_.twisting / l};
   j.twist = {s.twist[i]};
   if (memory_ != 0) {
-    // the binormal of the circle to which it would bend
+    // the binormal of the circle to which the rod would bend
     j.Ke = three(remembered_[at(i)] * (first ? clamp_[0].director : s.material(i - 1)));
     j.Kf = three(remembered_[at(i)] * (last ? clamp_[1].director : s.material(i)));
   }
@@ -144,7 +144,7 @@ inline void Rod::add(int i, Derivatives& d, double* gradient, Matrix* hessian) c
   if (has_f) add_after(c, d, *hessian);
 }
 
-/// Columns of the first node, at `a`, and of the rotation of its edge.
+/// Adds the columns of the first node, at `a`, and of the rotation of its edge.
 inline void Rod::add_before(int a, bool has_f, const Derivatives& d, Matrix& H) {
   double* turn = H.column(a + 3);
   turn[0] += d.te_te.x;
@@ -172,7 +172,7 @@ inline void Rod::add_middle(int b, bool has_f, const Derivatives& d, Matrix& H) 
   }
 }
 
-/// The last node, at `c`, and the rotation of the edge before it.
+/// Adds the columns of the last node, at `c`, and of the rotation of the edge before it.
 inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
   double* turn = H.column(c - 1);
   turn[0] += d.tf_tf.x;
@@ -183,7 +183,7 @@ inline void Rod::add_after(int c, const Derivatives& d, Matrix& H) {
   }
 }
 
-/// An edge stretches by its length and stiffens by tension_, the tension of the linear model.
+/// Adds the stretching of an edge; across the edge it is stiffened by tension_, the tension of the linear model.
 inline void Rod::add_stretch(int j, const Edge& e, double* gradient, Matrix* hessian) const {
   const double L = rest_[at(j)], k = section_.stretching / L;
   const Vec3 f = (k * (1 / e.inverse - L)) * e.t;

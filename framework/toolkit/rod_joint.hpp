@@ -6,7 +6,7 @@
 //   bending  EI/(2l) |kb|^2 - EI/l kb.K,   kb = 2 te x tf / (1 + te.tf)   K: natural curvature times l, in the material frames
 //   twist    GJ/(2l) m^2                   m: angle from the director of e, transported over the node, to that of f
 //
-// Derivatives are by the vectors e and f and by the rotations theta of the directors about their edges, which else go along with
+// Derivatives are by the vectors e and f and by the rotations theta of the directors about their edges; otherwise directors follow
 // their edges by the least rotation. The section is round: without natural curvature the bending depends on te.tf alone.
 // One joint, or as many side by side as V has numbers (wide.hpp): each has the bits that it has alone. Header-only, pure, [rt].
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace swage::toolkit {
 
-/// Gradient and Hessian by (e, theta_e, f, theta_f), of which the lower half is symmetric to what is here.
+/// Gradient and Hessian by (e, theta_e, f, theta_f); of the symmetric Hessian only the upper half.
 template <class V>
 struct JointDerivatives {
   using Vec = Three<V>;
@@ -29,7 +29,7 @@ struct JointDerivatives {
   Vec e_te, e_tf, f_te, f_tf;  // N
   V te_te, tf_tf, te_tf;       // N m
 
-  /// Those of each joint. `to`: V::n.
+  /// Writes the derivatives of each joint separately. `to`: V::n.
   [[gnu::always_inline]] void apart(JointDerivatives<Ones>* to) const {
     static_assert(sizeof(JointDerivatives) == kNumbers * sizeof(V));
     const V* all = &e.x;
@@ -65,11 +65,11 @@ struct RodJoint {
   }
 
  private:
-  /// E(c) = 2 bend (1 - c) / (1 + c), c = te.tf, and the twist together: all of their Hessian is made of a few outer products.
+  /// Energy E(c) = 2 bend (1 - c) / (1 + c), c = te.tf, and twist together: their whole Hessian consists of a few outer products.
   [[gnu::always_inline]] void round(bool second, Derivatives& d) const {
     const V c = te.dot(tf), chi = 1.0 + c, moment = turn * twist;
     const V E1 = (-4.0 * bend) / (chi * chi), E2 = (-2.0 * E1) / chi;
-    const Vec a = tf - c * te, b = te - c * tf;  // of dc/de, dc/df the directions
+    const Vec a = tf - c * te, b = te - c * tf;  // directions of dc/de, dc/df
     const Vec kb = (2.0 / chi) * te.cross(tf);
     const Vec me = (0.5 * inv_e) * kb, mf = (0.5 * inv_f) * kb;  // dm/de, dm/df
     d.e = (E1 * inv_e) * a + moment * me;
@@ -116,11 +116,11 @@ struct RodJoint {
     out.z.z = entry(t.z, p.z, a.z, k.z, q.z, t.z, p.z, a2.z, k.z, q.z) + wc;
   }
 
-  /// -bend q, q = kb.(Ke + Kf) / 2.
+  /// Energy of the natural curvature: -bend q, q = kb.(Ke + Kf) / 2.
   [[gnu::always_inline]] void memory(bool second, Derivatives& d) const {
     const V chi = 1.0 + te.dot(tf);
     const Vec kb = (2.0 / chi) * te.cross(tf), mid = (te + tf) / chi, K = (Ke + Kf) / chi;
-    const Vec De = te.cross(Ke), Df = tf.cross(Kf);  // how Ke, Kf turn with theta
+    const Vec De = te.cross(Ke), Df = tf.cross(Kf);  // derivatives of Ke, Kf by theta
     const Vec fK = tf.cross(K), eK = te.cross(K);
     const V q = 0.5 * kb.dot(Ke + Kf), qe = 0.5 * kb.dot(De), qf = 0.5 * kb.dot(Df);
     d.e = d.e - (bend * inv_e) * (fK - q * mid);

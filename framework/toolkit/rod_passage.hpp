@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a chain of straight pieces has passed through itself in a step, each node going straight: two pieces pass where the volume
+// Whether a chain of straight pieces has passed through itself in a step, each node on a straight line: two pieces pass where the volume
 //
 //     f(t) = (u x w) . d,    u, w: the pieces; d: from one to the other; all linear in t, f of the third degree
 //
-// that they span changes sign while they cross. What passes and comes back in one step has not passed. Header-only, pure, [rt].
+// that they span changes sign while they cross. A passage and its return within one step cancel. Header-only, pure, [rt].
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct TwoPieces {
   Vec3 u, w, d;
 };
 
-/// An odd number of passages on the way from one to the other.
+/// True when the two pieces pass an odd number of times between the two states.
 inline bool pieces_pass(const TwoPieces& from, const TwoPieces& to) {
   const Vec3 du = to.u - from.u, dw = to.w - from.w, dd = to.d - from.d;
   const auto det = [](const Vec3& a, const Vec3& b, const Vec3& c) { return a.cross(b).dot(c); };
@@ -28,7 +28,7 @@ inline bool pieces_pass(const TwoPieces& from, const TwoPieces& to) {
   const double c1 = det(du, from.w, from.d) + det(from.u, dw, from.d) + det(from.u, from.w, dd);
   const double c2 = det(du, dw, from.d) + det(du, from.w, dd) + det(from.u, dw, dd), c3 = det(du, dw, dd);
   const auto f = [&](double t) { return c0 + t * (c1 + t * (c2 + t * c3)); };
-  // where it turns: between those places it goes one way
+  // extrema of f, between which it is monotone
   double at[4] = {0, 1, 1, 1};
   int n = 1;
   const double square = c2 * c2 - 3 * c1 * c3;
@@ -56,8 +56,8 @@ inline bool pieces_pass(const TwoPieces& from, const TwoPieces& to) {
   return passed;
 }
 
-/// Passages of a chain of n nodes through itself on the way from x0 to x1 (3 n numbers each). `boxes`: room, 6 numbers per piece and per
-/// eight pieces: room_for_passages(n). `there(j)`: whether piece j is one.
+/// Number of passages of a chain of n nodes through itself between x0 and x1 (3 n numbers each). `boxes`: room, 6 numbers per piece and
+/// per eight pieces: room_for_passages(n). `there(j)`: whether piece j exists.
 inline size_t room_for_passages(int n) { return 6 * static_cast<size_t>(n + n / 8 + 2); }
 template <class There>
 int passages(int n, const double* x0, const double* x1, const There& there, std::span<double> boxes) {
@@ -95,8 +95,8 @@ int passages(int n, const double* x0, const double* x1, const There& there, std:
   return count;
 }
 
-/// Whether some node comes farther than a quarter of the radius, seen by who goes with the chain: less passes through nothing, and looking
-/// for passages costs 20 us of 200 pieces.
+/// Whether some node moves farther than a quarter of the radius relative to the mean motion of the chain: less passes through nothing,
+/// and a search for passages costs 20 us of 200 pieces.
 inline bool may_have_passed(int n, const double* x0, const double* x1, double radius) {
   constexpr double kFar = 0.25;
   const auto gone = [=](int i) { return Vec3(x1[3 * i] - x0[3 * i], x1[3 * i + 1] - x0[3 * i + 1], x1[3 * i + 2] - x0[3 * i + 2]); };

@@ -8,7 +8,7 @@
 namespace swage::toolkit {
 
 inline void Rod::start(RodState& s) const {
-  // some direction across the first edge, then carried along
+  // some direction across the first edge, then transported along the rod
   const Vec3 t0 = edge(s, 0).t;
   int least = 0;
   for (int k = 1; k < 3; ++k)
@@ -24,10 +24,10 @@ inline void Rod::start(RodState& s) const {
   if (s.steps != nullptr) *s.steps = 0;
 }
 
-/// What the step starts from: x0_, where it would go without forces (hat_), drag by the speed that it has.
+/// Prepares a step: x0_, the positions without forces (hat_), and the drag at the present velocity.
 inline void Rod::prepare(const RodState& s, const RodLoad& load) {
   const bool second = load.second_order && *s.steps > 0;
-  g_ = second ? 2.0 / 3.0 * load.h : load.h;  // s, of which this step is a backward Euler step
+  g_ = second ? 2.0 / 3.0 * load.h : load.h;  // s, length of the equivalent backward Euler step
   m_hh_ = load.h > 0 ? 1 / (g_ * g_) : 0.0;
   for (int k = 0; k < 3 * n_; ++k) {
     const double x = second ? (4 * s.x[k] - s.before[k]) / 3 : s.x[k];
@@ -39,14 +39,14 @@ inline void Rod::prepare(const RodState& s, const RodLoad& load) {
   add_drag(s, load);
 }
 
-/// The linear model of a state, of which nothing has turned yet.
+/// Begins the linear model at a state, with rotations 0.
 inline void Rod::begin_linear(const RodState& s) {
   take_tension(s);
   std::fill(turned_.begin(), turned_.end(), 0.0);
 }
 
-/// Half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz. The fluid that a moving cylinder carries along is
-/// what it displaces, for motion across its axis (Lamb 1932, art. 68): that mass is in the same matrix, and its momentum in pushed_.
+/// Adds half an edge's drag to each of its nodes: c (1 - t t' / 2), as xx yx zx yy zy zz. The added mass of a cylinder that moves across
+/// its axis is that of the displaced fluid (Lamb 1932, art. 68): it is in the same matrix, and its momentum in pushed_.
 [[gnu::flatten]] inline void Rod::add_drag(const RodState& s, const RodLoad& load) {
   std::fill(drag_.begin(), drag_.end(), 0.0);
   std::fill(pushed_.begin(), pushed_.end(), 0.0);
@@ -105,7 +105,7 @@ inline void Rod::add_springs(const RodLoad& load) {
   for (int j = 0; j < edges(); ++j) {
     const double L = rest_[at(j)], k = section_.twisting / L;
     double& F = gradient_[at(4 * j + 3)];
-    // at rest what is torque-free is held by a billionth of its stiffness, in the Hessian alone
+    // statics: torque-free edges are held by a billionth of their stiffness, in the Hessian alone
     const double I =
         load.h > 0 ? 0.5 * section_.mass * L * section_.radius * section_.radius * m_hh_ : 1e-9 * k;
     if (load.h > 0) F += I * turned_[at(j)];
@@ -125,8 +125,8 @@ inline void Rod::add_springs(const RodLoad& load) {
   }
 }
 
-/// Factors the system. Where it is not positive definite, rotations stiffen; then compressed edges (what is pressed together would
-/// buckle) do as stretched ones would; then the diagonal grows until it is.
+/// Factors the system. Where it is not positive definite, first rotations are stiffened; then compressed edges, which would
+/// buckle, count as stretched by as much; then the diagonal grows until it is.
 inline bool Rod::factor(const RodState& s, const RodLoad& load) {
   for (int stiffer = 0; stiffer <= kStiffer; ++stiffer) {
     stiffened_system(s, load, stiffer);
@@ -135,7 +135,7 @@ inline bool Rod::factor(const RodState& s, const RodLoad& load) {
   return false;
 }
 
-/// The system, in one of the ways to make it definite: 0 as it is.
+/// Assembles the system, stiffened to make it definite; `stiffer` 0: as it is.
 inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int stiffer) {
   if (stiffer > 0) slow_ = true;
   if (stiffer > 1)
@@ -146,7 +146,7 @@ inline void Rod::stiffened_system(const RodState& s, const RodLoad& load, int st
   shift_diagonal(stiffer);
 }
 
-/// The ways from the third on: more on the diagonal of all displacements.
+/// `stiffer` from 3 on: a growing shift of the diagonal of all displacements.
 inline void Rod::shift_diagonal(int stiffer) {
   if (stiffer < 3) return;
   double largest = 0;
@@ -156,10 +156,10 @@ inline void Rod::shift_diagonal(int stiffer) {
   for (int k = 0; k < unknowns(); k += k % 4 == 2 ? 2 : 1) A_.at(k, k) = diagonal_[at(k)] + shift;
 }
 
-/// Rotations that hardly anything holds back: the rod that bends the way it remembers turns all of its edges together. They stiffen
-/// by EI k m l, what bending to the remembered curvature m costs when it does not follow, k the curvature that it has where that is
-/// greater (bent by k against what it remembers it is at a top of its energy, whose slope falls by EI k m), and so that their torque
-/// does not turn them by more than the linear model holds.
+/// Stiffens rotations that have hardly any stiffness: a rod that bends to its natural curvature turns all of its edges together. They
+/// get EI k m l, the cost of bending to the natural curvature m without turning, with k = m, or the present curvature where that is
+/// greater (bent by k against its natural curvature a rod is at a maximum of energy, with the second derivative -EI k m per length); and
+/// so much that their torque does not turn them beyond the range of the linear model.
 inline void Rod::slow_turns(const RodState& s) {
   const double remembered = std::abs(memory_);
   for (int j = 0; slow_ && j < edges(); ++j) {
@@ -171,7 +171,7 @@ inline void Rod::slow_turns(const RodState& s) {
   }
 }
 
-/// The next change of all unknowns. False: there is none.
+/// Computes the next change of all unknowns. False: the system cannot be factored.
 inline bool Rod::solve(const RodState& s, const RodLoad& load) {
   for (slow_ = false;; slow_ = true) {
     if (!factor(s, load)) return false;
@@ -183,7 +183,7 @@ inline bool Rod::solve(const RodState& s, const RodLoad& load) {
   }
 }
 
-/// The energy that the step makes least.
+/// The energy that the step minimises [J].
 inline double Rod::potential(const RodState& s, const RodLoad& load) const {
   double sum = energy(s);
   const double borne = section_.mass > 0 ? 1 - load.fluid.density * std::numbers::pi * section_.radius *
@@ -206,7 +206,7 @@ inline double Rod::potential(const RodState& s, const RodLoad& load) const {
   return sum;
 }
 
-/// The tension of the linear model after a change.
+/// Updates the tension of the linear model after a change.
 [[gnu::flatten]] inline void Rod::follow_tension(const RodState& s, const double* change, double share) {
   now_.find(s.x);
   for (int j = 0; j < edges(); ++j) {
@@ -238,11 +238,11 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
   for (int k = 0; k < 3 * n_; ++k) s.v[k] = (s.x[k] - x0_[at(k)]) / g_;
 }
 
-/// Newton's method starts where the nodes would be if they went on; or where they are, if that would stretch an edge or turn it by
-/// much (held nodes go on nevertheless). What alternates from node to node does not go on: contacts are looked for there, and edges
-/// that lie on a round surface would rock on it. A joint of edges of length l under the tension T bends with EI / l and T l; what a
-/// contact does when its edge tilts, T l too, comes one step late, and what goes on tilts twice as far: beyond T = 2 EI / l^2 it would
-/// be amplified.
+/// Newton's method starts at the nodes advanced by their velocities; or at the present ones, if that would stretch an edge or turn it too
+/// far (held nodes advance nevertheless). The part that alternates from node to node does not advance: contacts are detected there, and
+/// edges that lie on a round surface would rock on it. A joint of edges of length l under the tension T has the stiffnesses EI / l and
+/// T l; the reaction of a contact to the tilt of its edge, T l too, comes one step late, and an advanced edge tilts twice as far: beyond
+/// T = 2 EI / l^2 the tilt would be amplified.
 [[gnu::flatten]] inline bool Rod::go_on(RodState& s, const RodLoad& load, double most_strain) {
   if (load.h == 0) return true;
   for (int k = 0; k < unknowns(); ++k) {
@@ -259,7 +259,7 @@ inline void Rod::finish(RodState& s, const RodLoad& load) const {
     const double* d = change_.data() + 4 * j;
     const Vec3 now = s.edge(j), then = now + Vec3(d[4] - d[0], d[5] - d[1], d[6] - d[2]);
     const double most = most_strain * rest_[at(j)], half = 0.5 * rest_[at(j)];
-    // no edge of half its length or more that goes so little farther needs a root
+    // an edge of half its rest length or more that changes so little needs no root
     if (now.squaredNorm() >= half * half && std::abs(then.squaredNorm() - now.squaredNorm()) <= half * most) continue;
     far = std::abs(then.norm() - now.norm()) > most;
   }
@@ -297,14 +297,14 @@ inline RodEffort Rod::iterate(RodState& s, const RodLoad& load, int iterations, 
     effort.change = share * size;
     effort.settled = share == 1 && size <= tolerance;
     if (effort.settled) break;
-    // whole steps while they shrink; else by the potential
+    // whole steps while they shrink; else a search on the potential
     guarded = guarded || (it > 3 && size > 0.7 * last);
     last = size;
   }
   return effort;
 }
 
-/// The share of a change that lowers the potential.
+/// The share of a change, halved until it lowers the potential.
 inline double Rod::search(const RodState& s, const RodLoad& load, double share) {
   const double before = potential(s, load);
   RodState trial(n_, trial_.data());
@@ -330,7 +330,7 @@ inline void Rod::linearise(const RodState& s, const RodLoad& load, int stiffer, 
     slow_ = false;
     stiffened_system(s, load, stiffer);
   } else {
-    shift_diagonal(stiffer);  // the rest is that of the way before, which was asked for last
+    shift_diagonal(stiffer);  // the rest is that of the last call, with stiffer - 1
   }
   way_ = stiffer;
   std::copy_n(A_.column(0), at(unknowns()) * Matrix::kStride, columns);

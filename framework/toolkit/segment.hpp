@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Straight pieces and what lies closest on them. Header-only, allocation-free, any frame, m.
+// Straight segments and the closest points on them. Header-only, allocation-free, any frame, m.
 #pragma once
 
 #include <algorithm>

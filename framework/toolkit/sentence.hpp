@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences for people, kept in one catalogue per room or bundle: the code that tells one and the tests that expect it name the same constant,
-// so that words can be mended in one place.
+// Sentences for people, in one catalogue per room or bundle: the code that writes one and the tests that expect it use the same
+// constant, so that its words can be changed in one place.
 //
 //   inline constexpr auto kTaken = "\"{}\" is taken."_sentence;
 //   kTaken(name)     // "\"needle\" is taken."
@@ -45,7 +45,7 @@ struct Sentence {
     return out.append(rest);
   }
 
-  /// What stands between two values: 0 before the first, kValues after the last.
+  /// The text between two values: 0 before the first, kValues after the last.
   static std::string words(std::size_t i) {
     std::string_view rest = kText;
     for (; i > 0; --i) rest.remove_prefix(rest.find("{}") + 2);

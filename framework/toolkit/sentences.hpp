@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sentences that this room tells of files. Tests name them, and never repeat their words.
+// Sentences of this room about files. Tests use the constants, and never repeat their words.
 #pragma once
 
 #include "toolkit/sentence.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Vectors side by side, component by component: each has the bits that Eigen's have alone. Header-only.
+// Several vectors at once, component by component: each gets the bits of Eigen's operations on it alone. Header-only.
 #pragma once
 
 #include "toolkit/wide.hpp"
@@ -32,7 +32,7 @@ template <class V>
   return {s * a.x, s * a.y, s * a.z};
 }
 
-/// Vectors that lie one behind the other, 3 numbers each.
+/// Loads consecutive vectors, 3 numbers each.
 template <class V>
 [[gnu::always_inline]] inline Three<V> vectors(V v, const double* x) {
   Three<V> a{v, v, v};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Numbers side by side in a register: two, as every machine of ours has them, or four where it can. Sums, differences, products and
+// Several numbers in a register: two, which every supported machine has, or four where it can. Sums, differences, products and
 // quotients are those of each number alone, in the order in which they are written, so that the bits do not depend on the width. No
 // products are contracted with sums. Header-only.
 //
@@ -33,7 +33,7 @@ inline bool has_fours() noexcept {
 inline bool has_fours() noexcept { return false; }
 #endif
 
-/// Both roots.
+/// Takes both square roots.
 [[gnu::always_inline]] inline void take_root(Two& x) {
 #if defined(__x86_64__)
   x = reinterpret_cast<const Two&>(static_cast<const __m128d&>(_mm_sqrt_pd(reinterpret_cast<const __m128d&>(x))));
@@ -42,7 +42,7 @@ inline bool has_fours() noexcept { return false; }
 #endif
 }
 
-/// One register of them.
+/// A register of two numbers.
 struct Twos {
   static constexpr int n = 2;
   Two x;
@@ -130,7 +130,7 @@ template <Register V>
   return every<V>(s) / a;
 }
 
-/// Does `each` with registers that begin at 0, n(V), 2 n(V) .., then with what is left one at a time.
+/// Calls `each` with registers that begin at 0, V::n, 2 V::n .., then for the remaining numbers one at a time.
 template <class V, class Each>
 [[gnu::always_inline]] inline void for_each(size_t n, const Each& each) {
   size_t i = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A straight arm of wire, clamped at one end and pushed across at the other: the bending test, by as many cells as one likes.
-// With strips of the section as cells it is the reference that judges the needle in the loop; it is finer by two orders and
+// A straight arm of wire, clamped at one end and pushed across at the other: the bending test, in any number of cells.
+// With sections of strips as cells it is the reference for the needle in the loop; it is finer by two orders and
 // shares neither the section's law nor the joints with it. Statics, planar, large turns. Not for the loop. [main]
 #pragma once
 
@@ -26,13 +26,13 @@ class StripSection {
     }
   }
 
-  /// Moment [N m] at a curvature [1/m], without going there.
+  /// Moment [N m] at a curvature [1/m], without a change of state.
   double moment(double curvature) const {
     double sum = 0;
     for (size_t i = 0; i < y_.size(); ++i) sum += stress(i, curvature) * area_[i] * y_[i];
     return sum;
   }
-  /// Goes there; what flows, stays.
+  /// Bends to a curvature; plastic strain remains.
   void bend(double curvature) {
     for (size_t i = 0; i < y_.size(); ++i) {
       const double strain = curvature * y_[i], limit = material_.yield / material_.youngs;
@@ -102,7 +102,7 @@ class WireArm {
     const double from = force_;
     for (int k = 1; k <= steps; ++k) push(from * (1 - static_cast<double>(k) / steps));
   }
-  /// Under a force [N].
+  /// Finds the shape under a force [N].
   void push(double force) {
     force_ = force;
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -121,7 +121,7 @@ class WireArm {
   double root_curvature() const { return curvature_[0]; }         // 1/m
 
  private:
-  static constexpr int kPasses = 8;  // of shape and lever in turn: each brings two digits in small steps
+  static constexpr int kPasses = 8;  // alternately of shape and lever arm: each brings two digits in small steps
 
   void root(double curvature_0) {
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -147,12 +147,12 @@ class WireArm {
     }
     x_ = x, y_ = y, turn_ = a;
   }
-  /// Of the force about a cell, m.
+  /// Lever arm of the force about a cell [m].
   double lever(size_t i) const {
     const double chord = std::hypot(x_, y_);
     return ((x_ - place_[i].first) * x_ + (y_ - place_[i].second) * y_) / chord;
   }
-  /// Curvature at which a cell bears a moment: bounds about where it is, then the Illinois method.
+  /// Curvature at which a cell bears a moment: brackets it around the present one, then the Illinois method.
   double curvature(size_t i, double moment) const {
     const auto off = [&](double k) { return cell_[i].moment(k) - moment; };
     double reach = 1, low = curvature_[i] - reach, high = curvature_[i] + reach;  // 1/m

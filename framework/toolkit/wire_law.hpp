@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bending beyond yield: moment against curvature of a round section that is bent to and fro in any direction and twisted.
+// Bending beyond yield: moment against curvature of a round section under repeated bending in any direction and torsion.
 //
 // Elastic, perfectly plastic layers in parallel (Besseling 1958, Iwan 1967), each with its share of the stiffness and its own
 // limit, follow the closed form of the round section (wire_section.hpp): elastic core, growing hinge, and when bent back
-// Masing's doubled curve with its early yielding. The moment is right to 0.35 %, and the curvature that stays to 6.5 %, from 1.02
-// to 1.689 of the moment of first yield, 99.5 % of the plastic moment. What stays grows as 1.92 (c - 1)^(5/2) at first, c the
-// curvature over that of first yield: the layers lie closest there. In normalised form: curvatures in yield curvatures, moments in yield
+// Masing's doubled curve with its early yielding. The moment is right to 0.35 %, and the residual curvature to 6.5 %, from 1.02
+// to 1.689 of the moment of first yield, 99.5 % of the plastic moment. That curvature grows as 1.92 (c - 1)^(5/2) at first, c the
+// curvature over that of first yield: the layers are closest there. In normalised form: curvatures in yield curvatures, moments in yield
 // moments, so that stiffness is 1; three components, whose lengths as vectors decide about yield (von Mises). Torsion shares
 // the shape of the law, whose plateau is then 1.69 instead of 4/3 of first yield.
 //
@@ -23,7 +23,7 @@ namespace swage::toolkit {
 struct WireMemory {
   static constexpr int kLayers = 12;
   double plastic[kLayers][3] = {};  // curvature at which each layer is free of load, in yield curvatures
-  double path = 0;                  // way of the plastic curvature, in yield curvatures
+  double path = 0;                  // path length of the plastic curvature, in yield curvatures
 };
 
 class WireLaw {
@@ -34,7 +34,7 @@ class WireLaw {
   /// `hardening`: WireMaterial::hardening.
   explicit WireLaw(double hardening) : hardening_(hardening) {}
 
-  /// Moment at curvature `e` as the memory stands.
+  /// Moment at curvature `e` for the present memory, without flow.
   Vec3 moment(const Vec3& e, const WireMemory& memory) const {
     if (memory.path == 0) return e;
     Vec3 m = Vec3::Zero();
@@ -42,7 +42,7 @@ class WireLaw {
     return (1 - hardening_) * m + hardening_ * e;
   }
 
-  /// Nothing has flowed so far, nor does it at curvature `e`: its moment is e.
+  /// True when nothing has flowed so far, nor does at curvature `e`: the moment is e.
   bool elastic(const Vec3& e, const WireMemory& memory) const { return never_flows(e, memory); }
 
   /// Bends to curvature `e`: layers beyond their limit flow back to it. Returns the moment.
@@ -62,12 +62,12 @@ class WireLaw {
     return moment(e, memory);
   }
 
-  /// Curvature that stays when the moment goes, unless that makes layers flow back: e - m, as stiffness is 1.
+  /// Residual curvature after unloading, unless that makes layers flow back: e - m, as stiffness is 1.
   Vec3 relaxed(const WireMemory& memory) const {
     return memory.path == 0 ? Vec3(Vec3::Zero()) : kept(memory);
   }
 
-  /// d(moment)/d(curvature) of a section at curvature `e` that is bent on as it was, at least kLeastSlope; false: elastic, the
+  /// d(moment)/d(curvature) of a section at curvature `e` under continued bending, at least kLeastSlope; false: elastic, the
   /// identity.
   bool tangent(const Vec3& e, const WireMemory& memory, Mat3& D) const {
     bool flows = false;
@@ -88,7 +88,7 @@ class WireLaw {
   struct Layer {
     double limit, share;  // yield curvatures; of the stiffness
   };
-  // Found by search: the least of the greatest relative error of the curvature that stays, both at the same moment (1.02 to 1.689
+  // Found by search: the least of the greatest relative error of the residual curvature, both at the same moment (1.02 to 1.689
   // of first yield) and at the same curvature (to 20 of first yield), and of 20 times the error of the moment. The shares add up to
   // 1, limit times share to 16/(3 pi), the plastic moment.
   static constexpr Layer kLayer[kLayers] = {
@@ -98,7 +98,7 @@ class WireLaw {
   // Least slope of the tangent. Without hardening a section beyond its last layer has none, and its flexibility no bound; a
   // larger floor makes a Newton step towards a moment near the plastic one fall short.
   static constexpr double kLeastSlope = 1e-3;
-  // a layer that flowed stands at its limit but for rounding
+  // a layer that flowed is at its limit up to rounding
   static constexpr double kAtLimit = 1 - 1e-9;
 
   Vec3 kept(const WireMemory& memory) const {
@@ -106,7 +106,7 @@ class WireLaw {
     for (int i = 0; i < kLayers; ++i) sum += kLayer[i].share * at(memory, i);
     return (1 - hardening_) * sum;
   }
-  /// Nothing has flowed so far, nor does it at this curvature: stiffness 1.
+  /// True when nothing has flowed so far, nor does at this curvature: stiffness 1.
   static bool never_flows(const Vec3& e, const WireMemory& memory) {
     return memory.path == 0 && e.squaredNorm() < kAtLimit * kLayer[0].limit * kLayer[0].limit;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a wire of round or flattened section is worth in bending and torsion, in closed form, and the moment-curvature law of
+// Stiffness and strength of a wire of round or flattened section in bending and torsion, in closed form, and the moment-curvature law of
 // an elastic, perfectly plastic round section. Header-only, pure functions.
 #pragma once
 
@@ -15,7 +15,7 @@ struct WireMaterial {
   double poisson = 0.29;      // 1
   double yield = 2.0e9;       // Pa, in tension
   double hardening = 0.01;    // slope beyond yield as a share of Young's modulus, 0..1
-  double break_strain = 0.6;  // plastic strain that the outer fibre bears, summed over all its to and fro
+  double break_strain = 0.6;  // plastic strain that the outer fibre bears, accumulated over all load cycles
   double density = 7900;      // kg/m3
 };
 
@@ -50,7 +50,7 @@ inline double bending_stiffness(double diameter, double youngs) {
 inline WireSection wire_section(double diameter, double flattening, double hole, const WireMaterial& m) {
   const double r = 0.5 * diameter, root = std::sqrt(flattening);
   const double a = r / root, b = r * root, pi = std::numbers::pi;
-  const double left = 1 - hole * hole * hole * hole;  // of the stiffness of a tube
+  const double left = 1 - hole * hole * hole * hole;  // share of the stiffness that a tube has
   const double in_plane = 0.25 * pi * a * b * b * b, across = 0.25 * pi * a * a * a * b;
   const double torsion = pi * a * a * a * b * b * b / (a * a + b * b);
   WireSection s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Crossings of a thread in the order in which one meets them along it (signed Gauss code, each crossing twice: over and under), and
+// Crossings of a thread in their order along it (signed Gauss code, each crossing twice: over and under), and
 // Reidemeister's moves on it. The two ends lie far away on the outside, where they are joined. A move of such codes is sound by the
 // signs and orders in it alone, whether or not a picture in the plane is at hand (Goussarov, Polyak and Viro 2000: classical knots that
 // are equal as virtual knots are equal). Header-only.
@@ -16,38 +16,38 @@
 
 namespace swage::toolkit {
 
-/// One meeting of a crossing.
+/// One of the two visits to a crossing.
 struct KnotVisit {
   int16_t crossing = 0;
   bool over = false;
-  double s = 0;  // where on the thread, in nodes
+  double s = 0;  // place on the thread, in nodes
 };
 
 class KnotDiagram {
  public:
   static constexpr int kCrossings = 120;
 
-  /// Takes off all that Reidemeister's first and second move take off.
+  /// Removes crossings by Reidemeister's first and second move until neither applies.
   void shorten();
-  /// Reidemeister's third move at a place of chance; false where there is none.
+  /// Reidemeister's third move at a random place; false where it applies nowhere.
   bool turn_triangle(unsigned& choice);
-  /// Crossings get the numbers from 0 on, as one meets them.
+  /// Renumbers the crossings from 0 in their order along the thread.
   void number_anew();
 
   int crossings() const { return n_ / 2; }
   int visits() const { return n_; }
   const KnotVisit& visit(int i) const { return code_[at(i)]; }
   int sign(int crossing) const { return sign_[at(crossing)]; }
-  /// Where a crossing is met over (true) or under (false).
+  /// Index of the visit to a crossing over (true) or under (false).
   int place(int crossing, bool over) const { return place_[at(crossing)][over]; }
   /// Sum of the signs.
   int writhe() const;
-  /// A code from elsewhere: each crossing twice; signs by their numbers.
+  /// Sets the code: each crossing twice; signs are indexed by crossing.
   void set(const KnotVisit* visit, int visits, const int8_t* sign, int signs);
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
-  // ends that are joined far away: after the last visit comes the first
+  // the ends are joined far away: after the last visit comes the first
   int after(int i) const { return i + 1 == n_ ? 0 : i + 1; }
   int before(int i) const { return i == 0 ? n_ - 1 : i - 1; }
   bool in_a_row(int i, int j) const { return after(i) == j || after(j) == i; }
@@ -59,7 +59,7 @@ class KnotDiagram {
 
   std::array<KnotVisit, 2 * kCrossings> code_;
   std::array<int8_t, kCrossings> sign_;
-  std::array<std::array<int16_t, 2>, kCrossings> place_;  // of both visits of a crossing, under first
+  std::array<std::array<int16_t, 2>, kCrossings> place_;  // index of both visits to a crossing, under first
   int n_ = 0;
 };
 
@@ -89,14 +89,14 @@ inline void KnotDiagram::drop(int a, int b) {
   find_places();
 }
 
-/// First move: a crossing that is met twice in a row.
+/// First move: removes a crossing that is visited twice in a row.
 inline bool KnotDiagram::drop_loop() {
   for (int i = 0; i < n_; ++i)
     if (code_[at(i)].crossing == code_[at(after(i))].crossing) return drop(code_[at(i)].crossing, -1), true;
   return false;
 }
 
-/// Second move: two crossings of unlike sign, met in a row by the strand that is over both and in a row by the other.
+/// Second move: removes two crossings of opposite sign, visited in a row by the strand that is over both and in a row by the other.
 inline bool KnotDiagram::drop_pair() {
   for (int i = 0; i < n_; ++i) {
     const KnotVisit &a = code_[at(i)], &b = code_[at(after(i))];
@@ -106,8 +106,8 @@ inline bool KnotDiagram::drop_pair() {
   return false;
 }
 
-/// A strand over two others at i and the next visit, the second one at j (under the first, over the last), the last one at k (under
-/// both): three lines in a plane, which the third move may take past each other.
+/// True for a strand over two others at i and the next visit, the second one at j (under the first, over the last), the last at k (under
+/// both): three lines in a plane, of which the third move may take one past the crossing of the others.
 inline bool KnotDiagram::triangle(int i, int j, int k) const {
   const KnotVisit &p = code_[at(j)], &q = code_[at(after(j))];
   const int x = p.over ? q.crossing : p.crossing, z = p.over ? p.crossing : q.crossing;
@@ -119,7 +119,7 @@ inline bool KnotDiagram::triangle(int i, int j, int k) const {
   return first == -second && first == third;
 }
 
-/// Third move, at one of the places where it can be done.
+/// Third move, at a random one of the places where it applies.
 inline bool KnotDiagram::turn_triangle(unsigned& choice) {
   int found = 0, turned[3] = {};
   for (int i = 0; i < n_; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A straightened thread seen from one direction: which sticks cross, which is nearer to the eye, in which order one meets them. All of
-// it exact; a view in which something is degenerate (three lines through a point, a corner on a line) says so and is not used.
+// Projection of a straightened thread along one direction: which sticks cross, which is nearer to the eye, and their order along the
+// thread. All of it is exact; a degenerate view (three lines through a point, a corner on a line) is reported and not used.
 // Header-only.
 //
 // Threads: [rt], nothing allocates.
@@ -12,7 +12,7 @@
 
 namespace swage::toolkit {
 
-/// Along (a, b, 7) of the axes x y z, turned on by `axis`: directions in general position.
+/// View along (a, b, 7) of the axes x y z, cyclically permuted by `axis`: directions in general position.
 struct KnotView {
   int axis, a, b;
 };
@@ -38,7 +38,7 @@ class KnotEye {
   static Wide turn(const Flat& a, const Flat& b, const Flat& c) {
     return Wide(b.u - a.u) * (c.v - a.v) - Wide(b.v - a.v) * (c.u - a.u);
   }
-  /// Two sticks in a line, one on top of the other; one that goes on straight is none.
+  /// True when two successive sticks lie on one another in a line; not when the second continues the first.
   static bool folds_back(const Flat& a, const Flat& b, const Flat& c) {
     return turn(a, b, c) == 0 && Wide(b.u - a.u) * (c.u - b.u) + Wide(b.v - a.v) * (c.v - b.v) <= 0;
   }
@@ -63,7 +63,7 @@ inline KnotEye::Flat KnotEye::flat(const GridPoint& p, const KnotView& view) {
   return {7 * x - view.a * z, 7 * y - view.b * z};
 }
 
-/// Both far ends lie beyond all else, so that they can be joined around it.
+/// True when both far ends are outside everything else, so that they can be joined around it.
 inline bool KnotEye::ends_outside(int n) const {
   Flat lo{INT64_MAX, INT64_MAX}, hi{INT64_MIN, INT64_MIN};
   for (int i = 1; i < n - 1; ++i) {
@@ -82,7 +82,7 @@ inline KnotEye::Hit KnotEye::hit(const KnotThread& thread, int stick, Wide from,
           s + (next - s) * (static_cast<double>(share) / static_cast<double>(whole))};
 }
 
-/// Sticks i < j - 1: do they cross, and which is nearer to the eye?
+/// Adds the crossing of the sticks i < j - 1 if they cross, with the stick that is nearer to the eye.
 inline KnotSight KnotEye::cross(const KnotThread& thread, int i, int j) {
   const Flat &a = flat_[at(i)], &b = flat_[at(i + 1)], &c = flat_[at(j)], &d = flat_[at(j + 1)];
   if (std::max(a.u, b.u) < std::min(c.u, d.u) || std::max(c.u, d.u) < std::min(a.u, b.u)) return KnotSight::kSound;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The faces of a diagram: the regions of the sphere between its arcs. Arc i leads from visit i to the next one, the last arc through
-// the far away. Header-only.
+// infinity. Header-only.
 //
 // Threads: [rt], nothing allocates.
 #pragma once
@@ -14,7 +14,7 @@ class KnotFaces {
  public:
   static constexpr int kFaces = KnotDiagram::kCrossings + 2;
 
-  /// Of a diagram with crossings numbered anew. False for a code that no picture in the plane has.
+  /// Finds the faces of a diagram with renumbered crossings. False for a code that no diagram in the plane has.
   bool find(const KnotDiagram& d) {
     const int n = d.visits();
     count_ = 0;
@@ -33,7 +33,7 @@ class KnotFaces {
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
-  /// Side 2 i is the left of arc i, walked along; 2 i + 1 the right, walked back. With the face on the left, the way turns left at
+  /// Side 2 i is the left of arc i, walked along; 2 i + 1 the right, walked back. With the face on the left, the walk turns left at
   /// each crossing.
   static int next(const KnotDiagram& d, int side) {
     const int n = d.visits(), arc = side / 2;

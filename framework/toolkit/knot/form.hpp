@@ -17,7 +17,7 @@ class KnotForm {
   /// Below this share of the turning of the other strand, a strand is the straight core of a throw that slides.
   static constexpr double kCoreShare = 0.5;
 
-  /// Of a polyline of n nodes.
+  /// Measures a throw in a polyline of n nodes.
   KnotForm(const double* node, int n, const KnotThrow& tied) : node_(node), n_(n) {
     double sum = 0, count = 0;
     for (int k = 0; k < 2; ++k)
@@ -26,7 +26,7 @@ class KnotForm {
     near_ = kNear * sum / count;
     for (int k = 0; k < 2; ++k) turned_[k] = turning(tied.strand[k], tied.strand[1 - k]);
   }
-  /// rad, by which a strand turns beside the other.
+  /// Angle by which a strand turns beside the other [rad].
   double turned(int strand) const { return turned_[strand]; }
   /// The strand (0 or 1) that runs straight through; -1: the throw is flat.
   int core() const {
@@ -35,13 +35,13 @@ class KnotForm {
   }
 
  private:
-  /// A place is beside the other strand that is nearer than so many times the mean distance between the two.
+  /// A place is beside the other strand when it is nearer to it than this many times the mean distance between the two.
   static constexpr double kNear = 1.2;
 
   Vec3 p(int i) const { return Eigen::Map<const Vec3>(node_ + 3 * i); }
   int at_node(double s) const { return std::clamp(static_cast<int>(std::lround(s)), 1, n_ - 2); }
   static double margin(const KnotThrow::Strand& s) { return 0.3 * (s.last - s.first) + 2; }
-  /// m, from a node to the other strand.
+  /// Distance from a node to the other strand [m].
   double beside(int i, const KnotThrow::Strand& other) const {
     double best = HUGE_VAL;
     for (int j = at_node(other.first - margin(other)); j <= at_node(other.last + margin(other)); ++j) {

@@ -43,7 +43,7 @@ struct GridBox {
   }
 };
 
-/// False when the segment pq is certainly clear of the triangle abc; what merely touches, or lies in its plane, is not clear.
+/// False when the segment pq is certainly clear of the triangle abc; a segment that touches it, or lies in its plane, is not clear.
 inline bool meets(const GridPoint& a, const GridPoint& b, const GridPoint& c, const GridPoint& p,
                   const GridPoint& q) {
   const int sp = orientation(a, b, c, p), sq = orientation(a, b, c, q);

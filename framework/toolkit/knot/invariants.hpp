@@ -13,13 +13,13 @@
 namespace swage::toolkit {
 
 struct KnotInvariants {
-  bool known = false;  // false: too many crossings, or a code that no picture in the plane has
+  bool known = false;  // false: too many crossings, or a code that no diagram in the plane has
   int64_t determinant = 1;
   int signature = 0;
   bool operator==(const KnotInvariants&) const = default;
 };
 
-/// Diagonal of a symmetric matrix of whole numbers: product and signs, by elimination without fractions (Bareiss).
+/// Size of the determinant and signature of a symmetric matrix of whole numbers, by elimination without fractions (Bareiss).
 template <int N>
 struct WholeForm {
   std::array<std::array<Wide, N>, N> m{};
@@ -43,7 +43,7 @@ struct WholeForm {
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
-  /// Puts something on the diagonal at k, by the same change of rows and columns.
+  /// Brings a number other than 0 to the diagonal at k, by the same change of rows and columns.
   bool find_pivot(int k) {
     for (int i = k; i < n; ++i)
       if (m[at(i)][at(i)] != 0) return swap(k, i), true;
@@ -81,7 +81,7 @@ class KnotSurface {
 
   explicit KnotSurface(const KnotDiagram& d) : d_(d), n_(d.visits()) { d_.number_anew(); }
 
-  /// The faces on the two sides of an arc are of unlike colour.
+  /// Colours the faces so that the two sides of each arc differ. False where that is impossible.
   bool colour() {
     colour_.fill(-1);
     colour_[0] = 0;
@@ -94,9 +94,9 @@ class KnotSurface {
       }
     return true;
   }
-  /// The form on the faces of one colour, less one; the surface is made of the other faces. With the strand above going east, it is
-  /// turned left over the corners in the north-east and south-west. Where both strands run along the surface's band alike, the
-  /// crossing counts in the correction.
+  /// The form on the faces of one colour, less one; the surface consists of the other faces. With the upper strand going east, a left
+  /// rotation of it onto the other strand sweeps the corners in the north-east and south-west. Where both strands run along the surface's
+  /// band in the same direction, the crossing counts in the correction.
   KnotInvariants form(int colour) {
     std::array<int, kFaces> row{};
     int rows = 0, correction = 0;

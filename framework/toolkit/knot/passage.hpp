@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Passages: places at which a thread has gone through itself between two moments, each node on a straight way from one to the other.
+// Passages: places at which a thread has passed through itself between two moments, each node on a straight line from one to the other.
 // Two pieces meet when their four ends lie in a plane (a cubic in time) and the pieces cross there. Header-only.
 //
 // Threads: [rt], nothing allocates.
@@ -16,8 +16,8 @@
 namespace swage::toolkit {
 
 struct KnotPassage {
-  double s = 0, other = 0;  // where on the thread, in nodes
-  int jump = 0;             // of the writhe: 2 or -2
+  double s = 0, other = 0;  // places on the thread, in nodes
+  int jump = 0;             // change of the writhe: 2 or -2
 };
 
 class KnotPassages {
@@ -25,8 +25,8 @@ class KnotPassages {
   static constexpr int kNodes = 402, kMost = 32;
   using Found = FixedVector<KnotPassage, kMost>;
 
-  /// n nodes then and now, x y z each. How many there are: where that is more than kMost, the first kMost are told. A thread of more
-  /// than kNodes is not looked at: -1.
+  /// Finds the passages between two states of n nodes, x y z each, and returns their number; `out` has at most the first kMost. -1 for a
+  /// thread of more than kNodes, which is not searched.
   int find(const double* then, const double* now, int n, Found& out) {
     out.clear(), count_ = 0;
     if (n > kNodes) return -1;
@@ -102,7 +102,7 @@ class KnotPassages {
     }
     return 0.5 * (low + high);
   }
-  /// At that time the pieces lie in a plane: do they cross?
+  /// For two pieces in a plane: place of their intersection along the piece `along`, 0 to 1; false where they do not cross.
   static bool share_of(const Vec3& from, const Vec3& across, const Vec3& along, double& out) {
     const Vec3 n = along.cross(across);
     out = from.cross(across).dot(n) / n.squaredNorm();

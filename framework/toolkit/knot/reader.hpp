@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Names the knot in a thread: straightened a little, and wholly where that is not enough (thread.hpp), seen from several
+// Names the knot in a thread: straightened a little, and fully where that is not enough (thread.hpp), seen from several
 // directions (eye.hpp), each view reduced (strand.hpp) and read (word.hpp). A name is certain when two views or more
-// give the same word, the plainest (which had least to be taken off) among them, none gives another knot, and determinant and
-// signature are those of that word. Where its throws are on the thread is told by the plainest view. Reading goes in slices: so much
-// work a call. Header-only.
+// give the same word, the plainest (from which the fewest crossings were removed) among them, none gives another knot, and determinant
+// and signature are those of that word. The plainest view gives the places of its throws on the thread. Reading is done in slices of
+// bounded work per call. Header-only.
 //
 //   thread.begin(nodes, n);
 //   while (!reader.read(thread, 500, name)) ...   // one call a step
@@ -25,10 +25,10 @@ struct KnotName {
 
 class KnotReader {
  public:
-  static constexpr int kFirstViews = 12;  // of a thread that has been straightened a little; all are looked at
-  static constexpr int kViews = 36;       // with those of a thread that has been straightened wholly, where the first were not enough
+  static constexpr int kFirstViews = 12;  // views of a thread that has been straightened a little; all are used
+  static constexpr int kViews = 36;       // with those of the fully straightened thread, where the first were not enough
 
-  /// Goes on by about `work` tests of pieces with pieces, or by one view. True when there is a name. An uncertain one has the word of
+  /// Continues by about `work` tests of pieces with pieces, or by one view. True when there is a name. An uncertain one has the word of
   /// the last view.
   bool read(KnotThread& thread, int work, KnotName& name) {
     if (!thread.straighten(work)) return false;
@@ -57,8 +57,8 @@ class KnotReader {
 
  private:
   static size_t at(int i) { return static_cast<size_t>(i); }
-  /// In a view with much to take off a whole throw may slide along the thread through another: the same knot in another order. So the
-  /// plainest view has the last word on the order; one that gives another knot contradicts it.
+  /// In a view with many crossings to remove a whole throw may slide along the thread through another: the same knot in another order.
+  /// So the plainest view decides about the order; a view that gives another knot contradicts it.
   static void note(const KnotWord& word, int excess, KnotFindings& found) {
     const double number = word.number();
     const KnotInvariants says = invariants_of(word);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reduces a diagram as far as it goes: Reidemeister's moves, and strands that lie over (or under) all that they cross, which are laid
-// anew along the shortest way, through the fewest arcs, between their two ends. Header-only.
+// Reduces a diagram as far as possible: Reidemeister's moves, and strands that lie over (or under) all that they cross, which are
+// rerouted through the fewest arcs between their two ends. Header-only.
 //
 // Threads: [rt], nothing allocates.
 #pragma once
@@ -12,7 +12,7 @@ namespace swage::toolkit {
 
 class KnotStrand {
  public:
-  /// Tries at most `turns` third moves where nothing else gets it shorter.
+  /// Tries at most `turns` third moves where nothing else removes a crossing.
   void reduce(KnotDiagram& d, int turns = 20) {
     unsigned choice = 1;
     for (int turned = 0;; ++turned) {
@@ -44,7 +44,7 @@ class KnotStrand {
     }
     return false;
   }
-  /// The strand of the visits first to end - 1. It is free to leave its arcs first - 1 to end - 1.
+  /// Reroutes the strand of the visits first to end - 1, whose own arcs first - 1 to end - 1 cost nothing. False where that saves nothing.
   bool lay_strand(KnotDiagram& d, int first, int end) {
     find_way(d, first, end);
     const int last_arc = end - 1;
@@ -54,7 +54,7 @@ class KnotStrand {
     write(d, first, end, to);
     return true;
   }
-  /// Ways from the beginning of the strand to all faces. Through the strand itself nothing is crossed; the far away is not.
+  /// Shortest routes from the start of the strand to all faces. Its own arcs cost nothing; the arc through infinity is not crossed.
   void find_way(const KnotDiagram& d, int first, int end) {
     const int n = d.visits(), before = (first + n - 1) % n;
     std::fill_n(way_.begin(), faces_.count(), Way{kFar, -1, -1});
@@ -79,7 +79,7 @@ class KnotStrand {
     std::array<bool, KnotDiagram::kCrossings> dropped{};
     for (int i = first; i < end; ++i) dropped[at(d.visit(i).crossing)] = true;
     std::fill_n(crossed_.begin(), n, -1);
-    // the way is known from its end; new crossings take numbers of old ones
+    // the route is known from its end; new crossings take numbers of old ones
     std::array<int8_t, KnotDiagram::kCrossings> sign{};
     for (int k = 0; k < n / 2; ++k) sign[at(k)] = static_cast<int8_t>(d.sign(k));
     for (int face = to, k = turns; way_[at(face)].from >= 0; face = way_[at(face)].from) {
@@ -102,7 +102,7 @@ class KnotStrand {
   }
 
   struct Way {
-    int length, from, arc;  // crossed arcs; the face before and the arc between (-1: the strand itself)
+    int length, from, arc;  // number of crossed arcs; the face before and the arc between (-1: the strand itself)
   };
   KnotFaces faces_;
   std::array<Way, KnotFaces::kFaces> way_;

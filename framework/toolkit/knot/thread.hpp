@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A thread, as a polyline on a grid whose two ends are led far away, pulled straight wherever nothing is in the way: a vertex goes
-// when no other piece pierces the triangle with its two neighbours (Koniaris and Muthukumar 1991). What is left is knotted as before and
+// A thread, as a polyline on a grid whose two ends are led far away, straightened as far as the thread allows: a vertex is removed
+// when no other piece pierces the triangle with its two neighbours (Koniaris and Muthukumar 1991). The rest is knotted as before and
 // has a few straight sticks: about 6 for a half knot, 20 for three throws. Every decision is exact (grid.hpp).
 //
 // The thread is read in slices of bounded work, so that a step of the loop pays for a little of it. All that lasts is doubles (whole
@@ -25,7 +25,7 @@ struct KnotVertex {
   GridPoint grid() const { return {static_cast<int64_t>(x), static_cast<int64_t>(y), static_cast<int64_t>(z)}; }
 };
 
-/// What the views of a thread have said so far (reader.hpp).
+/// Results of the views of a thread so far (reader.hpp).
 struct KnotFindings {
   static constexpr int kThrows = 12;
   struct Throw {
@@ -34,31 +34,31 @@ struct KnotFindings {
   double word = -1;           // as a number; -1: none yet
   double agreed = 0;          // views that gave it
   double contradicted = 0;    // 1: a view gave another
-  double excess = 1e9;       // crossings, of the plainest view, that had to be taken off: it tells best where the throws are
+  double excess = 1e9;       // crossings removed from the plainest view, which locates the throws best
   double throws = 0, knots = 0;
   std::array<Throw, kThrows> tied{};
 };
 
 struct KnotThread {
-  static constexpr int kNodes = 402;       // most that it reads
+  static constexpr int kNodes = 402;       // most nodes of a thread
   static constexpr int kVertices = kNodes + 2;
-  static constexpr int kMostSweeps = 40;   // 3 to 8 are usual; past it, what is left is read as it is
+  static constexpr int kMostSweeps = 40;   // 3 to 8 are usual; beyond, the thread is read as straight as it is
   /// The thread fills a cube of +- 2^20 of the grid; its ends are led 2^22 farther. 10 mm of half a cube: 10 nm.
   static constexpr double kHalfCube = 1 << 20, kFar = 1 << 22;
-  /// Nodes are moved by up to 8 of the grid, so that what lies in a line or a plane does so no more: 1e-5 of the cube, far less
+  /// Nodes are moved by up to 8 of the grid, so that none stay exactly in a line or a plane: 1e-5 of the cube, far less
   /// than a thread is thick.
   static constexpr int kJitter = 8;
 
   /// Takes n nodes, x y z each. False when there are too few, too many, or one is not finite.
   bool begin(const double* node, int n);
-  /// Goes on by about `work` tests of a piece with a piece; true when nothing is left to do. At first only so far that vertices stay
-  /// about n / 64 nodes apart at most: places on it are true then. After go_on() without that bound.
+  /// Continues by about `work` tests of a piece with a piece; true when nothing is left to do. At first vertices stay about n / 64 nodes
+  /// apart at most, so that places on the thread are accurate; after go_on() without that bound.
   bool straighten(int work);
   void go_on() { gap = kNodes, next = 1, kept = 0, dropped = 0, done = 0; }
   int vertices() const { return static_cast<int>(count); }
 
   double count = 0;            // vertices
-  double next = 0, kept = 0;   // of the present sweep: the vertex to look at; the last one that stays
+  double next = 0, kept = 0;   // of the present sweep: the next vertex to test; the last one kept
   double dropped = 0, sweeps = 0, done = 1;
   double gap = kNodes;                  // nodes between two vertices, at most
   double view = 0;  // the reader's next view
@@ -140,7 +140,7 @@ inline void KnotThread::box_up(int first, int last, Boxes& boxes) const {
   }
 }
 
-/// No piece that begins at the vertices first to last - 1 meets the triangle.
+/// True when no piece that begins at the vertices first to last - 1 meets the triangle.
 inline bool KnotThread::clear_of(const GridPoint* t, const GridBox& around, int first, int last,
                                  const Boxes& boxes, int& work) const {
   for (int block = first; block < last; block = (block / kBlock + 1) * kBlock) {
@@ -156,7 +156,7 @@ inline bool KnotThread::clear_of(const GridPoint* t, const GridBox& around, int 
   return true;
 }
 
-/// Vertex i may go: k is the last before it that stays. Pieces that share a corner with the triangle only must not lie in its plane.
+/// True when vertex i may be removed; k is the last kept before it. Pieces that share only a corner with the triangle must leave its plane.
 inline bool KnotThread::clear(int k, int i, const Boxes& before, const Boxes& after, int& work) const {
   const GridPoint t[3] = {vertex[at(k)].grid(), vertex[at(i)].grid(), vertex[at(i + 1)].grid()};
   if (k > 0 && orientation(t[0], t[1], t[2], vertex[at(k - 1)].grid()) == 0) return false;

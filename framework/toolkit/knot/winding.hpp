@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How often a thread is wound about an instrument, and whether it has gone through it. In the tool's frame the axis of the instrument
-// is x, from -reach to its tips at 0; a piece of thread counts as far as it lies beside that. What the pieces turn about the axis adds
-// up to the winding: a thread that only passes has half a turn at most. Header-only.
+// How often a thread is wound about an instrument, and whether it has passed through it. In the tool's frame the axis of the instrument
+// is x, from -reach to its tips at 0; a piece of thread counts as far as it lies beside that. The winding is the sum of the angles of
+// the pieces about the axis: a thread that only passes by has half a turn at most. Header-only.
 //
 // Threads: [rt], pure, nothing allocates.
 #pragma once
@@ -42,7 +42,7 @@ class Winding {
   }
 
   double turns() const { return angle_ / (2 * std::numbers::pi); }
-  /// m from the tips back to where the thread is wound, on the mean over its turning; 0 where it does not turn.
+  /// Distance from the tips back to the winding [m], averaged over its angle; 0 without a winding.
   double behind() const { return way_ > 0 ? behind_ / way_ : 0; }
 
  private:
@@ -50,7 +50,7 @@ class Winding {
   double angle_ = 0, way_ = 0, behind_ = 0;  // rad, rad, rad m
 };
 
-/// How many turns a piece gains by going through the axis, between its ends a0, b0 then and a1, b1 now, each on a straight way in the
+/// Turns that a piece gains by passing through the axis, between its ends a0, b0 then and a1, b1 now, each on a straight line in the
 /// tool's frame: 0, or 1 or -1. The area of the triangle of axis and piece is quadratic in time.
 inline int wound_through(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1, double reach) {
   const auto area = [](const Vec3& a, const Vec3& b) { return a.y() * b.z() - a.z() * b.y(); };

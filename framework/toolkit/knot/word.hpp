@@ -14,7 +14,7 @@
 
 namespace swage::toolkit {
 
-/// One throw. `first` and `last`: where on the thread, in nodes, each of its two strands goes through it.
+/// One throw. `first` and `last`: places on the thread, in nodes, between which each of its two strands is in the throw.
 struct KnotThrow {
   int turns = 0, sign = 0;
   int knot = 0;  // throws around one loop are one knot; a thread may carry several, in the order along it
@@ -31,7 +31,7 @@ struct KnotWord {
   int others = 0;  // parts that are no throw; a thread with some is tangled, or knotted in another way
   KnotInvariants invariants;
 
-  /// A whole number below 2^52 by which words are told apart; -1 for a thread with other parts.
+  /// A whole number below 2^52 that identifies a word; -1 for a thread with other parts.
   double number() const {
     if (others > 0) return -1;
     uint64_t h = 0xcbf29ce484222325u;  // FNV-1a, by throws
@@ -41,7 +41,7 @@ struct KnotWord {
   }
 };
 
-/// What the word says of the knot's invariants: the product of 2 n + 1, and minus the sum of 2 n.
+/// Invariants of the knot that a word describes: the product of 2 n + 1, and minus the sum of 2 n.
 inline KnotInvariants invariants_of(const KnotWord& word) {
   KnotInvariants out{word.others == 0, 1, 0};
   for (size_t i = 0; i < static_cast<size_t>(word.throws); ++i) {
@@ -69,7 +69,7 @@ class KnotReading {
     while (parent_[at(k)] != k) k = parent_[at(k)];
     return k;
   }
-  /// Crossings whose chords cross are of one part.
+  /// Divides the crossings into parts: those whose chords cross are of one part.
   void part() {
     for (int k = 0; k < KnotDiagram::kCrossings; ++k) parent_[at(k)] = k, open_[at(k)] = -1;
     // the chords that are open, in order of their beginnings; one that ends crosses all that began after it
@@ -86,7 +86,7 @@ class KnotReading {
       std::copy(stack.begin() + j + 1, stack.begin() + n, stack.begin() + j), --n;
     }
   }
-  /// The visits of one part are those of a throw: after half of them the same crossings in the same order, over and under in turn.
+  /// Reads a part as a throw: after half of its visits the same crossings in the same order, over and under in turn. False: it is none.
   bool read_throw(int part, KnotThrow& out) const {
     std::array<int, 2 * KnotDiagram::kCrossings> visit;
     int n = 0;
@@ -104,7 +104,7 @@ class KnotReading {
     find_strands(visit.data(), c, out);
     return true;
   }
-  /// The two strands lie on two sides of what is nested in the throw: of the longest way between two visits in a row.
+  /// The two strands are on two sides of the parts nested in the throw: of the longest gap between two successive visits.
   void find_strands(const int* visit, int c, KnotThrow& out) const {
     int gap = c - 1;
     for (int i = 0; i + 1 < 2 * c; ++i)

@@ -24,7 +24,7 @@ inline double crossing_integral(const Vec3& a, const Vec3& b, const Vec3& c, con
   return -(triangle(ac, ad, bd) + triangle(ac, bd, bc)) / std::numbers::pi;
 }
 
-/// n nodes, x y z each; a closed polygon goes on from the last to the first.
+/// Writhe of n nodes, x y z each; a closed polygon continues from the last to the first.
 inline double writhe(const double* node, int n, bool closed) {
   const auto p = [&](int i) { return Vec3(Eigen::Map<const Vec3>(node + 3 * (i % n))); };
   const int edges = closed ? n : n - 1;
@@ -35,7 +35,7 @@ inline double writhe(const double* node, int n, bool closed) {
   return sum;
 }
 
-/// Of two closed polygons; a whole number, up to rounding.
+/// Linking number of two closed polygons; a whole number, up to rounding.
 inline double linking(const double* node, int n, const double* other, int m) {
   const auto p = [&](int i) { return Vec3(Eigen::Map<const Vec3>(node + 3 * (i % n))); };
   const auto q = [&](int i) { return Vec3(Eigen::Map<const Vec3>(other + 3 * (i % m))); };
