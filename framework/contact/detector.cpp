@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "contact/chain_line.hpp"
+#include "contact/sphere_line.hpp"
 #include "contact/sweep.hpp"
 
 namespace swage::contact {
@@ -166,6 +167,7 @@ void Detector::detect(const scene::World& world, ContactSet& set) noexcept {
     for (; next < shape_pairs_.size() && shape_pairs_[next].pair == p; ++next)
       detect_shapes(world, shape_pairs_[next], set);
     share_chain_lines(world, set, first);
+    if (options_.level == Level::kThesis) share_sphere_lines(chains_, options_.flatness * world.length, set, first);
     set.of_pair.push_back({first, static_cast<uint32_t>(set.contact.size()) - first});
   }
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "bar.hpp"
-#include "grip.hpp"
 #include "held_thread.hpp"
+#include "ode_grasp_step.hpp"
 #include "phases.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
@@ -18,28 +18,6 @@ namespace swage::bench {
 namespace {
 
 constexpr int kSteps = 2000;  // that are timed in one go
-
-/// Step of ODE's exact solver with soft contacts that holds a needle between two jaws [ns]; NaN where it is not installed.
-double ode_step() {
-  for (const Method& m : ode_methods()) {
-    if (m.name != "ODE exact, soft contacts") continue;
-    const Setup setup;
-    const auto engine = m.make(setup);
-    const Openings openings(m, setup.needle, 1e-6);
-    engine->set_gravity(Vec3::Zero());
-    openings.apply(*engine, Pose{}, true);
-    engine->set_needle(grip_pose(setup.needle), Vec3::Zero(), Vec3::Zero());
-    std::vector<double> ns;
-    for (int i = 0; i < kSteps; ++i) {
-      const double begin = cpu_ns();
-      openings.apply(*engine, Pose{}, false);
-      engine->step();
-      ns.push_back(cpu_ns() - begin);
-    }
-    return times(ns).median;
-  }
-  return std::nan("");
-}
 
 struct ThreadSteps {
   double median = 0;  // ns
@@ -140,7 +118,7 @@ std::vector<Line> bar_thread(const Effort& effort) {
   uint64_t not_converged = 0, lost = 0;
   Hanging fine, few;
   for (int i = 0; i < effort.passes; ++i) {
-    ode.push_back(ode_step());
+    ode.push_back(ode_grasp_step());
     const ThreadSteps a = held_steps(0), b = held_steps(3e-3);
     still.push_back(a.median), moved.push_back(b.median);
     lost += !a.held + !b.held;

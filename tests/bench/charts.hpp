@@ -14,6 +14,7 @@ Scatter chart_slip(bool quick);     // where a pulled wire begins to slip, per s
 Scatter chart_bend(bool quick);     // how far a needle bends under a force, per step of a grasp with it
 Scatter chart_keep(bool quick);     // the angle that it keeps, per step
 Scatter chart_thread(bool quick);   // how far a thread held by one end hangs from the exact elastica, per simulated millisecond
+Sweep chart_directions(bool quick);  // what Newton's direction of a thread costs over its contacts, beside ODE's exact grasp step
 Scatter chart_dent(bool quick);     // how deep tissue is dented, per step of an insertion into it
 
 struct ChartOf {

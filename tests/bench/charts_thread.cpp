@@ -7,13 +7,18 @@
 //   chain        the same without bending
 //   springs      point masses on springs, explicit, at half of the longest step that is stable: 800 a millisecond with 5 segments, 6300 with 40
 //   positions    the same by position-based dynamics (XPBD), Gauss-Seidel, one step of 1 ms with so many iterations
+//   direct       the same constraints, all at once by their band (Deul et al. 2018), two iterations a step
+//   MuJoCo, Bullet  their ropes (peers/*_rope.cpp), one step of 1 ms
 //
 // The textbook's first two points are held, as their clamp has no half cell.
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include "charts.hpp"
+#include "peers/rope.hpp"
 #include "timing.hpp"
+#include "toolkit/band.hpp"
 #include "toolkit/rod.hpp"
 
 namespace swage::bench {
@@ -117,6 +122,60 @@ struct Points {
   }
   double weight(size_t i) const { return i < 2 ? 0 : 1 / mass(i); }
 
+  /// Joint i and the segment after it are unknowns 4 (i - 1) to 4 (i - 1) + 3: what shares a point is 10 of them apart at most.
+  void direct(double h, double damping, int iterations) {
+    begun = x;
+    const size_t joints = n - 2, unknowns = 4 * joints;
+    std::vector<double> gone(unknowns, 0.0), more(unknowns);
+    std::vector<Row> row(unknowns);
+    toolkit::Band<10> A(static_cast<int>(unknowns));
+    for (size_t i = 2; i < n; ++i) x[i] += h / (1 + h * damping) * (v[i] - h * kGravity * Vec3::UnitZ());
+    for (int it = 0; it < iterations; ++it) {
+      A.set_zero();
+      for (size_t c = 0; c < unknowns; ++c) row[c] = constraint(c);
+      for (size_t c = 0; c < unknowns; ++c) {
+        const double soft = 1 / ((c % 4 == 3 ? k : b) * h * h);
+        more[c] = -row[c].value - soft * gone[c];
+        for (size_t d = c; d < std::min(unknowns, c + 11); ++d)
+          if (c % 4 == d % 4 || c % 4 == 3 || d % 4 == 3) A.at(static_cast<int>(d), static_cast<int>(c)) = row[c].coupled(row[d], *this);
+        A.at(static_cast<int>(c), static_cast<int>(c)) += soft;
+      }
+      if (!A.factor()) return;
+      A.solve(more.data());
+      for (size_t c = 0; c < unknowns; ++c) {
+        gone[c] += more[c];
+        for (size_t p = 0; p < row[c].points; ++p) x[row[c].first + p] += weight(row[c].first + p) * more[c] * row[c].gradient[p];
+      }
+    }
+    for (size_t i = 2; i < n; ++i) v[i] = (x[i] - begun[i]) / h;
+  }
+  /// One constraint: its value and gradient at two or three points.
+  struct Row {
+    size_t first = 0, points = 0;
+    double value = 0;
+    std::array<Vec3, 3> gradient{};
+    double coupled(const Row& later, const Points& of) const {
+      double sum = 0;
+      for (size_t p = later.first; p < std::min(first + points, later.first + later.points); ++p)
+        if (p >= first) sum += of.weight(p) * gradient[p - first].dot(later.gradient[p - later.first]);
+      return sum;
+    }
+  };
+  Row constraint(size_t c) const {
+    const size_t i = c / 4 + 1;
+    Row row;
+    if (c % 4 == 3) {
+      const Vec3 e = x[i + 1] - x[i];
+      row.first = i, row.points = 2, row.value = e.norm() - l;
+      row.gradient = {-e.normalized(), e.normalized(), Vec3::Zero()};
+    } else {
+      const auto r = static_cast<int>(c % 4);
+      row.first = i - 1, row.points = 3, row.value = (x[i - 1] - 2 * x[i] + x[i + 1])[r];
+      row.gradient = {Vec3::Unit(r), -2 * Vec3::Unit(r), Vec3::Unit(r)};
+    }
+    return row;
+  }
+
   size_t n;
   double l, m = 0, k = 0, b = 0;
   std::vector<Vec3> x, v, f, begun;
@@ -134,6 +193,15 @@ Figures hang_springs(int segments) {
 Figures hang_positions(int segments, int iterations) {
   Points p(segments);
   return figures(2000, 200, [&] { p.positions(kStep, kDamping, iterations); }, [&] { return p.x.back(); });
+}
+Figures hang_direct(int segments) {
+  Points p(segments);
+  return figures(2000, 200, [&] { p.direct(kStep, kDamping, 2); }, [&] { return p.x.back(); });
+}
+Figures hang_rope(std::unique_ptr<Rope> (*make)(const RopeSetup&), int segments, int iterations) {
+  const toolkit::RodSection section = thread_section();
+  const auto rope = make({segments, hanging_length(), section.mass, section.bending, 2 * section.radius, iterations});
+  return figures(2000, 200, [&] { rope->step(); }, [&] { return rope->end(); });
 }
 
 }  // namespace
@@ -156,6 +224,12 @@ Scatter chart_thread(bool quick) {
     cases.push_back({"textbook", "springs, explicit", std::to_string(n), [n] { return hang_springs(n); }});
   for (const int n : {1, 10, 100, 1000})
     cases.push_back({"textbook", "positions (XPBD), 20 segments", std::to_string(n), [n] { return hang_positions(20, n); }});
+  for (const int n : {5, 10, 20, 50})
+    cases.push_back({"textbook", "positions, all at once by their band", std::to_string(n), [n] { return hang_direct(n); }});
+  for (const int n : {5, 10, 20, 50})
+    if (mujoco_rope({})) cases.push_back({"MuJoCo", "MuJoCo, rods with springs in their joints", std::to_string(n), [n] { return hang_rope(mujoco_rope, n, 0); }});
+  for (const int n : {1, 10, 100})
+    if (bullet_rope({})) cases.push_back({"Bullet", "Bullet, soft body rope, 20 segments", std::to_string(n), [n] { return hang_rope(bullet_rope, 20, n); }});
   std::vector<std::vector<double>> ns(cases.size());
   std::vector<double> error(cases.size());
   for (int round = 0; round < (quick ? 1 : 3); ++round)

@@ -50,6 +50,13 @@ int run_charts(const std::string& out, bool quick, const std::string& only) {
   std::filesystem::create_directories(out);
   int drawn = 0;
   if (std::string("tables").starts_with(only)) draw_tables(out, quick), ++drawn;
+  if (std::string("directions").starts_with(only) && !ode_methods().empty()) {
+    Sweep c = chart_directions(quick);
+    c.note = machine_note();
+    write(out, "thread_directions", c);
+    std::printf("%s/thread_directions.svg\n", out.c_str());
+    ++drawn;
+  }
   for (const ChartOf& chart : kCharts) {
     if (!std::string(chart.name).starts_with(only)) continue;
     Scatter c = chart.draw(quick);
@@ -62,7 +69,7 @@ int run_charts(const std::string& out, bool quick, const std::string& only) {
   }
   if (drawn == 0)
     throw std::runtime_error("no chart \"" + only +
-                             "\"; there are query, free, grasp, slip, bend, keep, dent, tables");
+                             "\"; there are query, free, grasp, slip, bend, keep, dent, thread, directions (with ODE), tables");
   return 0;
 }
 

@@ -140,12 +140,13 @@ Sweep::Line run_line(const StabilityScene& s, const Method& m) {
   return line;
 }
 
-/// Beyond the pass mark somewhere up to `range`.
-bool exceeds(const StabilityScene& s, const Sweep::Line& line) {
+/// Beyond a mark somewhere up to `range`.
+bool exceeds(const StabilityScene& s, const Sweep::Line& line, double mark) {
   for (const auto& [x, y] : line.points)
-    if (x <= s.range * s.value_scale * 1.0001 && !(y <= s.pass)) return true;
+    if (x <= s.range * s.value_scale * 1.0001 && !(y <= mark)) return true;
   return false;
 }
+bool exceeds(const StabilityScene& s, const Sweep::Line& line) { return exceeds(s, line, s.pass); }
 
 void read_sweep(const json& sweep, bool quick, StabilityScene& s) {
   json list;
@@ -187,6 +188,10 @@ StabilityScene read_scene(const std::string& file, bool quick) {
     s.open = j.value("open", "");
     s.also = j.value("also", std::vector<std::string>());
     s.also_open = j.value("also_open", "");
+    json reach;
+    double scale;
+    if (find(j, "also_reach", reach, scale)) s.also_reach = reach.get<std::map<std::string, double>>();
+    if (s.also_open.empty() != s.also_reach.empty()) throw std::runtime_error("/also_open and /also_reach_<unit> go together");
     s.chart.title = s.id + "  " + s.title;
     s.chart.x = axis(sweep), s.chart.y = axis(j.at("measure"));
     s.chart.pass = s.pass;
@@ -311,6 +316,8 @@ StabilityResult run_scene(const StabilityScene& s) {
       if (failed == s.also_open.empty())
         r.remarks.push_back(s.id + ": " + line.name +
                             (failed ? " goes beyond the pass mark" : " holds now; take \"also_open\" out"));
+      if (const auto reach = s.also_reach.find(line.name); reach != s.also_reach.end() && exceeds(s, line, reach->second))
+        r.remarks.push_back(s.id + ": " + line.name + " goes beyond \"also_reach\", what it is known to come to");
     } else if (failed) {
       r.someone_failed = true;
     } else if (expected) {

@@ -5,6 +5,7 @@
 // the keys.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct StabilityScene {
   std::string open;                    // why our default does not hold yet; empty: it must
   std::vector<std::string> also;       // further methods of ours that must hold
   std::string also_open;               // why they do not yet; empty: they must
+  std::map<std::string, double> also_reach;  // how far those that do not yet may come instead, in display units, by name
   Sweep chart;
 };
 

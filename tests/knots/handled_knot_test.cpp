@@ -41,6 +41,18 @@ TEST(HandledKnot, S38KeepsItsLinkingNumber) {
   EXPECT_LT(static_cast<double>(knot.not_converged()), 1e-3 * steps);
 }
 
+// What fails there: penalty forces that are explicit at 1 kHz, which hold up to m / h^2 of a segment, 1e-5 N/m. With contacts a thousand times
+// as stiff as that, 0.01 N/m, the strands go through each other while nobody draws on them, and the linking number says so.
+TEST(HandledKnot, S38WithContactsOfAPenaltyMethodItDoesNot) {
+  OpenKnotTest t = handled();
+  t.stiffness = 0.01;
+  OpenKnot knot(t);
+  const double begun = knot.linking();
+  for (int i = 0; i < 1000; ++i) knot.step();
+  EXPECT_GT(knot.passages(), 0);
+  EXPECT_GT(std::abs(knot.linking() - begun), 1);
+}
+
 // S39: drawn on, with friction 0.3, until the thread breaks, 0.19 N: from steps of 1 um at 1 mm/s the pull only grows, and nothing passes
 TEST(HandledKnot, S39IsDrawnUntilItBreaks) {
   OpenKnotTest t = handled();
@@ -55,6 +67,18 @@ TEST(HandledKnot, S39IsDrawnUntilItBreaks) {
   }
   EXPECT_GE(knot.pull(), 0.19);
   EXPECT_LT(knot.not_converged(), 50u) << "of 900 steps";
+}
+
+// What fails there: contacts of 1e4 N/m, a fifth of ours. The loop cuts through the strand that it draws on before the thread breaks.
+TEST(HandledKnot, S39WithSofterContactsItCutsThroughItself) {
+  OpenKnotTest t = handled();
+  t.loop = 0.2e-3, t.tail = 1e-3, t.fine = t.coarse = 8e-6, t.stiffness = 1e4;
+  OpenKnot knot(t);
+  knot.relax(400, 0);
+  knot.set_friction(0.3);
+  for (int steps = 0; knot.pull() < 0.19 && knot.passages() == 0 && steps < 3000; ++steps) knot.draw(1e-6, 1e-3);
+  EXPECT_GT(knot.passages(), 0);
+  EXPECT_LT(knot.pull(), 0.19) << "N";
 }
 
 }  // namespace handled_knot_test

@@ -54,6 +54,7 @@ class OpenKnot {
   double pressing() const { return pressing_; }  // N, sum of the contact forces
   int passages() const { return passages_; }
   uint64_t not_converged() const { return solve_->stats().health.total(); }
+  double strayed() const { return solve_->stats().strayed; }  // radii, of the last step: how far it went beyond what its contacts say
   size_t contacts() const { return bearing_; }
   double overlap() const { return overlap_; }
   /// Twist and writhe of the thread, its ends joined far away [turns]: constant while they do not turn and nothing passes.

@@ -152,7 +152,7 @@ TEST(NeedleBench, ABentNeedleHasNotGivenWay) {
 }
 
 // At the thesis's contact level, too, a needle that bends stands where it was put: each arc of it touches the pad, with its share of the
-// spheres of one wire. Overlap 1 um, 20000 N/m: 20 mN at each sphere.
+// spheres of one wire. Overlap 1 um, 20000 N/m: 20 mN on a side, 2.5 mN at each of its eight spheres.
 TEST(NeedleInAPad, IsHeldByTheSpheresOfTheThesis) {
   swage::step::Options options;
   options.contact.level = swage::contact::Level::kThesis;
@@ -164,7 +164,7 @@ TEST(NeedleInAPad, IsHeldByTheSpheresOfTheThesis) {
     EXPECT_EQ(run.engine().quarantined(), 0u);
     EXPECT_LT((Pose(run.world().X_WB[run.body("needle")]).p - begun.p).norm(), 1e-6) << lesson;
     int bear = 0;
-    for (const swage::contact::Contact& c : run.engine().contacts().contact) bear += c.f_a_W.norm() > 0.01;
+    for (const swage::contact::Contact& c : run.engine().contacts().contact) bear += c.f_a_W.norm() > 1e-3;
     EXPECT_GE(bear, 10) << lesson;
     EXPECT_LE(bear, 40) << lesson << ": as many as spheres of a rigid needle, of 64 um each";
   }
@@ -184,22 +184,18 @@ double pressed_by_the_pad(swage::contact::Level level) {
   return sum;
 }
 
-// Points of the exact surface share the stiffness of a contact; each sphere of the thesis has all of it. So eight spheres a side hold the needle of 117
-// in its pad eight times as hard, and drawn out it collapses there. An eighth of the stiffness, and 117 passes at that level, too.
-TEST(NeedleInAPad, IsHeldEightTimesAsHardByTheSpheresOfTheThesis) {
+// The spheres that lie on a face share the stiffness of a contact, as the points of the exact surface do. With the whole of it each, eight
+// spheres a side would press 320 mN on the needle of 117, and drawn out of its pad it would collapse there.
+TEST(NeedleInAPad, IsHeldAsHardByTheSpheresOfTheThesis) {
   EXPECT_NEAR(pressed_by_the_pad(swage::contact::Level::kExact), 0.04, 0.001) << "N: 1 um into 20000 N/m, on two sides";
-  EXPECT_NEAR(pressed_by_the_pad(swage::contact::Level::kThesis), 0.32, 0.01) << "N";
+  EXPECT_NEAR(pressed_by_the_pad(swage::contact::Level::kThesis), 0.04, 0.002) << "N";
   swage::step::Options options;
   options.contact.level = swage::contact::Level::kThesis;
-  for (const auto& [stiffness, passes] : {std::pair{"20000 N/m", false}, {"2500 N/m", true}}) {
-    const std::string file = variant("117_needle_with_thread.json", "117_pad.json", "\"stiffness\": \"20000 N/m\"",
-                                     "\"stiffness\": \"" + std::string(stiffness) + "\"");
-    LessonRun run(file, swage::assembly::Overrides{"expert", ""}, {}, options);
-    ASSERT_TRUE(run.ready()) << run.problems();
-    run.run(passes ? 30 : 5);
-    EXPECT_EQ(run.outcome() == "passed", passes) << stiffness;
-    EXPECT_EQ(run.happened("needle.dropped"), passes ? 0 : 1) << stiffness;
-  }
+  LessonRun run(kSeries + "117_needle_with_thread.json", swage::assembly::Overrides{"expert", ""}, {}, options);
+  ASSERT_TRUE(run.ready()) << run.problems();
+  run.run(30);
+  EXPECT_EQ(run.outcome(), "passed");
+  EXPECT_EQ(run.happened("needle.dropped"), 0);
 }
 
 // A stiff needle in the lesson of the grasp is taken, lifted and held where the rigid one is; 10 um are a tenth of its wire.

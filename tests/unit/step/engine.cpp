@@ -108,6 +108,31 @@ TEST(Engine, TheLessonHearsOfNonsenseInTheStepInWhichItIsWritten) {
   EXPECT_EQ(when, std::vector<uint64_t>{2});
 }
 
+// Steps that used up their budget of work are one event, however many they are; the counts go on.
+TEST(Engine, AShortfallOfTheSolverIsToldOnce) {
+  for (const bool enough : {true, false}) {
+    FakeScene s;
+    s.rig.world.gravity = {0, 0, -9.8};
+    s.rig.world.body[1].start.p.z = 0.999e-3;  // the ball lies on the tool
+    s.coupling_.resolve = [](const swage_coupling_step* step) {
+      for (uint32_t i = 0; i < step->n_contact; ++i) step->contact[i].stiffness = 1e3;
+      return swage_result{SWAGE_OK};
+    };
+    std::vector<uint64_t> when;
+    s.lesson_.observe = [&](const swage_view* view, const swage_verdict*, double*) {
+      for (uint32_t i = 0; i < view->n_event; ++i)
+        if (view->event[i].event == host_event(s, judge::kSolverFellShort)) when.push_back(view->step);
+      return swage_result{SWAGE_OK};
+    };
+    Options options;
+    if (!enough) options.dynamics.budget = 1;
+    Engine engine(s.rig, options);
+    for (int i = 0; i < 5; ++i) engine.step();
+    EXPECT_EQ(when.size(), enough ? 0u : 1u);
+    EXPECT_EQ(engine.stats().health.over_budget >= 2, !enough);
+  }
+}
+
 TEST(Engine, ALessonThatMisusesItsWordsIsQuarantined) {
   FakeScene s;
   s.lesson_.observe = [](const swage_view*, const swage_verdict* say, double*) {
