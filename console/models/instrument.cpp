@@ -2,9 +2,9 @@
 #include "console/models/instrument.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "assembly/lesson_text.hpp"
+#include "assembly/lesson_file.hpp"
 #include "console/view3d/vec.hpp"
 #include "host/units.hpp"
 
@@ -33,21 +33,6 @@ std::optional<Vec> triple(const Json* list, const char* unit) {
   return Vec(v[0], v[1], v[2]);
 }
 
-// roll, pitch, yaw about the fixed axes, as a lesson writes a pose
-swage_pose pose_of(const Json* pose) {
-  swage_pose out{{0, 0, 0}, {1, 0, 0, 0}};
-  if (pose == nullptr) return out;
-  if (const auto p = triple(member(*pose, "p"), "m")) out.p = {p->x, p->y, p->z};
-  if (const Json* q = member(*pose, "q"); q != nullptr && q->is_array() && q->size() == 4)
-    out.q = {q->at(0).get<double>(), q->at(1).get<double>(), q->at(2).get<double>(), q->at(3).get<double>()};
-  if (const auto a = triple(member(*pose, "rpy"), "rad")) {
-    const double cr = std::cos(a->x / 2), sr = std::sin(a->x / 2), cp = std::cos(a->y / 2), sp = std::sin(a->y / 2),
-                 cy = std::cos(a->z / 2), sy = std::sin(a->z / 2);
-    out.q = {cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy, cr * cp * sy - sr * sp * cy};
-  }
-  return out;
-}
-
 Json list(const Vec& v) { return Json::array({v.x, v.y, v.z}); }
 Vec turned_back(const swage_quat& q, const Vec& v) { return rotate({q.w, -q.x, -q.y, -q.z}, v); }
 
@@ -55,18 +40,15 @@ bool has_param(const host::PluginInfo* plugin, const char* id) {
   return plugin != nullptr && std::any_of(plugin->params.begin(), plugin->params.end(), [&](const host::Param& p) { return p.id == id; });
 }
 
-// Where the lesson's own hand has its tips at the start, from whichever of its devices says so.
-Json start_of(const Json& device, const swage_pose& X_WD, double scale) {
-  std::vector<const Json*> choices{&device};
-  if (const Json* others = member(device, "or"))
-    for (const Json& other : *others) choices.push_back(&other);
-  for (const Json* choice : choices) {
-    const Json* params = member(*choice, "params");
-    if (params == nullptr) continue;
-    const auto start = triple(member(*params, "start"), "m"), axis = triple(member(*params, "start_axis"), "1"),
-               closing = triple(member(*params, "start_closing"), "1");
+// Where the lesson's own hand has its tips at the start, from the first of its devices that says so.
+Json start_of(const assembly::LessonDevice& device) {
+  for (const assembly::DeviceChoice& choice : device.choices) {
+    const Json params = Json::parse(choice.params, nullptr, false);
+    const auto start = triple(member(params, "start"), "m"), axis = triple(member(params, "start_axis"), "1"),
+               closing = triple(member(params, "start_closing"), "1");
     if (!start || !axis || !closing) continue;
-    return {{"start", list(turned_back(X_WD.q, *start - Vec(X_WD.p)) * scale)},
+    const swage_pose& X_WD = device.X_WD0;
+    return {{"start", list(turned_back(X_WD.q, *start - Vec(X_WD.p)) * device.motion_scale)},
             {"start_axis", list(turned_back(X_WD.q, *axis))},
             {"start_closing", list(turned_back(X_WD.q, *closing))}};
   }
@@ -79,18 +61,15 @@ void require(Json& requires_, const std::string& id, const host::Catalogue& cata
 }
 
 // The bound device in the place of the lesson's own.
-void bind(Json& devices, Json& objects, const Binding& binding, const host::Catalogue& catalogue) {
+void bind(Json& devices, Json& objects, const assembly::LessonDevice& device, const Binding& binding, const host::Catalogue& catalogue) {
   const Json own = devices[0];
-  const std::string name = own.value("name", std::string("hand"));
+  const std::string& name = device.name;
   Json hand = {{"name", name}, {"plugin", binding.pose}};
   for (const char* key : {"pose", "motion_scale", "force_scale", "filters", "reaction", "coupling"})
     if (const Json* value = member(own, key)) hand[key] = *value;
   if (binding.clutch >= 0) hand["filters"]["clutch"] = Json::array({binding.clutch});
-  if (has_param(catalogue.find(binding.pose), "start")) {
-    const Json* scale = member(own, "motion_scale");
-    const Json start = start_of(own, pose_of(member(own, "pose")), scale != nullptr && scale->is_number() ? scale->get<double>() : 1);
-    if (!start.empty()) hand["params"] = start;
-  }
+  if (has_param(catalogue.find(binding.pose), "start"))
+    if (const Json start = start_of(device); !start.empty()) hand["params"] = start;
   const bool jaws = !binding.jaws.empty() && binding.jaws != binding.pose;
   if (binding.clutch >= 0 && !binding.pedal.empty() && binding.pedal != binding.pose) {
     const bool same = jaws && binding.pedal == binding.jaws;
@@ -139,21 +118,21 @@ std::vector<const host::PluginInfo*> held_devices(const host::Catalogue& catalog
 
 std::vector<std::string> instrument_settings(const std::string& lesson_path, const Binding& binding,
                                              const std::optional<Placement>& placement, const host::Catalogue& catalogue) {
-  assembly::LessonText lesson;
+  assembly::LessonFile lesson;
   base::Problems ignored;
-  if ((!binding.any() && !placement) || !assembly::read_lesson_text(lesson_path, {}, lesson, ignored)) return {};
-  const Json* own = member(lesson.json, "devices");
-  if (own == nullptr || !own->is_array() || own->empty() || !own->front().is_object()) return {};
-  Json devices = *own, objects = lesson.json.value("objects", Json::array());
+  if ((!binding.any() && !placement) || !assembly::read_lesson_file(lesson_path, lesson, ignored) || lesson.devices.empty()) return {};
+  const Json whole = Json::parse(lesson.text);
+  Json devices = whole["devices"], objects = whole["objects"];
+  assembly::LessonDevice& own = lesson.devices.front();
   if (placement) {
-    const swage_pose& X = placement->X_WD;
+    const swage_pose& X = own.X_WD0 = placement->X_WD;
     devices[0]["pose"] = {{"p", {X.p.x, X.p.y, X.p.z}}, {"q", {X.q.w, X.q.x, X.q.y, X.q.z}}};
-    devices[0]["motion_scale"] = placement->motion_scale;
+    devices[0]["motion_scale"] = own.motion_scale = placement->motion_scale;
     if (!placement->force) devices[0]["force_scale"] = 0;
   }
   if (!binding.any()) return {"devices=" + devices.dump()};
-  bind(devices, objects, binding, catalogue);
-  Json needs = lesson.json.value("requires", Json::object());
+  bind(devices, objects, own, binding, catalogue);
+  Json needs = whole.value("requires", Json::object());
   for (const std::string& id : {binding.pose, binding.jaws, binding.clutch >= 0 ? binding.pedal : std::string()})
     if (!id.empty()) require(needs, id, catalogue);
   return {"devices=" + devices.dump(), "objects=" + objects.dump(), "requires=" + needs.dump()};

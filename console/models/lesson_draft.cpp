@@ -7,6 +7,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "assembly/lesson_file.hpp"
 #include "assembly/lesson_text.hpp"
 #include "assembly/parts.hpp"
 
@@ -53,22 +54,15 @@ QString text_of(const Json& use, const char* key) {
 }
 
 // in the order in which they are shown
-QVector<LessonPart> parts_of(const Json& lesson) {
+QVector<LessonPart> parts_of(const assembly::LessonFile& lesson) {
+  using Kind = LessonPart::Kind;
+  const auto words = [](const std::string& text) { return QString::fromStdString(text); };
   QVector<LessonPart> out;
-  const std::vector<std::string> couplings = assembly::coupling_names(lesson);
-  for (const auto kind : {LessonPart::Kind::kObject, LessonPart::Kind::kCoupling, LessonPart::Kind::kDevice}) {
-    const auto list = lesson.is_object() ? lesson.find(list_of(kind)) : lesson.end();
-    if (list == lesson.end() || !list->is_array()) continue;
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      const Json& use = (*list)[i];
-      LessonPart part{kind, text_of(use, "name"), text_of(use, "plugin"), {}};
-      if (kind == LessonPart::Kind::kCoupling) part.name = QString::fromStdString(couplings[i]);
-      if (use.is_object() && use.contains("between") && use["between"].is_array())
-        for (const Json& name : use["between"])
-          if (name.is_string()) part.between += QString::fromStdString(name.get<std::string>());
-      out += part;
-    }
-  }
+  for (const assembly::LessonObject& o : lesson.objects) out += LessonPart{Kind::kObject, words(o.name), words(o.plugin), {}};
+  for (const assembly::LessonCoupling& c : lesson.couplings)
+    out += LessonPart{Kind::kCoupling, words(c.name), words(c.plugin), {words(c.a), words(c.b)}};
+  for (const assembly::LessonDevice& d : lesson.devices)
+    out += LessonPart{Kind::kDevice, words(d.name), words(d.choices.front().plugin), {}};
   return out;
 }
 
@@ -159,7 +153,9 @@ QVector<LessonPart> LessonDraft::parts() const {
   assembly::Places none;
   if (!now_.remove.empty()) assembly::remove_parts({now_.remove, none, ""}, whole.json, none, told_elsewhere);
   if (!now_.add.empty()) assembly::add_parts({now_.add, none, ""}, whole.json, none, told_elsewhere);
-  return parts_of(whole.json);
+  assembly::LessonFile lesson;
+  assembly::parse_lesson(whole.json.dump(), begin_.base.toStdString(), lesson, told_elsewhere);
+  return parts_of(lesson);
 }
 
 QString LessonDraft::free_name(const QString& plugin) const {

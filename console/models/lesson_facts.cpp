@@ -2,14 +2,11 @@
 #include "console/models/lesson_facts.hpp"
 
 #include <QCoreApplication>
-#include <QFileInfo>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
 
-#include "assembly/lesson_text.hpp"
+#include "assembly/lesson_file.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
@@ -42,23 +39,19 @@ struct Judged {
 };
 
 Judged read_judged(const std::string& lesson_path, const host::Catalogue& catalogue) {
-  assembly::LessonText whole;
+  assembly::LessonFile lesson;
   base::Problems problems;
-  if (!assembly::read_lesson_text(lesson_path, {}, whole, problems)) return {};
-  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(whole.text)).object();
-  const QJsonObject lesson = root[QStringLiteral("lesson")].toObject();
-  const host::PluginInfo* plugin = catalogue.find(lesson[QStringLiteral("plugin")].toString().toStdString());
+  assembly::read_lesson_file(lesson_path, lesson, problems);  // of a faulty one as much as could be read
+  const host::PluginInfo* plugin = catalogue.find(lesson.lesson.plugin);
   if (!plugin) return {};
 
   host::ParamSource source;
   source.plugin_id = plugin->id;
-  source.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
+  source.folder = lesson.folder();
   source.bundle_folder = plugin->bundle_dir;
   source.where = [](const std::string& pointer) { return pointer; };
   Judged out;
-  const QByteArray params =
-      QJsonDocument(lesson[QStringLiteral("params")].toObject()).toJson(QJsonDocument::Compact);
-  if (!host::check_params(params.toStdString(), plugin->params, source, out.values, problems)) return {};
+  if (!host::check_params(lesson.lesson.params, plugin->params, source, out.values, problems)) return {};
   out.plugin = plugin;
   return out;
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "assembly/lesson_file.hpp"
 #include "assembly/lesson_text.hpp"
 #include "console/models/said.hpp"
 #include "console/models/variant.hpp"
@@ -19,15 +20,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Every file that a plugin of the lesson is given by a parameter of type FILE.
-void collect_files(const Json& value, const host::Catalogue& catalogue, std::set<std::string>& out) {
-  if (value.is_array() || value.is_object())
-    for (const Json& below : value) collect_files(below, catalogue, out);
-  if (!value.is_object() || !value.contains("plugin") || !value["plugin"].is_string()) return;
-  const host::PluginInfo* plugin = catalogue.find(value["plugin"].get<std::string>());
-  if (plugin == nullptr || !value.contains("params") || !value["params"].is_object()) return;
-  for (const host::Param& p : plugin->params)
-    if (p.type == SWAGE_PARAM_FILE && value["params"].contains(p.id) && value["params"][p.id].is_string())
-      out.insert(value["params"][p.id].get<std::string>());
+std::set<std::string> files_of(const assembly::LessonFile& lesson, const host::Catalogue& catalogue) {
+  std::set<std::string> out;
+  const auto take = [&](const assembly::PluginUse& use) {
+    const host::PluginInfo* plugin = catalogue.find(use.plugin);
+    const Json params = Json::parse(use.params, nullptr, false);
+    if (plugin == nullptr || !params.is_object()) return;
+    for (const host::Param& p : plugin->params)
+      if (p.type == SWAGE_PARAM_FILE && params.contains(p.id) && params[p.id].is_string()) out.insert(params[p.id].get<std::string>());
+  };
+  for (const assembly::LessonDevice& device : lesson.devices)
+    for (const assembly::DeviceChoice& choice : device.choices) take(choice);
+  for (const assembly::LessonObject& object : lesson.objects) take(object);
+  for (const assembly::LessonCoupling& coupling : lesson.couplings) take(coupling);
+  take(lesson.lesson);
+  return out;
 }
 
 // Beside the lesson, else beside those that are here, else in the folder of that name next to them.
@@ -43,12 +50,10 @@ QString find_file(const QString& name, const QString& beside, const QStringList&
 std::string as_json(const QString& text) { return Json(text.toStdString()).dump(); }
 
 // The text keeps its lines, so that a fault is told where the file has it.
-std::string with_files_in_full(const assembly::LessonText& lesson, const QString& beside, const QStringList& series,
-                               const host::Catalogue& catalogue) {
-  std::set<std::string> files;
-  collect_files(lesson.json, catalogue, files);
+std::string with_files_in_full(const assembly::LessonFile& lesson, const QStringList& series, const host::Catalogue& catalogue) {
+  const QString beside = QString::fromStdString(lesson.folder());
   QString text = QString::fromStdString(lesson.text);
-  for (const std::string& file : files) {
+  for (const std::string& file : files_of(lesson, catalogue)) {
     const QString name = QString::fromStdString(file), found = find_file(name, beside, series);
     if (!found.isEmpty()) text.replace(QString::fromStdString(as_json(name)), QString::fromStdString(as_json(found)));
   }
@@ -80,19 +85,18 @@ QString export_lesson(const QString& lesson_path, const QString& file) {
 }
 
 Imported import_lesson(const QString& file, const ImportPlaces& places, const host::Catalogue& catalogue, const LessonBuilder& build) {
-  assembly::LessonText lesson;
+  assembly::LessonFile lesson;
   base::Problems problems;
-  if (!assembly::read_lesson_text(file.toStdString(), {}, lesson, problems) || base::failed(problems))
+  if (!assembly::read_lesson_file(file.toStdString(), lesson, problems) || base::failed(problems))
     return {{}, problem_words(problems, file)};
-  const QString beside = QFileInfo(QString::fromStdString(lesson.beside)).absolutePath();
-  const QByteArray text = QByteArray::fromStdString(with_files_in_full(lesson, beside, places.series, catalogue));
+  const QByteArray text = QByteArray::fromStdString(with_files_in_full(lesson, places.series, catalogue));
   if (!QDir().mkpath(QFileInfo(places.draft).absolutePath()) || !QDir().mkpath(places.own))
     return {{}, QObject::tr("The folder %1 cannot be made.").arg(places.own)};
   if (const QString problem = write_whole(places.draft, text); !problem.isEmpty()) return {{}, problem};
   const bool can = build(places.draft, problems) != nullptr;
   QFile::remove(places.draft);
   if (!can) return {{}, problem_words(problems, file)};
-  const QString title = QString::fromStdString(lesson.json.value("title", std::string()));
+  const QString title = QString::fromStdString(lesson.title);
   const QString path = places.own + QLatin1Char('/') + slug(title) + QStringLiteral(".json");
   if (QFileInfo::exists(path)) return {{}, QObject::tr("There is a lesson called \"%1\" among your own already; delete or rename it first.").arg(title)};
   const QString problem = write_whole(path, text);

@@ -5,13 +5,11 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFileInfo>
-#include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "assembly/lesson_text.hpp"
+#include "assembly/lesson_file.hpp"
 #include "console/models/said.hpp"
 #include "console/models/variant.hpp"
 
@@ -21,34 +19,26 @@ LessonEntry read_lesson(const QString& path) {
   LessonEntry entry;
   entry.path = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
   entry.title = QFileInfo(path).completeBaseName();
-  assembly::LessonText lesson;
+  assembly::LessonFile lesson;
   base::Problems problems;
-  assembly::read_lesson_text(path.toStdString(), {}, lesson, problems);
-  QJsonParseError error;
-  const QJsonObject root = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text), &error).object();
-  if (base::failed(problems)) {
-    entry.problem = QString::fromStdString(problems.front().where + ": " + problems.front().message);
-    return entry;
-  }
-  if (error.error != QJsonParseError::NoError) {
-    entry.problem = QObject::tr("%1 at byte %2").arg(error.errorString()).arg(error.offset);
-    return entry;
+  assembly::read_lesson_file(path.toStdString(), lesson, problems);
+  const auto words = [](const std::string& text) { return QString::fromStdString(text); };
+  const auto error = std::find_if(problems.begin(), problems.end(), [](const base::Problem& p) { return p.severity == base::Severity::kError; });
+  if (error != problems.end()) {
+    entry.problem = words(error->where + ": " + error->message);
+    const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(lesson.text));
+    entry.other = !json.isNull() && !json[QStringLiteral("format")].toString().startsWith(QLatin1String("swage-lesson"));
   }
   // its own translations, and those of the lesson that it is based on
-  for (const QString& file : {entry.path, QString::fromStdString(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
-  entry.id = root[QStringLiteral("id")].toString();
-  entry.title = root[QStringLiteral("title")].toString(entry.title);
-  entry.summary = root[QStringLiteral("summary")].toString();
-  entry.mirror = root[QStringLiteral("mirror")].toBool();
-  entry.goal = root[QStringLiteral("goal")].toString();
-  for (const QJsonValue device : root[QStringLiteral("devices")].toArray()) {
-    QJsonArray choices = device[QStringLiteral("or")].toArray();
-    choices.prepend(device);
-    for (const QJsonValue choice : choices) {
-      const QString as = choice[QStringLiteral("as")].toString();
-      if (!as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
-    }
-  }
+  for (const QString& file : {entry.path, words(lesson.beside)}) learn_words(QFileInfo(file).absolutePath());
+  entry.id = words(lesson.id);
+  if (!lesson.title.empty()) entry.title = words(lesson.title);
+  entry.summary = words(lesson.summary);
+  entry.mirror = lesson.mirror;
+  entry.goal = words(lesson.goal);
+  for (const assembly::LessonDevice& device : lesson.devices)
+    for (const assembly::DeviceChoice& choice : device.choices)
+      if (const QString as = words(choice.as); !as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
   return entry;
 }
 
@@ -79,8 +69,7 @@ void LessonsModel::set_folders(const QStringList& folders) {
     for (const QString& file : files) {
       const LessonEntry entry = read_lesson(file);
       // other JSON lies beside lessons; the first of an id wins
-      const bool lesson = !entry.problem.isEmpty() || !entry.id.isEmpty();
-      if (lesson && row_of(entry.id.isEmpty() ? entry.path : entry.id) < 0) entries_.append(entry);
+      if (!entry.other && row_of(entry.id.isEmpty() ? entry.path : entry.id) < 0) entries_.append(entry);
     }
   }
   endResetModel();

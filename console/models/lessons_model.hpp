@@ -13,10 +13,11 @@ struct LessonEntry {  // in the words of the file
   QString path, id, title, summary, goal;
   QStringList hands;    // the names ("as") under which its devices can be chosen, first choice first
   bool mirror = false;  // made for the left hand
-  QString problem;      // why it cannot be read
+  QString problem;      // what is wrong with it first, file and line; "" for a lesson that reads well
+  bool other = false;   // JSON of another format than a lesson's
 };
 
-/// Reads title and summary of a lesson file, its own or those of what it is based on; nothing else of it is looked at here.
+/// Reads a lesson file and what it is based on. Plugins and their parameters are not looked at.
 LessonEntry read_lesson(const QString& path);
 
 /// Where lesson files are: SWAGE_LESSON_PATH, the user's data folder, the install's share/swage/lessons, and

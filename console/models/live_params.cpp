@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/models/live_params.hpp"
 
-#include <QFileInfo>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "assembly/lesson_text.hpp"
-#include "assembly/settings.hpp"
+#include "assembly/lesson_file.hpp"
 #include "console/models/environment_params.hpp"
 
 namespace swage::console {
@@ -17,61 +15,28 @@ using Json = nlohmann::ordered_json;
 
 struct Use {
   std::string name, plugin;
-  Json params;
+  std::string params;  // JSON object
 };
 
-struct Lesson {
-  Json root = Json::object();
-  std::string folder;  // where its files are
-};
-
-Lesson read(const std::string& path) {
-  assembly::LessonText whole;
-  base::Problems ignored;  // told when the lesson is opened
-  Lesson lesson;
-  if (!assembly::read_lesson_text(path, {}, whole, ignored)) return lesson;
-  if (whole.json.is_object()) lesson.root = std::move(whole.json);
-  lesson.folder = QFileInfo(QString::fromStdString(whole.beside)).absolutePath().toStdString();
+assembly::LessonFile read(const std::string& path) {
+  assembly::LessonFile lesson;
+  base::Problems ignored;  // told when the lesson is opened; what could be read of a faulty one is in `lesson`
+  assembly::read_lesson_file(path, lesson, ignored);
   return lesson;
 }
 
-std::string text(const Json& object, const char* key) {
-  const auto it = object.is_object() ? object.find(key) : object.end();
-  return it != object.end() && it->is_string() ? it->get<std::string>() : std::string();
-}
-
-Json list(const Json& root, const char* key) {
-  const auto it = root.find(key);
-  return it != root.end() && it->is_array() ? *it : Json::array();
-}
-
-Json params_of(const Json& use) {
-  const auto it = use.is_object() ? use.find("params") : use.end();
-  return it != use.end() && it->is_object() ? *it : Json::object();
-}
-
-// those of the file that have the name and the plugin, so that a hand chosen otherwise does not borrow its values
-Json find_params(const Json& uses, const std::string& name, const std::string& plugin) {
-  for (const Json& use : uses) {
-    if (text(use, "name") != name) continue;
-    if (text(use, "plugin") == plugin) return params_of(use);
-    for (const Json& other : list(use, "or")) {
-      if (text(other, "plugin") == plugin) return params_of(other);
-    }
-  }
-  return Json::object();
+std::vector<Use> objects_of(const assembly::LessonFile& lesson) {
+  std::vector<Use> out;
+  for (const assembly::LessonObject& o : lesson.objects) out.push_back({o.name, o.plugin, o.params});
+  return out;
 }
 
 // The lesson comes first: what it asks for is changed more often than the shape of a jaw.
-std::vector<Use> uses(const Json& root, const std::vector<Use>& objects) {
+std::vector<Use> uses(const assembly::LessonFile& lesson, const std::vector<Use>& objects) {
   std::vector<Use> out;
-  const auto lesson = root.find("lesson");
-  if (lesson != root.end()) out.push_back({"lesson", text(*lesson, "plugin"), params_of(*lesson)});
+  out.push_back({"lesson", lesson.lesson.plugin, lesson.lesson.params});
   out.insert(out.end(), objects.begin(), objects.end());
-  const Json couplings = list(root, "couplings");
-  const std::vector<std::string> names = assembly::coupling_names(root);
-  for (std::size_t i = 0; i < couplings.size(); ++i)
-    out.push_back({names[i], text(couplings[i], "plugin"), params_of(couplings[i])});
+  for (const assembly::LessonCoupling& c : lesson.couplings) out.push_back({c.name, c.plugin, c.params});
   return out;
 }
 
@@ -130,34 +95,37 @@ std::string LiveParam::json(const std::array<double, 4>& v) const {
 
 namespace {
 
-std::vector<Use> objects_of(const Json& root) {
-  std::vector<Use> out;
-  for (const Json& o : list(root, "objects")) out.push_back({text(o, "name"), text(o, "plugin"), params_of(o)});
-  return out;
+// the parameters that the lesson gives to an object or device of the session; a hand that was chosen otherwise has none of another's
+std::string params_of(const assembly::LessonFile& lesson, const std::string& name, const std::string& plugin) {
+  for (const assembly::LessonObject& o : lesson.objects)
+    if (o.name == name && o.plugin == plugin) return o.params;
+  for (const assembly::LessonDevice& d : lesson.devices)
+    for (const assembly::DeviceChoice& choice : d.choices)
+      if (d.name == name && choice.plugin == plugin) return choice.params;
+  return "{}";
 }
 
-// those that a session has: of devices the ones that were chosen
 template <class Part>
-std::vector<Use> in_session(const Json& uses, const std::vector<Part>& parts) {
+std::vector<Use> in_session(const assembly::LessonFile& lesson, const std::vector<Part>& parts) {
   std::vector<Use> out;
-  for (const Part& p : parts) out.push_back({p.name, p.plugin, find_params(uses, p.name, p.plugin)});
+  for (const Part& p : parts) out.push_back({p.name, p.plugin, params_of(lesson, p.name, p.plugin)});
   return out;
 }
 
 template <class Wanted>
-QVector<LiveParam> collect(const Lesson& lesson, const std::vector<Use>& uses, const host::Catalogue& catalogue, Wanted wanted) {
+QVector<LiveParam> collect(const assembly::LessonFile& lesson, const std::vector<Use>& uses, const host::Catalogue& catalogue, Wanted wanted) {
   QVector<LiveParam> out;
   for (const Use& use : uses) {
     const host::PluginInfo* plugin = catalogue.find(use.plugin);
     if (!plugin) continue;
     host::ParamSource source;
     source.plugin_id = plugin->id;
-    source.folder = lesson.folder;
+    source.folder = lesson.folder();
     source.bundle_folder = plugin->bundle_dir;
     source.where = [](const std::string& pointer) { return pointer; };
     host::ParamValues values;
     base::Problems problems;
-    if (!host::check_params(use.params.dump(), plugin->params, source, values, problems))
+    if (!host::check_params(use.params, plugin->params, source, values, problems))
       values = host::default_values(plugin->params, plugin->bundle_dir);
     for (size_t i = 0; i < plugin->params.size(); ++i) {
       const host::Param& p = plugin->params[i];
@@ -174,21 +142,19 @@ QVector<LiveParam> collect(const Lesson& lesson, const std::vector<Use>& uses, c
 
 QVector<LiveParam> live_params(const std::string& lesson_path, const snapshot::SceneCard& card,
                                const host::Catalogue& catalogue) {
-  const Lesson lesson = read(lesson_path);
-  std::vector<Use> all = uses(lesson.root, in_session(list(lesson.root, "objects"), card.objects));
-  for (const Use& device : in_session(list(lesson.root, "devices"), card.devices)) all.push_back(device);
+  const assembly::LessonFile lesson = read(lesson_path);
+  std::vector<Use> all = uses(lesson, in_session(lesson, card.objects));
+  for (const Use& device : in_session(lesson, card.devices)) all.push_back(device);
   return collect(lesson, all, catalogue, [](const host::Param& p) { return p.live(); });
 }
 
 QVector<LiveParam> lesson_params(const std::string& lesson_path, const host::Catalogue& catalogue) {
-  const Lesson lesson = read(lesson_path);
-  const Json& root = lesson.root;
-  const QVector<LiveParam> out = collect(lesson, uses(root, objects_of(root)), catalogue, [](const host::Param&) { return true; });
-  const auto section = root.find("environment");
+  const assembly::LessonFile lesson = read(lesson_path);
+  const QVector<LiveParam> out = collect(lesson, uses(lesson, objects_of(lesson)), catalogue, [](const host::Param&) { return true; });
   // behind what the lesson asks for: it is the lesson's, too
   const auto objects = std::find_if(out.begin(), out.end(), [](const LiveParam& p) { return p.instance != "lesson"; });
   const auto lessons = objects - out.begin();
-  return out.first(lessons) + environment_params(section != root.end() ? section->dump() : "") + out.sliced(lessons);
+  return out.first(lessons) + environment_params(lesson.environment_text) + out.sliced(lessons);
 }
 
 }  // namespace swage::console

@@ -71,6 +71,7 @@ class LessonParser {
 
   /// A medium, and quantities that differ from its own.
   void read_environment(const Json& json, const std::string& pointer) {
+    out_.environment_text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     ObjectReader reader(json, pointer, "the environment of a lesson", teller_);
     if (reader.need("medium") == nullptr) return;
     const std::string word = reader.choice("medium", host::kMedia);

@@ -71,6 +71,7 @@ struct LessonFile {
   double scene_length = 1e-3;  // m
   swage_vec3 gravity{0, 0, -9.80665};
   swage_environment environment = kStillAir;
+  std::string environment_text;  // the JSON object of "environment" as written, "" for none
   double max_time_s = 0;          // simulated; 0: no limit
   bool tips_only = false;         // of instruments only the tips are drawn
   bool mirror = false;            // for the left hand (toolkit/mirror.hpp)
