@@ -41,7 +41,7 @@ class FlexibleBody {
     return true;
   }
 
-  /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
+  /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final flexible poses and
   /// twists.
   virtual void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
 

@@ -25,7 +25,7 @@ class Couplings {
   void finish(contact::ContactSet& contacts) noexcept;   // [rt] solved: forces are known
   /// The ties of this step, for the solve: coupling by coupling. [rt] after resolve
   std::span<dynamics::Tie> ties() noexcept;
-  void tied() noexcept;  // [rt] solved: returns to each coupling its ties, before finish
+  void on_solved() noexcept;  // [rt] solved: returns to each coupling its ties, before finish
   /// Writes the torn places to draw and returns their number. [rt] between steps
   uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
   uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same for wounds

@@ -114,13 +114,13 @@ TEST_F(Validate, SolversThatLieAreTold) {
   };
   expect("skew", say::kSkew.words(0));
   expect("pulls", say::kPulls.words(0));
-  expect("unsteady", say::kOtherBits("compliance"));
+  expect("unsteady", say::kOtherBits("mobility"));
   expect("part", say::kPart());
   expect("unwritten", say::kUnwritten.words(1));
-  expect("forgets", say::kYieldOff.words(0));
-  expect("doubles", say::kYieldOff.words(0));
-  expect("stands", say::kYieldSlip.words(0));
-  expect("aborts", host::say::kCrashed.words(0) + " in compliance() of org.example.bad.solver.aborts");
+  expect("forgets", say::kImpulsesOff.words(0));
+  expect("doubles", say::kImpulsesOff.words(0));
+  expect("stands", say::kImpulsesSlip.words(0));
+  expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
   expect("dents", say::kDent());
   expect("nearest", say::kOfCall("locate", say::kNotSquare()), "traits");
 }
