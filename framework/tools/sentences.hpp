@@ -274,6 +274,10 @@ inline constexpr auto kNoStrand = "It can be cut, but has no trait {} that says 
 inline constexpr auto kNoFunctions = "Its traits have no functions."_sentence;
 inline constexpr auto kNoBody = "names a body that it has not declared."_sentence;
 
+// what devices that see answer
+inline constexpr auto kNoSight = "It does not see the scene."_sentence;
+inline constexpr auto kSeesOtherwise = "A second instance that sees the same scene answers otherwise: it depends on more than it is shown."_sentence;
+
 // what drivers answer
 inline constexpr auto kInfinite = "What it tells of itself is infinite."_sentence;
 inline constexpr auto kUnknownFlags = "It has unknown flags ({})."_sentence;
