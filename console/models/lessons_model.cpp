@@ -44,6 +44,9 @@ LessonEntry read_lesson(const QString& path) {
   for (const QJsonValue device : root[QStringLiteral("devices")].toArray()) {
     QJsonArray choices = device[QStringLiteral("or")].toArray();
     choices.prepend(device);
+    // an instrument without a name goes by the last word of its plugin's
+    const QString last = device[QStringLiteral("plugin")].toString().section(QLatin1Char('.'), -1);
+    if (entry.hands.isEmpty() && device[QStringLiteral("as")].isUndefined() && !last.isEmpty()) entry.hands += last;
     for (const QJsonValue choice : choices) {
       const QString as = choice[QStringLiteral("as")].toString();
       if (!as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
