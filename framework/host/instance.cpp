@@ -18,8 +18,8 @@ constexpr std::array kCalls = {
     "none",       "create",       "configure", "activate", "deactivate", "destroy", "get_extension",
     "bind",       "open",         "close",     "forces",   "finish",     "reset",   "advance",
     "compliance", "yield",        "resolve",   "observe",  "exchange",   "change",  "ties",
-    "tied",       "displacement", "dents",     "tears",    "wounds",     "load",    "init",
-    "descriptor"};
+    "tied",       "displacement", "dents",     "tears",    "wounds",     "linearise", "displace",
+    "load",       "init",         "descriptor"};
 
 static_assert(kCalls.size() == static_cast<std::size_t>(Call::kDescribe) + 1, "each call has its word");
 

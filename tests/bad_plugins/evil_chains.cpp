@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 
 namespace {
 
-enum Fault { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite, kFaults };
+enum Fault { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite,
+             kBandNan, kBandAborts, kGoesTwice, kGoesStill, kGoesNowhere, kFaults };
 
 constexpr uint32_t kVertices = 9;
 constexpr double kMass = 1e-8, kStiffness = 1;  // kg and N/m, of a vertex
@@ -87,18 +91,23 @@ class Chain final : public swage::BandedObject<Params>, public swage::Solid {
 
   // a step of beads is linear: at its end the gradient is 0. Beads do not turn: the diagonal of a rotation stays 0
   void linearise(const swage::Step& step, uint32_t, double* stiffness, double* gradient) override {
+    if (is(kBandAborts)) std::abort();
     const double h = step.dt(), sign = is(kBandIndefinite) ? -1 : is(kBandStiff) ? 2 : 1;
     for (uint32_t i = 0; i < kVertices; ++i)
       for (uint32_t k = 0; k < 3; ++k) {
         stiffness[(SWAGE_BAND_UNKNOWNS * i + k) * SWAGE_BAND_COLUMN] = sign * a(h) / (h * h);
         if (is(kBandFree)) gradient[SWAGE_BAND_UNKNOWNS * i + k] = 1e-3;  // N
+        if (is(kBandNan)) gradient[SWAGE_BAND_UNKNOWNS * i + k] = std::numeric_limits<double>::quiet_NaN();
       }
   }
   void displace(const swage::Step& step, const double* change, std::span<const swage_contact_point>, std::span<const swage_chain_place>,
                 const double*) override {
     const swage::ChainState chain = step.chain(0, kVertices);
-    for (uint32_t i = 0; i < 3 * kVertices; ++i)
-      push(step, chain, i, change[SWAGE_BAND_UNKNOWNS * (i / 3) + i % 3] / step.dt());
+    for (uint32_t i = 0; i < 3 * kVertices; ++i) {
+      const double way = change[SWAGE_BAND_UNKNOWNS * (i / 3) + i % 3] * (is(kGoesTwice) ? 2 : is(kGoesNowhere) ? HUGE_VAL : 1);
+      push(step, chain, i, way / step.dt());
+      if (is(kGoesStill)) chain.v_W[i] = 0;
+    }
   }
 
  private:

@@ -141,7 +141,8 @@ TEST_F(Validate, SolversThatLieAreTold) {
 
 // of an object with a chain: solver/2, and the band that the host solves with everything else
 TEST_F(Validate, ChainsThatLieAreTold) {
-  enum { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite };
+  enum { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite,
+         kBandNan, kBandAborts, kGoesTwice, kGoesStill, kGoesNowhere };
   const auto validate = [&](int fault) {
     write("chain.json", R"({ "format": "swage-lesson/1", "id": "org.example.chain", "title": "Chain",
       "requires": { "org.example.bad.chain": "^1", "swage.lesson.look": "^1" },
@@ -167,6 +168,11 @@ TEST_F(Validate, ChainsThatLieAreTold) {
   expect(kBandStiff, say::kBandCompliance());
   expect(kBandFree, say::kBandFree());
   expect(kBandIndefinite, say::kBandNotDefinite());
+  expect(kBandNan, say::kBandNotFinite());
+  expect(kBandAborts, host::say::kCrashed.words(0) + " in linearise() of org.example.bad.chain");
+  expect(kGoesTwice, say::kDisplaceOff());
+  expect(kGoesStill, say::kDisplaceSpeed());
+  expect(kGoesNowhere, say::kDisplaceNotFinite());
 }
 
 /// A copy of the library whose fault is the name of its folder.
@@ -278,6 +284,7 @@ TEST_F(Validate, LessonFilesToo) {
   const Said all = swage({"validate", source("lessons/series")});
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr(good + ": good\n"));
+  EXPECT_THAT(all.err, testing::Not(HasSubstr(step::say::kStartsInside.words(2)))) << "what starts held is no fault of a lesson";
 
   std::ifstream in(good);
   std::string text{std::istreambuf_iterator<char>(in), {}};
