@@ -228,7 +228,7 @@ void Assembler::add_objects() {
     bool moves_itself = false;
     for (uint32_t i = 0; i < slot.body.count; ++i) {
       const scene::BodyInfo& body = rig_->world.body[slot.body.first + i];
-      if (body.motion != SWAGE_MOTION_SELF) continue;
+      if (body.motion != SWAGE_MOTION_FLEXIBLE) continue;
       moves_itself = true;
       if (!slot.moves_itself())
         error(use.pointer, say::kNoSolver(body.name, slot.instance->plugin_id, SWAGE_EXT_SOLVER, SWAGE_EXT_SOLVER_2));

@@ -18,7 +18,7 @@ inline constexpr int kChainPoints = 2;
 /// True for an arc on a body that its object moves itself.
 inline bool in_chain(const scene::World& world, uint32_t shape) noexcept {
   const scene::Shape& s = world.shape[shape];
-  return s.kind == SWAGE_SHAPE_ARC && world.body[s.body].motion == SWAGE_MOTION_SELF;
+  return s.kind == SWAGE_SHAPE_ARC && world.body[s.body].motion == SWAGE_MOTION_FLEXIBLE;
 }
 
 /// Shares the weight of lines among the arcs of a chain, over the contacts of one pair of objects, from `first` on. Beyond

@@ -19,7 +19,7 @@ bool may_fly(const scene::World& world, uint32_t body) {
   return world.body[body].motion == SWAGE_MOTION_DYNAMIC;
 }
 bool moves_itself(const scene::World& world, uint32_t body) {
-  return world.body[body].motion == SWAGE_MOTION_SELF;
+  return world.body[body].motion == SWAGE_MOTION_FLEXIBLE;
 }
 
 /// Upper bound of the displacement of any point of a solid [m].

@@ -19,7 +19,7 @@ FlexibleBodies::FlexibleBodies(const scene::World& world) : room_(world.capacity
   // one slot per object that has flexible bodies
   std::vector<uint32_t> objects;
   for (const scene::BodyInfo& body : world.body)
-    if (body.motion == SWAGE_MOTION_SELF) objects.push_back(body.object);
+    if (body.motion == SWAGE_MOTION_FLEXIBLE) objects.push_back(body.object);
   std::sort(objects.begin(), objects.end());
   objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
   object_.resize(objects.size());

@@ -33,7 +33,7 @@ class FlexibleBodies {
                      const contact::ChainPlace& place = {}) noexcept;
   /// The point nearest to p_W; kNone where there is none.
   uint32_t nearest(uint32_t slot, const Vec3& p_W) const noexcept;
-  /// Asks every object with points for its compliance. h: s. Returns the number of points without a usable answer.
+  /// Asks every object with points for its mobility. h: s. Returns the number of points without a usable answer.
   uint32_t ask(double h) noexcept;
   /// Where its solver expects a point at the end of the step: displacement over the step [m].
   void expect(uint32_t slot, uint32_t point, const Vec3& displacement) noexcept;

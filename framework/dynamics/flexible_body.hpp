@@ -12,7 +12,7 @@
 namespace swage::dynamics {
 
 /// Answers for the flexible bodies of one object. All calls [rt], noexcept, at most once per step and in this
-/// order; but compliance may be asked a second time, for more points, when the first answer surprises. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
+/// order; but mobility may be asked a second time, for more points, when the first answer surprises. `point[i].body` and `point[i].shape` are indices of the world; points stand in the order of the
 /// contact set.
 class FlexibleBody {
  public:
@@ -41,7 +41,7 @@ class FlexibleBody {
     return true;
   }
 
-  /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final SELF poses and
+  /// Takes the impulses that the solve found: 3 n [N s], on the object. Writes the final flexible poses and
   /// twists.
   virtual void apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept = 0;
 

@@ -73,7 +73,7 @@ Side Placement::side(uint32_t body, uint32_t particle) noexcept {
     s.body = body;
     if (trial_[body].step != step_) prepare(body);
     s.block = block_of_body_[body];
-    if (world_->body[body].motion == SWAGE_MOTION_SELF) {
+    if (world_->body[body].motion == SWAGE_MOTION_FLEXIBLE) {
       const uint32_t slot = flexible_.slot(world_->body[body].object);
       s.block = slot == kNone ? kNone : first_flexible_ + slot;
     }

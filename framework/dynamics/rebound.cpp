@@ -119,7 +119,7 @@ void Rebound::find_rebounding(const contact::ContactSet& contacts) noexcept {
     if (!(c.law.restitution > 0) || !(c.gap < 0) || !(c.law.stiffness > 0)) continue;
     if (c.particle_a != kNone || c.particle_b != kNone) continue;
     const auto held = [&](uint32_t body) {
-      return world_->body[body].motion == SWAGE_MOTION_SELF ||
+      return world_->body[body].motion == SWAGE_MOTION_FLEXIBLE ||
              (world_->body[body].motion == SWAGE_MOTION_DYNAMIC && motion_->held_body[body]);
     };
     if (!held(c.body_a) && !held(c.body_b)) join(c.body_a), join(c.body_b);

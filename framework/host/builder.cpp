@@ -77,7 +77,7 @@ struct BuilderCalls {
     if (!b.fits(b.world_.body.size() + 1, snapshot::kMaxBodies, "bodies")) return scene::kNone;
     if (X_OB == nullptr || !finite(X_OB->p) || !unit(X_OB->q))
       return b.refuse(say::kOfBody(called, say::kStartPose()));
-    if (motion < SWAGE_MOTION_FIXED || motion > SWAGE_MOTION_SELF)
+    if (motion < SWAGE_MOTION_FIXED || motion > SWAGE_MOTION_FLEXIBLE)
       return b.refuse(say::kOfBody(called, say::kMotion(motion)));
     scene::BodyInfo info;
     if (const std::string wrong = take_mass(motion, mass, info); !wrong.empty())

@@ -64,7 +64,7 @@ struct ChainCalls {
   static uint32_t declare(swage_builder* raw, uint32_t body, const swage_chain* chain, uint32_t flags) {
     Builder& b = *static_cast<Builder*>(raw->host_data);
     if (!b.owns_body(body, "A chain")) return scene::kNone;
-    if (b.world_.body[b.body.first + body].motion != SWAGE_MOTION_SELF)
+    if (b.world_.body[b.body.first + body].motion != SWAGE_MOTION_FLEXIBLE)
       return b.refuse(say::kChainBody());
     if (const std::string wrong = problem_of(chain, b.state.count); !wrong.empty()) return b.refuse(wrong);
     size_t drawn = b.world_.particle_mass.size() + chain->n_vertex;

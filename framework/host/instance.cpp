@@ -17,8 +17,8 @@ namespace {
 constexpr std::array kCalls = {
     "none",       "create",       "configure", "activate", "deactivate", "destroy", "get_extension",
     "bind",       "open",         "close",     "forces",   "finish",     "reset",   "advance",
-    "compliance", "yield",        "resolve",   "observe",  "exchange",   "change",  "ties",
-    "tied",       "displacement", "dents",     "tears",    "wounds",     "linearise", "displace",
+    "mobility", "apply_impulses",        "resolve",   "observe",  "exchange",   "change",  "ties",
+    "on_solved",       "displacement", "dents",     "tears",    "wounds",     "linearise", "displace",
     "load",       "init",         "descriptor"};
 
 static_assert(kCalls.size() == static_cast<std::size_t>(Call::kDescribe) + 1, "each call has its word");

@@ -51,14 +51,14 @@ enum class Call : uint32_t {
   kFinish,
   kReset,
   kAdvance,
-  kCompliance,
-  kYield,
+  kMobility,
+  kApplyImpulses,
   kResolve,
   kObserve,
   kExchange,  // [rt], [io]
   kChange,    // [rt]
   kTies,
-  kTied,
+  kOnSolved,
   kDisplacement,
   kDents,
   kTears,

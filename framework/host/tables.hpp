@@ -17,13 +17,13 @@
 namespace swage::host {
 
 inline bool complete(const swage_object& t) { return t.forces && t.finish && t.reset; }
-inline bool complete(const swage_solver& t) { return t.advance && t.compliance && t.yield; }
-inline bool complete(const swage_solver_2& t) { return t.advance && t.compliance && t.yield; }
+inline bool complete(const swage_solver& t) { return t.advance && t.mobility && t.apply_impulses; }
+inline bool complete(const swage_solver_2& t) { return t.advance && t.mobility && t.apply_impulses; }
 inline bool complete(const swage_band& t) { return t.linearise && t.displace; }
 inline bool complete(const swage_coupling& t) { return t.bind && t.resolve && t.finish && t.reset; }
 inline bool complete(const swage_surface& t) { return t.displacement; }
 inline bool complete(const swage_dents& t) { return t.dents; }
-inline bool complete(const swage_ties& t) { return t.ties && t.tied; }
+inline bool complete(const swage_ties& t) { return t.ties && t.on_solved; }
 inline bool complete(const swage_tears& t) { return t.tears; }
 inline bool complete(const swage_wounds& t) { return t.wounds; }
 inline bool complete(const swage_device& t) { return t.open && t.close && t.exchange; }

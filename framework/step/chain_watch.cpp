@@ -96,7 +96,7 @@ void ChainWatch::look_along_the_way() noexcept {
 /// through somewhere, are not asked: tissue with a thread in it.
 bool ChainWatch::unseen(const contact::Contact& met, const contact::ContactSet& known) const noexcept {
   const bool a = met.place_a.segment != scene::kNone, b = met.place_b.segment != scene::kNone;
-  const auto itself = [&](uint32_t body, bool chain) { return !chain && world_.body[body].motion == SWAGE_MOTION_SELF; };
+  const auto itself = [&](uint32_t body, bool chain) { return !chain && world_.body[body].motion == SWAGE_MOTION_FLEXIBLE; };
   if ((!a && !b) || itself(met.body_a, a) || itself(met.body_b, b)) return false;
   if (met.gap > -kDeep * world_.shape[a ? met.shape_a : met.shape_b].radius) return false;
   const auto beside = [](uint32_t i, uint32_t j) { return i == j || i + 1 == j || i == j + 1; };

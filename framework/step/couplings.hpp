@@ -25,7 +25,7 @@ class Couplings {
   void finish(contact::ContactSet& contacts) noexcept;   // [rt] solved: forces are known
   /// The links of this step, for the solve: coupling by coupling. [rt] after resolve
   std::span<dynamics::Tie> ties() noexcept;
-  void tied() noexcept;  // [rt] solved: hands each coupling its own, before finish
+  void on_solved() noexcept;  // [rt] solved: hands each coupling its own, before finish
   /// Torn places to draw; how many. [rt] between steps
   uint32_t tears(uint32_t coupling, std::span<swage_tear> out) const noexcept;
   uint32_t wounds(uint32_t coupling, std::span<swage_wound> out) const noexcept;  // the same of them

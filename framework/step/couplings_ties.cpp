@@ -35,7 +35,7 @@ bool sensible(const swage_tie& t, uint32_t bodies_a, uint32_t bodies_b) {
   return there(t.body_a, bodies_a) && there(t.body_b, bodies_b) && finite(t.p_W) && finite(t.offset_W) &&
          finite(t.axis_W) && std::abs(toolkit::vec(t.axis_W).norm() - 1) < kUnit &&
          stiffness(t.stiffness_across) && stiffness(t.stiffness_along) && t.strength >= 0 &&
-         t.drag_forth >= 0 && t.drag_back >= 0 && toolkit::vec(t.p_W).norm() < kMaxPosition;
+         t.forward_limit >= 0 && t.backward_limit >= 0 && toolkit::vec(t.p_W).norm() < kMaxPosition;
 }
 
 dynamics::Tie tie_of(const swage_tie& t, const scene::Range& a, const scene::Range& b) {
@@ -45,7 +45,7 @@ dynamics::Tie tie_of(const swage_tie& t, const scene::Range& a, const scene::Ran
   out.p_W = toolkit::vec(t.p_W);
   out.axis_W = toolkit::vec(t.axis_W).normalized();
   out.offset_W = toolkit::vec(t.offset_W);
-  out.law = {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back};
+  out.law = {t.stiffness_across, t.stiffness_along, t.strength, t.forward_limit, t.backward_limit};
   return out;
 }
 
@@ -83,18 +83,18 @@ void Couplings::ask_ties(uint32_t coupling) noexcept {
   ties_of_[coupling].count = n;
 }
 
-void Couplings::tied() noexcept {
+void Couplings::on_solved() noexcept {
   for (uint32_t i = 0; i < tie_.size(); ++i) {
     shown_tie_[i].axis_W = toolkit::raw(tie_[i].axis_W);
     shown_tie_[i].f_a_W = toolkit::raw(tie_[i].f_a_W);
-    shown_tie_[i].slid_W = toolkit::raw(tie_[i].plastic_slip_W);
+    shown_tie_[i].plastic_slip_W = toolkit::raw(tie_[i].plastic_slip_W);
   }
   for (uint32_t i = 0; i < step_.size(); ++i) {
     const host::CouplingSlot& slot = rig_.couplings[i];
     if (ties_of_[i].count == 0 || released(i)) continue;
     const swage_coupling_step& step = begin(i, {});
-    host::guarded(*slot.instance, host::Call::kTied, rig_.world.step, [&] {
-      return slot.ties->tied(slot.instance->raw, &step, ties_of_[i].count,
+    host::guarded(*slot.instance, host::Call::kOnSolved, rig_.world.step, [&] {
+      return slot.ties->on_solved(slot.instance->raw, &step, ties_of_[i].count,
                              shown_tie_.data() + ties_of_[i].first);
     });
   }

@@ -40,13 +40,13 @@ bool FlexibleBodyAdapter::mobility(std::span<const swage_contact_point> point, d
   if (n != point.size() || (slot_.solver_2 != nullptr && n != place_.size())) return false;
   host::Instance& instance = *slot_.instance;
   const uint64_t step = view_.step;
-  const bool given = host::guarded(instance, host::Call::kCompliance, step, [&] {
+  const bool given = host::guarded(instance, host::Call::kMobility, step, [&] {
     if (slot_.solver_2 == nullptr)
-      return slot_.solver->compliance(instance.raw, &view_, n, local_.data(), v_free, W);
-    return slot_.solver_2->compliance(instance.raw, &view_, n, local_.data(), place_.data(), v_free, W);
+      return slot_.solver->mobility(instance.raw, &view_, n, local_.data(), v_free, W);
+    return slot_.solver_2->mobility(instance.raw, &view_, n, local_.data(), place_.data(), v_free, W);
   });
-  return given && host::accept(instance, host::Call::kCompliance, step, v_free, 3 * n, kMaxSpeed) &&
-         host::accept(instance, host::Call::kCompliance, step, W, std::size_t{9} * n * n, kMaxMobility);
+  return given && host::accept(instance, host::Call::kMobility, step, v_free, 3 * n, kMaxSpeed) &&
+         host::accept(instance, host::Call::kMobility, step, W, std::size_t{9} * n * n, kMaxMobility);
 }
 
 bool FlexibleBodyAdapter::displacement(std::span<const swage_contact_point> point, double* u_W) noexcept {
@@ -63,10 +63,10 @@ void FlexibleBodyAdapter::apply_impulses(std::span<const swage_contact_point> po
                                          const double* impulse) noexcept {
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;
-  host::guarded(instance, host::Call::kYield, view_.step, [&] {
+  host::guarded(instance, host::Call::kApplyImpulses, view_.step, [&] {
     if (slot_.solver_2 == nullptr)
-      return slot_.solver->yield(instance.raw, &view_, n, local_.data(), impulse);
-    return slot_.solver_2->yield(instance.raw, &view_, n, local_.data(), place_.data(), impulse);
+      return slot_.solver->apply_impulses(instance.raw, &view_, n, local_.data(), impulse);
+    return slot_.solver_2->apply_impulses(instance.raw, &view_, n, local_.data(), place_.data(), impulse);
   });
 }
 

@@ -40,7 +40,7 @@ void clear(std::vector<T>& array, const scene::Range& range, uint32_t width = 1)
 // an object that could, but has no body of its own to move, answers for nothing
 bool moves_itself(const scene::World& world, const scene::Range& body) {
   for (uint32_t b = body.first; b < body.first + body.count; ++b)
-    if (world.body[b].motion == SWAGE_MOTION_SELF) return true;
+    if (world.body[b].motion == SWAGE_MOTION_FLEXIBLE) return true;
   return false;
 }
 
@@ -223,7 +223,7 @@ std::span<dynamics::FlexibleBody* const> Objects::self() noexcept {
 
 void Objects::guard() noexcept {
   for (uint32_t i = 0; i < view_.size(); ++i) {
-    if (!frozen(i)) sound(i, rig_.objects[i].moves_itself() ? host::Call::kYield : host::Call::kForces);
+    if (!frozen(i)) sound(i, rig_.objects[i].moves_itself() ? host::Call::kApplyImpulses : host::Call::kForces);
     if (frozen(i)) freeze(i);
   }
 }
@@ -239,7 +239,7 @@ bool Objects::left_room(uint32_t object) const noexcept {
   const double room = scene::room(world);
   for (uint32_t b = slot.body.first; b < slot.body.first + slot.body.count; ++b) {
     const int32_t motion = world.body[b].motion;
-    if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_SELF) continue;
+    if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_FLEXIBLE) continue;
     if (toolkit::vec(world.X_WB[b].p).squaredNorm() > room * room) return true;
   }
   for (uint32_t p = slot.particle.first; p < slot.particle.first + slot.particle.count; ++p)

@@ -171,7 +171,7 @@ void Engine::finish() noexcept {
   writes_.take();
   tell_shortfall();
   objects_.finish();
-  couplings_.tied();
+  couplings_.on_solved();
   couplings_.finish(contacts_);
   done(Phase::kFinish);
 }

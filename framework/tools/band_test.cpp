@@ -70,7 +70,7 @@ std::string same_as_solver(const BandAsk& ask, BandMatrix& A, const Eigen::Vecto
     const swage_chain_place& p = ask.points.place[static_cast<size_t>(i)];
     v_free.segment<3>(3 * i) = (1 - p.share) * chain.v(p.segment) + p.share * chain.v(p.segment + 1) + at(p, free) / h;
   }
-  if (!((W - ask.all.W).cwiseAbs().maxCoeff() <= kBandRounding * ask.all.W.cwiseAbs().maxCoeff())) return say::kBandCompliance();
+  if (!((W - ask.all.W).cwiseAbs().maxCoeff() <= kBandRounding * ask.all.W.cwiseAbs().maxCoeff())) return say::kBandMobility();
   const double speed = std::max(ask.all.v_free.cwiseAbs().maxCoeff(), 1e-6);
   return (v_free - ask.all.v_free).cwiseAbs().maxCoeff() <= kBandRounding * speed ? "" : say::kBandFree();
 }

@@ -158,9 +158,9 @@ class Coupling final : public FuzzHarness {
     for (uint32_t i = 0; i < n; ++i) {
       said_.add(&tie[i].p_W, sizeof tie[i].p_W);
       tie[i].f_a_W = {wild(random), wild(random), wild(random)};
-      tie[i].slid_W = {1e-3 * wild(random), 1e-3 * wild(random), 1e-3 * wild(random)};
+      tie[i].plastic_slip_W = {1e-3 * wild(random), 1e-3 * wild(random), 1e-3 * wild(random)};
     }
-    call(host::Call::kTied, [&] { return slot_.ties->tied(slot_.instance->raw, &step_, n, tie.data()); });
+    call(host::Call::kOnSolved, [&] { return slot_.ties->on_solved(slot_.instance->raw, &step_, n, tie.data()); });
   }
 
   void check(const swage_tie& t) {
@@ -172,7 +172,7 @@ class Coupling final : public FuzzHarness {
     if (!host::finite(&t.p_W.x, 3) || !unit || !host::finite(&t.offset_W.x, 3))
       report_fault(say::kTiePlace());
     if (!body(t.body_a, slot_.object_a) || !body(t.body_b, slot_.object_b)) report_fault(say::kTieBody());
-    for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.drag_forth, t.drag_back})
+    for (const double x : {t.stiffness_across, t.stiffness_along, t.strength, t.forward_limit, t.backward_limit})
       if (!(x >= 0)) report_fault(say::kTieStiffness(format("%g", x)));
   }
 

@@ -231,24 +231,24 @@ inline constexpr auto kPoisoned = "A number that is not finite stays in it after
 
 // what solvers answer
 inline constexpr auto kOtherBits = "{}() gives other bits when it is asked the same again."_sentence;
-inline constexpr auto kUnwritten = "compliance() for {} points leaves a number unwritten, or writes one that is not finite."_sentence;
-inline constexpr auto kSkew = "compliance() is not symmetric: entries differ by {} of {} m/s per N s."_sentence;
+inline constexpr auto kUnwritten = "mobility() for {} points leaves a number unwritten, or writes one that is not finite."_sentence;
+inline constexpr auto kSkew = "mobility() is not symmetric: entries differ by {} of {} m/s per N s."_sentence;
 inline constexpr auto kPulls =
-    "compliance() is not positive semi-definite: an eigenvalue is {} of {} m/s per N s. Pushing would give energy."_sentence;
-inline constexpr auto kPart = "compliance() of some points differs when more points are asked for."_sentence;
+    "mobility() is not positive semi-definite: an eigenvalue is {} of {} m/s per N s. Pushing would give energy."_sentence;
+inline constexpr auto kPart = "mobility() of some points differs when more points are asked for."_sentence;
 inline constexpr auto kSurfaceUnwritten = "displacement() leaves a number unwritten, or writes one that is not finite."_sentence;
 inline constexpr auto kBandNoChain = "It offers {} without a chain."_sentence;
-inline constexpr auto kBandCompliance = "linearise() gives another compliance than compliance() does."_sentence;
-inline constexpr auto kBandFree = "linearise() leads elsewhere than v_free of compliance() says."_sentence;
+inline constexpr auto kBandMobility = "linearise() gives another mobility than mobility() does."_sentence;
+inline constexpr auto kBandFree = "linearise() leads elsewhere than v_free of mobility() says."_sentence;
 inline constexpr auto kBandNotFinite = "linearise() gives a number that is not finite."_sentence;
 inline constexpr auto kDisplaceNotFinite = "displace() leaves a vertex that is not finite."_sentence;
 inline constexpr auto kDisplaceOff = "After displace() the vertices do not stand where the change leads from where advance() left them."_sentence;
 inline constexpr auto kDisplaceSpeed = "After displace() the velocities do not lead from where the step began to where the vertices stand."_sentence;
 inline constexpr auto kBandNotDefinite = "linearise() gives no positive definite matrix, however often it is asked for a stiffer one."_sentence;
-inline constexpr auto kYieldNotFinite = "yield() leaves a speed that is not finite."_sentence;
+inline constexpr auto kImpulsesNotFinite = "apply_impulses() leaves a speed that is not finite."_sentence;
 inline constexpr auto kNotCompared = "Motion after impulses was not compared: its surface does not move with its bodies."_sentence;
-inline constexpr auto kYieldOff = "After yield() the points do not move as v_free + W j says: {} m/s off, of a change of {} m/s."_sentence;
-inline constexpr auto kYieldSlip = "After yield() without impulses the points do not move as v_free says: {} m/s off."_sentence;
+inline constexpr auto kImpulsesOff = "After apply_impulses() the points do not move as v_free + W j says: {} m/s off, of a change of {} m/s."_sentence;
+inline constexpr auto kImpulsesSlip = "After apply_impulses() without impulses the points do not move as v_free says: {} m/s off."_sentence;
 inline constexpr auto kManyDents = "dents() writes {} dents where there is room for {}."_sentence;
 inline constexpr auto kDent = "dents() gives a dent that is no number, or no radius."_sentence;
 inline constexpr auto kNoSolver = "It has no solver of its own."_sentence;

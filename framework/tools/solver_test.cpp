@@ -43,7 +43,7 @@ class Solver {
  public:
   Solver(Stepped& scene, uint32_t object, uint64_t seed)
       : slot_(scene.rig->objects[object]), world_(scene.rig->world), random_(seed) {
-    for (uint32_t i = 0; i < slot_.body.count; ++i) moves_ |= motion(i) == SWAGE_MOTION_SELF;
+    for (uint32_t i = 0; i < slot_.body.count; ++i) moves_ |= motion(i) == SWAGE_MOTION_FLEXIBLE;
   }
   /// Whether anything moves by it.
   bool moves() const { return (slot_.solver != nullptr || slot_.solver_2 != nullptr) && moves_; }
@@ -58,7 +58,7 @@ class Solver {
     Answer all, again;
     if (std::string wrong = ask(points, all); !wrong.empty()) return wrong;
     if (std::string wrong = ask(points, again); !wrong.empty()) return wrong;
-    if (!(all == again)) return say::kOtherBits("compliance");
+    if (!(all == again)) return say::kOtherBits("mobility");
     if (std::string wrong = matrix(all.W); !wrong.empty()) return wrong;
     if (std::string wrong = part(points, all); !wrong.empty()) return wrong;
     if (std::string wrong = surface(points); !wrong.empty()) return wrong;
@@ -81,18 +81,18 @@ class Solver {
     return slot_.instance->quarantined.load() != 0 ? host::quarantine_text(*slot_.instance) : "";
   }
 
-  std::string compliance(const Points& p, double* v_free, double* W) {
-    return call(host::Call::kCompliance, [&] {
+  std::string mobility(const Points& p, double* v_free, double* W) {
+    return call(host::Call::kMobility, [&] {
       if (slot_.solver_2 != nullptr)
-        return slot_.solver_2->compliance(raw(), &view(), p.size(), p.point.data(), p.place.data(), v_free, W);
-      return slot_.solver->compliance(raw(), &view(), p.size(), p.point.data(), v_free, W);
+        return slot_.solver_2->mobility(raw(), &view(), p.size(), p.point.data(), p.place.data(), v_free, W);
+      return slot_.solver->mobility(raw(), &view(), p.size(), p.point.data(), v_free, W);
     });
   }
-  std::string yield(const Points& p, const Vector& j) {
-    return call(host::Call::kYield, [&] {
+  std::string apply_impulses(const Points& p, const Vector& j) {
+    return call(host::Call::kApplyImpulses, [&] {
       if (slot_.solver_2 != nullptr)
-        return slot_.solver_2->yield(raw(), &view(), p.size(), p.point.data(), p.place.data(), j.data());
-      return slot_.solver->yield(raw(), &view(), p.size(), p.point.data(), j.data());
+        return slot_.solver_2->apply_impulses(raw(), &view(), p.size(), p.point.data(), p.place.data(), j.data());
+      return slot_.solver->apply_impulses(raw(), &view(), p.size(), p.point.data(), j.data());
     });
   }
 
@@ -100,7 +100,7 @@ class Solver {
     const uint32_t n = points.size();
     out.v_free = Vector::Constant(3 * n, kNan);
     out.W = Matrix::Constant(3 * n, 3 * n, kNan);
-    if (std::string wrong = compliance(points, out.v_free.data(), out.W.data()); !wrong.empty())
+    if (std::string wrong = mobility(points, out.v_free.data(), out.W.data()); !wrong.empty())
       return wrong;
     if (out.v_free.allFinite() && out.W.allFinite()) return "";
     return say::kUnwritten(n);
@@ -163,12 +163,12 @@ class Solver {
     const scene::World saved = world_;
     Answer ignored;
     std::string wrong = ask(points, ignored);
-    if (wrong.empty()) wrong = yield(points, j);
+    if (wrong.empty()) wrong = apply_impulses(points, j);
     v = Vector::Zero(j.size());
     for (uint32_t i = 0; i < points.size(); ++i)
       v.segment<3>(3 * static_cast<Eigen::Index>(i)) = velocity(points, i, saved);
     world_ = saved;
-    if (wrong.empty() && !v.allFinite()) wrong = say::kYieldNotFinite();
+    if (wrong.empty() && !v.allFinite()) wrong = say::kImpulsesNotFinite();
     return wrong;
   }
 
@@ -199,10 +199,10 @@ class Solver {
       return "";
     }
     if (off > kMotion * whole)
-      return say::kYieldOff(format("%.3g", off), format("%.3g", whole));
+      return say::kImpulsesOff(format("%.3g", off), format("%.3g", whole));
     const double slip = (without - all.v_free).cwiseAbs().maxCoeff();
     if (slip > kMotion * std::max(all.v_free.cwiseAbs().maxCoeff(), whole))
-      return say::kYieldSlip(format("%.3g", slip));
+      return say::kImpulsesSlip(format("%.3g", slip));
     return "";
   }
 
@@ -213,7 +213,7 @@ class Solver {
     std::vector<uint32_t> shapes;
     for (uint32_t i = 0; i < slot_.shape.count; ++i) {
       const scene::Shape& s = world_.shape[slot_.shape.first + i];
-      if ((s.flags & SWAGE_SHAPE_COLLIDES) != 0 && world_.body[s.body].motion == SWAGE_MOTION_SELF) shapes.push_back(i);
+      if ((s.flags & SWAGE_SHAPE_COLLIDES) != 0 && world_.body[s.body].motion == SWAGE_MOTION_FLEXIBLE) shapes.push_back(i);
     }
     for (std::size_t k = 0; k < kMost && !shapes.empty(); ++k) {
       const uint32_t i = shapes[random_() % shapes.size()];

@@ -99,14 +99,14 @@ uint32_t Meniscus::ties(const CouplingStep& step, std::span<swage_tie> out) {
       swage_tie& tie = out[used++] = {};
       tie.body_a = at.body, tie.body_b = static_cast<uint32_t>(state.place[i].body);
       tie.p_W = raw(at.p_W), tie.axis_W = raw(at.n_W), tie.offset_W = raw(Vec3(at.up * at.n_W));
-      tie.stiffness_along = film.stiffness, tie.drag_forth = film.pull, tie.drag_back = 0;
+      tie.stiffness_along = film.stiffness, tie.forward_limit = film.pull, tie.backward_limit = 0;
       tie.strength = 0;
     }
   state.served = used;
   return used;
 }
 
-void Meniscus::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
+void Meniscus::on_solved(const CouplingStep& step, std::span<const swage_tie> ties) {
   if (!moist()) return;
   auto& state = step.state<MeniscusState>();
   state.force = 0;

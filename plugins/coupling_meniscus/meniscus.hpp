@@ -59,7 +59,7 @@ class Meniscus final : public Coupling<MeniscusParams>, public Ties {
   void reset(const CouplingStep& step) override;
   void resolve(const CouplingStep& step) override;
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
-  void tied(const CouplingStep& step, std::span<const swage_tie> ties) override;
+  void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
 
  private:

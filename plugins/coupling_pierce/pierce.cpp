@@ -126,7 +126,7 @@ uint32_t Pierce::ties(const CouplingStep& step, std::span<swage_tie> out) {
   return n;
 }
 
-void Pierce::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
+void Pierce::on_solved(const CouplingStep& step, std::span<const swage_tie> ties) {
   const Site& site = after_.emplace(needle_, tissue_, step.a(), step.b());
   auto& state = step.state<PierceState>();
   if (!site.good) return discard();

@@ -107,7 +107,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   void bind(const Peer& a, const Peer& b) override;
   void resolve(const CouplingStep& step) override;
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
-  void tied(const CouplingStep& step, std::span<const swage_tie> ties) override;
+  void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
   void reset(const CouplingStep& step) override;
   uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
@@ -148,7 +148,7 @@ class Pierce final : public Coupling<PierceParams>, public Ties, public Tearing 
   // what follows from the wounds of the state, and is made anew where they are others
   mutable Outline settled_[PierceState::kWounds];
 
-  // within one step only: what resolve() finds serves ties(), what tied() finds serves finish()
+  // within one step only: what resolve() finds serves ties(), what on_solved() finds serves finish()
   std::optional<Site> before_, after_;
   // from ties() to finish()
   struct Made {

@@ -162,7 +162,7 @@ swage_tie support_tie(const Site& site, const Support& support, const NeedlePoin
   tie.stiffness_across = site.law.side_stiffness * support.share;
   tie.stiffness_along = kStick * tie.stiffness_across;
   tie.strength = site.law.failure_stress * 2 * site.radius * support.share;
-  tie.drag_forth = tie.drag_back =
+  tie.forward_limit = tie.backward_limit =
       site.law.drag * support.share + site.law.friction * (vec3(support.across).norm() + support.rub);
   return tie;
 }
@@ -177,7 +177,7 @@ swage_tie front_tie(const Site& site, const Track& track, double progress, doubl
   tie.p_W = raw(site.world(track.front));
   tie.axis_W = raw(advance);
   tie.offset_W = raw(Vec3((progress - track.cut) * advance));
-  tie.drag_forth = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
+  tie.forward_limit = face ? std::max(exit_force, site.law.cutting_force) : site.law.cutting_force;
   tie.stiffness_along = face ? site.law.stiffness : site.law.cutting_force / (kFront * site.radius);
   tie.strength = HUGE_VAL;
   return tie;
@@ -208,7 +208,7 @@ swage_tie roll_tie(const Site& site, const Track& track, double stiffness, doubl
   tie.p_W = raw(Vec3(vec(middle->p_W) + lever));
   tie.axis_W = raw(Vec3(advance.cross(lever).normalized()));
   tie.stiffness_along = stiffness * ratio * ratio;
-  tie.drag_forth = tie.drag_back = drag * ratio;
+  tie.forward_limit = tie.backward_limit = drag * ratio;
   tie.strength = HUGE_VAL;
   // as it was, and as far as it is predicted to roll
   const double rolls = vec(site.a->V_WB[middle->body].w).dot(advance) * site.a.dt() * lever.norm();
@@ -227,8 +227,8 @@ uint32_t make_ties(const Site& site, const Track& track, double reaction, double
     progress = support.at + at.gone;  // the last one's counts
     if (!(support.share > 0)) continue;
     out[n] = support_tie(site, support, at);
-    stiffness += out[n].stiffness_along, drag += out[n].drag_back;
-    if (i == 0) out[n].drag_forth += reaction;
+    stiffness += out[n].stiffness_along, drag += out[n].backward_limit;
+    if (i == 0) out[n].forward_limit += reaction;
     of[n++] = i;
   }
   if (stiffness > 0) {
@@ -257,7 +257,7 @@ void settle(const Site& site, Support& support) {
 }
 
 double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t of) {
-  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.slid_W), f = vec(tie.f_a_W);
+  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.plastic_slip_W), f = vec(tie.f_a_W);
   const double along = axis_W.dot(slid);
   if (of == Track::kOfRoll) {
     track.roll = kLever * site.radius * axis_W.dot(f);
@@ -265,7 +265,7 @@ double take_tie(const Site& site, Track& track, const swage_tie& tie, uint32_t o
   }
   if (of == Track::kOfPoint) {
     const double force = -axis_W.dot(f);
-    const bool gives = along > 0 && force >= (1 - 1e-9) * tie.drag_forth;
+    const bool gives = along > 0 && force >= (1 - 1e-9) * tie.forward_limit;
     if (track.out == Track::kBreaking) {
       track.peak_exit = std::max(track.peak_exit, force);
       if (gives) track.out = Track::kOut;

@@ -214,12 +214,12 @@ swage_tie tie_of(const Site& site, const PassageLaw& law, const Passage& passage
   tie.stiffness_across = stiffness(law, hole);
   tie.stiffness_along = Passage::kStick * tie.stiffness_across;
   tie.strength = law.failure_stress * 2 * site.strand.radius * hole.share;
-  tie.drag_forth = tie.drag_back = 0.5 * law.drag * passage.inside() + law.friction * vec3(hole.across).norm();
+  tie.forward_limit = tie.backward_limit = 0.5 * law.drag * passage.inside() + law.friction * vec3(hole.across).norm();
   return tie;
 }
 
 double take_tie(const Site& site, const PassageLaw& law, const swage_tie& tie, Hole& hole) {
-  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.slid_W), f = vec(tie.f_a_W);
+  const Vec3 axis_W = vec(tie.axis_W), slid = vec(tie.plastic_slip_W), f = vec(tie.f_a_W);
   const double along = axis_W.dot(slid), k = stiffness(law, hole);
   const Vec3 across_W = f - axis_W.dot(f) * axis_W;
   hole.rest += along;

@@ -112,7 +112,7 @@ uint32_t PullThrough::ties(const CouplingStep& step, std::span<swage_tie> out) {
   return n;
 }
 
-void PullThrough::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
+void PullThrough::on_solved(const CouplingStep& step, std::span<const swage_tie> ties) {
   auto& state = step.state<PullThroughState>();
   const Site site = this->site(step);
   if (!site.good) return discard();

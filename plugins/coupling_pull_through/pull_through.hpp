@@ -93,7 +93,7 @@ class PullThrough final : public Coupling<PullThroughParams>, public Ties, publi
   void reset(const CouplingStep& step) override;
   void resolve(const CouplingStep& step) override;
   uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) override;
-  void tied(const CouplingStep& step, std::span<const swage_tie> ties) override;
+  void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) override;
   void finish(const CouplingStep& step) override;
   uint32_t tears(const CouplingStep& step, std::span<swage_tear> out) override;
 

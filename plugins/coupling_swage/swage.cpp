@@ -103,7 +103,7 @@ uint32_t Swage::ties(const CouplingStep& step, std::span<swage_tie> out) {
     t.body_a = j.needle_body, t.body_b = j.thread_body;
     t.p_W = raw(p_needle), t.axis_W = raw(axis), t.offset_W = raw(offset);
     t.stiffness_across = across, t.stiffness_along = along;
-    t.strength = t.drag_forth = t.drag_back = HUGE_VAL;
+    t.strength = t.forward_limit = t.backward_limit = HUGE_VAL;
     return t;
   };
   const double k = params_.stiffness;
@@ -117,7 +117,7 @@ uint32_t Swage::ties(const CouplingStep& step, std::span<swage_tie> out) {
   return 3;
 }
 
-void Swage::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
+void Swage::on_solved(const CouplingStep& step, std::span<const swage_tie> ties) {
   auto& state = step.state<SwageState>();
   if (ties.size() != 3) return;
   Vec3 f = Vec3::Zero(), m = Vec3::Zero();

@@ -59,8 +59,8 @@ class Bending {
 
   void reset(const Step& step) const;
   void advance(const Step& step);
-  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free, double* W);
-  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse);
+  void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free, double* W);
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse);
 
   /// Pose of piece i in W.
   Pose piece(const Step& step, int i) const;

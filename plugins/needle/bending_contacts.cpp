@@ -137,7 +137,7 @@ Mat3 Bending::mobility(const Touch& a, const Touch& b) const {
   return W;
 }
 
-void Bending::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+void Bending::mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                          double* W) {
   state(step).answered = 1;
   collect(step, points);
@@ -250,7 +250,7 @@ void Bending::bear(const double* impulse, double h, Vec3* m) const {
   }
 }
 
-void Bending::yield(const Step& step, std::span<const swage_contact_point>, const double* impulse) {
+void Bending::apply_impulses(const Step& step, std::span<const swage_contact_point>, const double* impulse) {
   const double h = step.dt();
   JointMemory* memory = joints(step);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();

@@ -114,7 +114,7 @@ void Needle::build_bending(int n, const toolkit::Pose& X_OB, ObjectBuilder& buil
   for (uint32_t b = 0; b < static_cast<uint32_t>(n); ++b) {
     const int i = bending_.piece_of(b);
     const std::string body_name = b == 0 ? "needle" : "piece_" + std::to_string(i + 1);
-    bodies.push_back(builder.own_body(body_name.c_str(), (b == 0 ? X_OB : X_OP(i)).abi()));
+    bodies.push_back(builder.flexible_body(body_name.c_str(), (b == 0 ? X_OB : X_OP(i)).abi()));
   }
   body_ = bodies[0];
   // several arcs of one object are one wire, in the order of their declaration
@@ -136,12 +136,12 @@ void Needle::reset(const Step& step) {
 void Needle::advance(const Step& step) {
   if (bends()) bending_.advance(step);
 }
-void Needle::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+void Needle::mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                         double* W) {
-  bending_.compliance(step, points, v_free, W);
+  bending_.mobility(step, points, v_free, W);
 }
-void Needle::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
-  bending_.yield(step, points, impulse);
+void Needle::apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+  bending_.apply_impulses(step, points, impulse);
 }
 
 void Needle::finish(const Step& step) {

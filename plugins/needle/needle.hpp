@@ -121,9 +121,9 @@ class Needle final : public Object<NeedleParams>,
   void reset(const Step& step) override;
   void forces(const Step& step) override;
   void advance(const Step& step) override;
-  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+  void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                   double* W) override;
-  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
   void finish(const Step& step) override;
   void wire_end(const Step& step, swage_wire_end& out) override;
   const void* extension(std::string_view wanted) override;

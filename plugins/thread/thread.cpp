@@ -148,7 +148,7 @@ void Thread::declare(ObjectBuilder& builder) {
   for (int i = 0; i < nodes(); ++i) Eigen::Map<Vec3>(s.x + 3 * i) = starts_.front()[at(i)];
   start_frames(s, starts_.front(), toolkit::Quat::Identity());
   X_OB0_ = middle(s);
-  body_ = builder.own_body("thread", X_OB0_.abi());
+  body_ = builder.flexible_body("thread", X_OB0_.abi());
   for (int i = 0; i < nodes(); ++i) {
     const Vec3 p = X_OB0_.inverse() * starts_.front()[at(i)];
     p_B.insert(p_B.end(), {p.x(), p.y(), p.z()});

@@ -121,9 +121,9 @@ class Thread final : public BandedObject<ThreadParams>, public Solid, public Gra
   void cut(const Step& step, double s) override;
 
   void advance(const Step& step) override;
-  void compliance(const Step& step, std::span<const swage_contact_point> points,
+  void mobility(const Step& step, std::span<const swage_contact_point> points,
                   std::span<const swage_chain_place> place, double* v_free, double* W) override;
-  void yield(const Step& step, std::span<const swage_contact_point> points,
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points,
              std::span<const swage_chain_place> place, const double* impulse) override;
   void linearise(const Step& step, uint32_t stiffer, double* stiffness, double* gradient) override;
   void displace(const Step& step, const double* change, std::span<const swage_contact_point> points,

@@ -93,7 +93,7 @@ void Thread::push(const Point& p, const Vec3& f, double* unknowns, int line) con
   u[3 * line] += p.t.dot(p.arm.cross(f));
 }
 
-void Thread::compliance(const Step& step, std::span<const swage_contact_point> points,
+void Thread::mobility(const Step& step, std::span<const swage_contact_point> points,
                         std::span<const swage_chain_place> place, double* v_free, double* W) {
   if (masses()) return answer_masses(points, place, v_free, W);
   const int n = static_cast<int>(std::min(points.size(), point_.size()));
@@ -134,7 +134,7 @@ void Thread::hold_sides() {
   }
 }
 
-void Thread::yield(const Step& step, std::span<const swage_contact_point> points,
+void Thread::apply_impulses(const Step& step, std::span<const swage_contact_point> points,
                    std::span<const swage_chain_place> place, const double* impulse) {
   RodState s = state(step);
   const RodState begun(nodes(), begun_.data()), base(nodes(), base_.data());

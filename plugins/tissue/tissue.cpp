@@ -70,7 +70,7 @@ void Tissue::build(const TissueParams& params, ObjectBuilder& builder) {
 /// A patch that moves as a whole turns about a line far below it.
 void Tissue::build_body(const TissueParams& p, ObjectBuilder& builder) {
   if (!mounted()) {
-    body_ = yields() ? builder.own_body("wall") : builder.fixed_body("wall");
+    body_ = yields() ? builder.flexible_body("wall") : builder.fixed_body("wall");
     return;
   }
   const Body base = builder.fixed_body("base");

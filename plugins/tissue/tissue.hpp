@@ -181,15 +181,15 @@ class Tissue final : public Object<TissueParams>,
   void locate(const Step& step, swage_vec3 p_W, swage_pierceable_place& out) override;
 
   void advance(const Step& step) override;
-  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+  void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                   double* W) override;
   void displacement(const Step& step, std::span<const swage_contact_point> points, double* u_W) override;
-  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override;
   uint32_t dents(const Step& step, std::span<swage_dent> out) override;
 
  private:
   static constexpr uint32_t kSources = 32;  // places remembered; the least one makes room
-  static constexpr uint32_t kPoints = 64;   // of one step that are remembered from compliance to yield
+  static constexpr uint32_t kPoints = 64;   // of one step that are remembered from mobility() to apply_impulses()
   struct State {
     Source source[kSources];
   };

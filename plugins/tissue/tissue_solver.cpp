@@ -152,7 +152,7 @@ void Tissue::advance(const Step& step) {
 }
 
 /// u = C (f + v): while nothing new presses, the surface goes over the step by C (v - v / keep) - C w.
-void Tissue::compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+void Tissue::mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                         double* W) {
   const uint32_t n = look_up(step, points);
   relate(n);
@@ -228,7 +228,7 @@ uint32_t Tissue::source_at(State& state, const std::array<double, kSources>& siz
   return least;
 }
 
-void Tissue::yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
+void Tissue::apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) {
   const uint32_t n = look_up(step, points);
   asked_.felt.fill(false);
   State& state = step.state<State>();

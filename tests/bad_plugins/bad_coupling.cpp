@@ -40,7 +40,7 @@ class Bad final : public swage::Coupling<>, public swage::Ties, public swage::Te
     out[0].strength = kFault == Fault::kTieStrength ? -1 : 1;
     return 1;
   }
-  void tied(const swage::CouplingStep&, std::span<const swage_tie>) override {}
+  void on_solved(const swage::CouplingStep&, std::span<const swage_tie>) override {}
   uint32_t tears(const swage::CouplingStep&, std::span<swage_tear> out) override {
     if (!is(Fault::kTears, Fault::kTear)) return 0;
     if (kFault == Fault::kTears) return static_cast<uint32_t>(out.size()) + 1;

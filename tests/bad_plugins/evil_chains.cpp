@@ -33,7 +33,7 @@ class Chain final : public swage::BandedObject<Params>, public swage::Solid {
     std::array<double, kVertices - 1> radius{};
     radius.fill(25e-6);
     for (uint32_t i = 0; i < kVertices; ++i) p_B[3 * i] = 2e-4 * i;
-    body_ = b.own_body("beads");
+    body_ = b.flexible_body("beads");
     b.state(swage::ChainState::doubles(kVertices));
     rest_ = b.n_state();
     b.state(3 * kVertices);
@@ -57,7 +57,7 @@ class Chain final : public swage::BandedObject<Params>, public swage::Solid {
     }
   }
 
-  void compliance(const swage::Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
+  void mobility(const swage::Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
                   double* v_free, double* W) override {
     const swage::ChainState chain = step.chain(0, kVertices);
     const size_t n = 3 * points.size();
@@ -76,7 +76,7 @@ class Chain final : public swage::BandedObject<Params>, public swage::Solid {
     }
   }
 
-  void yield(const swage::Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
+  void apply_impulses(const swage::Step& step, std::span<const swage_contact_point> points, std::span<const swage_chain_place> place,
              const double* impulse) override {
     const swage::ChainState chain = step.chain(0, kVertices);
     for (size_t i = 0; i < 3 * points.size() && !is(kForgets); ++i) {

@@ -124,7 +124,7 @@ void build_wrong(swage_builder* b, const std::string& f) {
   if (f == "pose_nan" || f.rfind("mass_", 0) == 0 || f == "inertia_impossible")
     b->body(b, SWAGE_MOTION_DYNAMIC, &pose, &mass, "wrong");
   if (f == "motion_unknown") b->body(b, 99, &kHere, nullptr, "wrong");
-  if (f == "self_alone") b->body(b, SWAGE_MOTION_SELF, &kHere, nullptr, "alone");
+  if (f == "self_alone") b->body(b, SWAGE_MOTION_FLEXIBLE, &kHere, nullptr, "alone");
   if (f == "hinge_missing") b->body(b, SWAGE_MOTION_HINGED, &kHere, nullptr, "loose");
   if (f == "hinge_of_itself") {
     const uint32_t h = b->body(b, SWAGE_MOTION_HINGED, &kHere, nullptr, "own");
@@ -245,7 +245,7 @@ swage_result coupling_ties(swage_instance* raw, const swage_coupling_step* s, ui
   out[0] = {};
   out[0].axis_W = {0, 0, 1};
   out[0].stiffness_across = out[0].stiffness_along = 1;
-  out[0].strength = out[0].drag_forth = out[0].drag_back = 1;
+  out[0].strength = out[0].forward_limit = out[0].backward_limit = 1;
   if (is(raw, "tie_nan")) out[0].p_W.x = kNan;
   if (is(raw, "tie_unknown_body")) out[0].body_a = 4711;
   *n = 1;

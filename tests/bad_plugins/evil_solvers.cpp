@@ -37,7 +37,7 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
                         author = "Swage", licence = "Apache-2.0";
 
   void build(const swage::NoParams&, Builder& b) override {
-    body_ = b.own_body("ball");
+    body_ = b.flexible_body("ball");
     b.sphere(body_, {0, 0, 0}, 1e-3);
     b.state<State>();
   }
@@ -54,7 +54,7 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
     move(step, v);
   }
 
-  void compliance(const swage::Step& step, std::span<const swage_contact_point> points, double* v_free, double* W) override {
+  void mobility(const swage::Step& step, std::span<const swage_contact_point> points, double* v_free, double* W) override {
     if (F == kAborts) std::abort();
     const double h = step.dt(), per = 1 / (kMass + h * h * kStiffness);
     const size_t n = 3 * points.size();
@@ -73,7 +73,7 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
     }
   }
 
-  void yield(const swage::Step& step, std::span<const swage_contact_point> points, const double* impulse) override {
+  void apply_impulses(const swage::Step& step, std::span<const swage_contact_point> points, const double* impulse) override {
     const double h = step.dt();
     const double scale = F == kForgets ? 0 : F == kDoubles ? 2 : 1;
     const double per = scale / (kMass + h * h * kStiffness);

@@ -43,7 +43,7 @@ BendingBody::BendingBody(scene::World& world, const Setup& setup, int pieces)
   for (uint32_t b = 0; b < static_cast<uint32_t>(pieces); ++b) {
     const int i = bending_.piece_of(b);
     scene::BodyInfo body;
-    body.motion = SWAGE_MOTION_SELF, body.object = kNeedleObject;
+    body.motion = SWAGE_MOTION_FLEXIBLE, body.object = kNeedleObject;
     X_NP_.push_back(b == 0 ? Pose{} : X_NP(i));
     body.start = X_NP_.back().abi();
     world.body.push_back(body);
@@ -95,13 +95,13 @@ std::span<const swage_contact_point> BendingBody::local(std::span<const swage_co
 
 bool BendingBody::mobility(std::span<const swage_contact_point> point, double* v_free, double* W) noexcept {
   const swage_object_step raw = view();
-  bending_.compliance(Step(&raw), local(point), v_free, W);
+  bending_.mobility(Step(&raw), local(point), v_free, W);
   return true;
 }
 
 void BendingBody::apply_impulses(std::span<const swage_contact_point> point, const double* impulse) noexcept {
   const swage_object_step raw = view();
-  bending_.yield(Step(&raw), local(point), impulse);
+  bending_.apply_impulses(Step(&raw), local(point), impulse);
 }
 
 Vec3 BendingBody::gives() const {

@@ -49,7 +49,7 @@ class Carrier : public ::testing::Test {
     asked_.clear();
     for (const uint32_t body : bodies) asked_.push_back(point(body));
     Answer out{std::vector<double>(3 * n), std::vector<double>(9 * n * n)};
-    EXPECT_EQ(own_->compliance(stage_.raw(), &step_, n, asked_.data(), out.v.data(), out.W.data()), SWAGE_OK);
+    EXPECT_EQ(own_->mobility(stage_.raw(), &step_, n, asked_.data(), out.v.data(), out.W.data()), SWAGE_OK);
     return out;
   }
   /// Up to 0.2 mN for a step at each point of which it was asked last.
@@ -57,7 +57,7 @@ class Carrier : public ::testing::Test {
     std::vector<double> j;
     for (size_t i = 0; i < asked_.size(); ++i) j.insert(j.end(), {0, 1e-7, i % 2 == 0 ? 2e-7 : -1e-7});
     ASSERT_EQ(
-        own_->yield(stage_.raw(), &step_, static_cast<uint32_t>(asked_.size()), asked_.data(), j.data()),
+        own_->apply_impulses(stage_.raw(), &step_, static_cast<uint32_t>(asked_.size()), asked_.data(), j.data()),
         SWAGE_OK);
   }
   /// What carried when it was pushed last, as a body.

@@ -291,7 +291,7 @@ TEST(BendingNeedle, IsAChainOfArcsWhoseEndsMeet) {
   OnStage on({{"level", kBending}});
   ASSERT_EQ(on.stage.bodies.size(), 12u);
   ASSERT_EQ(on.stage.arcs.size(), 12u);
-  EXPECT_EQ(on.stage.bodies[0].motion, SWAGE_MOTION_SELF);
+  EXPECT_EQ(on.stage.bodies[0].motion, SWAGE_MOTION_FLEXIBLE);
   OnStage rigid({});
   EXPECT_LT((toolkit::vec(on.stage.bodies[0].X_OB.p) - toolkit::vec(rigid.stage.bodies[0].X_OB.p)).norm(),
             1e-15)

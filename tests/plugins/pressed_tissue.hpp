@@ -27,7 +27,7 @@ struct Pressed {
     const auto* surface = bench.get<swage_surface>(SWAGE_EXT_SURFACE);
     double v_free[3], W[9], u[3] = {0, 0, 0};
     EXPECT_EQ(s->advance(bench.raw, &bench.step), SWAGE_OK);
-    EXPECT_EQ(s->compliance(bench.raw, &bench.step, 1, &point, v_free, W), SWAGE_OK);
+    EXPECT_EQ(s->mobility(bench.raw, &bench.step, 1, &point, v_free, W), SWAGE_OK);
     EXPECT_EQ(surface->displacement(bench.raw, &bench.step, 1, &point, u), SWAGE_OK);
     const double h = bench.step.dt_s;
     Vec3 out;
@@ -37,7 +37,7 @@ struct Pressed {
       moved[i] = h * v_free[i] + out[i] - u[i];
     }
     const Vec3 j = h * f;
-    EXPECT_EQ(s->yield(bench.raw, &bench.step, 1, &point, j.data()), SWAGE_OK);
+    EXPECT_EQ(s->apply_impulses(bench.raw, &bench.step, 1, &point, j.data()), SWAGE_OK);
     EXPECT_EQ(bench.finish(), SWAGE_OK);
     return out;
   }

@@ -92,8 +92,8 @@ TEST(Passage, HolesThatWereTornIntoOneHaveNoLengthBetweenThem) {
   const PassageLaw law{1, 0.2, 1e6, 420e3, 0.02};
   for (uint32_t i = 0; i < 2; ++i) {
     const swage_tie tie = tie_of(site, law, passage, i);
-    EXPECT_GE(tie.drag_forth, 0) << "N: below zero the host puts the coupling in quarantine";
-    EXPECT_GE(tie.drag_back, 0);
+    EXPECT_GE(tie.forward_limit, 0) << "N: below zero the host puts the coupling in quarantine";
+    EXPECT_GE(tie.backward_limit, 0);
   }
 }
 

@@ -40,12 +40,12 @@ struct Bench {
   Vec3 velocity(uint32_t i) const { return Eigen::Map<const Vec3>(bench.state.data() + 3 * (n + i)); }
   void ask() {
     v_free.assign(3 * point.size(), 0.0), W.assign(9 * point.size() * point.size(), 0.0);
-    ASSERT_EQ(solver->compliance(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
+    ASSERT_EQ(solver->mobility(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
                                  place.data(), v_free.data(), W.data()),
               SWAGE_OK);
   }
-  void yield(const Eigen::VectorXd& impulse) {
-    ASSERT_EQ(solver->yield(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
+  void apply_impulses(const Eigen::VectorXd& impulse) {
+    ASSERT_EQ(solver->apply_impulses(bench.raw, bench.fill(), static_cast<uint32_t>(point.size()), point.data(),
                             place.data(), impulse.data()),
               SWAGE_OK);
   }

@@ -138,7 +138,7 @@ TEST(Thread, MassesAnswerByTheirMasses) {
   Eigen::VectorXd j(3);
   j << 0, 0, 1e-9;
   const Vec3 before = b.middle(3);
-  b.yield(j);
+  b.apply_impulses(j);
   EXPECT_NEAR((b.middle(3) - before).z(), b.h * (b.v_free[2] + b.W[8] * 1e-9), 1e-12);
 }
 

@@ -38,7 +38,7 @@ Eigen::VectorXd hold(Bench& b, const std::vector<uint32_t>& segment, const std::
   const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(n, n) / k + b.h * b.h * W.topLeftCorner(n, n);
   const Eigen::VectorXd f = -M.ldlt().solve(right);
   j.head(n) = b.h * f;
-  b.yield(j);
+  b.apply_impulses(j);
   return f;
 }
 
@@ -86,7 +86,7 @@ TEST(Thread, GoesAsItAnswered) {
   // the centre line goes exactly where it said, however hard it is pushed
   Eigen::VectorXd j(n);
   for (Eigen::Index i = 0; i < n; ++i) j[i] = 1e-10 * std::sin(static_cast<double>(i));
-  b.yield(j);
+  b.apply_impulses(j);
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(b.v_free.data(), n) + W * j;
   double worst = 0, largest = 0;
   for (size_t i = 0; i + 1 < b.point.size(); ++i) {
@@ -151,7 +151,7 @@ TEST(Thread, BreaksWhereItsStrengthIsPassed) {
     b.clear();
     b.touch(31);
     b.ask();
-    b.yield(Eigen::Vector3d(b.h * f, 0, 0));
+    b.apply_impulses(Eigen::Vector3d(b.h * f, 0, 0));
   };
   for (int k = 0; k < 180; ++k) pull(1e-3 * k);
   EXPECT_EQ(b.signal("thread.parted"), 0);
@@ -176,7 +176,7 @@ TEST(Thread, RemembersNothingOfItsOwn) {
       b.ask();
       Eigen::VectorXd j(6);
       j << 1e-10, 0, 2e-10, 0, -1e-10, 0;
-      b.yield(j);
+      b.apply_impulses(j);
     }
   };
   go(20);
@@ -215,7 +215,7 @@ TEST(Thread, IsASutureOfTheLibrary) {
     b.clear();
     b.touch(31);
     b.ask();
-    b.yield(Eigen::Vector3d(1e-3 * 5e-3, 0, 0));
+    b.apply_impulses(Eigen::Vector3d(1e-3 * 5e-3, 0, 0));
   }
   EXPECT_NEAR((b.node(31) - b.node(0)).norm(), 20e-3 * 31 / 32 * (1 + 5e-3 / 7.0686), 0.2e-6);
 }

@@ -220,11 +220,11 @@ struct Slit {
     const auto* s = bench.get<swage_solver>(SWAGE_EXT_SOLVER);
     const auto* surface = bench.get<swage_surface>(SWAGE_EXT_SURFACE);
     EXPECT_EQ(s->advance(bench.raw, &bench.step), SWAGE_OK);
-    EXPECT_EQ(s->compliance(bench.raw, &bench.step, 2, point, v_free.data(), W.data()), SWAGE_OK);
+    EXPECT_EQ(s->mobility(bench.raw, &bench.step, 2, point, v_free.data(), W.data()), SWAGE_OK);
     EXPECT_EQ(surface->displacement(bench.raw, &bench.step, 2, point, u.data()), SWAGE_OK);
     Eigen::Matrix<double, 6, 1> j = Eigen::Matrix<double, 6, 1>::Zero();
     j[0] = left * bench.step.dt_s, j[3] = right * bench.step.dt_s;
-    EXPECT_EQ(s->yield(bench.raw, &bench.step, 2, point, j.data()), SWAGE_OK);
+    EXPECT_EQ(s->apply_impulses(bench.raw, &bench.step, 2, point, j.data()), SWAGE_OK);
     EXPECT_EQ(bench.finish(), SWAGE_OK);
   }
   double width() const { return bench.step.signal[2]; }

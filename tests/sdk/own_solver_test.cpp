@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The own-solver extension has the right shape: a ball on springs, loaded from its library and used through the C tables
-// alone, moves, answers for its compliance and yields as its closed forms say.
+// alone, moves, answers for its mobility and yields as its closed forms say.
 //
 // Closed forms (derivation in spring_mass.cpp; m mass, J = 2/5 m R^2, k, c spring, k_t, c_t torsion, h step):
 //   a = m + h c + h^2 k,  b = J + h c_t + h^2 k_t
@@ -54,7 +54,7 @@ struct Ball {
     const swage_values values{sizeof(swage_values), 6, value, {"ball", 4}};
     ASSERT_EQ(raw->configure(raw, &values, &builder.raw), SWAGE_OK);
     ASSERT_EQ(builder.bodies.size(), 1u);
-    ASSERT_EQ(builder.bodies[0].motion, SWAGE_MOTION_SELF);
+    ASSERT_EQ(builder.bodies[0].motion, SWAGE_MOTION_FLEXIBLE);
     object = static_cast<const swage_object*>(raw->get_extension(raw, SWAGE_EXT_OBJECT));
     solver = static_cast<const swage_solver*>(raw->get_extension(raw, SWAGE_EXT_SOLVER));
     ASSERT_TRUE(object != nullptr && solver != nullptr);
@@ -87,16 +87,16 @@ struct Ball {
   Vec3 velocity_at(const Vec3& r) const { return toolkit::vec(twist.v) + toolkit::vec(twist.w).cross(r); }
 
   void advance() { ASSERT_EQ(solver->advance(raw, &step), SWAGE_OK); }
-  void compliance(const std::vector<swage_contact_point>& points, Vector& v_free, Matrix& W) {
+  void mobility(const std::vector<swage_contact_point>& points, Vector& v_free, Matrix& W) {
     const auto n = static_cast<uint32_t>(points.size());
     v_free = Vector::Constant(3 * n, NAN);
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(3 * n, 3 * n);
     rows.setConstant(NAN);
-    ASSERT_EQ(solver->compliance(raw, &step, n, points.data(), v_free.data(), rows.data()), SWAGE_OK);
+    ASSERT_EQ(solver->mobility(raw, &step, n, points.data(), v_free.data(), rows.data()), SWAGE_OK);
     W = rows;
   }
-  void yield(const std::vector<swage_contact_point>& points, const Vector& impulse) {
-    ASSERT_EQ(solver->yield(raw, &step, static_cast<uint32_t>(points.size()), points.data(), impulse.data()),
+  void apply_impulses(const std::vector<swage_contact_point>& points, const Vector& impulse) {
+    ASSERT_EQ(solver->apply_impulses(raw, &step, static_cast<uint32_t>(points.size()), points.data(), impulse.data()),
               SWAGE_OK);
   }
 };
@@ -135,7 +135,7 @@ TEST(OwnSolver, compliance_is_the_closed_form) {
   const auto points = surface_points(ball, 5, random);
   Vector v_free;
   Matrix W;
-  ball.compliance(points, v_free, W);
+  ball.mobility(points, v_free, W);
   for (int i = 0; i < 5; ++i) {
     const Vec3 r_i = toolkit::vec(points[static_cast<size_t>(i)].p_W) - ball.centre();
     EXPECT_LT((v_free.segment<3>(3 * i) - ball.velocity_at(r_i)).norm(), 1e-14 * v_free.norm());
@@ -156,7 +156,7 @@ TEST(OwnSolver, compliance_is_symmetric_and_positive_semi_definite) {
     ball.advance();
     Vector v_free;
     Matrix W;
-    ball.compliance(surface_points(ball, n, random), v_free, W);
+    ball.mobility(surface_points(ball, n, random), v_free, W);
     EXPECT_LT((W - W.transpose()).norm(), 1e-15 * W.norm());
     const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(W).eigenvalues();  // ascending
     EXPECT_GT(values[0], -1e-14 * values[3 * n - 1]);
@@ -179,10 +179,10 @@ TEST(OwnSolver, it_moves_as_compliance_promised) {
     const Vec3 centre = ball.centre();
     Vector v_free, impulse(3 * n);
     Matrix W;
-    ball.compliance(points, v_free, W);
+    ball.mobility(points, v_free, W);
     for (double& j : impulse) j = normal(random);
     const Vector promised = v_free + W * impulse;
-    ball.yield(points, impulse);
+    ball.apply_impulses(points, impulse);
     for (int i = 0; i < n; ++i) {
       const Vec3 r = toolkit::vec(points[static_cast<size_t>(i)].p_W) - centre;
       EXPECT_LT((ball.velocity_at(r) - promised.segment<3>(3 * i)).norm(), 1e-13 * promised.norm());
@@ -204,7 +204,7 @@ TEST(OwnSolver, a_step_with_an_impulse_solves_backward_euler) {
   const auto points = surface_points(ball, 2, random);
   Vector impulse(6);
   impulse << 1e-9, 2e-9, -3e-9, 5e-10, 0, 1e-9;
-  ball.yield(points, impulse);
+  ball.apply_impulses(points, impulse);
   const Vec3 x1 = ball.centre() - rest, v1 = toolkit::vec(ball.twist.v);
   const Vec3 force = ball.mass * Vec3(0, 0, -9.80665) - ball.k * x1 - ball.c * v1;
   const Vec3 momentum = ball.mass * (v1 - v0), pushed = ball.h * force + impulse_sum(impulse);
@@ -236,7 +236,7 @@ double error_after_a_quarter(int steps) {
   const swage_contact_point top{0, 0, ball.pose.p, {0, 0, -1}};
   Vector impulse(3);
   impulse << ball.a() * 1e-2, 0, 0;  // leaves it at 1 cm/s
-  ball.yield({top}, impulse);
+  ball.apply_impulses({top}, impulse);
   for (int i = 1; i < steps; ++i) ball.advance();
   return std::abs((ball.pose.p.x - 1e-3) / (1e-2 / omega) - 1);
 }

@@ -56,8 +56,8 @@ TEST(Realtime, no_call_of_an_object_allocates) {
   bench.forces();
   bench.finish();
   solver->advance(bench.raw, &bench.step);
-  solver->compliance(bench.raw, &bench.step, 1, &point, v, W);
-  solver->yield(bench.raw, &bench.step, 1, &point, j);
+  solver->mobility(bench.raw, &bench.step, 1, &point, v, W);
+  solver->apply_impulses(bench.raw, &bench.step, 1, &point, j);
   live->change(bench.raw, 0, &value);
   graspable->locate(bench.raw, &bench.step, {}, &place);
   bench.raw->get_extension(bench.raw, SWAGE_TRAIT_GRIPPER);

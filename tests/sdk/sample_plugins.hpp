@@ -81,12 +81,12 @@ class Everything final : public Object<EverythingParams>,
   void reset(const Step& step) override { step.state<State>() = {}; }
 
   void advance(const Step& step) override { step.pose(body_).p.x += 1; }
-  void compliance(const Step&, std::span<const swage_contact_point> points, double* v_free,
+  void mobility(const Step&, std::span<const swage_contact_point> points, double* v_free,
                   double* W) override {
     v_free[0] = static_cast<double>(points.size());
     W[0] = 5;
   }
-  void yield(const Step& step, std::span<const swage_contact_point>, const double* impulse) override {
+  void apply_impulses(const Step& step, std::span<const swage_contact_point>, const double* impulse) override {
     step.twist(body_).v.x = impulse[0];
   }
   void locate(const Step&, swage_vec3 p_W, swage_graspable_place& out) override { out.s = p_W.x; }

@@ -72,10 +72,10 @@ TEST(Object, offers_its_mechanics_and_traits) {
   EXPECT_EQ(ball.pose.p.x, 1);
   const swage_contact_point points[2] = {};
   double v_free[6] = {}, W[36] = {}, impulse[6] = {8, 0, 0, 0, 0, 0};
-  EXPECT_EQ(solver->compliance(ball.raw, &ball.step, 2, points, v_free, W), SWAGE_OK);
+  EXPECT_EQ(solver->mobility(ball.raw, &ball.step, 2, points, v_free, W), SWAGE_OK);
   EXPECT_EQ(v_free[0], 2);
   EXPECT_EQ(W[0], 5);
-  EXPECT_EQ(solver->yield(ball.raw, &ball.step, 2, points, impulse), SWAGE_OK);
+  EXPECT_EQ(solver->apply_impulses(ball.raw, &ball.step, 2, points, impulse), SWAGE_OK);
   EXPECT_EQ(ball.twist.v.x, 8);
 
   swage_graspable_place place{};

@@ -24,7 +24,7 @@ void @NAME@::build(const P& p, Builder& builder) {
   bend_ = p.modulus * area * p.diameter * p.diameter / 16 / (piece_ * piece_ * piece_);  // E I / l^3
   if (piece_ < 0.5 * p.diameter) builder.error("segments", "a segment is at least half as long as the strand is thick: take fewer");
 
-  body_ = builder.own_body("strand");
+  body_ = builder.flexible_body("strand");
   builder.state(swage::ChainState::doubles(vertices()) + 1);
   std::vector<double> p_B(3 * n_), radius(n_ - 1, 0.5 * p.diameter);
   for (size_t i = 0; i < n_; ++i) p_B[3 * i] = piece_ * static_cast<double>(i);
@@ -175,7 +175,7 @@ void @NAME@::push(const swage_chain_place& p, const Vec3& force, double* unknown
   swage::vec(a + kOf) += p.share * force;
 }
 
-void @NAME@::compliance(const Step& step, std::span<const swage_contact_point>,
+void @NAME@::mobility(const Step& step, std::span<const swage_contact_point>,
                         std::span<const swage_chain_place> place, double* v_free, double* W) {
   const double h = step.dt();
   const size_t rows = 3 * place.size();
@@ -196,7 +196,7 @@ void @NAME@::compliance(const Step& step, std::span<const swage_contact_point>,
   }
 }
 
-void @NAME@::yield(const Step& step, std::span<const swage_contact_point>, std::span<const swage_chain_place> place,
+void @NAME@::apply_impulses(const Step& step, std::span<const swage_contact_point>, std::span<const swage_chain_place> place,
                    const double* impulse) {
   for (size_t k = 0; k < right_.size(); ++k) right_[k] = -gradient_[k];
   for (size_t i = 0; i < place.size(); ++i) {

@@ -50,9 +50,9 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
   void displace(const swage::Step& step, const double* change, std::span<const swage_contact_point> points,
                 std::span<const swage_chain_place> place, const double* impulse) override;
   // the same by points, for a host that knows no bands
-  void compliance(const swage::Step& step, std::span<const swage_contact_point> points,
+  void mobility(const swage::Step& step, std::span<const swage_contact_point> points,
                   std::span<const swage_chain_place> place, double* v_free, double* W) override;
-  void yield(const swage::Step& step, std::span<const swage_contact_point> points,
+  void apply_impulses(const swage::Step& step, std::span<const swage_contact_point> points,
              std::span<const swage_chain_place> place, const double* impulse) override;
 
  private:

@@ -49,7 +49,7 @@ int main() {
   check(std::abs(hangs.signal[0] - exact) < 0.002 * exact, "its own weight stretches it");
   check(hangs.state[0] == 0, "the fixed end stays");
 
-  // a band: what compliance() says of a place is what linearise() leads to. `swage validate` asks for the rest
+  // a band: what mobility() says of a place is what linearise() leads to. `swage validate` asks for the rest
   check(hangs.get<swage_band>(SWAGE_EXT_BAND) != nullptr, "it is a band");
   check(hangs.content() && falls.content(), "nothing was reported");
   return failures == 0 ? 0 : 1;

@@ -49,7 +49,7 @@ class Beads final : public Object<BeadsParams>, public Solid, public ChainSolver
     n_ = static_cast<uint32_t>(p.vertices);
     std::vector<double> p_B(3 * n_), radius(n_ - 1, p.radius);
     for (uint32_t i = 0; i < n_; ++i) p_B[3 * i] = p.length * i / (n_ - 1);
-    body_ = b.own_body("beads");
+    body_ = b.flexible_body("beads");
     first_ = b.n_state();
     b.state(ChainState::doubles(n_));
     rest_ = b.n_state();
@@ -78,7 +78,7 @@ class Beads final : public Object<BeadsParams>, public Solid, public ChainSolver
     }
   }
 
-  void compliance(const Step& step, std::span<const swage_contact_point> points,
+  void mobility(const Step& step, std::span<const swage_contact_point> points,
                   std::span<const swage_chain_place> place, double* v_free, double* W) override {
     const ChainState chain = step.chain(first_, n_);
     const size_t n = points.size();
@@ -100,7 +100,7 @@ class Beads final : public Object<BeadsParams>, public Solid, public ChainSolver
     }
   }
 
-  void yield(const Step& step, std::span<const swage_contact_point> points,
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points,
              std::span<const swage_chain_place> place, const double* impulse) override {
     const ChainState chain = step.chain(first_, n_);
     const double h = step.dt(), per_a = 1 / a(h);

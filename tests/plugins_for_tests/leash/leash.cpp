@@ -39,17 +39,17 @@ uint32_t Leash::ties(const swage::CouplingStep& step, std::span<swage_tie> out) 
     tie.axis_W = raw(X_WB.q * Vec3::Unit(i));
     tie.offset_W = raw(Vec3(p_a - p_b));
     tie.stiffness_across = tie.stiffness_along = params().stiffness;
-    tie.strength = tie.drag_forth = tie.drag_back = params().strength > 0 ? params().strength : HUGE_VAL;
+    tie.strength = tie.forward_limit = tie.backward_limit = params().strength > 0 ? params().strength : HUGE_VAL;
   }
   return 3;
 }
 
 // [rt] what a tie gave up is where it is at rest from now on
-void Leash::tied(const swage::CouplingStep& step, std::span<const swage_tie> ties) {
+void Leash::on_solved(const swage::CouplingStep& step, std::span<const swage_tie> ties) {
   const Pose X_WB(step.b()->X_WB[0]);
   State& state = step.state<State>();
   for (size_t i = 0; i < ties.size(); ++i) {
-    const Vec3 slid_B = X_WB.q.conjugate() * vec(ties[i].slid_W);
+    const Vec3 slid_B = X_WB.q.conjugate() * vec(ties[i].plastic_slip_W);
     state.p_B[i] = raw(Vec3(vec(state.p_B[i]) + slid_B));
   }
 }

@@ -34,7 +34,7 @@ class Leash final : public swage::Coupling<LeashParams>, public swage::Ties {
   void build(const P&, Builder& builder) override { builder.state<State>(); }
   void resolve(const swage::CouplingStep& step) override;
   uint32_t ties(const swage::CouplingStep& step, std::span<swage_tie> out) override;
-  void tied(const swage::CouplingStep& step, std::span<const swage_tie> ties) override;
+  void on_solved(const swage::CouplingStep& step, std::span<const swage_tie> ties) override;
 
  private:
   // where the places are on both bodies while nothing pulls; 0 in `known` before the first step

@@ -53,7 +53,7 @@ class SpringMass final : public Object<SpringMassParams>, public Solid, public S
   };
 
   void build(const P& p, Builder& b) override {
-    body_ = b.own_body("ball");
+    body_ = b.flexible_body("ball");
     b.sphere(body_, {0, 0, 0}, p.radius);
     b.state<State>();
     stretch_ = b.signal("stretch", "m", "Distance from the rest place.");
@@ -77,7 +77,7 @@ class SpringMass final : public Object<SpringMassParams>, public Solid, public S
     move(step, v - toolkit::vec(s.v), w - toolkit::vec(s.w), h * v, h * w);
   }
 
-  void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+  void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                   double* W) override {
     const double per_a = 1 / a(step.dt()), per_b = 1 / b(step.dt());
     const size_t n = points.size();
@@ -97,7 +97,7 @@ class SpringMass final : public Object<SpringMassParams>, public Solid, public S
     }
   }
 
-  void yield(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override {
+  void apply_impulses(const Step& step, std::span<const swage_contact_point> points, const double* impulse) override {
     const double h = step.dt();
     Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
     for (size_t i = 0; i < points.size(); ++i) {

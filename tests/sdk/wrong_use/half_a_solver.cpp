@@ -5,6 +5,6 @@
 class Ball final : public BallBase, public swage::Solver {
  public:
   void advance(const swage::Step&) override {}
-  void compliance(const swage::Step&, std::span<const swage_contact_point>, double*, double*) override {}
+  void mobility(const swage::Step&, std::span<const swage_contact_point>, double*, double*) override {}
 };
 SWAGE_EXPORT(Ball)

@@ -133,7 +133,7 @@ double least_gap_of_capsules(const scene::World& w, const scene::Shape& other) {
     capsule.kind = SWAGE_SHAPE_CAPSULE, capsule.half_length = 0.5 * u.norm();
     add_shape(rigid, capsule, 0,
               {0.5 * (chain.p(i) + chain.p(i + 1)), toolkit::Quat::FromTwoVectors(Vec3::UnitZ(), u)},
-              SWAGE_MOTION_SELF);
+              SWAGE_MOTION_FLEXIBLE);
   }
   add_shape(rigid, other, 1);
   double least = 1;

@@ -43,7 +43,7 @@ TEST(ChainLine, ArcsOfOneWireShareItsWeightByTheirLength) {
     ContactSet set;
     lie(set, 0, 0.3e-3, arc_is_a);
     lie(set, 1, 0.1e-3, arc_is_a);
-    share_chain_lines(chain(SWAGE_MOTION_SELF), set, 0);
+    share_chain_lines(chain(SWAGE_MOTION_FLEXIBLE), set, 0);
     EXPECT_NEAR(set.contact[0].weight, 0.5 * 0.75, 1e-12);
     EXPECT_NEAR(set.contact[1].weight, 0.5 * 0.75, 1e-12);
     EXPECT_NEAR(set.contact[2].weight, 0.5 * 0.25, 1e-12);
@@ -55,7 +55,7 @@ TEST(ChainLine, LeavesTheRestAlone) {
   // one arc only; two needles that are rigid; a single point; another pair's contacts
   ContactSet one;
   lie(one, 0, 0.3e-3, true);
-  share_chain_lines(chain(SWAGE_MOTION_SELF), one, 0);
+  share_chain_lines(chain(SWAGE_MOTION_FLEXIBLE), one, 0);
   EXPECT_EQ(weight(one), 1);
   ContactSet rigid;
   lie(rigid, 0, 0.3e-3, true), lie(rigid, 1, 0.1e-3, true);
@@ -64,11 +64,11 @@ TEST(ChainLine, LeavesTheRestAlone) {
   ContactSet point;
   lie(point, 0, 0.3e-3, true), lie(point, 1, 0.1e-3, true);
   point.contact[2].feature = point.contact[3].feature = 0x200;
-  share_chain_lines(chain(SWAGE_MOTION_SELF), point, 0);
+  share_chain_lines(chain(SWAGE_MOTION_FLEXIBLE), point, 0);
   EXPECT_EQ(weight(point), 2);
   ContactSet other;
   lie(other, 0, 0.3e-3, true), lie(other, 1, 0.1e-3, true);
-  share_chain_lines(chain(SWAGE_MOTION_SELF), other, 2);
+  share_chain_lines(chain(SWAGE_MOTION_FLEXIBLE), other, 2);
   EXPECT_EQ(weight(other), 2);
 }
 

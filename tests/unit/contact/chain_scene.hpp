@@ -26,7 +26,7 @@ inline uint32_t add_chain(scene::World& w, const std::vector<Vec3>& p, double ra
   info.state = static_cast<uint32_t>(w.plugin_state.size());
   w.plugin_state.resize(info.state + scene::chain_doubles(static_cast<uint32_t>(p.size())));
   scene::BodyInfo body;
-  body.motion = SWAGE_MOTION_SELF, body.object = object, body.start = Pose().abi();
+  body.motion = SWAGE_MOTION_FLEXIBLE, body.object = object, body.start = Pose().abi();
   scene::Shape shape;
   shape.kind = SWAGE_SHAPE_CHAIN;
   shape.X_BS = Pose().abi();

@@ -191,7 +191,7 @@ TEST(Detector, EveryArcOfAWireThatLiesOnAFaceTouchesIt) {
     w.shape = {bench::needle_shape(n), bench::needle_shape(n), bench::convex_shape()};
     w.convex = {bench::convex(bench::jaw(-1))};
     for (uint32_t i = 0; i < 3; ++i) {
-      w.body[i].motion = i < 2 ? SWAGE_MOTION_SELF : SWAGE_MOTION_FIXED;
+      w.body[i].motion = i < 2 ? SWAGE_MOTION_FLEXIBLE : SWAGE_MOTION_FIXED;
       w.body[i].start = Pose().abi();
       w.shape[i].body = i, w.body[i].object = w.shape[i].object = i < 2 ? 0 : 1;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Threads that are bands in the solve go as threads that answer with the compliance of their points: alone, with each other, with
+// Threads that are bands in the solve go as threads that answer with the mobility of their points: alone, with each other, with
 // bodies, and one of each.
 #include <gtest/gtest.h>
 

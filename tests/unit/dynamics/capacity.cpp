@@ -49,8 +49,8 @@ class Ball : public FlexibleBody {
 /// opposite sides; and, apart from them, a rigid ball on a fixed one.
 struct Crowd {
   explicit Crowd(uint32_t pairs_each) : ball{Ball(0), Ball(1)} {
-    add(0, Vec3(-kLarge + 0.5e-9, 0, 0), kLarge, SWAGE_MOTION_SELF);
-    add(1, Vec3(kLarge - 0.5e-9, 0, 0), kLarge, SWAGE_MOTION_SELF);
+    add(0, Vec3(-kLarge + 0.5e-9, 0, 0), kLarge, SWAGE_MOTION_FLEXIBLE);
+    add(1, Vec3(kLarge - 0.5e-9, 0, 0), kLarge, SWAGE_MOTION_FLEXIBLE);
     for (uint32_t b = 0; b < 2; ++b)
       for (uint32_t i = 0; i < pairs_each; ++i) {
         // deeper from pair to pair, 1 nm to 3 nm

@@ -32,7 +32,7 @@ std::vector<Vec3> wire(double wave) {
 
 /// The same wire as capsules on one body.
 void add_capsules(scene::World& w, const std::vector<Vec3>& p) {
-  const uint32_t body = add_body(w, SWAGE_MOTION_SELF, 0, Vec3::Zero());
+  const uint32_t body = add_body(w, SWAGE_MOTION_FLEXIBLE, 0, Vec3::Zero());
   for (size_t i = 0; i + 1 < p.size(); ++i) {
     const Vec3 u = p[i + 1] - p[i];
     scene::Shape shape = shape_on(body, 0, SWAGE_SHAPE_CAPSULE, kWire);

@@ -180,10 +180,10 @@ struct Stack {
     w.body[0].mass = Ball::kMass;
     for (double& I : w.body[0].inertia) I = 1e6;  // cannot turn
     scene::reset(w);
-    if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_SELF) return w;
+    if (motion != SWAGE_MOTION_DYNAMIC && motion != SWAGE_MOTION_FLEXIBLE) return w;
     w.V_WB[0].v = toolkit::raw(v);
     // as its flexible body would have advanced it
-    if (motion == SWAGE_MOTION_SELF) w.X_WB[0].p = toolkit::raw(Vec3(1e-3 * v));
+    if (motion == SWAGE_MOTION_FLEXIBLE) w.X_WB[0].p = toolkit::raw(Vec3(1e-3 * v));
     return w;
   }
 
@@ -199,7 +199,7 @@ TEST(ContactSpace, WhoAnswersAsABodyMovesAsOne) {
   for (const Vec3& v :
        {Vec3(0, 0, 0), Vec3(1e-5, 0, -1e-4), Vec3(2e-3, 1e-3, 0), Vec3(0, 0, 1e-3), Vec3(2e-3, 0, -2e-4)})
     for (const bool tied : {false, true}) {
-      Stack own(SWAGE_MOTION_SELF, v, tied), body(SWAGE_MOTION_DYNAMIC, v, tied);
+      Stack own(SWAGE_MOTION_FLEXIBLE, v, tied), body(SWAGE_MOTION_DYNAMIC, v, tied);
       own.step(), body.step();
       ASSERT_EQ(own.contacts.contact.size(), body.contacts.contact.size());
       double most = 1e-9;
@@ -220,7 +220,7 @@ TEST(ContactSpace, WhoGivesNowhereStandsStill) {
   Stack still(SWAGE_MOTION_FIXED, Vec3::Zero(), true);
   still.step();
   for (const bool answers : {true, false}) {
-    Stack own(SWAGE_MOTION_SELF, Vec3::Zero(), true);
+    Stack own(SWAGE_MOTION_FLEXIBLE, Vec3::Zero(), true);
     own.ball.gives = 0, own.ball.answers = answers;
     own.step();
     EXPECT_EQ(own.tie[0].f_a_W, still.tie[0].f_a_W);

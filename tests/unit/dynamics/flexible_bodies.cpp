@@ -31,7 +31,7 @@ class PointMass : public FlexibleBody {
 scene::World world_with_self_body() {
   scene::World w;
   w.body.resize(1);
-  w.body[0].motion = SWAGE_MOTION_SELF;
+  w.body[0].motion = SWAGE_MOTION_FLEXIBLE;
   w.body[0].object = 3;
   return w;
 }

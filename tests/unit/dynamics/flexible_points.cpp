@@ -55,7 +55,7 @@ struct Stack {
   }
   static scene::World make(double gap_below, double gap_above) {
     scene::World w = three_balls(kRadius, gap_below, gap_above);
-    w.body[0].motion = SWAGE_MOTION_SELF;
+    w.body[0].motion = SWAGE_MOTION_FLEXIBLE;
     scene::reset(w);
     return w;
   }

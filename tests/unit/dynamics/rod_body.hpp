@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// An elastic rod as a flexible body: answers with its band, or with the compliance of its points.
+// An elastic rod as a flexible body: answers with its band, or with the mobility of its points.
 #pragma once
 
 #include <vector>

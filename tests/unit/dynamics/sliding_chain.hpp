@@ -41,7 +41,7 @@ inline void add_chain(scene::World& w, const std::vector<toolkit::Vec3>& p, doub
   }
   info.bend_radius = radius, info.state = static_cast<uint32_t>(w.plugin_state.size());
   w.plugin_state.resize(info.state + scene::chain_doubles(static_cast<uint32_t>(p.size())));
-  const uint32_t body = add_body(w, SWAGE_MOTION_SELF, object, toolkit::Vec3::Zero());
+  const uint32_t body = add_body(w, SWAGE_MOTION_FLEXIBLE, object, toolkit::Vec3::Zero());
   scene::Shape shape = shape_on(body, object, SWAGE_SHAPE_CHAIN, radius);
   shape.chain = static_cast<uint32_t>(w.chain.size());
   w.chain.push_back(info);

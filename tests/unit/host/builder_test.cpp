@@ -326,7 +326,7 @@ TEST(Builder, TakesAChainThatItsObjectMoves) {
   EXPECT_EQ(declare(b.raw, 0, &chain, SWAGE_SHAPE_USUAL), kNone) << "no such body";
   b.body();
   EXPECT_EQ(declare(b.raw, 0, &chain, SWAGE_SHAPE_USUAL), kNone) << "a body that does not move itself";
-  b.body(SWAGE_MOTION_SELF);
+  b.body(SWAGE_MOTION_FLEXIBLE);
   EXPECT_EQ(declare(b.raw, 1, &chain, SWAGE_SHAPE_USUAL), kNone) << "no doubles for it";
   b.raw->state(b.raw, 24);
   EXPECT_EQ(declare(b.raw, 1, &chain, SWAGE_SHAPE_USUAL), 0u);

@@ -115,7 +115,7 @@ TEST(Guard, ShowsTheCallThatIsRunning) {
 
 TEST(Guard, EachCallHasItsWord) {
   EXPECT_STREQ(text(Call::kCreate), "create");
-  EXPECT_STREQ(text(Call::kTied), "tied");
+  EXPECT_STREQ(text(Call::kOnSolved), "on_solved");
   EXPECT_STREQ(text(Call::kDisplacement), "displacement");
   EXPECT_STREQ(text(Call::kDents), "dents");
   EXPECT_STREQ(text(Call::kTears), "tears");

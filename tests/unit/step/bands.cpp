@@ -26,7 +26,7 @@ void work_ns(int64_t ns) {
 struct Scene {
   explicit Scene(int64_t ns) : answers_in(ns) {
     scene::BodyInfo body;
-    body.motion = SWAGE_MOTION_SELF;
+    body.motion = SWAGE_MOTION_FLEXIBLE;
     world.body.push_back(body);
     scene::Shape shape;
     shape.kind = SWAGE_SHAPE_CHAIN;

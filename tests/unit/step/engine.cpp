@@ -93,7 +93,7 @@ TEST(Engine, TheLessonHearsOfAQuarantine) {
 // what an object writes is looked at before the lesson looks: it hears of nonsense in the same step, once
 TEST(Engine, TheLessonHearsOfNonsenseInTheStepInWhichItIsWritten) {
   FakeScene s;
-  s.rig.world.body[1].motion = SWAGE_MOTION_SELF;
+  s.rig.world.body[1].motion = SWAGE_MOTION_FLEXIBLE;
   s.rig.objects[1].solver = &s.ball_.solver;
   s.ball_.finish = [](const swage_object_step* step) {
     if (step->step == 2) step->X_WB[0].p.x = std::numeric_limits<double>::quiet_NaN();

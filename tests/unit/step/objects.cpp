@@ -126,7 +126,7 @@ TEST(Objects, SignalsMustBeNumbers) {
 // an object with mechanics of its own writes poses; what is not a pose is put back
 TEST(Objects, OwnMechanicsAreLookedAt) {
   FakeScene s;
-  s.rig.world.body[1].motion = SWAGE_MOTION_SELF;
+  s.rig.world.body[1].motion = SWAGE_MOTION_FLEXIBLE;
   s.rig.objects[1].solver = &s.ball_.solver;
   s.ball_.advance = [](const swage_object_step* step) {
     step->X_WB[0].p.x += 1e-6;

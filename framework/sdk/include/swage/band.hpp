@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // An object with a chain whose mechanics is a band: the host solves it together with everything that it touches, at a cost that
-// grows with the contacts and not with their square. It answers compliance as well, for hosts that do not know bands.
+// grows with the contacts and not with their square. It answers mobility as well, for hosts that do not know bands.
 //
 //   class Thread final : public swage::BandedObject<ThreadParams>, public swage::Solid { ... };
 #pragma once
@@ -16,7 +16,7 @@ template <class T>
 struct BandTables;
 }
 
-/// Base of an object with one chain on its one SELF body. Unknowns, and when each is called: swage/abi/band.h.
+/// Base of an object with one chain on its one flexible body. Unknowns, and when each is called: swage/abi/band.h.
 template <class P = NoParams>
 class BandedObject : public Object<P>, public ChainSolver {
  public:

@@ -91,8 +91,8 @@ class ObjectBuilder : public Builder {
     return body(SWAGE_MOTION_HINGED, name, X_OB);
   }
   /// Moved by the object's own Solver.
-  Body own_body(const char* name, const swage_pose& X_OB = kIdentity) {
-    return body(SWAGE_MOTION_SELF, name, X_OB);
+  Body flexible_body(const char* name, const swage_pose& X_OB = kIdentity) {
+    return body(SWAGE_MOTION_FLEXIBLE, name, X_OB);
   }
 
   /// Point masses moved by the host: 3 n positions in O [m], n masses [kg]. Returns the first index.
@@ -152,7 +152,7 @@ class ObjectBuilder : public Builder {
     return table->reserve_points(raw(), points);
   }
 
-  /// A flexible wire on an own_body(), with the first of the 8 n private doubles (ChainState in step.hpp) that hold its shape.
+  /// A flexible wire on a flexible_body(), with the first of the 8 n private doubles (ChainState in step.hpp) that hold its shape.
   /// `table`: host_extension<swage_host_chain>(SWAGE_HOST_CHAIN).
   Shape chain(const swage_host_chain* table, Body body, const swage_chain& chain,
               uint32_t flags = SWAGE_SHAPE_USUAL) {

@@ -58,7 +58,7 @@ class Ties {
   /// After resolve(): writes at most out.size() ties, returns how many. [rt]
   virtual uint32_t ties(const CouplingStep& step, std::span<swage_tie> out) SWAGE_RT = 0;
   /// Before finish(): the same ties with their forces, and what each gave up. [rt]
-  virtual void tied(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
+  virtual void on_solved(const CouplingStep& step, std::span<const swage_tie> ties) SWAGE_RT = 0;
 };
 
 /// Leaves torn places on the surface of object b; for the eye only.
@@ -114,7 +114,7 @@ inline constexpr Entry kResolve{"resolve", 13, kRt, When::kActive};
 inline constexpr Entry kFinishCoupling{"finish", 14, kRt, When::kActive};
 inline constexpr Entry kResetCoupling{"reset", 15, kRt, When::kActive};
 inline constexpr Entry kTies{"ties", 23, kRt, When::kActive};
-inline constexpr Entry kTied{"tied", 24, kRt, When::kActive};
+inline constexpr Entry kOnSolved{"on_solved", 24, kRt, When::kActive};
 inline constexpr Entry kTears{"tears", 31, kRt, When::kActive};
 inline constexpr Entry kWounds{"wounds", 34, kRt, When::kActive};
 
@@ -153,8 +153,8 @@ struct CouplingTables {
       *n = part<Ties>(h).ties(CouplingStep(s), {out, capacity});
     });
   }
-  static swage_result tied(swage_instance* i, Raw s, uint32_t n, const swage_tie* tie) noexcept {
-    return guarded<T>(i, kTied, [&](auto&, Holder<T>& h) { part<Ties>(h).tied(CouplingStep(s), {tie, n}); });
+  static swage_result on_solved(swage_instance* i, Raw s, uint32_t n, const swage_tie* tie) noexcept {
+    return guarded<T>(i, kOnSolved, [&](auto&, Holder<T>& h) { part<Ties>(h).on_solved(CouplingStep(s), {tie, n}); });
   }
 
   static swage_result tears(swage_instance* i, Raw s, uint32_t capacity, swage_tear* out,
@@ -183,7 +183,7 @@ struct CouplingTables {
         needs_a.data(), needs_b.data(), T::detects ? 1u : 0u, 0, bind, resolve, finish, reset};
     if (same(id, SWAGE_EXT_COUPLING)) return &table;
     if constexpr (std::is_base_of_v<Ties, T>) {
-      static constexpr swage_ties links{ties, tied};
+      static constexpr swage_ties links{ties, on_solved};
       if (same(id, SWAGE_EXT_TIES)) return &links;
     }
     if constexpr (std::is_base_of_v<Tearing, T>) {

@@ -38,19 +38,19 @@ class Object : public WithParams<P> {
   virtual void reset(const Step& step) SWAGE_RT { static_cast<void>(step); }
 };
 
-/// Own mechanics of SELF bodies. Per step: advance, compliance for all points of contact, yield with their
+/// Own mechanics of flexible bodies. Per step: advance, mobility for all points of contact, apply_impulses with their
 /// impulses.
 class Solver {
  public:
   virtual ~Solver() = default;
-  /// Free motion over dt: writes poses and twists of SELF bodies. [rt]
+  /// Free motion over dt: writes poses and twists of flexible bodies. [rt]
   virtual void advance(const Step& step) SWAGE_RT = 0;
   /// How the points move when pushed: v = v_free + W j. v_free: 3 n [m/s]; W: 3n x 3n row-major [m/s per N
   /// s], symmetric, positive semi-definite. [rt]
-  virtual void compliance(const Step& step, std::span<const swage_contact_point> points, double* v_free,
+  virtual void mobility(const Step& step, std::span<const swage_contact_point> points, double* v_free,
                           double* W) SWAGE_RT = 0;
   /// Takes the impulses, 3 n [N s] on the object, and writes the final poses and twists. [rt]
-  virtual void yield(const Step& step, std::span<const swage_contact_point> points,
+  virtual void apply_impulses(const Step& step, std::span<const swage_contact_point> points,
                      const double* impulse) SWAGE_RT = 0;
 };
 
@@ -59,9 +59,9 @@ class ChainSolver {
  public:
   virtual ~ChainSolver() = default;
   virtual void advance(const Step& step) SWAGE_RT = 0;
-  virtual void compliance(const Step& step, std::span<const swage_contact_point> points,
+  virtual void mobility(const Step& step, std::span<const swage_contact_point> points,
                           std::span<const swage_chain_place> place, double* v_free, double* W) SWAGE_RT = 0;
-  virtual void yield(const Step& step, std::span<const swage_contact_point> points,
+  virtual void apply_impulses(const Step& step, std::span<const swage_contact_point> points,
                      std::span<const swage_chain_place> place, const double* impulse) SWAGE_RT = 0;
 };
 
@@ -69,7 +69,7 @@ class ChainSolver {
 class Surface {
  public:
   virtual ~Surface() = default;
-  /// By how much the free surface is displaced from the shape at each point: 3 n [m]. Asked after compliance. [rt]
+  /// By how much the free surface is displaced from the shape at each point: 3 n [m]. Asked after mobility. [rt]
   virtual void displacement(const Step& step, std::span<const swage_contact_point> points,
                             double* u_W) SWAGE_RT = 0;
 };
@@ -127,8 +127,8 @@ inline constexpr Entry kForces{"forces", 4, kRt, When::kActive};
 inline constexpr Entry kFinish{"finish", 5, kRt, When::kActive};
 inline constexpr Entry kReset{"reset", 6, kRt, When::kActive};
 inline constexpr Entry kAdvance{"advance", 7, kRt, When::kActive};
-inline constexpr Entry kCompliance{"compliance", 8, kRt, When::kActive};
-inline constexpr Entry kYield{"yield", 9, kRt, When::kActive};
+inline constexpr Entry kMobility{"mobility", 8, kRt, When::kActive};
+inline constexpr Entry kApplyImpulses{"apply_impulses", 9, kRt, When::kActive};
 inline constexpr Entry kLocate{"locate", 10, kRt, When::kActive};
 inline constexpr Entry kDescribe{"describe", 11, kRt, When::kActive};
 inline constexpr Entry kPlace{"place", 25, kRt, When::kActive};
@@ -162,32 +162,32 @@ struct ObjectTables {
   static swage_result advance(swage_instance* i, Raw s) noexcept {
     return guarded<T>(i, kAdvance, [&](auto&, Holder<T>& h) { part<Solver>(h).advance(Step(s)); });
   }
-  static swage_result compliance(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+  static swage_result mobility(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
                                  double* v_free, double* W) noexcept {
-    return guarded<T>(i, kCompliance, [&](auto&, Holder<T>& h) {
-      part<Solver>(h).compliance(Step(s), {point, n}, v_free, W);
+    return guarded<T>(i, kMobility, [&](auto&, Holder<T>& h) {
+      part<Solver>(h).mobility(Step(s), {point, n}, v_free, W);
     });
   }
-  static swage_result yield(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+  static swage_result apply_impulses(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
                             const double* impulse) noexcept {
-    return guarded<T>(i, kYield, [&](auto&, Holder<T>& h) {
-      part<Solver>(h).yield(Step(s), {point, n}, impulse);
+    return guarded<T>(i, kApplyImpulses, [&](auto&, Holder<T>& h) {
+      part<Solver>(h).apply_impulses(Step(s), {point, n}, impulse);
     });
   }
   static swage_result advance_chain(swage_instance* i, Raw s) noexcept {
     return guarded<T>(i, kAdvance, [&](auto&, Holder<T>& h) { part<ChainSolver>(h).advance(Step(s)); });
   }
-  static swage_result compliance_of_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+  static swage_result mobility_of_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
                                           const swage_chain_place* place, double* v_free,
                                           double* W) noexcept {
-    return guarded<T>(i, kCompliance, [&](auto&, Holder<T>& h) {
-      part<ChainSolver>(h).compliance(Step(s), {point, n}, {place, n}, v_free, W);
+    return guarded<T>(i, kMobility, [&](auto&, Holder<T>& h) {
+      part<ChainSolver>(h).mobility(Step(s), {point, n}, {place, n}, v_free, W);
     });
   }
-  static swage_result yield_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
+  static swage_result apply_impulses_to_chain(swage_instance* i, Raw s, uint32_t n, const swage_contact_point* point,
                                   const swage_chain_place* place, const double* impulse) noexcept {
-    return guarded<T>(i, kYield, [&](auto&, Holder<T>& h) {
-      part<ChainSolver>(h).yield(Step(s), {point, n}, {place, n}, impulse);
+    return guarded<T>(i, kApplyImpulses, [&](auto&, Holder<T>& h) {
+      part<ChainSolver>(h).apply_impulses(Step(s), {point, n}, {place, n}, impulse);
     });
   }
   static swage_result locate(swage_instance* i, Raw s, swage_vec3 p_W, swage_graspable_place* out) noexcept {
@@ -231,12 +231,12 @@ struct ObjectTables {
     static constexpr uint32_t promise = 1;
     if (same(id, SWAGE_EXT_OBJECT)) return &object;
     if constexpr (kSolves) {
-      static constexpr swage_solver solver{advance, compliance, yield};
+      static constexpr swage_solver solver{advance, mobility, apply_impulses};
       if (same(id, SWAGE_EXT_SOLVER)) return &solver;
     }
     if constexpr (kSolvesChain) {
       static_assert(!kSolves, "an object has one solver");
-      static constexpr swage_solver_2 solver{advance_chain, compliance_of_chain, yield_chain};
+      static constexpr swage_solver_2 solver{advance_chain, mobility_of_chain, apply_impulses_to_chain};
       if (same(id, SWAGE_EXT_SOLVER_2)) return &solver;
     }
     if constexpr (kGraspable) {

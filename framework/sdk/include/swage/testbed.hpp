@@ -120,7 +120,7 @@ class CouplingBench : public Bench<T> {
     return true;
   }
   swage_result resolve() { return table()->resolve(this->raw, fill()); }
-  /// Of a coupling with Ties: asks for them; `ties` has them then. Lay f_a_W and slid_W into them before tied().
+  /// Of a coupling with Ties: asks for them; `ties` has them then. Lay f_a_W and plastic_slip_W into them before on_solved().
   swage_result ask_ties(uint32_t capacity = 64) {
     uint32_t n = 0;
     ties.assign(capacity, {});
@@ -128,8 +128,8 @@ class CouplingBench : public Bench<T> {
     ties.resize(n);
     return result;
   }
-  swage_result tied() {
-    return links()->tied(this->raw, fill(), static_cast<uint32_t>(ties.size()), ties.data());
+  swage_result on_solved() {
+    return links()->on_solved(this->raw, fill(), static_cast<uint32_t>(ties.size()), ties.data());
   }
   swage_result finish() { return table()->finish(this->raw, fill()); }
 

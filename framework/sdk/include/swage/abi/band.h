@@ -11,10 +11,10 @@
 extern "C" {
 #endif
 
-/* Beside swage.object.solver/2, of an object with one chain (SWAGE_HOST_CHAIN) on its one SELF body. Each of the n vertices has four
+/* Beside swage.object.solver/2, of an object with one chain (SWAGE_HOST_CHAIN) on its one flexible body. Each of the n vertices has four
  * unknowns: its displacement [m], and the rotation [rad] about itself of the segment that begins there. The host then solves
- * contacts, ties, rigid bodies and the chain together, each contact with the weights of its place (swage_chain_place); compliance
- * and yield are not called. What it costs grows with the contacts and not with their square.
+ * contacts, ties, rigid bodies and the chain together, each contact with the weights of its place (swage_chain_place); mobility
+ * and apply_impulses are not called. What it costs grows with the contacts and not with their square.
  *
  * Per step: advance, as ever; then, where something is near, linearise and displace. linearise answers the step that begins
  * where advance began, linear about where advance has left the chain: with the change q from there,

@@ -17,7 +17,7 @@
 #define SWAGE_MOTION_FOLLOWS 1 /* takes the pose of the device that the lesson binds to the object; speed-limited, swept */
 #define SWAGE_MOTION_DYNAMIC 2 /* integrated by the host under forces and contacts */
 #define SWAGE_MOTION_HINGED 3  /* one angle about an axis fixed in its parent, with a force-limited drive (see hinge) */
-#define SWAGE_MOTION_SELF 4    /* the object's own solver moves it: extension swage.object.solver/1 */
+#define SWAGE_MOTION_FLEXIBLE 4    /* the object's own solver moves it: extension swage.object.solver/1 */
 
 /* What declare() declares; each kind counts its own indices. */
 #define SWAGE_DECLARE_SIGNAL 1 /* a number per step, e.g. "grasp.force" in "N" */
@@ -159,7 +159,7 @@ typedef struct swage_chain {
   uint32_t reserved;
 } swage_chain;
 
-/* Declares chains. A table that the host offers, see swage_host.get_extension. The body is one with SWAGE_MOTION_SELF. A chain
+/* Declares chains. A table that the host offers, see swage_host.get_extension. The body is one with SWAGE_MOTION_FLEXIBLE. A chain
  * also touches itself, where a coupling joins the object with itself. */
 #define SWAGE_HOST_CHAIN "swage.host.chain/1"
 typedef struct swage_host_chain {

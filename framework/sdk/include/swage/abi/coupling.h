@@ -51,27 +51,27 @@ typedef struct swage_coupling {
 /* A compliant link between a body of object a and one of object b, solved together with the contacts. Along its axis it sticks like
  * a bristle and slides beyond a limit; across it is a spring that gives way beyond its strength. With s the displacement of a
  * against b from where the tie is at rest:
- *     f_along  = clamp(-stiffness_along s_along, -drag_forth, drag_back)
+ *     f_along  = clamp(-stiffness_along s_along, -forward_limit, backward_limit)
  *     f_across = -stiffness_across s_across, returned radially to `strength` */
 typedef struct swage_tie {
   uint32_t body_a, body_b;   /* each object's own indices; SWAGE_NONE: the world */
   swage_vec3 p_W;            /* m, where it acts on both; a b with a solver of its own gives at p_W less what offset_W is across */
-  swage_vec3 axis_W;         /* unit, direction in which a slides along b; turns with a, and tied() sees it turned */
+  swage_vec3 axis_W;         /* unit, direction in which a slides along b; turns with a, and on_solved() sees it turned */
   swage_vec3 offset_W;       /* m, s at the poses that resolve() sees */
   double stiffness_across;   /* N/m */
   double stiffness_along;    /* N/m */
   double strength;           /* N, most that it holds across the axis; HUGE_VAL: it never gives way */
-  double drag_forth;         /* N, most that it holds back a moving along +axis; HUGE_VAL: it never slides */
-  double drag_back;          /* N, the same for a moving along -axis */
-  swage_vec3 f_a_W;          /* N on a; written by the host before tied() */
-  swage_vec3 slid_W;         /* m, the part of s that it gave up: slid along the axis, torn across it; same timing */
+  double forward_limit;         /* N, most that it holds back a moving along +axis; HUGE_VAL: it never slides */
+  double backward_limit;          /* N, the same for a moving along -axis */
+  swage_vec3 f_a_W;          /* N on a; written by the host before on_solved() */
+  swage_vec3 plastic_slip_W;         /* m, the part of s that it gave up: slid along the axis, torn across it; same timing */
 } swage_tie;
 
-/* Offered by a coupling that has such links; anchors and bristles are its own state. resolve, then ties; the solve; tied, then finish. */
+/* Offered by a coupling that has such links; anchors and bristles are its own state. resolve, then ties; the solve; on_solved, then finish. */
 #define SWAGE_EXT_TIES "swage.coupling.ties/1"
 typedef struct swage_ties {
   swage_result (*ties)(swage_instance*, const swage_coupling_step*, uint32_t capacity, swage_tie* out, uint32_t* n); /* [rt] */
-  swage_result (*tied)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] same, solved */
+  swage_result (*on_solved)(swage_instance*, const swage_coupling_step*, uint32_t n, const swage_tie* tie); /* [rt] same, solved */
 } swage_ties;
 
 /* What is drawn on the surface of object b: torn places, as flat capsules. Those of one wound are one region. Places are those of

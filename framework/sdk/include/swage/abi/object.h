@@ -3,7 +3,7 @@
  * swage/abi/object.h - an object moves freely, shows its surface, and yields to impulses.
  *
  * Most objects declare bodies or particles and add forces; the host integrates them and solves their contacts. An object
- * with inner mechanics (beam, thread, tissue) offers swage.object.solver/1 and answers for its SELF bodies itself.
+ * with inner mechanics (beam, thread, tissue) offers swage.object.solver/1 and answers for its flexible bodies itself.
  */
 #ifndef SWAGE_ABI_OBJECT_H
 #define SWAGE_ABI_OBJECT_H
@@ -35,7 +35,7 @@ typedef struct swage_object_step {
   double scene_length;          /* m, characteristic length of the scene; tolerances are relative to it */
   swage_vec3 gravity;           /* m/s2 in W; the host applies it to dynamic bodies and particles itself */
   const swage_input* input;     /* NULL when no device is bound */
-  swage_pose* X_WB;             /* [n_body]; writable for SELF bodies in solver calls only */
+  swage_pose* X_WB;             /* [n_body]; writable for flexible bodies in solver calls only */
   swage_twist* V_WB;            /* [n_body]; same */
   swage_wrench* F_B_W;          /* [n_body] add to it in forces() */
   double* particle_p_W;         /* [3 n_particle] read */
@@ -57,25 +57,25 @@ typedef struct swage_object {
   void (*reset)(swage_instance*, const swage_object_step*);          /* [rt & active] state back to the start */
 } swage_object;
 
-/* A place where something touches a SELF body. */
+/* A place where something touches a flexible body. */
 typedef struct swage_contact_point {
   uint32_t body, shape; /* the object's own indices; shape is SWAGE_NONE where a tie holds it */
   swage_vec3 p_W;       /* m */
   swage_vec3 n_W;       /* unit, pointing into the object; of a tie: its axis */
 } swage_contact_point;
 
-/* Own mechanics. Per step: advance, then compliance for all contact points at once, then yield with the impulses. advance
+/* Own mechanics. Per step: advance, then mobility for all contact points at once, then apply_impulses with the impulses. advance
  * makes the whole free motion: where nothing touches, its poses are final and the other two are not called. Contacts are
- * found on the poses that advance wrote. reset comes before the first step; SELF bodies then stand at their start poses.
- * compliance answers v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
- * stacked xyz. So unlike objects are solved together. It may be asked again in a step, for more points: only yield counts. */
+ * found on the poses that advance wrote. reset comes before the first step; flexible bodies then stand at their start poses.
+ * mobility answers v = v_free + W j: W is symmetric, positive semi-definite, 3n x 3n row-major [m/s per N s], points
+ * stacked xyz. So unlike objects are solved together. It may be asked again in a step, for more points: only apply_impulses counts. */
 #define SWAGE_EXT_SOLVER "swage.object.solver/1"
 typedef struct swage_solver {
-  swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write SELF poses and twists */
-  swage_result (*compliance)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+  swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] free motion; write flexible poses and twists */
+  swage_result (*mobility)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
                              double* v_free, double* W);              /* [rt] v_free: 3n, m/s */
-  swage_result (*yield)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
-                        const double* impulse); /* [rt] 3n, N s on the object; write final SELF poses and twists */
+  swage_result (*apply_impulses)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+                        const double* impulse); /* [rt] 3n, N s on the object; write final flexible poses and twists */
 } swage_solver;
 
 /* Where on a chain (SWAGE_HOST_CHAIN) a contact point is: on the centre line at (1 - share) p[segment] + share p[segment + 1].
@@ -92,14 +92,14 @@ typedef struct swage_chain_place {
 #define SWAGE_EXT_SOLVER_2 "swage.object.solver/2"
 typedef struct swage_solver_2 {
   swage_result (*advance)(swage_instance*, const swage_object_step*); /* [rt] */
-  swage_result (*compliance)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+  swage_result (*mobility)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
                              const swage_chain_place* place, double* v_free, double* W); /* [rt] */
-  swage_result (*yield)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
+  swage_result (*apply_impulses)(swage_instance*, const swage_object_step*, uint32_t n, const swage_contact_point* point,
                         const swage_chain_place* place, const double* impulse); /* [rt] */
 } swage_solver_2;
 
 /* Beside a solver: an object whose surface is not where its shapes say, as tissue that still bears the mark of an earlier touch.
- * Asked together with compliance, for the same points: 3n [m], by how much the free surface at each point is displaced from the
+ * Asked together with mobility, for the same points: 3n [m], by how much the free surface at each point is displaced from the
  * shape. Contacts take its part along their normal as gap; v_free is the motion of the point over this step, as ever. */
 #define SWAGE_EXT_SURFACE "swage.object.surface/1"
 typedef struct swage_surface {
