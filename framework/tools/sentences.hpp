@@ -198,12 +198,12 @@ inline constexpr auto kOwnThread = "It is asked on a thread of its own: see the 
 inline constexpr auto kWorldNotFinite = "A number of the world is not finite in step {}."_sentence;
 
 // the scene that a plugin is tested in
-inline constexpr auto kNeedsParams = "It has required parameters: run swage validate on a lesson file that uses it."_sentence;
+inline constexpr auto kNeedsParams = "It has required parameters: say --with and a lesson file that uses it."_sentence;
 inline constexpr auto kLessonWithout = "The lesson {} does not use it."_sentence;
 inline constexpr auto kLessonNotBuilt = "The lesson {} cannot be built. {}"_sentence;
 inline constexpr auto kNoObject = "No object is installed."_sentence;
-inline constexpr auto kNoPair = "No two installed objects can be bound by it with their defaults. {}"_sentence;
-inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. {}"_sentence;
+inline constexpr auto kNoPair = "No two installed objects can be bound by it with their defaults. Say --plugin-dir, where its partners are, or --with and a lesson file that uses it. {}"_sentence;
+inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. Say --plugin-dir, where its objects are, or --with and a lesson file that uses it. {}"_sentence;
 inline constexpr auto kRefusedSilently = "It was refused without a reason."_sentence;
 
 // what lessons and couplings do with values in which nothing belongs together
