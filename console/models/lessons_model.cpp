@@ -36,9 +36,13 @@ LessonEntry read_lesson(const QString& path) {
   entry.summary = words(lesson.summary);
   entry.mirror = lesson.mirror;
   entry.goal = words(lesson.goal);
-  for (const assembly::LessonDevice& device : lesson.devices)
+  for (const assembly::LessonDevice& device : lesson.devices) {
+    // an instrument without a name goes by the last word of its plugin's
+    const assembly::DeviceChoice& first = device.choices.front();
+    if (entry.hands.isEmpty() && first.as.empty() && !first.plugin.empty()) entry.hands += words(first.plugin).section(QLatin1Char('.'), -1);
     for (const assembly::DeviceChoice& choice : device.choices)
       if (const QString as = words(choice.as); !as.isEmpty() && !entry.hands.contains(as)) entry.hands += as;
+  }
   return entry;
 }
 

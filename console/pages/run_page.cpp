@@ -2,6 +2,8 @@
 #include "console/pages/run_page.hpp"
 
 #include <QHBoxLayout>
+#include <swage/abi/device.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,7 +19,8 @@ namespace {
 constexpr int kPreviewDelay_ms =
     80;  // running through the list with the arrow keys loads only where one stays
 
-constexpr char kMouse[] = "swage.device.mouse";
+// the live parameter of a device led by the pointer that is told about which circle it turns a needle
+constexpr char kCircleCentre[] = "circle_centre";
 
 }  // namespace
 
@@ -209,18 +212,21 @@ void RunPage::update_state() {
 bool RunPage::by_mouse() const {
   const std::vector<snapshot::CardDevice>& devices = control_->card().devices;
   return std::any_of(devices.begin(), devices.end(),
-                     [](const snapshot::CardDevice& d) { return d.plugin == kMouse; });
+                     [](const snapshot::CardDevice& d) { return (d.flags & SWAGE_DEVICE_POINTER) != 0; });
 }
 
-// To the mouse, as a change of its parameters: so it is recorded, and replayed. In a mirrored lesson it moves in the mirror image.
+// To the hand that the pointer leads, as a change of its parameters: so it is recorded, and replayed. In a mirrored lesson it moves in the mirror image.
 void RunPage::tell_circle(const std::optional<NeedleCircle>& about) {
   NeedleCircle circle = about.value_or(NeedleCircle{});
   if (setup_->mirrored()) circle = mirrored(circle);
   const auto list = [](const QVector3D& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
-  const nlohmann::json change = {{"circle_centre", list(circle.centre / static_cast<float>(kMmPerM))},
+  const nlohmann::json change = {{kCircleCentre, list(circle.centre / static_cast<float>(kMmPerM))},
                                  {"circle_axis", list(circle.axis)}};
   for (const snapshot::CardDevice& d : control_->card().devices) {
-    if (d.plugin == kMouse) control_->change(d.name, change.dump());
+    const host::PluginInfo* plugin = catalogue().find(d.plugin);
+    const bool asks = plugin == nullptr || std::any_of(plugin->params.begin(), plugin->params.end(),
+                                                       [](const host::Param& p) { return p.id == kCircleCentre; });
+    if (asks && (d.flags & SWAGE_DEVICE_POINTER) != 0) control_->change(d.name, change.dump());
   }
 }
 

@@ -17,6 +17,7 @@ namespace swage::console {
 namespace {
 
 const char* const kModes[] = {"practice", "test", "demo"};
+constexpr char kMouse[] = "mouse", kExpert[] = "expert";  // what lessons call their devices ("as")
 
 }  // namespace
 
@@ -148,8 +149,11 @@ QWidget* SetupPanel::make_mode() {
   device_->setObjectName(QStringLiteral("device"));
   device_->setAccessibleName(tr("Instrument"));
   fill_devices();
-  connect(device_, &QComboBox::activated, this,
-          [this] { wanted_device_ = device_->currentData().toString(); });
+  connect(device_, &QComboBox::activated, this, [this] {
+    // who takes the lesson's own instrument takes the next lesson's as well
+    const QString chosen = device_->currentData().toString();
+    wanted_device_ = chosen == lesson_device() ? QString() : chosen;
+  });
   card.body->addWidget(device_);
   return card.frame;
 }
@@ -192,7 +196,7 @@ void SetupPanel::set_mode(const QString& mode) {
 }
 
 QString SetupPanel::device() const {
-  return mode() == QLatin1String("demo") ? QStringLiteral("expert") : device_->currentData().toString();
+  return mode() == QLatin1String("demo") ? QString::fromLatin1(kExpert) : device_->currentData().toString();
 }
 
 void SetupPanel::set_device(const QString& device) {
@@ -200,30 +204,37 @@ void SetupPanel::set_device(const QString& device) {
   fill_devices();
 }
 
-// the hands that the lesson names; the mouse is always one of them
+// the instrument that the lesson names first; the expert's hand is for demonstrations
+QString SetupPanel::lesson_device() const {
+  const QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
+  return hands.isEmpty() || hands.first() == QLatin1String(kExpert) ? QString::fromLatin1(kMouse) : hands.first();
+}
+
+// the hands that the lesson names, in its order; the mouse is always one of them
 void SetupPanel::fill_devices() {
   QStringList hands = lessons_->currentIndex().data(LessonsModel::kHands).toStringList();
-  if (!hands.contains(QStringLiteral("mouse"))) hands.prepend(QStringLiteral("mouse"));
-  const QString own = QString::fromLatin1(kOwnInstrument);
-  if (wanted_device_ == own && own_instrument_.isEmpty()) wanted_device_ = QStringLiteral("mouse");
+  const QString own = QString::fromLatin1(kOwnInstrument), mouse = QString::fromLatin1(kMouse), first = lesson_device();
+  if (!hands.contains(mouse)) hands.insert(first == mouse ? 0 : 1, mouse);
+  if (wanted_device_ == own && own_instrument_.isEmpty()) wanted_device_.clear();
   if (!own_instrument_.isEmpty()) hands.prepend(own);
-  if (!hands.contains(wanted_device_)) hands += wanted_device_;
+  const QString wanted = wanted_device_.isEmpty() ? first : wanted_device_;
+  if (!hands.contains(wanted)) hands += wanted;
   device_->clear();
   for (const QString& hand : hands) {
     const bool plugin = hand.contains(QLatin1Char('.'));
-    const QString name = hand == own                    ? own_instrument_
-                         : hand == QLatin1String("mouse") ? tr("Mouse and keyboard")
-                         : hand.isEmpty()               ? tr("As the lesson says")
-                         : plugin                       ? hand
-                                                        : tr("Recorded hand: %1").arg(said(hand));
+    const QString name = hand == own                ? own_instrument_
+                         : hand == mouse            ? tr("Mouse and keyboard")
+                         : plugin                   ? hand
+                         : hand == first            ? said(hand)
+                                                    : tr("Recorded hand: %1").arg(said(hand));
     device_->addItem(name, hand);
   }
-  device_->setCurrentIndex(device_->findData(wanted_device_));
+  device_->setCurrentIndex(device_->findData(wanted));
 }
 
 void SetupPanel::set_own_instrument(const QString& title) {
   // who has just bound an instrument wants to use it
-  wanted_device_ = title.isEmpty() ? QStringLiteral("mouse") : QString::fromLatin1(kOwnInstrument);
+  wanted_device_ = title.isEmpty() ? QString() : QString::fromLatin1(kOwnInstrument);
   own_instrument_ = title;
   fill_devices();
 }

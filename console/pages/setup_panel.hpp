@@ -62,6 +62,7 @@ class SetupPanel : public QWidget {
   QHBoxLayout* make_own(QWidget* parent);
   QWidget* make_mode();
   void fill_devices();
+  QString lesson_device() const;
   void update_start();
 
   QComboBox *person_, *device_;
@@ -70,7 +71,7 @@ class SetupPanel : public QWidget {
   QLabel* no_lessons_;
   QButtonGroup* modes_;
   QPushButton *start_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
-  QString wanted_device_ = QStringLiteral("mouse"), own_instrument_;
+  QString wanted_device_, own_instrument_;  // wanted: "" is what the lesson names first
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
   QLabel* explain_ = nullptr;
   void update_modes();

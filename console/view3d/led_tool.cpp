@@ -11,15 +11,14 @@
 namespace swage::console {
 namespace {
 
-constexpr char kMouse[] = "swage.device.mouse";
+bool by_pointer(const snapshot::CardDevice& device) { return (device.flags & SWAGE_DEVICE_POINTER) != 0; }
 
 double distance(const swage_vec3& a, const swage_vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 
 }  // namespace
 
 int mouse_hands(const snapshot::SceneCard& card) {
-  return static_cast<int>(std::count_if(card.devices.begin(), card.devices.end(),
-                                        [](const snapshot::CardDevice& d) { return d.plugin == kMouse; }));
+  return static_cast<int>(std::count_if(card.devices.begin(), card.devices.end(), by_pointer));
 }
 
 uint32_t led_tool(const snapshot::SceneCard& card, const snapshot::Snapshot& now) {
@@ -28,7 +27,7 @@ uint32_t led_tool(const snapshot::SceneCard& card, const snapshot::Snapshot& now
   double least = 1e30;
   for (uint32_t d = 0; d < now.n_device && d < card.devices.size(); ++d) {
     const bool buttons = (now.device[d].valid & SWAGE_VALID_BUTTONS) != 0;
-    if (card.devices[d].plugin != kMouse || !buttons) continue;
+    if (!by_pointer(card.devices[d]) || !buttons) continue;
     for (uint32_t o = 0; o < card.objects.size(); ++o) {
       const uint32_t body = card.objects[o].first_body;
       if (role_of(card, o) != Role::kTool || body >= now.n_body) continue;

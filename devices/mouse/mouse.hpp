@@ -43,7 +43,7 @@ class Mouse final : public SeeingDevice<MouseParams> {
       "not dexterity.";
   static constexpr auto author = "Swage";
   static constexpr auto licence = "Apache-2.0";
-  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD};
+  static constexpr DeviceCard card{.flags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_POINTER};
 
   static constexpr std::array fields = {
       vector<&MouseParams::start>("start", "Start at", "m", "mm", -1, 1,

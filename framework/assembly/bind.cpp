@@ -305,7 +305,8 @@ void Assembler::fill_card() {
                             slot.instance->traits, slot.body.first, slot.body.count, slot.particle.first,
                             slot.particle.count});
   for (const host::DeviceSlot& slot : rig.devices)
-    card.devices.push_back({slot.instance->name, slot.instance->plugin_id, slot.instance->plugin_version});
+    card.devices.push_back({slot.instance->name, slot.instance->plugin_id, slot.instance->plugin_version,
+                            slot.device != nullptr ? slot.device->flags : 0});
   for (const scene::BodyInfo& body : rig.world.body) {
     card.start.push_back(body.start);
     card.motion.push_back(body.motion);

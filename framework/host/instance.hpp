@@ -62,7 +62,9 @@ enum class Call : uint32_t {
   kDisplacement,
   kDents,
   kTears,
-  kWounds,  // [rt]
+  kWounds,
+  kLinearise,
+  kDisplace,  // [rt]
   kLoad,
   kInit,
   kDescribe  // [main]

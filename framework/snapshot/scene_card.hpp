@@ -31,6 +31,7 @@ struct CardObject {
 
 struct CardDevice {
   std::string name, plugin, plugin_version;
+  uint32_t flags = 0;  // SWAGE_DEVICE_* of abi/device.h
 };
 
 /// What a lesson's card says about a metric of the script; zeros where it says nothing.

@@ -74,20 +74,20 @@ bool FlexibleBodyAdapter::linearise(uint32_t stiffer, double* stiffness, double*
   host::Instance& instance = *slot_.instance;
   // the host asks again, up to SWAGE_BAND_STIFFER times, where it cannot factor the answer: each time with the budget of a step
   if (stiffer > 0) instance.watch.renew();
-  const bool given = host::guarded(instance, host::Call::kMobility, view_.step, [&] {
+  const bool given = host::guarded(instance, host::Call::kLinearise, view_.step, [&] {
     return band_->linearise(instance.raw, &view_, stiffer, stiffness, gradient);
   });
   return given &&
-         host::accept(instance, host::Call::kMobility, view_.step, stiffness,
+         host::accept(instance, host::Call::kLinearise, view_.step, stiffness,
                       std::size_t{unknowns_} * SWAGE_BAND_COLUMN, kAnyNumber) &&
-         host::accept(instance, host::Call::kMobility, view_.step, gradient, unknowns_, kAnyNumber);
+         host::accept(instance, host::Call::kLinearise, view_.step, gradient, unknowns_, kAnyNumber);
 }
 
 void FlexibleBodyAdapter::displace(const double* change, std::span<const swage_contact_point> point,
                                    const double* impulse) noexcept {
   const uint32_t n = local(point);
   host::Instance& instance = *slot_.instance;
-  host::guarded(instance, host::Call::kApplyImpulses, view_.step, [&] {
+  host::guarded(instance, host::Call::kDisplace, view_.step, [&] {
     return band_->displace(instance.raw, &view_, change, n, local_.data(), place_.data(), impulse);
   });
 }

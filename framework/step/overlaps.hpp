@@ -12,7 +12,8 @@
 
 namespace swage::step {
 
-/// One warning per pair of objects that overlap at the poses of `rig` by more than 2 % of the scene's length, with names and depth.
+/// One warning per pair of objects that overlap at the poses of `rig` by more than 2 % of the scene's length, with names and depth;
+/// none of a thread that is tied to the other, nor of what a gripper holds between its jaws.
 /// After Engine's construction, before its first step. [main]
 base::Problems start_overlaps(const host::Rig& rig, const contact::Options& options);
 

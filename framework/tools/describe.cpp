@@ -147,7 +147,8 @@ void print_text(const PluginInfo& info) {
   if (!info.traits.empty()) std::printf("  offers %s\n", host::join(info.traits).c_str());
   std::string group;
   for (const Param& p : info.params) {
-    if (p.group != group) std::printf("  [%s]\n", p.group.c_str());
+    // what is in no group stands under the plugin's own heading
+    if (p.group != group) std::printf("  [%s]\n", p.group.empty() ? info.name.c_str() : p.group.c_str());
     group = p.group;
     std::printf("  %-20s %-14s %s\n  %-20s %s%s\n", p.id.c_str(), default_text(p).c_str(),
                 range_text(p).c_str(), "", p.doc.c_str(),

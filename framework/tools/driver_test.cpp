@@ -21,7 +21,8 @@ namespace {
 using host::Finding;
 using host::Mark;
 
-constexpr uint32_t kKnownFlags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_FORCE | SWAGE_DEVICE_WORLD;
+constexpr uint32_t kKnownFlags = SWAGE_DEVICE_LOCKSTEP | SWAGE_DEVICE_FORCE | SWAGE_DEVICE_WORLD | SWAGE_DEVICE_SCRIPTED |
+                                 SWAGE_DEVICE_POINTER;
 constexpr uint32_t kKnownBits = SWAGE_VALID_POSE | SWAGE_VALID_TWIST | SWAGE_VALID_CLOSURE | SWAGE_VALID_GRIP |
                                 SWAGE_VALID_BUTTONS | SWAGE_VALID_DONE;
 constexpr int kExchanges = 300, kAfterPause = 30;

@@ -94,7 +94,7 @@ void open_window(const RunOptions& o) {
 bool needs_window(const RunOptions& o, const snapshot::SceneCard& card) {
   if (o.max_time_s > 0) return false;
   const auto mouse = std::find_if(card.devices.begin(), card.devices.end(),
-                                  [](const auto& d) { return d.plugin == "swage.device.mouse"; });
+                                  [](const auto& d) { return (d.flags & SWAGE_DEVICE_POINTER) != 0; });
   if (mouse == card.devices.end()) return false;
   std::vector<std::string> hands;
   assembly::LessonFile file;

@@ -198,12 +198,12 @@ inline constexpr auto kOwnThread = "It is asked on a thread of its own: see the 
 inline constexpr auto kWorldNotFinite = "A number of the world is not finite in step {}."_sentence;
 
 // the scene that a plugin is tested in
-inline constexpr auto kNeedsParams = "It has required parameters: run swage validate on a lesson file that uses it."_sentence;
+inline constexpr auto kNeedsParams = "It has required parameters: say --with and a lesson file that uses it."_sentence;
 inline constexpr auto kLessonWithout = "The lesson {} does not use it."_sentence;
 inline constexpr auto kLessonNotBuilt = "The lesson {} cannot be built. {}"_sentence;
 inline constexpr auto kNoObject = "No object is installed."_sentence;
-inline constexpr auto kNoPair = "No two installed objects can be bound by it with their defaults. {}"_sentence;
-inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. {}"_sentence;
+inline constexpr auto kNoPair = "No two installed objects can be bound by it with their defaults. Say --plugin-dir, where its partners are, or --with and a lesson file that uses it. {}"_sentence;
+inline constexpr auto kNoCast = "No cast of installed objects makes a scene for it. Say --plugin-dir, where its objects are, or --with and a lesson file that uses it. {}"_sentence;
 inline constexpr auto kRefusedSilently = "It was refused without a reason."_sentence;
 
 // what lessons and couplings do with values in which nothing belongs together
@@ -240,6 +240,10 @@ inline constexpr auto kSurfaceUnwritten = "displacement() leaves a number unwrit
 inline constexpr auto kBandNoChain = "It offers {} without a chain."_sentence;
 inline constexpr auto kBandMobility = "linearise() gives another mobility than mobility() does."_sentence;
 inline constexpr auto kBandFree = "linearise() leads elsewhere than v_free of mobility() says."_sentence;
+inline constexpr auto kBandNotFinite = "linearise() gives a number that is not finite."_sentence;
+inline constexpr auto kDisplaceNotFinite = "displace() leaves a vertex that is not finite."_sentence;
+inline constexpr auto kDisplaceOff = "After displace() the vertices do not stand where the change leads from where advance() left them."_sentence;
+inline constexpr auto kDisplaceSpeed = "After displace() the velocities do not lead from where the step began to where the vertices stand."_sentence;
 inline constexpr auto kBandNotDefinite = "linearise() gives no positive definite matrix, however often it is asked for a stiffer one."_sentence;
 inline constexpr auto kImpulsesNotFinite = "apply_impulses() leaves a speed that is not finite."_sentence;
 inline constexpr auto kNotCompared = "Motion after impulses was not compared: its surface does not move with its bodies."_sentence;
@@ -273,6 +277,10 @@ inline constexpr auto kStaysWhole = "leaves the strand whole where it was cut."_
 inline constexpr auto kNoStrand = "It can be cut, but has no trait {} that says how long it is."_sentence;
 inline constexpr auto kNoFunctions = "Its traits have no functions."_sentence;
 inline constexpr auto kNoBody = "names a body that it has not declared."_sentence;
+
+// what devices that see answer
+inline constexpr auto kNoSight = "It does not see the scene."_sentence;
+inline constexpr auto kSeesOtherwise = "A second instance that sees the same scene answers otherwise: it depends on more than it is shown."_sentence;
 
 // what drivers answer
 inline constexpr auto kInfinite = "What it tells of itself is infinite."_sentence;

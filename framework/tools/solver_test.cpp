@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -15,8 +16,8 @@
 #include "host/tables.hpp"
 #include "scene/chain.hpp"
 #include "scene/view.hpp"
-#include "toolkit/band.hpp"
 #include "toolkit/math.hpp"
+#include "tools/band_test.hpp"
 #include "tools/extension_tests.hpp"
 #include "tools/print.hpp"
 #include "tools/sentences.hpp"
@@ -28,32 +29,16 @@ using host::Finding;
 using host::Mark;
 using toolkit::Pose;
 using toolkit::Vec3;
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Points = SolverPoints;
+using Answer = SolverAnswer;
+using Matrix = SolverAnswer::Matrix;
 using Vector = Eigen::VectorXd;
-
-/// Places that are asked about; where on a chain they are only of an object with chains.
-struct Points {
-  std::vector<swage_contact_point> point;
-  std::vector<swage_chain_place> place;
-  uint32_t size() const { return static_cast<uint32_t>(point.size()); }
-  bool empty() const { return point.empty(); }
-};
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // relative to the largest entry of W. Rounding of a good solver stays below 1e-12
 constexpr double kExact = 1e-9;
 // relative to the change that the impulses make; small angles in a solver's equations leave 1e-6
 constexpr double kMotion = 1e-3;
-// relative: rounding of a factor of a thread that is 1e5 times stiffer along than across
-constexpr double kBand = 1e-6;
-
-/// What a solver answers for some points.
-struct Answer {
-  Vector v_free;
-  Matrix W;
-  bool operator==(const Answer& other) const { return v_free == other.v_free && W == other.W; }
-};
-
 class Solver {
  public:
   Solver(Stepped& scene, uint32_t object, uint64_t seed)
@@ -147,6 +132,17 @@ class Solver {
     return "";
   }
 
+  std::string band(const Points& points, const Answer& all) {
+    std::string gap;
+    const auto* table = host::find_table<swage_band>(*slot_.instance, SWAGE_EXT_BAND, false, gap);
+    if (table == nullptr) return gap;
+    if (points.place.front().segment == SWAGE_NONE) return say::kBandNoChain(SWAGE_EXT_BAND);
+    const uint32_t chain = world_.shape[slot_.shape.first + points.point.front().shape].chain;
+    BandAsk ask{*table, world_, chain, points, all, random_(), [this] { return raw(); }, [this] { return &view(); },
+                [this](host::Call which, const std::function<swage_result()>& f) { return call(which, f); }};
+    return check_band(ask);
+  }
+
   std::string surface(const Points& points) {
     if (slot_.surface == nullptr) return "";
     const uint32_t n = points.size();
@@ -160,67 +156,6 @@ class Solver {
       if (!one.allFinite()) return say::kSurfaceUnwritten();
     }
     return u[0] == u[1] ? "" : say::kOtherBits("displacement");
-  }
-
-  /// The band says of the points what mobility says: v_free and W are those of its linear step.
-  std::string band(const Points& points, const Answer& all) {
-    std::string gap;
-    const auto* table = host::find_table<swage_band>(*slot_.instance, SWAGE_EXT_BAND, false, gap);
-    if (table == nullptr) return gap;
-    if (points.place.front().segment == SWAGE_NONE) return say::kBandNoChain(SWAGE_EXT_BAND);
-    const scene::ChainView chain(world_, world_.chain[world_.shape[slot_.shape.first + points.point.front().shape].chain]);
-    const int n = SWAGE_BAND_UNKNOWNS * static_cast<int>(chain.vertices());
-    toolkit::Band<SWAGE_BAND_REACH> A(n);
-    Vector gradient = Vector::Zero(n);
-    if (std::string wrong = factor(*table, A, gradient); !wrong.empty()) return wrong;
-    const Eigen::Index rows = all.v_free.size();
-    Vector v_free(rows), free = -gradient;
-    A.solve(free.data());
-    const auto at = [](const swage_chain_place& p, const Vector& q) {
-      return Vec3((1 - p.share) * q.segment<3>(4 * p.segment) + p.share * q.segment<3>(4 * p.segment + 4));
-    };
-    Matrix W(rows, rows);
-    const double h = world_.dt;
-    for (Eigen::Index c = 0; c < rows; ++c) {
-      const swage_chain_place& p = points.place[static_cast<size_t>(c / 3)];
-      Vector x = Vector::Zero(n);
-      x[4 * p.segment + c % 3] = 1 - p.share, x[4 * p.segment + 4 + c % 3] = p.share;
-      for (int k = 0; k < n; ++k)
-        if (A.column(k)[0] == 0) x[k] = 0;
-      A.solve(x.data());
-      for (Eigen::Index i = 0; i < rows / 3; ++i)
-        W.col(c).segment<3>(3 * i) = at(points.place[static_cast<size_t>(i)], x) / (h * h);
-    }
-    for (Eigen::Index i = 0; i < rows / 3; ++i) {
-      const swage_chain_place& p = points.place[static_cast<size_t>(i)];
-      v_free.segment<3>(3 * i) =
-          (1 - p.share) * chain.v(p.segment) + p.share * chain.v(p.segment + 1) + at(p, free) / h;
-    }
-    if ((W - all.W).cwiseAbs().maxCoeff() > kBand * all.W.cwiseAbs().maxCoeff())
-      return say::kBandMobility();
-    const double speed = std::max(all.v_free.cwiseAbs().maxCoeff(), 1e-6);
-    return (v_free - all.v_free).cwiseAbs().maxCoeff() > kBand * speed
-               ? say::kBandFree()
-               : "";
-  }
-
-  /// Of what is held the reciprocal pivot is 0.
-  std::string factor(const swage_band& table, toolkit::Band<SWAGE_BAND_REACH>& A, Vector& gradient) {
-    for (uint32_t stiffer = 0; stiffer <= SWAGE_BAND_STIFFER; ++stiffer) {
-      A.set_zero();
-      gradient.setZero();
-      if (std::string wrong = call(host::Call::kMobility,
-                                   [&] { return table.linearise(raw(), &view(), stiffer, A.column(0), gradient.data()); });
-          !wrong.empty())
-        return wrong;
-      std::vector<int> held;
-      for (int k = 0; k < A.size(); ++k)
-        if (A.at(k, k) == 0) A.hold(k), gradient[k] = 0, held.push_back(k);
-      if (!A.factor()) continue;
-      for (const int k : held) A.column(k)[0] = 0;
-      return "";
-    }
-    return say::kBandNotDefinite();
   }
 
   // the points after the impulses `j`, from the state of now, which is put back

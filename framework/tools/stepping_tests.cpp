@@ -338,6 +338,8 @@ std::vector<host::ValidateTest> stepping_tests(const std::vector<std::string>& p
       {5, "traits", "what its traits answer, near, far and beyond its ends", traits, kObject},
       {5, "driver", "opens and closes again and again on a thread of its own, measures forwards, comes back in time", driver,
        kDevice},
+      {5, "sight", "what a hand that sees makes of its scene, and of one that lies elsewhere: finite, unit, the same bits again",
+       sight, kDevice},
       // contacts amplify rounding, so that two touching things need not end in the same place
       {6, "moved", "the scene 0.1 m away: the same motion", moved, kObject},
       {6, "range", "every parameter at its ends and 200 random sets: an error that is told, or a good run",

@@ -342,9 +342,13 @@ bool TestScene::make(const Wish& wish, Stepped& out, std::string& error) const {
   if (lesson_ != nullptr || plugin_.kind == SWAGE_KIND_DEVICE) {
     // what is asked in the step the engine asks itself; what lives on a thread of its own rests
     out.still = std::make_unique<StillHand>(wish.at);
+    // the wished hand leads in the place of the device under test, or else of the first
+    const auto subject = std::find_if(out.rig->devices.begin(), out.rig->devices.end(),
+                                      [&](const auto& slot) { return slot.instance->plugin_id == plugin_.id; });
+    const std::size_t led = subject == out.rig->devices.end() ? 0 : static_cast<std::size_t>(subject - out.rig->devices.begin());
     for (const host::DeviceSlot& slot : out.rig->devices) {
       const bool in_step = (slot.device->flags & SWAGE_DEVICE_LOCKSTEP) != 0;
-      ports.push_back(wish.hand != nullptr && ports.empty() ? wish.hand : in_step ? nullptr : out.still.get());
+      ports.push_back(wish.hand != nullptr && ports.size() == led ? wish.hand : in_step ? nullptr : out.still.get());
     }
   } else if (!out.rig->devices.empty()) {
     out.still = std::make_unique<StillHand>(wish.at);

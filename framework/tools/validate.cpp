@@ -112,7 +112,14 @@ void validate_bundle(const std::string& path, const ValidateOptions& o,
                 of(Mark::kFailed) + of(Mark::kCrashed));
 }
 
-// what is meant by a path: a folder of lessons stands for each of them
+bool holds_library(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".so") return true;
+  return false;
+}
+
+// what is meant by a path: a folder of lessons or of bundles stands for each of them
 bool spread(const std::string& path, std::vector<std::string>& out) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) {
@@ -126,7 +133,10 @@ bool spread(const std::string& path, std::vector<std::string>& out) {
       out.push_back(path);
       return true;
     }
-    if (extension == ".json") lessons.push_back(entry.path().string());
+    // what swage run --trace wrote about a table is no lesson
+    if (extension == ".json" && !entry.path().string().ends_with(".about.json")) lessons.push_back(entry.path().string());
+    // a folder of bundles stands for each of them
+    if (entry.is_directory(ignored) && holds_library(entry.path())) lessons.push_back(entry.path().string());
   }
   std::sort(lessons.begin(), lessons.end());
   out.insert(out.end(), lessons.begin(), lessons.end());

@@ -7,12 +7,12 @@
 
 namespace bad_coupling {
 
-enum class Fault { kNegative, kPoisoned };
+enum class Fault { kNegative, kPoisoned, kTies, kTiePlace, kTieBody, kTieStrength, kTears, kTear, kWounds, kWound };
 constexpr Fault kFault = Fault::FAULT;
 // a fault that the step itself punishes begins after the first steps of a scene
 constexpr double kGood = 0.1;  // s
 
-class Bad final : public swage::Coupling<> {
+class Bad final : public swage::Coupling<>, public swage::Ties, public swage::Tearing {
  public:
   static constexpr auto id = ID, version = "1.0.0", name = "Bad coupling", summary = "Has one fault.",
                         author = "Swage", licence = "Apache-2.0";
@@ -28,6 +28,30 @@ class Bad final : public swage::Coupling<> {
       if (kFault == Fault::kPoisoned) sum_ += c.gap;
     }
     step.signal(gap_, 0);
+    late_ = step.time() >= kGood;
+  }
+
+  uint32_t ties(const swage::CouplingStep& step, std::span<swage_tie> out) override {
+    if (!is(Fault::kTies, Fault::kTieStrength)) return 0;
+    if (kFault == Fault::kTies) return static_cast<uint32_t>(out.size()) + 1;
+    out[0] = {};
+    out[0].axis_W = {0, 0, kFault == Fault::kTiePlace ? 2.0 : 1.0};
+    out[0].body_a = kFault == Fault::kTieBody ? step.a()->n_body : 0;
+    out[0].strength = kFault == Fault::kTieStrength ? -1 : 1;
+    return 1;
+  }
+  void on_solved(const swage::CouplingStep&, std::span<const swage_tie>) override {}
+  uint32_t tears(const swage::CouplingStep&, std::span<swage_tear> out) override {
+    if (!is(Fault::kTears, Fault::kTear)) return 0;
+    if (kFault == Fault::kTears) return static_cast<uint32_t>(out.size()) + 1;
+    out[0] = {{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, std::nan(""), 0, 0};
+    return 1;
+  }
+  uint32_t wounds(const swage::CouplingStep&, std::span<swage_wound> out) override {
+    if (!is(Fault::kWounds, Fault::kWound)) return 0;
+    if (kFault == Fault::kWounds) return static_cast<uint32_t>(out.size()) + 1;
+    out[0] = {{0, 0, 0}, {0, 0, 1}, std::nan(""), 0, 0, 0};
+    return 1;
   }
   void finish(const swage::CouplingStep& step) override {
     // what was once not finite is for ever
@@ -35,7 +59,10 @@ class Bad final : public swage::Coupling<> {
   }
 
  private:
+  bool is(Fault first, Fault last) const { return late_ && kFault >= first && kFault <= last; }
+
   swage::Signal gap_;
+  bool late_ = false;
   double sum_ = 0;
 };
 

@@ -2,22 +2,36 @@
 //
 // Flexible objects with one fault each, for the validator: ID = org.example.bad.solver.<fault>, compiled once per FAULT. A ball on a
 // spring that cannot turn: v = v_free + sum j / m, so that W is I / m in every block. Through the wrapper, which such faults pass.
+#include <swage/abi/band.h>
 #include <swage/object.hpp>
 
 #include <cstdlib>
 #include <limits>
+#include <type_traits>
 
 namespace {
 
-enum Fault { kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kAborts, kDents, kNearest };
+enum Fault {
+  kGood, kSkew, kPulls, kUnsteady, kPart, kUnwritten, kForgets, kDoubles, kStands, kInfinite, kAborts, kDents, kManyDents, kNearest,
+  kSurface, kUnsteadySurface, kBandless
+};
 
 constexpr double kMass = 1e-6, kStiffness = 1;  // kg, N/m
 struct State {
   swage_vec3 rest;
 };
 
+/// Of a fault that has no surface of its own.
+struct NoSurface {
+  virtual ~NoSurface() = default;
+  virtual void displacement(const swage::Step&, std::span<const swage_contact_point>, double*) {}
+};
 template <Fault F>
-class Ball final : public swage::Object<>, public swage::Solid, public swage::Solver, public swage::Dented, public swage::Graspable {
+using Skin = std::conditional_t<F == kSurface || F == kUnsteadySurface, swage::Surface, NoSurface>;
+
+template <Fault F>
+class Ball final : public swage::Object<>, public swage::Solid, public swage::Solver, public swage::Dented, public swage::Graspable,
+                   public Skin<F> {
  public:
   static constexpr auto id = ID, version = "1.0.0", name = "Ball on a spring", summary = "A flexible object with a fault.",
                         author = "Swage", licence = "Apache-2.0";
@@ -66,10 +80,27 @@ class Ball final : public swage::Object<>, public swage::Solid, public swage::So
     swage_vec3 v = free_;
     for (size_t i = 0; i < points.size(); ++i)
       v = {v.x + per * impulse[3 * i], v.y + per * impulse[3 * i + 1], v.z + per * impulse[3 * i + 2]};
+    if (F == kInfinite) v.x = std::numeric_limits<double>::infinity();
     move(step, v);
   }
 
+  void displacement(const swage::Step&, std::span<const swage_contact_point> points, double* u_W) override {
+    ++asked_;
+    for (size_t i = 0; i < 3 * points.size() && !(F == kSurface && i > 0); ++i)
+      u_W[i] = F == kUnsteadySurface ? 1e-6 * static_cast<double>(asked_ % 2) : 0;
+  }
+
+  // a chain is what a band is about, and a ball has none
+  const void* extension(std::string_view wanted) override {
+    static constexpr swage_band band{
+        [](swage_instance*, const swage_object_step*, uint32_t, double*, double*) -> swage_result { return SWAGE_OK; },
+        [](swage_instance*, const swage_object_step*, const double*, uint32_t, const swage_contact_point*, const swage_chain_place*,
+           const double*) -> swage_result { return SWAGE_OK; }};
+    return F == kBandless && wanted == SWAGE_EXT_BAND ? &band : nullptr;
+  }
+
   uint32_t dents(const swage::Step&, std::span<swage_dent> out) override {
+    if (F == kManyDents) return static_cast<uint32_t>(out.size()) + 1;
     if (F == kDents && !out.empty()) out[0] = {{0, 0, 0}, {0, 0, std::numeric_limits<double>::quiet_NaN()}, 1e-3};
     return F == kDents && !out.empty() ? 1 : 0;
   }

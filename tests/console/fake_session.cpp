@@ -61,8 +61,9 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
                   {"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1"}, 2, 1, 0, 0}};
   if (with_thread) card.objects.push_back({"thread", "swage.object.thread", "1.0.0", {}, 0, 0, 0, 60});
   card.devices = {
-      {"hand", options.device == "mouse" ? "swage.device.mouse" : "swage.device.scripted", "1.0.0"}};
-  if (script.two_hands) card.devices.push_back({"other_hand", "swage.device.mouse", "1.0.0"});
+      {"hand", options.device == "mouse" ? "swage.device.mouse" : "swage.device.scripted", "1.0.0",
+       options.device == "mouse" ? SWAGE_DEVICE_POINTER : SWAGE_DEVICE_SCRIPTED}};
+  if (script.two_hands) card.devices.push_back({"other_hand", "swage.device.mouse", "1.0.0", SWAGE_DEVICE_POINTER});
   snapshot::CardShape needle;
   needle.kind = SWAGE_SHAPE_ARC;
   needle.flags = SWAGE_SHAPE_USUAL;

@@ -16,7 +16,8 @@ snapshot::SceneCard two_tools() {
   card.objects = {{"needle", "x", "1", {SWAGE_TRAIT_GRASPABLE}, 0, 1, 0, 0},
                   {"first", "x", "1", {SWAGE_TRAIT_GRIPPER}, 1, 1, 0, 0},
                   {"second", "x", "1", {SWAGE_TRAIT_GRIPPER}, 2, 1, 0, 0}};
-  card.devices = {{"left", "swage.device.mouse", "1"}, {"right", "swage.device.mouse", "1"}};
+  // a stranger's device is as good as ours: its flag says that the pointer leads it
+  card.devices = {{"left", "swage.device.mouse", "1", SWAGE_DEVICE_POINTER}, {"right", "org.example.pad", "1", SWAGE_DEVICE_POINTER}};
   card.motion = {SWAGE_MOTION_DYNAMIC, SWAGE_MOTION_FOLLOWS, SWAGE_MOTION_FOLLOWS};
   return card;
 }
@@ -41,7 +42,8 @@ TEST(LedTool, IsWhereTheHandWithButtonsIs) {
 
 TEST(LedTool, IsNobodysWhereOneHandIsLed) {
   snapshot::SceneCard card = two_tools();
-  card.devices[1].plugin = "swage.device.skilled";
+  card.devices[1].flags = SWAGE_DEVICE_SCRIPTED;
+  EXPECT_EQ(mouse_hands(card), 1);
   auto now = std::make_unique<snapshot::Snapshot>();
   now->n_body = 3;
   now->n_device = 2;

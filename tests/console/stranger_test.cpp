@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Parts of the window as a stranger meets them (tests/stranger.md): what is told while a lesson runs, and after it.
+#include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
+#include "console/pages/setup_panel.hpp"
 #include "console/view3d/scene_input.hpp"
 #include "console/view3d/scene_state.hpp"
 #include "window_fixture.hpp"
@@ -47,6 +51,39 @@ TEST(Stranger, IsToldThatADragTurnsTheViewWhileTheInstrumentWaits) {
   EXPECT_TRUE(input.hint(true, false, true).contains("turns the view"));
   input.set_instrument(true);
   EXPECT_FALSE(input.hint(true, false, true).contains("turns the view")) << "it waits no more";
+}
+
+// A lesson of somebody else's instrument is done with that instrument, unless a person chooses another.
+TEST(Stranger, TakesTheInstrumentThatTheLessonNamesFirst) {
+  const auto write = [](const QString& path, const char* text) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  };
+  QTemporaryDir dir;
+  write(dir.filePath("1.json"), R"({"id": "a", "title": "Ours", "devices": [{"as": "mouse", "plugin": "x.mouse", "or": [{"as": "expert"}]}]})");
+  write(dir.filePath("2.json"), R"({"id": "b", "title": "Theirs", "devices": [{"as": "pen", "plugin": "org.example.pen", "or": [{"as": "expert"}]}]})");
+  write(dir.filePath("3.json"), R"({"id": "c", "title": "Nameless", "devices": [{"plugin": "org.example.pad", "or": [{"as": "expert"}]}]})");
+  write(dir.filePath("4.json"), R"({"id": "d", "title": "Show", "devices": [{"as": "expert", "or": [{"as": "mouse"}]}]})");
+  LessonsModel lessons;
+  lessons.set_folders({dir.path()});
+  ASSERT_EQ(lessons.rowCount(), 4);
+  SetupPanel panel(&lessons);
+  const char* const expected[] = {"mouse", "pen", "pad", "mouse"};
+  for (int row = 0; row < 4; ++row) {
+    panel.select_lesson(row);
+    EXPECT_EQ(panel.device(), QLatin1String(expected[row])) << row;
+  }
+  panel.select_lesson(1);
+  EXPECT_FALSE(panel.device_name().contains("Recorded")) << panel.device_name().toStdString();
+  auto* choice = panel.findChild<QComboBox*>("device");
+  EXPECT_EQ(choice->itemData(0).toString(), "pen");
+  const int mouse = choice->findData(QStringLiteral("mouse"));
+  ASSERT_GE(mouse, 0) << "the mouse can always be taken";
+  choice->setCurrentIndex(mouse);
+  Q_EMIT choice->activated(mouse);
+  panel.select_lesson(2);
+  EXPECT_EQ(panel.device(), "mouse") << "what a person chose stays";
 }
 
 // Thirty numbers would hide the five that matter; where the points went stands apart.

@@ -60,6 +60,14 @@ TEST_F(LookOnStage, SaysWhatIsNotThereAndWhatIsToldInAnotherUnit) {
   EXPECT_EQ(problems[1], lesson_look::say::kOtherUnit("grasp.force", "1", "N"));
 }
 
+// of a name that nobody has: who there is
+TEST_F(LookOnStage, SaysWhoHasSignalsWhereTheNamedOneHasNone) {
+  EXPECT_LT(bind({{"measures", std::string("nobody grasp.force 1")}}), 0);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].find("those of: "), std::string::npos) << problems[0];
+  EXPECT_NE(problems[0].find("grasp", problems[0].find("those of: ")), std::string::npos) << problems[0];
+}
+
 TEST_F(LookOnStage, RefusesWhatIsNotThreeWords) {
   for (const char* text : {"grasp.force", "grasp grasp.force", "grasp grasp.force 1 and more"}) {
     Stage refused("swage.lesson.look");

@@ -4,6 +4,7 @@
 // stands in the sources.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -11,6 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "scene/capacities.hpp"
+#include "snapshot/snapshot.hpp"
+#include "step/limits.hpp"
 #include "test_places.hpp"
 
 namespace {
@@ -196,6 +200,73 @@ TEST(Guide, quotes_messages_that_exist) {
   }
   EXPECT_GE(messages, 15u);
   EXPECT_EQ(sources.find("a message that nobody says, spelt in no source"), std::string::npos);
+}
+
+/// The second column of the row of a table that begins with `what`; "" where there is none.
+std::string at_most(const std::string& page, const std::string& what) {
+  const size_t row = page.find("\n| " + what + " | ");
+  if (row == std::string::npos) return "";
+  const size_t from = row + what.size() + 6;
+  return page.substr(from, page.find(" | ", from) - from);
+}
+
+/// The value of a constant in a source, as it is written there.
+std::string written(const fs::path& file, const std::string& name) {
+  const std::string text = read(kRoot / file);
+  const size_t at = text.find(" " + name + " = ");
+  if (at == std::string::npos) return "";
+  const size_t from = at + name.size() + 4;
+  return text.substr(from, text.find(';', from) - from);
+}
+
+// what the page on limits says is what the sources hold
+TEST(Guide, limits_are_those_of_the_sources) {
+  const std::string page = read(kGuide / "limits.md");
+  const auto number = [](double x) {
+    std::ostringstream out;
+    out << x;
+    return out.str();
+  };
+  const auto reserved = [](uint32_t usual, uint32_t most) {
+    return std::to_string(usual) + ", with `reserve_points` up to " + std::to_string(most);
+  };
+  const swage::scene::Capacities usual, most = swage::scene::kLargest;
+  EXPECT_EQ(at_most(page, "contact points solved in a step"), reserved(usual.contacts, most.contacts));
+  EXPECT_EQ(at_most(page, "contact points of one flexible body"), reserved(usual.points, most.points));
+  EXPECT_EQ(at_most(page, "contacts and ties solved together with flexible bodies"), reserved(usual.rows, most.rows));
+  EXPECT_EQ(at_most(page, "ties in a step"), std::to_string(usual.ties));
+  EXPECT_NE(page.find("more than " + std::to_string(usual.points) + " points at once"), std::string::npos);
+  using namespace swage::snapshot;
+  EXPECT_EQ(at_most(page, "bodies, objects, particles"), number(kMaxBodies) + ", " + number(kMaxObjects) + ", " + number(kMaxParticles));
+  EXPECT_EQ(at_most(page, "signals, metrics, marks, devices"),
+            number(kMaxSignals) + ", " + number(kMaxMetrics) + ", " + number(kMaxMarks) + ", " + number(kMaxDevices));
+  EXPECT_EQ(at_most(page, "drawn: contacts, dents, tears, wounds"),
+            number(kMaxContacts) + ", " + number(kMaxDents) + ", " + number(kMaxTears) + ", " + number(kMaxWounds));
+  EXPECT_EQ(at_most(page, "shapes; vertices or faces of one polyhedron; vertices of one chain"),
+            written("framework/host/builder.cpp", "kMaxShapes") + "; " + written("framework/host/builder.cpp", "kMaxConvex") + "; " +
+                written("framework/host/chain.cpp", "kMost"));
+  EXPECT_EQ(at_most(page, "private numbers (`state`)"), "1 Mi in one call, 8 Mi in all");
+  EXPECT_EQ(written("framework/host/builder.cpp", "kMaxState"), "8u << 20");
+  EXPECT_EQ(at_most(page, "how fast a tool follows its hand"),
+            number(swage::step::kMaxToolSpeed) + " lengths of the scene a second, " + number(swage::step::kMaxToolTurn) + " rad/s");
+}
+
+// every kind of shape has its column
+TEST(Guide, names_every_shape_in_the_table_of_pairs) {
+  const std::string page = read(kGuide / "limits.md"), header = read(kRoot / "framework/sdk/include/swage/abi/builder.h");
+  const std::string head = page.substr(page.find("| | sphere"), page.find('\n', page.find("| | sphere")) - page.find("| | sphere"));
+  size_t kinds = 0;
+  const std::string define = "#define SWAGE_SHAPE_";
+  for (size_t at = 0; (at = header.find(define, at)) != std::string::npos; ++at) {
+    const size_t from = at + define.size(), end = header.find(' ', from);
+    // flags have a u behind their number
+    if (header.substr(end, header.find('\n', end) - end).find('u') == 2) continue;
+    std::string kind = replaced(header.substr(from, end - from), "_", " ");
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    EXPECT_NE(head.find(kind), std::string::npos) << kind;
+    ++kinds;
+  }
+  EXPECT_EQ(kinds, 7u) << "of chains, fields and so on: a new one needs its column";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class @NAME@ final : public swage::BandedObject<@NAME@Params>, public swage::Sol
       swage::real<&P::diameter>("diameter", "Diameter", "m", "mm", 0.02e-3, 5e-3, "Of its round section."),
       swage::real<&P::modulus>("modulus", "Young's modulus", "Pa", "MPa", 1e4, 1e8, "Silicone rubber: about 1 MPa."),
       swage::real<&P::density>("density", "Density", "kg/m3", "kg/m3", 100, 10000, "Silicone rubber: 1100 kg/m3."),
-      swage::real<&P::damping>("damping", "Damping", "Hz", "Hz", 0, 1000, "By how much of itself a speed dies away in a second."),
+      swage::real<&P::damping>("damping", "Damping", "Hz", "Hz", 0, 1000, "Rate at which a speed dies away: at 10 Hz a third of it is left after 0.1 s."),
       swage::integer<&P::segments>("segments", "Segments", 2, 200, "Straight pieces."),
       swage::boolean<&P::fixed>("fixed", "First end fixed", "It stays where the lesson puts it."),
   };

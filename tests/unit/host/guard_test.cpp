@@ -120,6 +120,8 @@ TEST(Guard, EachCallHasItsWord) {
   EXPECT_STREQ(text(Call::kDents), "dents");
   EXPECT_STREQ(text(Call::kTears), "tears");
   EXPECT_STREQ(text(Call::kWounds), "wounds");
+  EXPECT_STREQ(text(Call::kLinearise), "linearise");
+  EXPECT_STREQ(text(Call::kDisplace), "displace");
 }
 
 TEST(Guard, QuarantinesWhoIsLateByItsOwnTime) {

@@ -42,6 +42,23 @@ TEST_F(Describe, TellsWhatALessonMeasuresAndSignals) {
   EXPECT_FALSE(swage({"describe", kNeedle, "--json"}).json()[0].contains("metrics"));
 }
 
+// what a lesson may watch of an object and of a coupling
+TEST_F(Describe, TellsTheSignalsAndEventsOfObjectsAndCouplings) {
+  const Said jaws = swage({"describe", "swage.object.jaws"}), grasp = swage({"describe", "swage.coupling.grasp"});
+  EXPECT_THAT(jaws.out, HasSubstr("  [Signals]\n  jaws.opening         rad   Angle between the jaws.\n"));
+  EXPECT_THAT(jaws.out, Not(HasSubstr("[Events]"))) << "an object has none";
+  EXPECT_THAT(grasp.out, HasSubstr("  grasp.force          N     Grip: mean of the two jaws' forces along the closing direction.\n"));
+  EXPECT_THAT(grasp.out, HasSubstr("  grasp.taken          1     Both jaws hold it; value: where, 0 at the point and 1 at the swage.\n"));
+
+  const nlohmann::json object = swage({"describe", "swage.object.jaws", "--json"}).json()[0];
+  const nlohmann::json coupling = swage({"describe", "swage.coupling.grasp", "--json"}).json()[0];
+  EXPECT_EQ(object["signals"][0], nlohmann::json({{"id", "jaws.opening"}, {"unit", "rad"}, {"doc", "Angle between the jaws."}}));
+  EXPECT_EQ(coupling["signals"][1]["id"], "grasp.force");
+  EXPECT_EQ(coupling["signals"][1]["unit"], "N");
+  EXPECT_EQ(coupling["events"][1]["id"], "grasp.taken");
+  EXPECT_EQ(coupling["events"].size(), 6u);
+}
+
 TEST_F(Describe, AsMarkdownJsonAndSchema) {
   const Said table = swage({"describe", kNeedle, "--markdown"});
   EXPECT_THAT(table.out,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <fstream>
 
 #include "host/instance.hpp"
@@ -57,6 +58,14 @@ TEST_F(Validate, FuzzValuesFindWhatItAsksFor) {
   expect("lesson_boasts", say::kScore(101));
   expect("coupling_negative", say::kContact.words(0) + "-1,");
   expect("coupling_poisoned", say::kPoisoned());
+  expect("coupling_ties", say::kTooMany(65, "ties", 64));
+  expect("coupling_tieplace", say::kTiePlace());
+  expect("coupling_tiebody", say::kTieBody());
+  expect("coupling_tiestrength", say::kTieStiffness(-1));
+  expect("coupling_tears", say::kTooMany(65, "tears", 64));
+  expect("coupling_tear", say::kTear());
+  expect("coupling_wounds", say::kTooMany(65, "wounds", 64));
+  expect("coupling_wound", say::kWound());
 #ifndef SWAGE_SANITIZED
   expect("lesson_allocates", say::kAllocates(2000, 2000));
 #endif
@@ -121,8 +130,125 @@ TEST_F(Validate, SolversThatLieAreTold) {
   expect("doubles", say::kImpulsesOff.words(0));
   expect("stands", say::kImpulsesSlip.words(0));
   expect("aborts", host::say::kCrashed.words(0) + " in mobility() of org.example.bad.solver.aborts");
+  expect("infinite", say::kImpulsesNotFinite());
   expect("dents", say::kDent());
+  expect("manydents", say::kManyDents(1, 0));
+  expect("surface", say::kSurfaceUnwritten());
+  expect("unsteadysurface", say::kOtherBits("displacement"));
+  expect("bandless", say::kBandNoChain.words(0));
   expect("nearest", say::kOfCall("locate", say::kNotSquare()), "traits");
+}
+
+// of an object with a chain: solver/2, and the band that the host solves with everything else
+TEST_F(Validate, ChainsThatLieAreTold) {
+  enum { kGood, kSkew, kPart, kUnwritten, kUnsteady, kForgets, kElsewhere, kBandStiff, kBandFree, kBandIndefinite,
+         kBandNan, kBandAborts, kGoesTwice, kGoesStill, kGoesNowhere };
+  const auto validate = [&](int fault) {
+    write("chain.json", R"({ "format": "swage-lesson/1", "id": "org.example.chain", "title": "Chain",
+      "requires": { "org.example.bad.chain": "^1", "swage.lesson.look": "^1" },
+      "objects": [ { "name": "chain", "plugin": "org.example.bad.chain", "params": { "fault": )" + std::to_string(fault) + R"( } } ],
+      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
+    const std::string bundle = SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_solvers/org.example.bad.chain";
+    return swage({"validate", bundle, "--only", "solver", "--strictness", "10", "--with", path("chain.json")});
+  };
+  const Said good = validate(kGood);
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, testing::ContainsRegex("solver +success"));
+  const auto expect = [&](int fault, const std::string& text) {
+    const Said said = validate(fault);
+    EXPECT_EQ(said.code, 1) << fault << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << fault;
+  };
+  expect(kSkew, say::kSkew.words(0));
+  expect(kPart, say::kPart());
+  expect(kUnwritten, say::kUnwritten.words(1));
+  expect(kUnsteady, say::kOtherBits("mobility"));
+  expect(kForgets, say::kImpulsesOff.words(0));
+  expect(kElsewhere, say::kImpulsesOff.words(0));
+  expect(kBandStiff, say::kBandMobility());
+  expect(kBandFree, say::kBandFree());
+  expect(kBandIndefinite, say::kBandNotDefinite());
+  expect(kBandNan, say::kBandNotFinite());
+  expect(kBandAborts, host::say::kCrashed.words(0) + " in linearise() of org.example.bad.chain");
+  expect(kGoesTwice, say::kDisplaceOff());
+  expect(kGoesStill, say::kDisplaceSpeed());
+  expect(kGoesNowhere, say::kDisplaceNotFinite());
+}
+
+/// A copy of the library whose fault is the name of its folder.
+class ValidateDriver : public Validate {
+ protected:
+  std::string driver(const std::string& fault) const {
+    const std::string id = "org.example.bad.driver." + fault;
+    std::filesystem::create_directories(path(id));
+    std::filesystem::copy_file(SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_driver/org.example.bad.driver/org.example.bad.driver.so",
+                               path(id) + "/" + id + ".so", std::filesystem::copy_options::overwrite_existing);
+    return path(id);
+  }
+};
+
+// each thing that a driver with a thread of its own may get wrong
+TEST_F(ValidateDriver, WhatADriverDoesWrongIsTold) {
+  const auto expect = [&](const std::string& fault, const std::string& text, int code = 1) {
+    const Said said = swage({"validate", driver(fault), "--only", "driver", "--strictness", "10"});
+    EXPECT_EQ(said.code, code) << fault << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << fault;
+  };
+  expect("good", say::kMeasurements.words(1), 0);
+  expect("unknown_flags", say::kUnknownFlags(0xFF00));
+  expect("no_rate", say::kNoRate(0));
+  expect("force", say::kForces("takes no", 1));
+  expect("opens_not", say::kOpensNot());
+  expect("calibration_gaps", say::kTableGaps("swage.device.calibration/1"));
+  expect("calibration_no_json", say::kCalibrationNoJson());
+  expect("sends_nothing", say::kSentNothing(), 0);
+  expect("slow_exchange", say::kSlowExchange.words(0), 0);
+  expect("too_slow_exchange", say::kTooSlowExchange.words(1));
+  expect("calls_host", say::kCallsHost());
+  expect("not_finite", say::kSampleNotFinite());
+  expect("unknown_fields", say::kUnknownFields(0x8000));
+  expect("backwards", say::kBackwards());
+  expect("quaternion", say::kQuaternion(2));
+  expect("closure", say::kClosure("1.5"), 0);
+  expect("older", say::kOlder());
+  expect("other_clock", say::kOtherClock(), 0);
+}
+
+// a hand that sees is judged by its samples
+TEST_F(ValidateDriver, WhatAHandThatSeesDoesWrongIsTold) {
+  const auto validate = [&](const std::string& fault) {
+    const std::string id = "org.example.bad.driver." + fault;
+    write("seen.json", R"({ "format": "swage-lesson/1", "id": "org.example.seen", "title": "Seen",
+      "requires": { "swage.object.solids": "^1", ")" + id + R"(": "^1", "swage.lesson.look": "^1" },
+      "objects": [ { "name": "ball", "plugin": "swage.object.solids" } ],
+      "devices": [ { "name": "hand", "plugin": ")" + id + R"(" } ],
+      "lesson": { "plugin": "swage.lesson.look", "params": { "duration": "1 s" } } })");
+    return swage({"validate", driver(fault), "--only", "sight", "--strictness", "10", "--with", path("seen.json")});
+  };
+  const Said good = validate("sight_good");
+  EXPECT_EQ(good.code, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, testing::ContainsRegex("sight +success"));
+  EXPECT_THAT(validate("good").out, HasSubstr(say::kOwnThread()));
+  const auto expect = [&](const std::string& fault, const std::string& text) {
+    const Said said = validate(fault);
+    EXPECT_EQ(said.code, 1) << fault << said.out << said.err;
+    EXPECT_THAT(said.out, HasSubstr(text)) << fault;
+  };
+  expect("sight_not_finite", say::kSampleNotFinite());
+  expect("sight_quaternion", say::kQuaternion(2));
+  expect("sight_closure", say::kClosure("1.5"));
+  expect("sight_shares", say::kSeesOtherwise());
+  expect("sight_writes", host::text(host::FaultKind::kMeddled));
+#ifndef SWAGE_SANITIZED
+  expect("sight_allocates", say::kAllocates(480, 500));
+#endif
+}
+
+// the stock hand that sees, in a lesson that needs its eyes
+TEST_F(Validate, TheStockHandThatSeesIsGood) {
+  const Said said = swage({"validate", stock("swage.device.skilled"), "--strictness", "5", "--with", source("lessons/series/110_insertion.json")});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  EXPECT_THAT(said.out, testing::ContainsRegex("sight +success"));
 }
 
 TEST_F(Validate, SeveralPathsAndJson) {
@@ -158,6 +284,7 @@ TEST_F(Validate, LessonFilesToo) {
   const Said all = swage({"validate", source("lessons/series")});
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr(good + ": good\n"));
+  EXPECT_THAT(all.err, testing::Not(HasSubstr(step::say::kStartsInside.words(2)))) << "what starts held is no fault of a lesson";
 
   std::ifstream in(good);
   std::string text{std::istreambuf_iterator<char>(in), {}};

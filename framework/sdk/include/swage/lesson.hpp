@@ -63,13 +63,16 @@ class Binder {
     const bool event = what == "event";
     std::string text = "\"" + std::string(owner) + "\" has no " + std::string(what) + " \"" + std::string(id) + "\"";
     if (!why.empty()) text += ", " + std::string(why);
-    std::string there;
+    std::string there, others;
     const auto add = [&](const swage_str& of, const swage_str& one) {
-      if (view(of) == owner) there += (there.empty() ? "" : ", ") + std::string(view(one));
+      const std::string name(view(of));
+      if (name == owner) there += (there.empty() ? "" : ", ") + std::string(view(one));
+      if ((", " + others + ", ").find(", " + name + ", ") == std::string::npos) others += (others.empty() ? "" : ", ") + name;
     };
     for (uint32_t i = 0; !event && i < scene->n_signal; ++i) add(scene->signal[i].owner, scene->signal[i].id);
     for (uint32_t i = 0; event && i < scene->n_event; ++i) add(scene->event[i].owner, scene->event[i].id);
-    error(text + ". It has: " + (there.empty() ? "none" : there));
+    const std::string who = others.empty() ? "" : ". Here " + std::string(what) + "s are those of: " + others;
+    error(text + ". It has: " + (there.empty() ? "none" + who : there));
   }
   /// Something that the lesson needs is not there; several may be told, bind then fails.
   void error(const std::string& message) {

@@ -15,6 +15,7 @@
 #define SWAGE_DEVICE_FORCE 2u    /* takes forces */
 #define SWAGE_DEVICE_WORLD 4u    /* its poses are already in the world frame W (scripted hands, replays) */
 #define SWAGE_DEVICE_SCRIPTED 8u /* it plays a plan or a recording: its attempts are nobody's progress */
+#define SWAGE_DEVICE_POINTER 16u /* pointer and keys over the view lead it (SWAGE_HOST_POINTER): without a window nobody moves it */
 
 /* Bits of swage_sample.valid. */
 #define SWAGE_VALID_POSE 1u
