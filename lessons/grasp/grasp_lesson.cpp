@@ -182,7 +182,7 @@ void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict)
   tell(Measure::kTime, task_time(m, time_s));
   tell(Measure::kApproach, phase(Stage::kApproach));
   if (params_.carry) tell(Measure::kCarry, phase(Stage::kCarry));
-  tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
+  if (m.idle.all_s > 0) tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
   tell(Measure::kSuccess, m.passed);
   tell(Measure::kTries, m.tries);
   tell(Measure::kDrops, m.drops);
@@ -216,9 +216,10 @@ void GraspLesson::report_grasps(const Memory& m, const Verdict& verdict) const {
     tell(Measure::kOverTime, mean(m, m.over_s));
     tell(Measure::kOverDose, m.over_dose);
   }
-  if (m.carried_s > 0) {
+  const bool lifts = params_.carry || params_.lift > 0;  // else nobody is asked to take it off its place
+  if (lifts && m.lifted_s > 0) {
     tell(Measure::kSteadiness, lessons::deviation(m.spread));
-    tell(Measure::kSlipRisk, m.timid_s / m.carried_s);
+    tell(Measure::kSlipRisk, m.timid_s / m.lifted_s);
   }
 }
 

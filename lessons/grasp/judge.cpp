@@ -12,8 +12,8 @@ constexpr double kReopened = 0.035;
 // Snapping of the needle is measured so long after both jaws have it, s.
 constexpr double kSnapTime = 0.1;
 
-// A held needle is carried once it is so far from its start, m.
-constexpr double kCarried = 0.2e-3;
+// A held needle is lifted once it is so far from its start, m.
+constexpr double kLifted = 0.2e-3;
 // What a break of the hold at the target costs, and how many are counted.
 constexpr double kBreakCosts = 5, kMostBreaks = 3;
 
@@ -162,11 +162,12 @@ void Judge::measure(Memory& memory, const Look& look, const Finding& finding) co
   const bool holds = finding.stage == Stage::kHold;
   memory.phase_s[static_cast<size_t>(finding.stage)] += look.dt_s;
   memory.bending = std::max(memory.bending, look.bending);
-  idle_.look(memory.idle, look.tip_W, look.dt_s, !holds);
+  const bool at_work = memory.path.set_off_s >= 0 && !holds;
+  idle_.look(memory.idle, Eigen::Map<const Vec3>(memory.path.last), look.opening, look.dt_s, at_work);
   tremor_.look(memory.tremor, look.tip_W, holds);
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
-  if (!look.held || (look.needle_W - start).norm() < kCarried) return;
-  memory.carried_s += look.dt_s;
+  if (!look.held || (look.needle_W - start).norm() < kLifted) return;
+  memory.lifted_s += look.dt_s;
   if (look.force < rules_.force_low) memory.timid_s += look.dt_s;
   lessons::spread(memory.spread, memory.grip.now, look.dt_s);
 }

@@ -77,8 +77,8 @@ struct Memory {
   double wrong_s = 0;                   // s, held wrongly without a break
   double resets = 0, bending = 0, passed = 0;
   double phase_s[5] = {0, 0, 0, 0, 0};  // s, by Stage
-  double carried_s = 0, timid_s = 0;    // s, carrying and holding; with less than the least force
-  lessons::SpreadState spread;          // of the force while carrying and holding
+  double lifted_s = 0, timid_s = 0;     // s, held and off its start; so with less than the least force
+  lessons::SpreadState spread;          // of the force in that time
   lessons::IdleState idle;
   lessons::TremorState tremor;
   TargetState target;
