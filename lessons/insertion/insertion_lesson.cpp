@@ -229,6 +229,8 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.force = number(grasp_.force);
   look.grip_s = number(grasp_.s);
   look.tip_reach = number(grasp_.tip_reach);
+  look.tilt_axis = number(grasp_.tilt_axis);
+  look.tilt_plane = number(grasp_.tilt_plane);
   if (bending_.valid()) look.bending = number(bending_);
   look.tip_W = vec(jaws->tip_W);
   look.needle_W = vec(scene.pose(needle_body_).p);
@@ -248,6 +250,7 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
 void InsertionLesson::read_pierce(const View& scene, Look& look) const {
   const auto number = [&](Signal signal) { return scene.signal(signal); };
   constexpr double kInTissue = 2;
+  look.touching = number(pierce_.state) > 0;
   look.in_tissue = number(pierce_.state) >= kInTissue;
   look.entered = scene.happened(pierce_.entered);
   look.passed = scene.happened(pierce_.passed);

@@ -2,6 +2,7 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "common/measures.hpp"
@@ -34,6 +35,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
   if (look.held) memory.reach_s += look.tip_reach * look.dt_s;
   memory.bending = std::max(memory.bending, look.bending);
+  follow_twist(memory.twist, look);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
   finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
@@ -120,6 +122,14 @@ void Judge::integrate(Memory& memory, const Look& look) const noexcept {
     add(memory.far.tracked, memory.far.last_s, far.s, far.angle, far.cosine, far.arc_error);
     memory.pull_s += far.pull * look.dt_s;
   }
+}
+
+void Judge::follow_twist(TwistState& twist, const Look& look) noexcept {
+  if (!look.held) twist.from = 0;
+  if (!look.held || (!look.touching && twist.from == 0)) return;
+  if (twist.from == 0) twist.axis = look.tilt_axis, twist.plane = look.tilt_plane;
+  twist.from = twist.told = 1;
+  twist.most = std::max(twist.most, std::hypot(look.tilt_axis - twist.axis, look.tilt_plane - twist.plane));
 }
 
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
