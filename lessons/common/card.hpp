@@ -10,7 +10,7 @@ namespace swage::lessons {
 // clang-format off
 inline constexpr swage_metric_info kTaskTime = {"time.task", "s", "Time since the hand set off.", "now - first time that the tips were quicker than 2 mm/s for 0.1 s", "M01", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 inline constexpr swage_metric_info kTaskSuccess = {"task.success", "1", "1 when the attempt was passed.", "1 or 0", "M04", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C};
-inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or knocked away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
+inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or pushed away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kForceMean = {"force.mean", "N", "Mean grip force while held.", "mean of F below 20 Hz", "M15", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force that was exceeded for one two-hundredth of the held time.", "99.5 % quantile of F below 20 Hz while held", "M16", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};

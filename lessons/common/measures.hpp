@@ -72,20 +72,22 @@ class Quantile {
   double width_ = 0.02;
 };
 
-/// Time in which an instrument does nothing: for more than 0.5 s neither its tips have left a place nor its jaws an opening (M03).
+/// Time in which an instrument does nothing: for more than 0.5 s its tips, the opening of its jaws and their force have stayed (M03).
 struct IdleState {
-  double at[3] = {0, 0, 0}, opening = 0;  // m, rad: where it has stayed
+  double at[3] = {0, 0, 0}, opening = 0, force = 0;  // m, rad, N: where it has stayed
   double still_s = 0, idle_s = 0, all_s = 0;
 };
 class IdleWatch {
  public:
-  /// `voluntary_W`: place of the tips without tremor, m. `opening` of the jaws, rad. `counts`: the hand has set off and is in no hold. [rt]
-  static void look(IdleState& state, const Vec3& voluntary_W, double opening, double dt, bool counts) noexcept {
-    // m: 0.2 mm/s for 0.5 s, above what a tremor of 100 um leaves below 6 Hz; rad, 1 deg: jaws that close do something; s
-    constexpr double kPlace = 0.1e-3, kOpening = std::numbers::pi / 180, kFor = 0.5;
+  /// `voluntary_W`: place of the tips without tremor, m. `opening` [rad] and `force` [N] of the jaws, which do something while they close or
+  /// press harder. `counts`: the hand has set off and is in no hold. [rt]
+  static void look(IdleState& state, const Vec3& voluntary_W, double opening, double force, double dt, bool counts) noexcept {
+    // m: 0.2 mm/s for 0.5 s, above what a tremor of 100 um leaves below 6 Hz; rad, 1 deg; N; s
+    constexpr double kPlace = 0.1e-3, kOpening = std::numbers::pi / 180, kForce = 0.05, kFor = 0.5;
     Eigen::Map<Vec3> at(state.at);
-    const bool still = counts && (voluntary_W - at).norm() < kPlace && std::abs(opening - state.opening) < kOpening;
-    if (!still) at = voluntary_W, state.opening = opening, state.still_s = 0;
+    const bool still = counts && (voluntary_W - at).norm() < kPlace && std::abs(opening - state.opening) < kOpening &&
+                       std::abs(force - state.force) < kForce;
+    if (!still) at = voluntary_W, state.opening = opening, state.force = force, state.still_s = 0;
     if (!counts) return;
     state.all_s += dt;
     const double before = state.still_s;

@@ -59,7 +59,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskTime,
     {"time.approach", "s", "Time in the phase approach.", "sum of dt in the phase", "M02", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     {"time.carry", "s", "Time in the phase carry.", "sum of dt in the phase", "M02", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
-    {"time.idle", "1", "Share of the time at work, outside holds, in which neither tips nor jaws moved.", "sum of dt in which the tips stay within 0.1 mm below 6 Hz and the opening within 1 deg for more than 0.5 s / sum of dt, both outside holds and since the hand set off", "M03", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"time.idle", "1", "Share of the time at work, outside holds, in which the instrument did nothing.", "sum of dt in which the tips stay within 0.1 mm below 6 Hz, the opening within 1 deg and F within 0.05 N for more than 0.5 s / sum of dt, both outside holds and since the hand set off", "M03", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     lessons::kTaskSuccess,
     {"grasp.tries", "1", "Closings of the jaws that touch the needle, up to the first correct grasp.", "count; reopened by 2 deg in between", "M06", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     lessons::kDrops,

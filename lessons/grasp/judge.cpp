@@ -163,7 +163,7 @@ void Judge::measure(Memory& memory, const Look& look, const Finding& finding) co
   memory.phase_s[static_cast<size_t>(finding.stage)] += look.dt_s;
   memory.bending = std::max(memory.bending, look.bending);
   const bool at_work = memory.path.set_off_s >= 0 && !holds;
-  idle_.look(memory.idle, Eigen::Map<const Vec3>(memory.path.last), look.opening, look.dt_s, at_work);
+  idle_.look(memory.idle, Eigen::Map<const Vec3>(memory.path.last), look.opening, memory.grip.now, look.dt_s, at_work);
   tremor_.look(memory.tremor, look.tip_W, holds);
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
   if (!look.held || (look.needle_W - start).norm() < kLifted) return;

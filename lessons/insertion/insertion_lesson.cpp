@@ -26,11 +26,17 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
   if (has_far() && params.task != Task::kStitch) builder.error("far", say::kTwoEdges());
   builder.state<Kept>();
-  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
+  const auto shows = [&](size_t i) {
     if (i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood)) return !params.suture.empty();
     if (i == index(Sign::kTaut)) return params.tension > 0;
     return i < index(Sign::kGraspWrong) || has_region();
-  });
+  };
+  // all of the card would be one more than a scene has room for
+  const auto tells = [&](size_t i) {
+    if (i == index(Measure::kTwist)) return !has_far();
+    return has_far() || (i != index(Measure::kPointsStep) && (i < index(Measure::kInnerNear) || i > index(Measure::kFarWound)));
+  };
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");

@@ -129,7 +129,7 @@ void Judge::follow_twist(TwistState& twist, const Look& look) noexcept {
   if (!look.held || (!look.touching && twist.from == 0)) return;
   if (twist.from == 0) twist.axis = look.tilt_axis, twist.plane = look.tilt_plane;
   twist.from = twist.told = 1;
-  twist.most = std::max(twist.most, std::hypot(look.tilt_axis - twist.axis, look.tilt_plane - twist.plane));
+  twist.most = std::max({twist.most, std::abs(look.tilt_axis - twist.axis), std::abs(look.tilt_plane - twist.plane)});
 }
 
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {
