@@ -25,7 +25,7 @@ inline constexpr swage_metric_info kPathOfBoth = {"motion.path", "m", "Length of
 constexpr swage_metric_info points(const char* id, const char* doc, const char* formula) {
   return {id, "1", doc, formula, "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE};
 }
-inline constexpr swage_metric_info kPointsTime = points("points.time", "Points lost for time.", "15 clamp(time / par_time - 1, 0, 1)");
+inline constexpr swage_metric_info kPointsTime = points("points.time", "Points lost for active time beyond the par time.", "15 clamp(time / par_time - 1, 0, 1)");
 
 inline constexpr swage_metric_info kPointsBending = points("points.bending", "Points lost for bending the needle.", "20 clamp((needle.bending - 0.7) / 0.3, 0, 1)");
 
@@ -45,7 +45,7 @@ inline constexpr swage_metric_label kPointsDropsLabel = label("points.drops", "D
 inline constexpr swage_metric_label kPointsForceLabel = label("points.force", "Grip force", SWAGE_SHOW_POINTS);
 inline constexpr swage_metric_label kPointsTimeLabel = label("points.time", "Time", SWAGE_SHOW_POINTS);
 
-inline constexpr swage_criterion kParTime = {"Slower than {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};
+inline constexpr swage_criterion kParTime = {"Active time beyond {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};
 inline constexpr swage_criterion kMaxTime = {"The time limit is {max_time}.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 inline constexpr swage_criterion kMaxOverTime = {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 inline constexpr swage_criterion kMaxDrops = {"More drops than {max_drops} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};

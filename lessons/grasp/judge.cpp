@@ -33,6 +33,13 @@ bool Judge::square(const Memory& memory, const Look& look) const {
   return rules_.max_tilt <= 0 || std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) <= most;
 }
 
+/// Whether the cue tells a tilt: beyond what is allowed; where any tilt is, beyond what the other lessons allow.
+bool Judge::tilted(const Memory& memory, const Look& look) const {
+  constexpr double kTold = std::numbers::pi / 9;  // rad, 20 deg
+  if (rules_.max_tilt > 0) return !square(memory, look);
+  return std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) > kTold;
+}
+
 double Judge::spot_error(double s) const {
   return std::max({0.0, rules_.region_low - s, s - rules_.region_high});
 }
@@ -68,6 +75,7 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
   }
 
   if (look.touched) {
+    if (memory.touched_s < 0) memory.touched_s = look.time_s;
     memory.engaged = 1;
     const Quat& q = look.q_WN;
     const double now[4] = {q.w(), q.x(), q.y(), q.z()};
@@ -131,7 +139,7 @@ bool Judge::grasped_well(const Memory& memory, const Look& look, const Finding& 
 
 void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool spot = in_region(look.s), tips = in_tips(look.tip_reach);
-  if (look.held && spot) finding.grade = !tips ? Grade::kPointOnly : square(memory, look) ? Grade::kGood : Grade::kTilted;
+  if (look.held && spot) finding.grade = !tips ? Grade::kPointOnly : tilted(memory, look) ? Grade::kTilted : Grade::kGood;
   if (look.held && !spot) finding.grade = tips ? Grade::kTipsOnly : Grade::kWrong;
   memory.wrong_s = look.held && !spot ? memory.wrong_s + look.dt_s : 0;
 
@@ -152,10 +160,12 @@ void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) cons
     memory.hold_s = 0;
   }
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
-  finding.stage = good                  ? Stage::kHold
-                  : carry && well       ? Stage::kCarry
-                  : memory.engaged != 0 ? Stage::kGrasp
-                                        : Stage::kApproach;
+  finding.stage = good                                 ? Stage::kHold
+                  : carry && well                      ? Stage::kCarry
+                  : look.held && !spot && !rules_.ends ? Stage::kRegrasp
+                  : memory.engaged != 0                ? Stage::kGrasp
+                  : memory.drop.armed == 0             ? Stage::kDropped
+                                                       : Stage::kApproach;
 }
 
 void Judge::measure(Memory& memory, const Look& look, const Finding& finding) const noexcept {

@@ -308,11 +308,11 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
   if (finding.stitched) next_mark(scene, kept);
   report(look, finding, kept.memory, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
-  say(finding, kept, verdict);
+  say(finding, kept, look.time_s, verdict);
   if (params_.tail > 0) show_tail(scene, kept, verdict);
 }
 
-void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdict& verdict) const {
+void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_s, const Verdict& verdict) const {
   // signs
   const auto show = [&](uint32_t object, Cue cue) {
     cue.valid() ? verdict.cue(object, cue) : verdict.clear_cue(object);
@@ -328,7 +328,8 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
   if (thread_.valid()) say_suture(finding, verdict);
-  const bool turned_away = finding.stage == Stage::kAim && m.deflections > 0 && m.entries == 0;
+  constexpr double kSigned = 3;  // s: long enough to be read
+  const bool turned_away = finding.stage == Stage::kAim && m.entries == 0 && time_s - m.deflected_s < kSigned;
   show(tissue_object_, finding.torn ? sign(Sign::kTorn) : turned_away ? sign(Sign::kDeflected) : Cue());
   const auto point = [&](Mark mark, const double(&p)[3], bool near) {
     const swage_vec3 p_W{p[0], p[1], p[2]};

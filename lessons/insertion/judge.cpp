@@ -49,8 +49,16 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   return finding;
 }
 
+// A point that skips along a surface, or brushes past its side, is turned away once.
+void Judge::count_deflection(Memory& memory, const Look& look, bool deflected) noexcept {
+  constexpr double kApart = 1;  // s
+  if (!deflected || look.time_s - memory.deflected_s < kApart) return;
+  memory.deflections += 1;
+  memory.deflected_s = look.time_s;
+}
+
 void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  if (look.deflected) memory.deflections += 1;
+  count_deflection(memory, look, look.deflected);
   if (look.entered) {
     memory.entries += 1;
     memory.entry_distance = along_surface(look.entry_W - look.target_W, look.normal_W);
@@ -84,7 +92,7 @@ void Judge::follow_far(Memory& memory, const Look& look, Finding& finding) const
   if (look.exited) far.near_out = 1, far.near_edge = look.hole.edge;
   if (look.passed) far.near_passed = 1;
   if (!look.in_tissue && far.near_passed == 0) far.near_out = 0;
-  if (look.far.deflected) memory.deflections += 1;
+  count_deflection(memory, look, look.far.deflected);
   if (look.far.entered) finding.far_first = FarEdge::enter(far, look.far, look.in_tissue);
   if (look.far.exited && far.in != 0) {
     memory.exited = 1;

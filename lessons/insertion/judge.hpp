@@ -97,6 +97,7 @@ struct Memory {
   GripState grip;
   double begun = 0;
   double drops = 0, entries = 0, deflections = 0, missed = 0;
+  double deflected_s = -1e3;                   // s, when the last deflection was counted
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
   double wall = 0;                             // m, where it went in
@@ -170,6 +171,7 @@ class Judge {
   void follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_far(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  static void count_deflection(Memory& memory, const Look& look, bool deflected) noexcept;
   static void follow_twist(TwistState& twist, const Look& look) noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;

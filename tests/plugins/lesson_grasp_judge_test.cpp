@@ -56,6 +56,50 @@ TEST(Judge, FourMeanings) {
   EXPECT_EQ(none.go().grade, Grade::kNone);
 }
 
+// where any tilt counts the cue still tells one that the other lessons would not allow
+TEST(Judge, TellsATiltWhereItOnlyCostsPoints) {
+  Attempt a;
+  a.now.tilt_plane = 0.6;
+  const Finding f = a.take(0.6, 1e-3, 0.6);
+  EXPECT_EQ(f.grade, Grade::kTilted);
+  EXPECT_EQ(f.stage, Stage::kHold);
+  a.now.tilt_plane = 0.3;
+  EXPECT_EQ(a.go().grade, Grade::kGood);
+}
+
+// the phases of practice tell what to do next; a test does not tell that the place is wrong
+TEST(Judge, SaysWhatToDoAfterAWrongGraspAndAfterADrop) {
+  Rules practice;
+  practice.ends = false;
+  Attempt a(practice);
+  EXPECT_EQ(a.go().stage, Stage::kApproach);
+  EXPECT_EQ(a.take(0.3, 1e-3, 0.6).stage, Stage::kRegrasp);
+  EXPECT_EQ(Attempt().take(0.3, 1e-3, 0.6).stage, Stage::kGrasp);
+  a.let_go();
+  a.now.needle_W = Vec3(0, 0, -5e-3);
+  a.go();
+  EXPECT_EQ(a.go().stage, Stage::kDropped);
+  a.now.needle_W.setZero();
+  EXPECT_EQ(a.go().stage, Stage::kApproach) << "put back";
+}
+
+// M02: to the first touch, however often it is dropped after that
+TEST(Judge, TheTimeToTheFirstTouchEndsThere) {
+  Attempt a;
+  for (int i = 0; i < 1000; ++i) {
+    a.now.tip_W.x() = 5e-6 * i;  // 5 mm/s
+    a.go();
+  }
+  EXPECT_LT(a.memory.touched_s, 0);
+  a.take(0.6, 1e-3, 0.6);
+  const double first = approach_time(a.memory);
+  EXPECT_NEAR(first, 1 - a.memory.path.set_off_s, 2e-3);
+  a.let_go();
+  a.go(500);
+  a.take(0.6, 1e-3, 0.6);
+  EXPECT_EQ(approach_time(a.memory), first);
+}
+
 TEST(Judge, PassesAfterAnUnbrokenHold) {
   Attempt a;
   Finding f = a.take(0.6, 1e-3, 0.6);
