@@ -1,49 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What counts as a good grasp: the four meanings, holds and their breaks, drops, limits, metrics and score.
-#include "lessons/grasp/judge.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "grasp_attempt.hpp"
+
 namespace swage::lesson_grasp {
 namespace {
-
-/// An attempt told step by step.
-struct Attempt {
-  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {}
-
-  /// n steps as `now` says; returns the last finding.
-  Finding go(int n = 1) {
-    Finding finding;
-    for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++;
-      finding = judge.look(memory, now);
-      now.touched = now.taken = false;
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
-  }
-  Finding take(double s, double reach, double force) {
-    now.touched = now.taken = now.held = true;
-    now.opening = 0.01;
-    now.s = s;
-    now.tip_reach = reach;
-    now.force = force;
-    return go();
-  }
-  void let_go() {
-    now.held = false;
-    now.force = 0;
-    now.opening = 0.2;
-  }
-
-  Judge judge;
-  Memory memory;
-  Look now;
-  int step = 0;
-};
 
 TEST(Judge, FourMeanings) {
   const double tips = 1e-3, deep = 4e-3;
