@@ -82,8 +82,7 @@ TEST_F(InsertionOnStage, APointThatTheTissueTurnsAwayIsSigned) {
   hold(0, 0.6, 0.7);
   observe(10);
   EXPECT_EQ(cues[2], SWAGE_NONE);
-  happen("pierce.deflected");
-  observe();
+  happen("pierce.deflected"), observe();
   EXPECT_EQ(cues[2], cue("tissue.deflected"));
   observe(500);
   EXPECT_EQ(cues[2], cue("tissue.deflected")) << "long enough to be read";
