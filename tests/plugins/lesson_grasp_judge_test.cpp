@@ -240,7 +240,7 @@ TEST(Judge, PerpendicularityCanBeRequired) {
   Attempt any;
   any.go();
   any.now.tilt_plane = 1;
-  EXPECT_EQ(any.take(0.6, 1e-3, 0.6).grade, Grade::kGood) << "not asked";
+  EXPECT_EQ(any.take(0.6, 1e-3, 0.6).stage, Stage::kHold) << "not asked: it is told, and the hold counts";
 }
 
 TEST(Judge, TheSignForTooMuchForceStaysAWhile) {
