@@ -88,7 +88,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kForceMean,
     lessons::kForcePeak,
     lessons::kTipReach,
-    {"grasp.twist", "rad", "How far the tissue turned the needle in the jaws that held it.", "greatest change of tilt_axis or tilt_plane since the point touched the tissue, while held", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"grasp.twist", "rad", "How far the tissue turned the needle in the jaws that held it.", "greatest change of tilt_axis or tilt_plane since the point first touched the tissue in a hold, while it does", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     lessons::kBending,
     lessons::kPath,
     lessons::kSparc,

@@ -134,7 +134,7 @@ void Judge::integrate(Memory& memory, const Look& look) const noexcept {
 
 void Judge::follow_twist(TwistState& twist, const Look& look) noexcept {
   if (!look.held) twist.from = 0;
-  if (!look.held || (!look.touching && twist.from == 0)) return;
+  if (!look.held || !look.touching) return;
   if (twist.from == 0) twist.axis = look.tilt_axis, twist.plane = look.tilt_plane;
   twist.from = twist.told = 1;
   twist.most = std::max({twist.most, std::abs(look.tilt_axis - twist.axis), std::abs(look.tilt_plane - twist.plane)});
