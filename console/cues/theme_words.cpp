@@ -23,7 +23,7 @@ const char* const kWords[] = {
     QT_TRANSLATE_NOOP("themes", "Clear"),
     QT_TRANSLATE_NOOP("themes", "Touching"),
     QT_TRANSLATE_NOOP("themes", "Perpendicular to the tissue"),
-    QT_TRANSLATE_NOOP("themes", "Off-angle: follow the curve"),
+    QT_TRANSLATE_NOOP("themes", "Off-angle: rotate along the curve"),
     QT_TRANSLATE_NOOP("themes", "Look here"),
     QT_TRANSLATE_NOOP("themes", "Leans this way"),
     QT_TRANSLATE_NOOP("themes", "Or this way"),

@@ -54,11 +54,11 @@ class Mouse final : public SeeingDevice<MouseParams> {
                                           "Direction from the right jaw to the left one at the start."),
       real<&MouseParams::drag>(
           "drag", "Drag", "m", "mm", 1e-5, 1,
-          "Way of the tips for a drag over 10 mm of what is seen: 10 mm keeps them under the pointer.")
+          "How far the tips move for a drag over 10 mm of what is seen: 10 mm keeps them under the pointer.")
           .group("Speed")
           .live(),
       real<&MouseParams::wheel>("wheel", "Wheel", "m", "mm", 1e-6, 0.1,
-                                "Way along the line of sight for one notch.")
+                                "How far the tips move along the line of sight for one notch.")
           .group("Speed")
           .live(),
       real<&MouseParams::turn>("turn", "Turn", "rad", "deg", 1 * kDegree, 3600 * kDegree,

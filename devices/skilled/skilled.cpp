@@ -211,7 +211,9 @@ Pose Skilled::lead(const Act& act, const Vec3& target, const Vec3& into) {
     q = wrist_.given(asked_) * from_.q.conjugate();
   }
   const Vec3 to_centre = q * (wire.centre_W - point.p_W);
-  const Vec3 at = target + act.inside * wire.curvature * to_centre;
+  // along the surface only: a leaning needle that is moved along its radius would have its centre too high, and lean more
+  const Vec3 inwards = wire.curvature * (to_centre - to_centre.dot(into) * into);
+  const Vec3 at = target + act.inside * inwards;
   const Pose held{at + q * (from_.p - point.p_W), (q * from_.q).normalized()};
   const Vec3 centre = at + to_centre;
   Pose goal = turned(held, centre, act.hover * wire.curvature * (q * wire.axis_W));

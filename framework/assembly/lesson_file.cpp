@@ -73,7 +73,10 @@ class LessonParser {
   void read_environment(const Json& json, const std::string& pointer) {
     out_.environment_text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     ObjectReader reader(json, pointer, "the environment of a lesson", teller_);
-    if (reader.need("medium") == nullptr) return;
+    if (reader.find("medium") == nullptr) {
+      if (json.is_object()) teller_.error(pointer, say::kNoMedium());
+      return;
+    }
     const std::string word = reader.choice("medium", host::kMedia);
     const auto found = std::find(std::begin(host::kMedia), std::end(host::kMedia), word);
     out_.environment = host::medium(static_cast<uint32_t>(SWAGE_MEDIUM_DRY + (found - std::begin(host::kMedia))));

@@ -45,6 +45,7 @@ inline constexpr auto kNobodyToSet = "There is no \"{}\" to set \"{}\".{} There 
 
 // values of a file
 inline constexpr auto kNoObject = "This is {}: an object { \"name\": value, ... }, not {}."_sentence;
+inline constexpr auto kNoMedium = "\"medium\" is missing: dry, moist or water; on the command line --set environment.medium=dry beside it."_sentence;
 inline constexpr auto kMissing = "\"{}\" is missing."_sentence;
 inline constexpr auto kNoText = "\"{}\" is a text, not {}."_sentence;
 inline constexpr auto kEmptyText = "\"{}\" is empty."_sentence;

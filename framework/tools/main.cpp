@@ -61,7 +61,9 @@ void add_run(CLI::App& app, Arguments& a) {
   verb->add_flag("--as-fast-as-possible", o.fast, "Without a clock; gives the same numbers every time");
   verb->add_option("--person", o.person, "Whose attempt it is")->capture_default_str();
   verb->add_option("--store", o.store, "Attempts database, or :none: to keep nothing");
-  verb->add_option("--mode", o.mode, "practice (limits of force and time are told), test (they end the attempt; no cues) or demo (the expert's hand, not kept); what the lesson says, else test")
+  verb->add_option("--mode", o.mode,
+                   "practice (limits of force and time are told and end nothing, but for a hand of the lesson, which is judged as in a "
+                   "test), test (they end the attempt; no cues) or demo (the expert's hand, not kept); what the lesson says, else test")
       ->check(CLI::IsMember({"practice", "test", "demo"}));
   verb->add_flag("--safe-mode", o.safe_mode, "Only the plugins that came with Swage");
   verb->add_option("--max-time", o.max_time_s, "Simulated seconds after which the attempt ends")

@@ -173,7 +173,7 @@ void print_text(const RunOptions& o, const snapshot::SceneCard& card, const sess
   if (!ratings.empty()) std::printf("on scales of surgeons, as far as the state of the scene decides them:\n%s", ratings.c_str());
   std::printf("loop: %s\n", loop_text(r.health, o.fast).c_str());
   if (r.health.solver.steps > 0)
-    std::printf("solver: fell short in %llu steps: %s\n",
+    std::printf("solver: fell short in %llu steps: %s (what that means: guide/realtime.md)\n",
                 static_cast<unsigned long long>(r.health.solver.steps), base::text(r.health.solver).c_str());
   std::printf("%s\n", kept_text(r, store).c_str());
 }

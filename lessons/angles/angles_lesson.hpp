@@ -99,7 +99,7 @@ class AnglesLesson final : public Lesson<AnglesParams> {
   void reset(std::span<double> state) override { as<Memory>(state) = {}; }
 
  private:
-  /// What is square to the reference, and the two axes of a lean; unit, W.
+  /// What is perpendicular to the reference, and the two axes of a lean; unit, W.
   struct Frame {
     Vec3 square = Vec3::UnitZ(), axis[kAxes];
   };

@@ -10,7 +10,7 @@ namespace swage::lessons {
 // clang-format off
 inline constexpr swage_metric_info kTaskTime = {"time.task", "s", "Time since the hand set off.", "now - first time that the tips were quicker than 2 mm/s for 0.1 s", "M01", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A};
 inline constexpr swage_metric_info kTaskSuccess = {"task.success", "1", "1 when the attempt was passed.", "1 or 0", "M04", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_C};
-inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or knocked away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
+inline constexpr swage_metric_info kDrops = {"grasp.drops", "1", "How often the needle was dropped or pushed away.", "count of: free, in no tissue, and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kForceMean = {"force.mean", "N", "Mean grip force while held.", "mean of F below 20 Hz", "M15", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
 inline constexpr swage_metric_info kForcePeak = {"force.peak", "N", "Grip force that was exceeded for one two-hundredth of the held time.", "99.5 % quantile of F below 20 Hz while held", "M16", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B};
 inline constexpr swage_metric_info kTipReach = {"grasp.tip_reach", "m", "Mean reach of the tips past the needle while held.", "mean of (tips - place) . x_T", "M11", SWAGE_BETTER_INSIDE, SWAGE_EVIDENCE_C};
@@ -25,7 +25,7 @@ inline constexpr swage_metric_info kPathOfBoth = {"motion.path", "m", "Length of
 constexpr swage_metric_info points(const char* id, const char* doc, const char* formula) {
   return {id, "1", doc, formula, "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_NONE};
 }
-inline constexpr swage_metric_info kPointsTime = points("points.time", "Points lost for time.", "15 clamp(time / par_time - 1, 0, 1)");
+inline constexpr swage_metric_info kPointsTime = points("points.time", "Points lost for active time beyond the par time.", "15 clamp(time / par_time - 1, 0, 1)");
 
 inline constexpr swage_metric_info kPointsBending = points("points.bending", "Points lost for bending the needle.", "20 clamp((needle.bending - 0.7) / 0.3, 0, 1)");
 
@@ -45,7 +45,7 @@ inline constexpr swage_metric_label kPointsDropsLabel = label("points.drops", "D
 inline constexpr swage_metric_label kPointsForceLabel = label("points.force", "Grip force", SWAGE_SHOW_POINTS);
 inline constexpr swage_metric_label kPointsTimeLabel = label("points.time", "Time", SWAGE_SHOW_POINTS);
 
-inline constexpr swage_criterion kParTime = {"Slower than {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};
+inline constexpr swage_criterion kParTime = {"Active time beyond {par_time} costs points.", nullptr, SWAGE_CRITERION_POINTS, 0};
 inline constexpr swage_criterion kMaxTime = {"The time limit is {max_time}.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 inline constexpr swage_criterion kMaxOverTime = {"Gripping too hard for more than {max_over_time} ends the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};
 inline constexpr swage_criterion kMaxDrops = {"More drops than {max_drops} end the attempt.", nullptr, SWAGE_CRITERION_LIMIT, 0};

@@ -12,13 +12,20 @@
 namespace swage::lessons {
 
 /// Declares the cues and metrics of a card; each array has one entry for each row of its table. `shows(i)`: whether a lesson with
-/// these parameters can show cue i at all; the others stay out of its legend.
+/// these parameters can show cue i at all; the others stay out of its legend. `tells(i)`: likewise metric i.
+template <size_t cues, size_t metrics, class Shows, class Tells>
+void declare_card(LessonBuilder& builder, const swage_cue_info (&cue_info)[cues], Cue (&cue)[cues],
+                  const swage_metric_info (&metric_info)[metrics], Metric (&metric)[metrics], const Shows& shows, const Tells& tells) {
+  for (size_t i = 0; i < cues; ++i)
+    if (shows(i)) cue[i] = builder.cue(cue_info[i]);
+  for (size_t i = 0; i < metrics; ++i)
+    if (tells(i)) metric[i] = builder.metric(metric_info[i]);
+}
+
 template <size_t cues, size_t metrics, class Shows>
 void declare_card(LessonBuilder& builder, const swage_cue_info (&cue_info)[cues], Cue (&cue)[cues],
                   const swage_metric_info (&metric_info)[metrics], Metric (&metric)[metrics], const Shows& shows) {
-  for (size_t i = 0; i < cues; ++i)
-    if (shows(i)) cue[i] = builder.cue(cue_info[i]);
-  for (size_t i = 0; i < metrics; ++i) metric[i] = builder.metric(metric_info[i]);
+  declare_card(builder, cue_info, cue, metric_info, metric, shows, [](size_t) { return true; });
 }
 
 template <size_t cues, size_t metrics>

@@ -72,28 +72,27 @@ class Quantile {
   double width_ = 0.02;
 };
 
-/// Time in which a point rests: slower than 1 mm/s for more than 0.5 s (M03).
+/// Time in which an instrument does nothing: for more than 0.5 s its tips, the opening of its jaws and their force have stayed (M03).
 struct IdleState {
-  double last[3] = {0, 0, 0}, seen = 0;  // m; 0 or 1
-  double slow_s = 0, idle_s = 0, all_s = 0;
+  double at[3] = {0, 0, 0}, opening = 0, force = 0;  // m, rad, N: where it has stayed
+  double still_s = 0, idle_s = 0, all_s = 0;
 };
 class IdleWatch {
  public:
-  /// `counts`: outside a hold. [rt]
-  static void look(IdleState& state, const Vec3& p_W, double dt, bool counts) noexcept {
-    constexpr double kSlow = 1e-3, kFor = 0.5;  // m/s, s
-    Eigen::Map<Vec3> last(state.last);
-    const double speed = state.seen != 0 ? (p_W - last).norm() / dt : 0;
-    last = p_W;
-    state.seen = 1;
-    if (!counts) {
-      state.slow_s = 0;
-      return;
-    }
+  /// `voluntary_W`: place of the tips without tremor, m. `opening` [rad] and `force` [N] of the jaws, which do something while they close or
+  /// press harder. `counts`: the hand has set off and is in no hold. [rt]
+  static void look(IdleState& state, const Vec3& voluntary_W, double opening, double force, double dt, bool counts) noexcept {
+    // m: 0.2 mm/s for 0.5 s, above what a tremor of 100 um leaves below 6 Hz; rad, 1 deg; N; s
+    constexpr double kPlace = 0.1e-3, kOpening = std::numbers::pi / 180, kForce = 0.05, kFor = 0.5;
+    Eigen::Map<Vec3> at(state.at);
+    const bool still = counts && (voluntary_W - at).norm() < kPlace && std::abs(opening - state.opening) < kOpening &&
+                       std::abs(force - state.force) < kForce;
+    if (!still) at = voluntary_W, state.opening = opening, state.force = force, state.still_s = 0;
+    if (!counts) return;
     state.all_s += dt;
-    const double before = state.slow_s;
-    state.slow_s = speed < kSlow ? before + dt : 0;
-    if (state.slow_s > kFor) state.idle_s += before > kFor ? dt : state.slow_s;
+    const double before = state.still_s;
+    state.still_s += dt;
+    if (state.still_s > kFor) state.idle_s += before > kFor ? dt : state.still_s;
   }
   static double share(const IdleState& state) { return state.all_s > 0 ? state.idle_s / state.all_s : 0; }
 };

@@ -24,7 +24,7 @@ void FreePractice::build(const PracticeParams& params, LessonBuilder& builder) {
 
   builder.state<PracticeMemory>();
   held_ = builder.cue(kCues[0]);
-  practice_ = builder.phase("practice", "Take the things and put them down.");
+  practice_ = builder.phase("practice", "Pick up each object and put it down.");
   done_ = builder.phase("done", "The attempt is over.");
   dropped_ =
       builder.event("thing.dropped", "A thing has left where it was let go or lay; value: which, from 0.");
@@ -65,7 +65,10 @@ void FreePractice::look_at(const Thing& thing, ThingMemory& memory, PracticeMemo
   }
 
   const bool held = view.signal(thing.grasp.held) != 0;
-  all.touches += view.happened(thing.grasp.touched) ? 1 : 0;
+  if (view.happened(thing.grasp.touched)) {
+    all.touches += 1;
+    memory.touched = 1;
+  }
   all.grasps += view.happened(thing.grasp.taken) ? 1 : 0;
   held ? verdict.cue(thing.object, held_) : verdict.clear_cue(thing.object);
 
@@ -80,6 +83,9 @@ void FreePractice::look_at(const Thing& thing, ThingMemory& memory, PracticeMemo
   if (drop_.look(memory.drop, p_W, held && view.signal(thing.grasp.force) > 0)) {
     all.drops += 1;
     verdict.event(dropped_, which);
+    // what leaves its place untouched by the faces of the jaws was pushed by another side of the instrument
+    if (memory.touched == 0) all.touches += 1;
+    memory.touched = 0;
   }
   const bool back = (p_W - start).norm() < 0.1 * params_.drop_distance;
   if (memory.drop.armed == 0 && back) lessons::DropWatch::rest(memory.drop, p_W);

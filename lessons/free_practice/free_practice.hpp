@@ -19,7 +19,7 @@ inline constexpr size_t kMostThings = 8;
 // clang-format off
 inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskTime,
-    {"practice.touches", "1", "How often a thing was touched.", "count", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"practice.touches", "1", "How often a thing was touched or pushed away.", "count of grasp.touched, and of drops of what had not been touched since it last dropped", "", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     {"practice.grasps", "1", "How often a thing was taken by both jaws.", "count", "", SWAGE_BETTER_NONE, SWAGE_EVIDENCE_NONE},
     {"practice.drops", "1", "How often a thing fell or was pushed away.", "count of: free and further than drop_distance from where it was left", "M07", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"practice.different", "1", "How many different things have been held.", "count", "", SWAGE_BETTER_HIGHER, SWAGE_EVIDENCE_NONE},
@@ -59,6 +59,7 @@ struct ThingMemory {
   double start[3] = {0, 0, 0};  // m
   double held_s = 0;
   double grasped = 0;  // 0 or 1
+  double touched = 0;  // 0 or 1, since it last dropped
 };
 
 struct PracticeMemory {

@@ -26,6 +26,7 @@ enum class Measure : size_t {
   kTipReach,
   kTiltAxis,
   kTiltPlane,
+  kTilt,
   kBalance,
   kSnap,
   kForce,
@@ -57,9 +58,9 @@ enum class Measure : size_t {
 // clang-format off
 inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTaskTime,
-    {"time.approach", "s", "Time in the phase approach.", "sum of dt in the phase", "M02", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"time.approach", "s", "Time until the jaws first touched it, since the hand set off.", "first grasp.touched - start of time.task", "M02", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     {"time.carry", "s", "Time in the phase carry.", "sum of dt in the phase", "M02", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
-    {"time.idle", "1", "Share of the time outside holds in which the tips rested.", "sum of dt slower than 1 mm/s for more than 0.5 s / sum of dt, both outside holds", "M03", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
+    {"time.idle", "1", "Share of the time at work, outside holds, in which the instrument did nothing.", "sum of dt in which the tips stay within 0.1 mm below 6 Hz, the opening within 1 deg and F within 0.05 N for more than 0.5 s / sum of dt, both outside holds and since the hand set off", "M03", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_A},
     lessons::kTaskSuccess,
     {"grasp.tries", "1", "Closings of the jaws that touch the needle, up to the first correct grasp.", "count; reopened by 2 deg in between", "M06", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     lessons::kDrops,
@@ -70,14 +71,15 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::kTipReach,
     {"grasp.tilt_axis", "rad", "Mean tilt of the needle from perpendicular to the jaw axis while held.", "mean of abs(asin(tangent . x_T))", "M12", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"grasp.tilt_plane", "rad", "Mean tilt of the needle's plane from perpendicular to the jaw faces while held.", "mean of abs(asin(normal . z_T))", "M12", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"grasp.tilt", "rad", "Mean of these two tilts, which costs points.", "(grasp.tilt_axis + grasp.tilt_plane) / 2", "M12", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"grasp.balance", "1", "Mean difference of the two jaw forces while held, over the greater one.", "mean of abs(left - right) / max(left, right)", "M13", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"grasp.snap", "rad", "Mean rotation of the needle from first contact to 0.1 s after the grasp.", "mean over grasps of the angle of q q0^-1", "M14", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     lessons::kForceMean,
     lessons::kForcePeak,
-    {"force.steadiness", "N", "Spread of the grip force while carried.", "standard deviation of F below 20 Hz; carried: held, and more than 0.2 mm from the start", "M17", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
+    {"force.steadiness", "N", "Spread of the grip force while it is lifted, carried and held.", "standard deviation of F below 20 Hz, held and more than 0.2 mm from the start", "M17", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_B},
     {"force.over_time", "1", "Share of the held time above the limit.", "sum of dt with F > force.high / held time", "M18", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_C},
     {"force.over_dose", "N*s", "Excess over the limit, summed over time.", "integral of max(0, F - force.high)", "M19", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
-    {"force.slip_risk", "1", "Share of the time carried with less than the least force.", "sum of dt with F < force.low / time carried", "M20", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
+    {"force.slip_risk", "1", "Share of that time with less than the least force.", "sum of dt with F < force.low / sum of dt, both held and more than 0.2 mm from the start", "M20", SWAGE_BETTER_LOWER, SWAGE_EVIDENCE_D},
     lessons::kBending,
     lessons::kPath,
     lessons::kSparc,
@@ -112,8 +114,9 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("grasp.spot_error", "Grasp position error", SWAGE_SHOW_SHARE, 3),
     lessons::label("grasp.in_zone", "Grasps in the region", SWAGE_SHOW_SHARE),
     lessons::label("grasp.tip_reach", "Tip overhang", SWAGE_SHOW_QUANTITY, 0, "tip_zone", "tip_zone"),
-    lessons::label("grasp.tilt_axis", "Tilt to the jaw axis", SWAGE_SHOW_QUANTITY, 5),
+    lessons::label("grasp.tilt_axis", "Tilt to the jaw axis"),
     lessons::label("grasp.tilt_plane", "Tilt to the jaw plane"),
+    lessons::label("grasp.tilt", "Tilt in the jaws", SWAGE_SHOW_QUANTITY, 5, nullptr, "max_tilt"),
     lessons::label("grasp.balance", "Jaw force imbalance", SWAGE_SHOW_SHARE),
     lessons::label("grasp.snap", "Rotation on grasping"),
     lessons::kForceMeanLabel,
@@ -143,7 +146,7 @@ inline constexpr swage_metric_label kLabels[] = {
 
 /// What is asked of the trainee.
 inline constexpr swage_criterion kCriteria[] = {
-    {"Grasp the {needle} at {region} of its length, counted from its first end, the point of a needle.", nullptr, SWAGE_CRITERION_PASS, 0},
+    {"Grasp the {needle} in the marked region, at {region} of its length.", nullptr, SWAGE_CRITERION_PASS, 0},
     {"Use the tips of the jaws.", "tips_needed", SWAGE_CRITERION_PASS, 0},
     {"Hold it perpendicular to the jaws both ways, to within {max_tilt}.", "max_tilt", SWAGE_CRITERION_PASS, 0},
     {"Lift it by {lift}.", "lift", SWAGE_CRITERION_PASS, 0},
@@ -155,7 +158,7 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"Further grasp attempts, drops, gripping too hard, a tilt in the jaws and a bent needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"Further grasp attempts, drops, gripping too hard and a tilt in the jaws cost points; with a needle also bending it.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 using lessons::kHeard;

@@ -24,7 +24,6 @@ void GraspLesson::build(const GraspParams& params, LessonBuilder& builder) {
 
 void GraspLesson::declare(LessonBuilder& builder) {
   lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [this](size_t i) {
-    if (i == index(Sign::kTilted)) return params_.max_tilt > 0;
     return params_.carry || (i != index(Sign::kNear) && i != index(Sign::kDone));
   });
 
@@ -32,6 +31,8 @@ void GraspLesson::declare(LessonBuilder& builder) {
   phase_[index(Stage::kGrasp)] = builder.phase("grasp", "Close the jaws on the region and lift what they hold.");
   phase_[index(Stage::kCarry)] = builder.phase("carry", ("Bring the " + params_.needle + " to the target.").c_str());
   phase_[index(Stage::kHold)] = builder.phase("hold", "Hold with steady force.");
+  phase_[index(Stage::kRegrasp)] = builder.phase("regrasp", "Open the jaws, and grasp it in the marked region.");
+  phase_[index(Stage::kDropped)] = builder.phase("dropped", "It was dropped: pick it up where it lies, or put it back.");
   phase_[index(Stage::kDone)] = builder.phase("done", "The attempt is over.");
 
   dropped_ = builder.event("needle.dropped", "The needle has left where it was held or lay.");
@@ -180,9 +181,9 @@ void GraspLesson::report(const Memory& m, double time_s, const Verdict& verdict)
   };
   const auto phase = [&](Stage stage) { return m.phase_s[static_cast<size_t>(stage)]; };
   tell(Measure::kTime, task_time(m, time_s));
-  tell(Measure::kApproach, phase(Stage::kApproach));
+  if (m.touched_s >= 0) tell(Measure::kApproach, approach_time(m));
   if (params_.carry) tell(Measure::kCarry, phase(Stage::kCarry));
-  tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
+  if (m.idle.all_s > 0) tell(Measure::kIdle, lessons::IdleWatch::share(m.idle));
   tell(Measure::kSuccess, m.passed);
   tell(Measure::kTries, m.tries);
   tell(Measure::kDrops, m.drops);
@@ -210,15 +211,17 @@ void GraspLesson::report_grasps(const Memory& m, const Verdict& verdict) const {
     tell(Measure::kTipReach, mean(m, m.reach_s));
     tell(Measure::kTiltAxis, mean(m, m.axis_s));
     tell(Measure::kTiltPlane, mean(m, m.plane_s));
+    tell(Measure::kTilt, 0.5 * (mean(m, m.axis_s) + mean(m, m.plane_s)));
     tell(Measure::kBalance, mean(m, m.balance_s));
     tell(Measure::kForce, GripWatch::mean(m.grip));
     tell(Measure::kPeak, judge_.grip().peak(m.grip));
     tell(Measure::kOverTime, mean(m, m.over_s));
     tell(Measure::kOverDose, m.over_dose);
   }
-  if (m.carried_s > 0) {
+  const bool lifts = params_.carry || params_.lift > 0;  // else nobody is asked to take it off its place
+  if (lifts && m.lifted_s > 0) {
     tell(Measure::kSteadiness, lessons::deviation(m.spread));
-    tell(Measure::kSlipRisk, m.timid_s / m.carried_s);
+    tell(Measure::kSlipRisk, m.timid_s / m.lifted_s);
   }
 }
 

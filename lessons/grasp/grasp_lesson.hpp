@@ -150,7 +150,7 @@ class GraspLesson final : public Lesson<GraspParams> {
   Event put_back_;
   Mark region_, target_;
   Cue cue_[static_cast<size_t>(Sign::kCount)];           // by Sign
-  Phase phase_[5];                                       // by Stage
+  Phase phase_[7];                                       // by Stage
   Event dropped_, hold_began_, hold_broke_, failed_[8];  // by End
   Metric metric_[static_cast<size_t>(Measure::kCount)];  // by Measure
 };

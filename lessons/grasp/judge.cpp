@@ -12,8 +12,8 @@ constexpr double kReopened = 0.035;
 // Snapping of the needle is measured so long after both jaws have it, s.
 constexpr double kSnapTime = 0.1;
 
-// A held needle is carried once it is so far from its start, m.
-constexpr double kCarried = 0.2e-3;
+// A held needle is lifted once it is so far from its start, m.
+constexpr double kLifted = 0.2e-3;
 // What a break of the hold at the target costs, and how many are counted.
 constexpr double kBreakCosts = 5, kMostBreaks = 3;
 
@@ -31,6 +31,13 @@ bool Judge::square(const Memory& memory, const Look& look) const {
   constexpr double kLeaves = 1.1;
   const double most = (memory.holding != 0 ? kLeaves : 1.0) * rules_.max_tilt;
   return rules_.max_tilt <= 0 || std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) <= most;
+}
+
+/// Whether the cue tells a tilt: beyond what is allowed; where any tilt is, beyond what the other lessons allow.
+bool Judge::tilted(const Memory& memory, const Look& look) const {
+  constexpr double kTold = std::numbers::pi / 9;  // rad, 20 deg
+  if (rules_.max_tilt > 0) return !square(memory, look);
+  return std::max(std::abs(look.tilt_axis), std::abs(look.tilt_plane)) > kTold;
 }
 
 double Judge::spot_error(double s) const {
@@ -68,6 +75,7 @@ void Judge::count(Memory& memory, const Look& look) const noexcept {
   }
 
   if (look.touched) {
+    if (memory.touched_s < 0) memory.touched_s = look.time_s;
     memory.engaged = 1;
     const Quat& q = look.q_WN;
     const double now[4] = {q.w(), q.x(), q.y(), q.z()};
@@ -131,7 +139,7 @@ bool Judge::grasped_well(const Memory& memory, const Look& look, const Finding& 
 
 void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) const noexcept {
   const bool spot = in_region(look.s), tips = in_tips(look.tip_reach);
-  if (look.held && spot) finding.grade = !tips ? Grade::kPointOnly : square(memory, look) ? Grade::kGood : Grade::kTilted;
+  if (look.held && spot) finding.grade = !tips ? Grade::kPointOnly : tilted(memory, look) ? Grade::kTilted : Grade::kGood;
   if (look.held && !spot) finding.grade = tips ? Grade::kTipsOnly : Grade::kWrong;
   memory.wrong_s = look.held && !spot ? memory.wrong_s + look.dt_s : 0;
 
@@ -152,21 +160,24 @@ void Judge::follow_hold(Memory& memory, const Look& look, Finding& finding) cons
     memory.hold_s = 0;
   }
   memory.best_hold_s = std::max(memory.best_hold_s, memory.hold_s);
-  finding.stage = good                  ? Stage::kHold
-                  : carry && well       ? Stage::kCarry
-                  : memory.engaged != 0 ? Stage::kGrasp
-                                        : Stage::kApproach;
+  finding.stage = good                                 ? Stage::kHold
+                  : carry && well                      ? Stage::kCarry
+                  : look.held && !spot && !rules_.ends ? Stage::kRegrasp
+                  : memory.engaged != 0                ? Stage::kGrasp
+                  : memory.drop.armed == 0             ? Stage::kDropped
+                                                       : Stage::kApproach;
 }
 
 void Judge::measure(Memory& memory, const Look& look, const Finding& finding) const noexcept {
   const bool holds = finding.stage == Stage::kHold;
   memory.phase_s[static_cast<size_t>(finding.stage)] += look.dt_s;
   memory.bending = std::max(memory.bending, look.bending);
-  idle_.look(memory.idle, look.tip_W, look.dt_s, !holds);
+  const bool at_work = memory.path.set_off_s >= 0 && !holds;
+  idle_.look(memory.idle, Eigen::Map<const Vec3>(memory.path.last), look.opening, memory.grip.now, look.dt_s, at_work);
   tremor_.look(memory.tremor, look.tip_W, holds);
   const Vec3 start = Eigen::Map<const Vec3>(memory.start);
-  if (!look.held || (look.needle_W - start).norm() < kCarried) return;
-  memory.carried_s += look.dt_s;
+  if (!look.held || (look.needle_W - start).norm() < kLifted) return;
+  memory.lifted_s += look.dt_s;
   if (look.force < rules_.force_low) memory.timid_s += look.dt_s;
   lessons::spread(memory.spread, memory.grip.now, look.dt_s);
 }

@@ -4,6 +4,8 @@
 // meanings and formulas are explained in grasp.md.
 #pragma once
 
+#include <algorithm>
+
 #include "common/grip.hpp"
 #include "common/measures.hpp"
 #include "common/watches.hpp"
@@ -76,9 +78,10 @@ struct Memory {
   double tried = 0, least_opening = 0;  // 0 or 1: this closing of the jaws is counted; rad, least since then
   double wrong_s = 0;                   // s, held wrongly without a break
   double resets = 0, bending = 0, passed = 0;
-  double phase_s[5] = {0, 0, 0, 0, 0};  // s, by Stage
-  double carried_s = 0, timid_s = 0;    // s, carrying and holding; with less than the least force
-  lessons::SpreadState spread;          // of the force while carrying and holding
+  double touched_s = -1;                   // s, when it was first touched; -1: not yet
+  double phase_s[7] = {0, 0, 0, 0, 0, 0, 0};  // s, by Stage
+  double lifted_s = 0, timid_s = 0;     // s, held and off its start; so with less than the least force
+  lessons::SpreadState spread;          // of the force in that time
   lessons::IdleState idle;
   lessons::TremorState tremor;
   TargetState target;
@@ -86,7 +89,8 @@ struct Memory {
 
 /// How the needle is held: spot and tips right or wrong.
 enum class Grade { kNone, kWrong, kTipsOnly, kPointOnly, kTilted, kGood };
-enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone };
+/// kRegrasp: held outside the region, told in practice alone. kDropped: it lies where it fell.
+enum class Stage { kApproach, kGrasp, kCarry, kHold, kDone, kRegrasp, kDropped };
 enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kWrongGrasp, kLost, kLeftTarget };
 
 /// Points of 100 that were lost.
@@ -118,6 +122,7 @@ class Judge {
   bool in_region(double s) const { return s >= rules_.region_low && s <= rules_.region_high; }
   /// Whether it is square enough in the jaws; a hold that runs may lean a tenth more.
   bool square(const Memory& memory, const Look& look) const;
+  bool tilted(const Memory& memory, const Look& look) const;
   bool in_tips(double reach) const { return reach >= rules_.tip_low && reach <= rules_.tip_high; }
   /// Distance from the region along the needle, 0 inside, 0..1.
   double spot_error(double s) const;
@@ -148,6 +153,10 @@ class Judge {
 /// Time since the hand set off, s.
 inline double task_time(const Memory& memory, double time_s) {
   return memory.path.set_off_s < 0 ? 0 : time_s - memory.path.set_off_s;
+}
+/// Time from there until the jaws first touched it, s.
+inline double approach_time(const Memory& memory) {
+  return memory.path.set_off_s < 0 ? 0 : std::max(0.0, memory.touched_s - memory.path.set_off_s);
 }
 /// Mean of an integral over the held time; 0 before anything was held.
 inline double mean(const Memory& memory, double integral) {

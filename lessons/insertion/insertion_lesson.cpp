@@ -26,11 +26,17 @@ void InsertionLesson::build(const InsertionParams& params, LessonBuilder& builde
   if (params.region.high > 0) lessons::require_ordered(builder, "region", params.region);
   if (has_far() && params.task != Task::kStitch) builder.error("far", say::kTwoEdges());
   builder.state<Kept>();
-  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, [&](size_t i) {
+  const auto shows = [&](size_t i) {
     if (i == index(Sign::kSwageHeld) || i == index(Sign::kTailGood)) return !params.suture.empty();
     if (i == index(Sign::kTaut)) return params.tension > 0;
     return i < index(Sign::kGraspWrong) || has_region();
-  });
+  };
+  // all of the card would be one more than a scene has room for
+  const auto tells = [&](size_t i) {
+    if (i == index(Measure::kTwist)) return !has_far();
+    return has_far() || (i != index(Measure::kPointsStep) && (i < index(Measure::kInnerNear) || i > index(Measure::kFarWound)));
+  };
+  lessons::declare_card(builder, kCues, cue_, kMetrics, metric_, shows, tells);
 
   phase_[index(Stage::kTake)] = builder.phase("take", "Take the needle.");
   phase_[index(Stage::kAim)] = builder.phase("aim", "Bring its point to the mark, perpendicular to the tissue.");
@@ -229,6 +235,8 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
   look.force = number(grasp_.force);
   look.grip_s = number(grasp_.s);
   look.tip_reach = number(grasp_.tip_reach);
+  look.tilt_axis = number(grasp_.tilt_axis);
+  look.tilt_plane = number(grasp_.tilt_plane);
   if (bending_.valid()) look.bending = number(bending_);
   look.tip_W = vec(jaws->tip_W);
   look.needle_W = vec(scene.pose(needle_body_).p);
@@ -248,6 +256,7 @@ bool InsertionLesson::read(const View& scene, const Kept& kept, Look& look) cons
 void InsertionLesson::read_pierce(const View& scene, Look& look) const {
   const auto number = [&](Signal signal) { return scene.signal(signal); };
   constexpr double kInTissue = 2;
+  look.touching = number(pierce_.state) > 0;
   look.in_tissue = number(pierce_.state) >= kInTissue;
   look.entered = scene.happened(pierce_.entered);
   look.passed = scene.happened(pierce_.passed);
@@ -299,11 +308,11 @@ void InsertionLesson::observe(const View& scene, const Verdict& verdict, std::sp
   if (finding.stitched) next_mark(scene, kept);
   report(look, finding, kept.memory, verdict);
   if (finding.end == End::kPassed) report_points(finding.lost, verdict);
-  say(finding, kept, verdict);
+  say(finding, kept, look.time_s, verdict);
   if (params_.tail > 0) show_tail(scene, kept, verdict);
 }
 
-void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdict& verdict) const {
+void InsertionLesson::say(const Finding& finding, const Kept& kept, double time_s, const Verdict& verdict) const {
   // signs
   const auto show = [&](uint32_t object, Cue cue) {
     cue.valid() ? verdict.cue(object, cue) : verdict.clear_cue(object);
@@ -319,7 +328,8 @@ void InsertionLesson::say(const Finding& finding, const Kept& kept, const Verdic
   show(needle_object_, needle);
   show(gripper_object_, finding.too_hard ? sign(Sign::kTooHard) : Cue());
   if (thread_.valid()) say_suture(finding, verdict);
-  const bool turned_away = finding.stage == Stage::kAim && m.deflections > 0 && m.entries == 0;
+  constexpr double kSigned = 3;  // s: long enough to be read
+  const bool turned_away = finding.stage == Stage::kAim && m.entries == 0 && time_s - m.deflected_s < kSigned;
   show(tissue_object_, finding.torn ? sign(Sign::kTorn) : turned_away ? sign(Sign::kDeflected) : Cue());
   const auto point = [&](Mark mark, const double(&p)[3], bool near) {
     const swage_vec3 p_W{p[0], p[1], p[2]};

@@ -208,7 +208,7 @@ class InsertionLesson final : public Lesson<InsertionParams> {
   bool read(const View& view, const Kept& kept, Look& look) const;
   void read_pierce(const View& view, Look& look) const;
   void read_stray(const View& view, const swage_gripper_state& jaws, Look& look) const;
-  void say(const Finding& finding, const Kept& kept, const Verdict& verdict) const;
+  void say(const Finding& finding, const Kept& kept, double time_s, const Verdict& verdict) const;
   void report(const Look& look, const Finding& finding, const Memory& memory, const Verdict& verdict) const;
   void report_points(const Points& lost, const Verdict& verdict) const;
   void report_stitches(const Look& look, const Memory& memory, const Verdict& verdict) const;

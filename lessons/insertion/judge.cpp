@@ -2,6 +2,7 @@
 #include "judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "common/measures.hpp"
@@ -34,6 +35,7 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   grip_.look(memory.grip, look.force, look.held, look.time_s, look.dt_s);
   if (look.held) memory.reach_s += look.tip_reach * look.dt_s;
   memory.bending = std::max(memory.bending, look.bending);
+  follow_twist(memory.twist, look);
   finding.too_hard = GripWatch::too_hard(memory.grip);
   follow_needle(memory, look, finding);
   finding.damaged = SutureWatch::look(rules_.suture, memory.suture, look.suture, look.held, look.grip_s, look.length, look.dt_s);
@@ -47,8 +49,16 @@ Finding Judge::look(Memory& memory, const Look& look) const noexcept {
   return finding;
 }
 
+// A point that skips along a surface, or brushes past its side, is turned away once.
+void Judge::count_deflection(Memory& memory, const Look& look, bool deflected) noexcept {
+  constexpr double kApart = 1;  // s
+  if (!deflected || look.time_s - memory.deflected_s < kApart) return;
+  memory.deflections += 1;
+  memory.deflected_s = look.time_s;
+}
+
 void Judge::follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept {
-  if (look.deflected) memory.deflections += 1;
+  count_deflection(memory, look, look.deflected);
   if (look.entered) {
     memory.entries += 1;
     memory.entry_distance = along_surface(look.entry_W - look.target_W, look.normal_W);
@@ -82,7 +92,7 @@ void Judge::follow_far(Memory& memory, const Look& look, Finding& finding) const
   if (look.exited) far.near_out = 1, far.near_edge = look.hole.edge;
   if (look.passed) far.near_passed = 1;
   if (!look.in_tissue && far.near_passed == 0) far.near_out = 0;
-  if (look.far.deflected) memory.deflections += 1;
+  count_deflection(memory, look, look.far.deflected);
   if (look.far.entered) finding.far_first = FarEdge::enter(far, look.far, look.in_tissue);
   if (look.far.exited && far.in != 0) {
     memory.exited = 1;
@@ -120,6 +130,14 @@ void Judge::integrate(Memory& memory, const Look& look) const noexcept {
     add(memory.far.tracked, memory.far.last_s, far.s, far.angle, far.cosine, far.arc_error);
     memory.pull_s += far.pull * look.dt_s;
   }
+}
+
+void Judge::follow_twist(TwistState& twist, const Look& look) noexcept {
+  if (!look.held) twist.from = 0;
+  if (!look.held || !look.touching) return;
+  if (twist.from == 0) twist.axis = look.tilt_axis, twist.plane = look.tilt_plane;
+  twist.from = twist.told = 1;
+  twist.most = std::max({twist.most, std::abs(look.tilt_axis - twist.axis), std::abs(look.tilt_plane - twist.plane)});
 }
 
 void Judge::follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept {

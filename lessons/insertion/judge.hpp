@@ -60,11 +60,13 @@ struct Look {
   double force = 0;                                    // N
   double grip_s = 0;                                   // where the jaws have it, 0 point .. 1 swage
   double tip_reach = 0;                                // m, of the tips past the needle
+  double tilt_axis = 0, tilt_plane = 0;                // rad, of the needle in the jaws
   double bending = 0;                                  // moment in the needle over its yield moment; 0 of a rigid one
   Vec3 tip_W = Vec3::Zero(), needle_W = Vec3::Zero();  // m
   double length = 0;                                   // m, of the needle
   Vec3 target_W = Vec3::Zero(), normal_W = Vec3::UnitZ(), point_W = Vec3::Zero();
   Vec3 exit_target_W = Vec3::Zero();                                        // m
+  bool touching = false;                                                    // the point presses on the tissue, or is in it
   bool in_tissue = false;                                                   // the track is open
   bool entered = false, exited = false, passed = false, deflected = false;  // events of this step
   double angle = 0, cosine = 0;                                             // rad, 1
@@ -82,6 +84,12 @@ struct Look {
   FarLook far;
 };
 
+/// How far the tissue turns the needle in the jaws (thesis 5.2.3), from the first touch of a hold on: doubles only.
+struct TwistState {
+  double from = 0, axis = 0, plane = 0;  // 0 or 1: there is a touch; rad, the tilts then
+  double told = 0, most = 0;             // 0 or 1; rad, the greatest turn
+};
+
 /// Everything remembered from step to step: doubles only.
 struct Memory {
   PathState path;
@@ -89,6 +97,7 @@ struct Memory {
   GripState grip;
   double begun = 0;
   double drops = 0, entries = 0, deflections = 0, missed = 0;
+  double deflected_s = -1e3;                   // s, when the last deflection was counted
   double entry_distance = 0, entry_angle = 0;  // m, rad, of the last entry
   double worst_entry = 0, worst_wound = 0;     // m, 1: of finished stitches
   double wall = 0;                             // m, where it went in
@@ -100,6 +109,7 @@ struct Memory {
   double pull_s = 0;                           // N s
   double reach_s = 0, bending = 0;             // m s; 1, the greatest
   double deepest = 0;                          // greatest share of the needle inside
+  TwistState twist;
   double exited = 0, let_go = 0, retaken = 0, through = 0;
   StitchState stitch;
   StrayState stray;
@@ -161,6 +171,8 @@ class Judge {
   void follow_entry(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_far(Memory& memory, const Look& look, Finding& finding) const noexcept;
   void follow_stitch(Memory& memory, const Look& look, Finding& finding) const noexcept;
+  static void count_deflection(Memory& memory, const Look& look, bool deflected) noexcept;
+  static void follow_twist(TwistState& twist, const Look& look) noexcept;
   void integrate(Memory& memory, const Look& look) const noexcept;
   void follow_needle(Memory& memory, const Look& look, Finding& finding) const noexcept;
   Stage stage(const Memory& memory, const Look& look) const noexcept;

@@ -22,6 +22,7 @@ void InsertionLesson::report(const Look& look, const Finding& finding, const Mem
   tell(Measure::kPath, m.path.length);
   lessons::report_smoothness(verdict, metric_[index(Measure::kSparc)], metric_[index(Measure::kLdlj)], {&m.path, 1});
   if (m.grip.held_s > 0) tell(Measure::kTipReach, m.reach_s / m.grip.held_s);
+  if (m.twist.told != 0 && !has_far()) tell(Measure::kTwist, m.twist.most);
   if (bending_.valid()) tell(Measure::kBending, m.bending);
   tell(Measure::kEntries, m.entries);
   tell(Measure::kDeflections, m.deflections);

@@ -29,6 +29,7 @@ enum class Measure : size_t {
   kPointsDrops,
   kPointsSnatches,
   kPointsForce,
+  kPointsBending,
   kPointsTime,
   kCount
 };
@@ -53,6 +54,7 @@ inline constexpr swage_metric_info kMetrics[] = {
     lessons::points("points.drops", "Points lost for drops and resets of the needle.", "15 (drops + resets)"),
     lessons::points("points.snatches", "Points lost for a needle that changed hands without a pass.", "10 min(snatches, 3)"),
     lessons::points("points.force", "Points lost for gripping too hard.", "40 share of the held time above force.high"),
+    lessons::kPointsBending,
     lessons::kPointsTime,
 };
 static_assert(sizeof kMetrics / sizeof kMetrics[0] == static_cast<size_t>(Measure::kCount));
@@ -76,6 +78,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::label("points.drops", "Drops and resets", SWAGE_SHOW_POINTS),
     lessons::label("points.snatches", "Changes of hand without a pass", SWAGE_SHOW_POINTS),
     lessons::kPointsForceLabel,
+    lessons::kPointsBendingLabel,
     lessons::kPointsTimeLabel,
 };
 
@@ -87,7 +90,7 @@ inline constexpr swage_criterion kCriteria[] = {
     lessons::kMaxDrops,
     lessons::kMaxTime,
     lessons::kParTime,
-    {"Drops, snatching and gripping too hard cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
+    {"Drops, snatching, gripping too hard and a bent needle cost points.", nullptr, SWAGE_CRITERION_POINTS, 0},
 };
 
 /// Order of kCues.

@@ -130,6 +130,7 @@ Points Judge::points(const Memory& memory, double time_s) const noexcept {
   lost.drops = 15 * (memory.drops + memory.resets);
   lost.snatches = 10 * std::min(memory.snatches, 3.0);
   lost.force = memory.held_s > 0 ? 40 * memory.over_s / memory.held_s : 0;
+  lost.bending = lessons::bending_points(memory.bending);
   lost.time = 15 * std::clamp(task_time(memory, time_s) / rules_.par_time - 1, 0.0, 1.0);
   return lost;
 }

@@ -67,8 +67,8 @@ enum class End { kRunning, kPassed, kDropped, kTooHard, kOutOfTime, kLost };
 
 /// What is lost of 100.
 struct Points {
-  double drops = 0, snatches = 0, force = 0, time = 0;
-  double sum() const { return drops + snatches + force + time; }
+  double drops = 0, snatches = 0, force = 0, bending = 0, time = 0;
+  double sum() const { return drops + snatches + force + bending + time; }
 };
 
 /// What is said after one step.

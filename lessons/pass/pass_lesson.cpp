@@ -137,6 +137,7 @@ void PassLesson::report_points(const Points& lost, const Verdict& verdict) const
   tell(verdict, Measure::kPointsDrops, lost.drops);
   tell(verdict, Measure::kPointsSnatches, lost.snatches);
   tell(verdict, Measure::kPointsForce, lost.force);
+  if (bending_.valid()) tell(verdict, Measure::kPointsBending, lost.bending);
   tell(verdict, Measure::kPointsTime, lost.time);
 }
 

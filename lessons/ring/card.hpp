@@ -84,7 +84,7 @@ inline constexpr swage_metric_label kLabels[] = {
     lessons::kSparcLabel,
     lessons::kLdljLabel,
     lessons::label("motion.tremor", "Tremor while carrying", SWAGE_SHOW_QUANTITY, 5),
-    lessons::label("ring.progress", "Way along the wire", SWAGE_SHOW_SHARE),
+    lessons::label("ring.progress", "Path along the wire", SWAGE_SHOW_SHARE),
     lessons::label("ring.posts", "Posts completed", SWAGE_SHOW_COUNT),
     lessons::label("points.touches", "Touches", SWAGE_SHOW_POINTS),
     lessons::label("points.touch_time", "Time touching", SWAGE_SHOW_POINTS),

@@ -42,9 +42,9 @@ void Grasp::build(const GraspParams& params, CouplingBuilder& builder) {
   tip_reach_ =
       builder.signal("grasp.tip_reach", "m", "How far the tips reach past the place where it is touched.");
   tilt_axis_ =
-      builder.signal("grasp.tilt_axis", "rad", "How far the needle leans from square to the jaw axis.");
+      builder.signal("grasp.tilt_axis", "rad", "How far the needle leans from perpendicular to the jaw axis.");
   tilt_plane_ =
-      builder.signal("grasp.tilt_plane", "rad", "How far its plane leans from square to the jaw faces.");
+      builder.signal("grasp.tilt_plane", "rad", "How far its plane leans from perpendicular to the jaw faces.");
   balance_ = builder.signal("grasp.balance", "1",
                             "Difference of the jaws over the harder one: 0 even, 1 one-sided.");
   slip_ = builder.signal("grasp.slip", "m/s", "Speed at which the thing slides in the jaws.");

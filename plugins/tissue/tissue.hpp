@@ -154,7 +154,7 @@ class Tissue final : public Object<TissueParams>,
           .group("Mesh"),
       real<&TissueParams::puncture_force>(
           "puncture_force", "Puncture force", "N", "mN", 0, 10,
-          "Normal force at which a sharp point goes in square to the surface.")
+          "Normal force at which a sharp point goes in perpendicular to the surface.")
           .group("Piercing"),
       real<&TissueParams::cutting_force>("cutting_force", "Cutting force", "N", "mN", 0, 10,
                                          "Against a point that goes on through tissue.")

@@ -129,7 +129,7 @@ TEST(CueThemes, EveryCueThatIsNotAPlaceIsHeardAndFelt) {
     QSet<QString> sounds;
     for (const QString& meaning : kGrasps) sounds += theme.style(meaning).sound;
     EXPECT_EQ(sounds.size(), 4) << "each of the four grasps sounds different";
-    for (const char* meaning : {"grasp.wrong", "grasp.good", "grip.too_hard"}) {
+    for (const char* meaning : {"grasp.wrong", "grasp.good", "grip.too_hard", "insert.angle_off"}) {
       EXPECT_FALSE(tone(theme.style(meaning).sound).empty()) << meaning;
       EXPECT_GT(theme.style(meaning).force.pulses, 0) << meaning;
     }

@@ -115,17 +115,26 @@ TEST(Wrist, TheSlopeMatters) {
   EXPECT_EQ(left4.outcome(), "failed");
 }
 
-// thesis 5.2.3 and 6.4: below the null zone of 15 deg there is no reaction, far beyond it the point is deflected
+// thesis 5.2.3 and 6.4: below the null zone of 15 deg there is no reaction; beyond it the tissue asks for more force, and from 37 deg on the
+// point slides by a wire diameter before that lets it in: it is deflected
 TEST(Deflection, AHandThatLeansBeyondTheNullZoneIsDeflected) {
   const std::string plan = SWAGE_SOURCE_DIR "/lessons/hands/110_insertion.json";
-  for (const double lean : {10.0, 60.0}) {
+  for (const double lean : {10.0, 30.0, 40.0, 60.0}) {
     LessonRun attempt(kLesson, {"swage.device.skilled", R"({"file": ")" + plan + R"(", "lean": )" +
                                                             std::to_string(lean * M_PI / 180) + "}"});
     ASSERT_EQ(attempt.problems(), "");
     attempt.run(60);
-    EXPECT_EQ(attempt.happened("pierce.deflected") > 0, lean > 15) << lean;
+    EXPECT_EQ(attempt.happened("pierce.deflected") > 0, lean > 37) << lean;
     EXPECT_EQ(attempt.outcome() == "passed", lean < 15) << lean << " " << attempt.reason();
   }
+}
+
+TEST(Deflection, AStockHandShowsIt) {
+  LessonRun attempt(kLesson, "deflected");
+  ASSERT_EQ(attempt.problems(), "");
+  attempt.run(60);
+  EXPECT_GE(attempt.metric("insert.deflections"), 1);
+  EXPECT_EQ(attempt.reason(), "failed.off_angle");
 }
 
 /// How far the needle turns in the jaws [rad] from the first touch of the tissue on, while it is held.
@@ -138,7 +147,7 @@ double twist(LessonRun& attempt) {
     if (attempt.signal("grasp", "grasp.held") != 1 || !(attempt.signal("pierce", "pierce.state") > 0)) continue;
     if (!touched) axis = tilt("grasp.tilt_axis"), plane = tilt("grasp.tilt_plane");
     touched = true;
-    most = std::max(most, std::hypot(tilt("grasp.tilt_axis") - axis, tilt("grasp.tilt_plane") - plane));
+    most = std::max({most, std::abs(tilt("grasp.tilt_axis") - axis), std::abs(tilt("grasp.tilt_plane") - plane)});
   }
   EXPECT_TRUE(touched);
   return most;
@@ -154,7 +163,10 @@ TEST(LooseGrip, TheTissueTwistsTheNeedleInTheJaws) {
   ASSERT_EQ(loose.problems(), "");
   EXPECT_LT(twist(firm), 0.5 * kDegree);
   EXPECT_EQ(firm.happened("pierce.entered"), 1);
-  EXPECT_GT(twist(loose), 20 * kDegree);
+  const double twist_seen = twist(loose);
+  EXPECT_GT(twist_seen, 20 * kDegree);
+  EXPECT_NEAR(loose.metric("grasp.twist"), twist_seen, 1e-9) << "the lesson tells the same";
+  EXPECT_LT(firm.metric("grasp.twist"), 0.5 * kDegree);
   EXPECT_EQ(loose.happened("pierce.entered"), 0) << "it has turned away from the tissue";
 }
 
@@ -178,9 +190,8 @@ double cosine(const std::string& lesson, const std::string& plan, double lean) {
   return sum / std::max(steps, 1.0);
 }
 
-// A rigid needle that is turned about its own centre, in the plane of the surface but for the lean, passes at one angle all the way
-// 110 at every lean, 115 up to where the point comes out, before the second grasp; 116, whose needle hangs and turns a little in the jaws
-// when it is taken, where that is small beside the lean.
+// A rigid needle that is turned about its own centre, in the plane of the surface but for the lean, passes at one angle all the way:
+// of 115 up to where the point comes out, before the second grasp.
 TEST(Lean, TheMeanCosineIsItsSineInTheStockPlans) {
   const auto expect = [](const std::string& lesson, const std::string& plan, double degrees) {
     const double sine = std::sin(std::abs(degrees) * M_PI / 180);
@@ -190,7 +201,7 @@ TEST(Lean, TheMeanCosineIsItsSineInTheStockPlans) {
     for (const double sign : {1.0, -1.0}) {
       expect("110_insertion", "110_insertion", sign * degrees);
       expect("115_stitch", "115_stitch", sign * degrees);
-      if (degrees > 10) expect("116_insertion_hanging", "116_hanging", sign * degrees);
+      expect("116_insertion_hanging", "116_hanging", sign * degrees);
     }
 }
 

@@ -90,6 +90,7 @@ TEST_F(AnglesOnStage, JawsAgainstTheNeedle) {
   // the plane of this needle has the normal y: jaws that come from there point to -y
   assistant_.state.axis_W = {0, -1, 0};
   observe();
+  EXPECT_EQ(metric("view.stereo"), 1) << "the view has two eyes";
   const toolkit::Vec3 way = mark(0).normalized();
   EXPECT_NEAR(std::acos(-way.y()) * 57.2957795, 16, 1e-3);
   ask([&] { assistant_.state.axis_W = toolkit::raw(way); });

@@ -26,8 +26,8 @@ TEST(Measures, QuantileSpreadIdleAndTremor) {
   EXPECT_NEAR(deviation(s), 0.1, 1e-12);
 
   IdleState idle;
-  for (int i = 0; i < 2000; ++i) IdleWatch::look(idle, {i < 1000 ? 0 : 2e-6 * (i - 1000), 0, 0}, 1e-3, true);
-  EXPECT_NEAR(IdleWatch::share(idle), 0.5, 2e-3);
+  for (int i = 0; i < 2000; ++i) IdleWatch::look(idle, {i < 1000 ? 0 : 2e-6 * (i - 1000), 0, 0}, 0.2, 0, 1e-3, true);
+  EXPECT_NEAR(IdleWatch::share(idle), 0.525, 2e-3) << "it has left its place after 0.1 mm, 50 ms";
 
   // 10 Hz of 30 um is in the band, a slow movement of 1 mm is not
   const double pi = std::numbers::pi;
@@ -87,6 +87,29 @@ TEST(LowPass, NoOvershootAndNoStart) {
   for (int i = 0; i < 500; ++i) most = std::max(most, force.next(state, 4.0));
   EXPECT_NEAR(most, 4, 1e-9);
   EXPECT_LE(most, 4 + 1e-12);
+}
+
+// M03: a hand that trembles where it waits is idle; one whose jaws close, that moves slowly or that holds is not
+TEST(Measures, IdleIsWhatNeitherMovesNorCloses) {
+  const auto share = [](auto&& place, auto&& opening, auto&& force, bool counts) {
+    IdleState idle;
+    PathState path;
+    const PathWatch watch(1e-3);
+    for (int i = 0; i < 3000; ++i) {
+      const double t = 1e-3 * i;
+      watch.look(path, {place(t), 0, 0}, t);
+      IdleWatch::look(idle, Eigen::Map<const Vec3>(path.last), opening(t), force(t), 1e-3, counts);
+    }
+    return IdleWatch::share(idle);
+  };
+  const auto still = [](double) { return 0.2; };
+  const auto grows = [](double t) { return 0.3 * t; };
+  const auto trembles = [](double t) { return 140e-6 * std::sin(2 * std::numbers::pi * 8 * t); };  // 100 um, root mean square
+  EXPECT_NEAR(share(trembles, still, still, true), 1, 1e-9);
+  EXPECT_EQ(share(trembles, [](double t) { return 0.4 - 0.1 * t; }, still, true), 0) << "6 deg/s";
+  EXPECT_EQ(share([](double t) { return 0.5e-3 * t; }, still, still, true), 0) << "0.5 mm/s";
+  EXPECT_EQ(share(still, still, grows, true), 0) << "0.3 N/s";
+  EXPECT_EQ(share(still, still, still, false), 0) << "a hold";
 }
 
 // the first force of a grasp at 5 kHz made the steadiness a NaN, and the lesson was blamed

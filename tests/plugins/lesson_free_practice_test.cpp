@@ -55,12 +55,21 @@ TEST_F(Practice, CountsWhatFalls) {
   X_WB[4].p = {0, 0, -5e-3};  // the rod was knocked away
   observe(10);
   EXPECT_EQ(metric("practice.drops"), 1);
+  EXPECT_EQ(metric("practice.touches"), 1) << "it was pushed by another side of the jaws";
   EXPECT_EQ(said.back().value, 1);
   X_WB[4].p = {0, 0, 0};  // somebody puts it back
   observe(10);
   X_WB[4].p = {0, 0, -5e-3};
   observe(10);
   EXPECT_EQ(count("thing.dropped"), 2);
+  EXPECT_EQ(metric("practice.touches"), 2);
+  hold(0, 0.5, 0.3);
+  observe(10);
+  let_go(0);
+  X_WB[3].p = {0, 0, -5e-3};  // what was touched, and then fell, was touched once
+  observe(10);
+  EXPECT_EQ(metric("practice.drops"), 3);
+  EXPECT_EQ(metric("practice.touches"), 3);
 }
 
 TEST_F(Practice, TimeRunsOutOnAGoal) {

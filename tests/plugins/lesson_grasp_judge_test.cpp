@@ -1,49 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What counts as a good grasp: the four meanings, holds and their breaks, drops, limits, metrics and score.
-#include "lessons/grasp/judge.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "grasp_attempt.hpp"
+
 namespace swage::lesson_grasp {
 namespace {
-
-/// An attempt told step by step.
-struct Attempt {
-  explicit Attempt(const Rules& rules = {}) : judge(rules, 1e-3) {}
-
-  /// n steps as `now` says; returns the last finding.
-  Finding go(int n = 1) {
-    Finding finding;
-    for (int i = 0; i < n; ++i) {
-      now.time_s = 1e-3 * step++;
-      finding = judge.look(memory, now);
-      now.touched = now.taken = false;
-      if (finding.end != End::kRunning) break;
-    }
-    return finding;
-  }
-  Finding take(double s, double reach, double force) {
-    now.touched = now.taken = now.held = true;
-    now.opening = 0.01;
-    now.s = s;
-    now.tip_reach = reach;
-    now.force = force;
-    return go();
-  }
-  void let_go() {
-    now.held = false;
-    now.force = 0;
-    now.opening = 0.2;
-  }
-
-  Judge judge;
-  Memory memory;
-  Look now;
-  int step = 0;
-};
 
 TEST(Judge, FourMeanings) {
   const double tips = 1e-3, deep = 4e-3;
@@ -54,6 +19,50 @@ TEST(Judge, FourMeanings) {
   Attempt none;
   none.now.s = 0.6;
   EXPECT_EQ(none.go().grade, Grade::kNone);
+}
+
+// where any tilt counts the cue still tells one that the other lessons would not allow
+TEST(Judge, TellsATiltWhereItOnlyCostsPoints) {
+  Attempt a;
+  a.now.tilt_plane = 0.6;
+  const Finding f = a.take(0.6, 1e-3, 0.6);
+  EXPECT_EQ(f.grade, Grade::kTilted);
+  EXPECT_EQ(f.stage, Stage::kHold);
+  a.now.tilt_plane = 0.3;
+  EXPECT_EQ(a.go().grade, Grade::kGood);
+}
+
+// the phases of practice tell what to do next; a test does not tell that the place is wrong
+TEST(Judge, SaysWhatToDoAfterAWrongGraspAndAfterADrop) {
+  Rules practice;
+  practice.ends = false;
+  Attempt a(practice);
+  EXPECT_EQ(a.go().stage, Stage::kApproach);
+  EXPECT_EQ(a.take(0.3, 1e-3, 0.6).stage, Stage::kRegrasp);
+  EXPECT_EQ(Attempt().take(0.3, 1e-3, 0.6).stage, Stage::kGrasp);
+  a.let_go();
+  a.now.needle_W = Vec3(0, 0, -5e-3);
+  a.go();
+  EXPECT_EQ(a.go().stage, Stage::kDropped);
+  a.now.needle_W.setZero();
+  EXPECT_EQ(a.go().stage, Stage::kApproach) << "put back";
+}
+
+// M02: to the first touch, however often it is dropped after that
+TEST(Judge, TheTimeToTheFirstTouchEndsThere) {
+  Attempt a;
+  for (int i = 0; i < 1000; ++i) {
+    a.now.tip_W.x() = 5e-6 * i;  // 5 mm/s
+    a.go();
+  }
+  EXPECT_LT(a.memory.touched_s, 0);
+  a.take(0.6, 1e-3, 0.6);
+  const double first = approach_time(a.memory);
+  EXPECT_NEAR(first, 1 - a.memory.path.set_off_s, 2e-3);
+  a.let_go();
+  a.go(500);
+  a.take(0.6, 1e-3, 0.6);
+  EXPECT_EQ(approach_time(a.memory), first);
 }
 
 TEST(Judge, PassesAfterAnUnbrokenHold) {
@@ -231,7 +240,7 @@ TEST(Judge, PerpendicularityCanBeRequired) {
   Attempt any;
   any.go();
   any.now.tilt_plane = 1;
-  EXPECT_EQ(any.take(0.6, 1e-3, 0.6).grade, Grade::kGood) << "not asked";
+  EXPECT_EQ(any.take(0.6, 1e-3, 0.6).stage, Stage::kHold) << "not asked: it is told, and the hold counts";
 }
 
 TEST(Judge, TheSignForTooMuchForceStaysAWhile) {

@@ -12,6 +12,8 @@ namespace {
 class OnStage : public ::testing::Test, public stage::LessonStage {
  protected:
   OnStage() : LessonStage("swage.lesson.grasp", {"needle"}) {}
+  bool tells(const char* id) const { return metrics.contains(stage.index_of(SWAGE_DECLARE_METRIC, id)); }
+  void move_it(const stage::Params& params);
 };
 
 TEST_F(OnStage, PassesAndSaysSo) {
@@ -36,6 +38,32 @@ TEST_F(OnStage, PassesAndSaysSo) {
   EXPECT_EQ(metric("grasp.tries"), 1);
   EXPECT_EQ(metric("hold.progress"), 1);
   EXPECT_NEAR(metric("force.mean"), 0.6, 0.02);  // the filter needs its time at the start
+}
+
+/// What is told of a needle that is held for 0.3 s and moved by 1 mm in between.
+void OnStage::move_it(const stage::Params& params) {
+  ASSERT_EQ(bind(params), SWAGE_OK);
+  start();
+  observe(10);
+  hold(0, 0.6, 0.6);
+  observe(100);
+  X_WB[3].p = {0, 0, 1e-3};
+  observe(200);
+}
+
+TEST_F(OnStage, TellsTheForceOfALiftWhereOneIsAskedFor) {
+  move_it({{"lift", 0.5e-3}});
+  EXPECT_TRUE(tells("force.steadiness"));
+  EXPECT_TRUE(tells("force.slip_risk"));
+  EXPECT_EQ(metric("force.slip_risk"), 0);
+}
+
+TEST_F(OnStage, TellsNoForceOfALiftWhereNoneIsAskedForAndNoRestOfAHandThatHasNotSetOff) {
+  move_it({});
+  EXPECT_TRUE(tells("force.mean"));
+  EXPECT_FALSE(tells("force.steadiness"));
+  EXPECT_FALSE(tells("force.slip_risk"));
+  EXPECT_FALSE(tells("time.idle"));
 }
 
 TEST_F(OnStage, FailsWithAReason) {

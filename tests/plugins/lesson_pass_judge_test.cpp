@@ -83,6 +83,14 @@ TEST(PassJudge, TooShortOrNotAtThePlaceIsSnatched) {
   EXPECT_EQ(end.score, 90);
 }
 
+TEST(PassJudge, ABentNeedleCostsPoints) {
+  Attempt a;
+  a.now.bending = 1;
+  a.share(0, 400);
+  a.let_go(0);
+  EXPECT_EQ(a.go(3000).score, 80);
+}
+
 TEST(PassJudge, ThrownAndCaughtIsNoPass) {
   Attempt a;
   a.hold(0);

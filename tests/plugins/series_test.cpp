@@ -88,6 +88,20 @@ TEST_P(Series, ExpertNoviceAndClumsyComeOutInThisOrder) {
             0u);
 }
 
+// thesis 6.2.3: the hand that is to be shown holds the needle in each of the four ways
+TEST(FourStates, AreShownInTurn) {
+  LessonRun attempt(kSeries + "030_grasp_advanced_1_quarter.json", "four_states");
+  ASSERT_EQ(attempt.problems(), "");
+  std::vector<std::string> seen;
+  while (attempt.outcome() == "running" && attempt.world().time() < 25) {
+    attempt.step();
+    const std::string cue = attempt.cue("needle");
+    if (!cue.empty() && (seen.empty() || seen.back() != cue)) seen.push_back(cue);
+  }
+  EXPECT_EQ(seen, (std::vector<std::string>{"grasp.wrong", "grasp.tips_only", "grasp.point_only", "grasp.good"}));
+  EXPECT_EQ(attempt.outcome(), "passed");
+}
+
 // the picture and the hand are the mirror image, the scene and the verdict are the same
 TEST_P(Series, TheLeftHandGetsTheSameScore) {
   LessonRun right(kSeries + GetParam() + ".json", "expert");

@@ -76,5 +76,21 @@ TEST(SeriesTexts, MeasureEveryNeedleByItsLength) {
   EXPECT_GE(variants, 8);
 }
 
+// thesis 7.5: the stress of the needle counts wherever hands are graded by what they do with one; the straight needle of thesis 6.2.2 is
+// rigid, and where angles are judged an assistant holds it
+TEST(SeriesTexts, BendTheNeedleWhereHandsAreGraded) {
+  int bending = 0;
+  for (const auto& [path, lesson] : all()) {
+    const std::string plugin = lesson.value("lesson", nlohmann::json::object()).value("plugin", "");
+    for (const auto& object : lesson.value("objects", nlohmann::json::array())) {
+      if (object["plugin"] != "swage.object.needle" || object["params"].value("arc", "") == "straight") continue;
+      if (plugin == "swage.lesson.angles" || plugin == "swage.lesson.look") continue;
+      EXPECT_EQ(object["params"].value("level", "rigid"), "bending") << path;
+      ++bending;
+    }
+  }
+  EXPECT_GE(bending, 10);
+}
+
 }  // namespace
 }  // namespace swage::stage

@@ -20,3 +20,15 @@ foreach(page README objects couplings devices lessons errors)
     message(FATAL_ERROR "the guide's page ${page}.md is not installed")
   endif()
 endforeach()
+
+# what the thesis is measured by: its map, the studies, the audit; a study runs from there
+foreach(page lessons/thesis.md lessons/insertion/insertion.md devices/skilled/skilled.md resources/charts/audit.md resources/charts/wrist_wound.svg)
+  if(NOT EXISTS ${STAGE}/share/swage/${page})
+    message(FATAL_ERROR "the page ${page} is not installed")
+  endif()
+endforeach()
+execute_process(COMMAND ${STAGE}/bin/swage study ${STAGE}/share/swage/lessons/studies/appendix_d.json --shard 1/81 --out ${STAGE}/figures
+  OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "an installed study does not run:\n${said}")
+endif()
