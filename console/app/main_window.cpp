@@ -336,6 +336,7 @@ void MainWindow::restore(const Launch& launch) {
   for (QSplitter* splitter : findChildren<QSplitter*>())
     splitter->restoreState(settings_.bytes(layout_key(*splitter)));
   tell_stopped();
+  offer_languages();
   run_->take_focus();
   // the page of people was called Progress
   if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);

@@ -99,6 +99,7 @@ class MainWindow : public QMainWindow {
   void enter_run();
   bool agree_to_stop();
   void tell_stopped();
+  void offer_languages();
   void restore(const Launch& launch);
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The main window and the keyboard, and how it is left.
+// The main window and the keyboard, how it is left, and what it says at the next start.
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "console/app/language.hpp"
 #include "console/app/main_window.hpp"
 
 namespace swage::console {
@@ -65,6 +66,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   remember();
   if (trainee_) trainee_->close();
   event->accept();
+}
+
+void MainWindow::offer_languages() {
+  QStringList names;
+  for (const QString& code : languages()) names += language_name(code);
+  setup_->show_languages(languages(), names, settings_.text("language"));
+  connect(setup_, &SetupPage::language_chosen, this, [this](const QString& code) { settings_.set("language", code); });
 }
 
 void MainWindow::tell_stopped() {

@@ -121,6 +121,15 @@ void ResultPanel::add_line(QGridLayout* to, const QString& name, const QString& 
   to->addWidget(number, row, 1, Qt::AlignRight | Qt::AlignTop);
 }
 
+// Time costs points by the active time, not by the clock: both are told beside each other.
+QString ResultPanel::points_title(const session::Result& r, const std::string& id) const {
+  const QString title = metric_title(QString::fromStdString(id));
+  const auto active = std::find_if(r.metrics.begin(), r.metrics.end(), [](const session::Result::Metric& m) { return m.id == "time.task"; });
+  if (id != "points.time" || free_time_s_ <= 0 || active == r.metrics.end()) return title;
+  const QString unit = QStringLiteral("s");
+  return tr("%1: %2 active, %3 free").arg(title, quantity_text(active->value, unit), quantity_text(free_time_s_, unit));
+}
+
 // Those with a rank first and in its order, what cost points apart, the rest on demand. Where no points are told, as of an attempt that was
 // stopped, the faults that were counted stand with the first.
 void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCard& card) {
@@ -141,7 +150,7 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
     if (own.show == SWAGE_SHOW_POINTS) {
       if (m.value < 0.05) continue;  // less than is shown
       points = true;
-      add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
+      add_line(points_, points_title(r, m.id), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
                said(m.doc));
     } else if (own.rank > 0) {
       first.emplace_back(own.rank, i);

@@ -181,6 +181,7 @@ void RunPage::set_texts(const QString& clock, const QString& banner) {
 
 void RunPage::show_finished() {
   const session::Result& r = control_->result();
+  result_->set_free_time(metric_target(shown_lesson_.toStdString(), "time.task", catalogue()).high.value_or(0));
   if (asked_.show)
     result_->show_seen(r);
   else

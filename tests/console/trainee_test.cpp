@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "console/app/language.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/pages/now_panel.hpp"
 #include "console/pages/result_panel.hpp"
@@ -225,6 +226,26 @@ TEST(TraineePanel, AStoppedAttemptTellsItsFaults) {
   EXPECT_FALSE(told("grasp.drops")) << "points tell it";
 }
 
+TEST(TraineePanel, PointsForTimeAreToldBesideTheTimeThatCostThem) {
+  session::Result result;
+  result.outcome = judge::Outcome::kPassed;
+  result.metrics = {{"time.task", "s", "", 29.6}, {"points.time", "1", "", 14.6}};
+  snapshot::SceneCard card;
+  card.metrics.resize(2);
+  card.metrics[0].rank = 1;
+  card.metrics[1].show = SWAGE_SHOW_POINTS;
+  console::ResultPanel panel;
+  const auto told = [&] {
+    panel.show_result(result, card, true);
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+      if (label->text().contains("free")) return label->text().replace(QChar(0x202f), ' ').toStdString();
+    return std::string();
+  };
+  EXPECT_EQ(told(), "") << "where the lesson says none";
+  panel.set_free_time(15);
+  EXPECT_NE(told().find("29.6 s active, 15.0 s free"), std::string::npos) << told();
+}
+
 TEST_F(Trainee, ATestIsNotClosedUnasked) {
   script.end_s = 0;
   open();
@@ -279,6 +300,25 @@ TEST_F(Trainee, TheKeyThatQuitsAsksWhileALessonRuns) {
   QTest::keyClick(window.get(), Qt::Key_Q, Qt::ControlModifier);
   EXPECT_EQ(asked, 1);
   EXPECT_FALSE(window->isVisible());
+}
+
+TEST_F(Trainee, TheLanguageIsChosenOnTheSetupPage) {
+  open();
+  QTest::keyClick(window.get(), Qt::Key_6, Qt::ControlModifier);
+  auto* language = child<QComboBox>("language");
+  ASSERT_TRUE(language->isVisible());
+  EXPECT_EQ(language->currentData().toString(), "") << "that of the system";
+  language->setFocus();
+  QTest::keyClick(language, Qt::Key_End);
+  EXPECT_EQ(language->currentText(), "Deutsch");
+  window->close();
+  window.reset();
+  const console::Settings settings(launch.settings_file);
+  EXPECT_EQ(console::wanted_language({"swage-console"}, settings), "de");
+  EXPECT_EQ(console::wanted_language({"swage-console", "--language", "en"}, settings), "en") << "who says so now has it so";
+  EXPECT_EQ(console::wanted_language({"swage-console", "--screenshot", "f.png"}, settings), "");
+  open();
+  EXPECT_EQ(child<QComboBox>("language")->currentText(), "Deutsch");
 }
 
 TEST_F(Trainee, ASmallScreenHasTheGuideTheCuesAndWhatHappened) {
