@@ -184,6 +184,7 @@ class RunPage : public QWidget {
   snapshot::SceneCard card_;  // of the chosen lesson, or of the attempt
   bool have_card_ = false;
   bool holds_ = false, misplaced_ = false, dropped_ = false;  // now: jaws hold something, at the wrong place; it has fallen
+  uint64_t dropped_at_ = 0;                                   // step
   CueSounds sounds_;
   Speaker speaker_;
   Reader reader_;

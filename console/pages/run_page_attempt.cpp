@@ -70,6 +70,7 @@ void RunPage::launch(bool unrecorded) {
   if (kept && !agree_on_person()) return;
   events_->clear();
   holds_ = misplaced_ = dropped_ = false;
+  for (NowPanel* now : now_panels()) now->set_advice({});
   sounds_.reset();
   problem_->hide();
   unrecorded_->hide();
@@ -225,7 +226,7 @@ void RunPage::hear(const judge::Event& event) {
   events_->add(event, script, control_->card().dt);
   if (event.event >= script.events.size()) return;
   const std::string& id = script.events[event.event].id;
-  if (id == "needle.dropped" || id == "thing.dropped" || id == "ring.dropped") dropped_ = true;
+  if (id == "needle.dropped" || id == "thing.dropped" || id == "ring.dropped") dropped_ = true, dropped_at_ = event.step;
   if (id == "host.reset") dropped_ = false;
   update_hints();
 }
@@ -233,7 +234,7 @@ void RunPage::hear(const judge::Event& event) {
 // Beside what the phase asks: how what has fallen comes back, and that what is held at the wrong place is let go of.
 void RunPage::advise(const Reading& reading) {
   const bool holds = reading.held.value_or(false), misplaced = holds && reading.spot == false;
-  if (holds) dropped_ = false;
+  if (holds && control_->newest()->step > dropped_at_) dropped_ = false;  // a picture may be older than what happened
   const QString words = dropped_                  ? tr("Dropped: put it back with F7, or take it where it lies.")
                         : misplaced && by_mouse() ? tr("Held at the wrong place: open the jaws (B), and take it at the mark.")
                         : misplaced               ? tr("Held at the wrong place: open the jaws, and take it at the mark.")

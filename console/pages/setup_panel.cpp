@@ -55,7 +55,7 @@ QWidget* SetupPanel::make_who() {
   card.body->addWidget(person_);
   connect(person_, &QComboBox::currentTextChanged, this, &SetupPanel::person_chosen);
   // once a name is there the keys are no longer for it: those that move the instrument are letters
-  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start);
+  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start, Qt::QueuedConnection);  // this Enter is not for START
   connect(person_->lineEdit(), &QLineEdit::returnPressed, this, &SetupPanel::focus_start, Qt::QueuedConnection);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));

@@ -124,7 +124,7 @@ TEST_F(Trainee, EnterPressesTheButtonThatHasTheKeyboard) {
 // T with empty jaws drives nothing: it is told when the needle is held, and until then it does not count as known.
 TEST_F(Trainee, AControlIsToldWhenItIsNeededAndUntilItWasUsed) {
   script.with_grasp = true;
-  script.rate = 4;
+  script.rate = 1.5;
   script.end_s = 0;
   open();
   click("start");
