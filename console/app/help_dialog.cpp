@@ -70,7 +70,8 @@ Card make_legend(const CueTheme& cues, QWidget* parent) {
 
 Card HelpDialog::lesson_keys(QWidget* parent) {
   return make_table(tr("Lesson"),
-                    {{tr("F3,  Shift+F3"), tr("What the instructor sent: read or taken, not now")},
+                    {{tr("F2"), tr("While an attempt runs: what is asked, and the limits")},
+                     {tr("F3,  Shift+F3"), tr("What the instructor sent: read or taken, not now")},
                      {tr("F4"), tr("An expert's instruments as a guide")},
                      {tr("F5"), tr("Start, again")},
                      {tr("F6"), tr("Pause, resume")},
@@ -85,7 +86,9 @@ Card HelpDialog::lesson_keys(QWidget* parent) {
                      {tr("Ctrl+1, 2, 3 ..."), tr("Go to a page")},
                      {tr("Ctrl+Z,  Ctrl+Y"), tr("Undo, redo")},
                      {tr("F12"), tr("Show frame rate")},
-                     {tr("F1"), tr("This page")}},
+                     {tr("F1"), tr("This page")},
+                     {tr("Enter,  Space"), tr("Press the button that has the keyboard")},
+                     {tr("Ctrl+Q"), tr("Quit; asks while a lesson runs")}},
                     parent);
 }
 

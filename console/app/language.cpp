@@ -5,6 +5,7 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,14 @@ QString language_in(const QStringList& arguments) {
     if (arguments[i] == name && i + 1 < arguments.size()) return arguments[i + 1];
   }
   return {};
+}
+
+QString language_name(const QString& code) { return code == QLatin1String("de") ? QStringLiteral("Deutsch") : QStringLiteral("English"); }
+
+QString wanted_language(const QStringList& arguments, const Settings& settings) {
+  const QString given = language_in(arguments), chosen = settings.text("language");
+  const bool picture = std::any_of(arguments.begin(), arguments.end(), [](const QString& a) { return a.startsWith(QLatin1String("--screenshot")); });
+  return !given.isEmpty() || picture || !languages().contains(chosen) ? given : chosen;
 }
 
 bool use_language(const QString& code) {

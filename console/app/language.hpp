@@ -7,6 +7,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "console/app/settings.hpp"
+
 namespace swage::console {
 
 /// "en" first.
@@ -14,6 +16,13 @@ QStringList languages();
 
 /// The value of --language among the arguments; "" where it is not given. Read before the command line is: its help is translated, too.
 QString language_in(const QStringList& arguments);
+
+/// What a language calls itself.
+QString language_name(const QString& code);
+
+/// That of the command line, else the one chosen on the Setup page; "" for that of the system. A picture for the documentation does not
+/// depend on what somebody chose.
+QString wanted_language(const QStringList& arguments, const Settings& settings);
 
 /// Before the first widget. "": the system's language where there is a translation, else English, with the system's numbers.
 /// False for a language that there is not; nothing has changed then.

@@ -22,7 +22,7 @@ namespace {
 
 // a language that there is not ends the program with what there is
 void choose_language() {
-  const QString wanted = console::language_in(QCoreApplication::arguments());
+  const QString wanted = console::wanted_language(QCoreApplication::arguments(), console::Settings());
   if (console::use_language(wanted)) return;
   std::fprintf(stderr, "swage-console: --language: \"%s\" is not there; allowed are %s.\n", qPrintable(wanted),
                qPrintable(console::languages().join(QStringLiteral(", "))));

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHash>
@@ -72,7 +71,7 @@ MainWindow::~MainWindow() = default;
 void MainWindow::add_pages(Services& services) {
   run_ = new RunPage(std::move(services.open_session), &lessons_, strip_, pages_);
   run_->set_expert(std::move(services.open_expert));
-  pages_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, {},
+  pages_->add({QStringLiteral("run"), tr("Run"), tr("What is happening now?"), run_, false, [this] { enter_run(); },
                [this](const UiTheme& ui, const CueTheme& cues) { run_->set_themes(ui, cues); }, run_->view()});
   lessons_page_ = new LessonsPage(
       &lessons_, [this](const QString& path) { return read_criteria(path.toStdString(), run_->catalogue()); }, pages_);
@@ -236,6 +235,7 @@ void MainWindow::add_actions() {
     strip_->show_frames(shown_view()->frames(), shown_view()->latency());
   });
   connect(&frames_timer_, &QTimer::timeout, this, [this] { strip_->show_frames(shown_view()->frames(), shown_view()->latency()); });
+  add(tr("Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { quit(); });
   add(tr("Open an attempt"), QKeySequence::Open, [this] { open_attempt(); });
   add(tr("Help"), Qt::Key_F1, [this] { show_help(); });
   add(tr("Trainee view"), Qt::Key_F9, [this] { toggle_trainee(); });
@@ -327,6 +327,7 @@ void MainWindow::restore(const Launch& launch) {
   const QString person =
       launch.person_given ? QString::fromStdString(launch.options.person) : settings_.text("person");
   setup->set_people(people_->people()->names(), person);
+  if (launch.person_given) setup->know_person(setup->person());
   people_->select_person(setup->person());
   if (launch.device_given) setup->set_device(QString::fromStdString(launch.options.device));
   if (launch.mode_given) setup->set_mode(QString::fromStdString(launch.options.mode));
@@ -334,6 +335,9 @@ void MainWindow::restore(const Launch& launch) {
   if (const auto view = preset_of(launch.view)) run_->look(*view);
   for (QSplitter* splitter : findChildren<QSplitter*>())
     splitter->restoreState(settings_.bytes(layout_key(*splitter)));
+  tell_stopped();
+  offer_languages();
+  run_->take_focus();
   // the page of people was called Progress
   if (!launch.page.isEmpty()) show_page(launch.page == QLatin1String("progress") ? QStringLiteral("people") : launch.page);
   if (!launch.review.isEmpty()) review_given(launch);
@@ -379,13 +383,6 @@ void MainWindow::remember() {
   settings_.set("lesson", run_->setup()->lesson());
   settings_.set("used_controls", run_->used_controls());
   settings_.set("guided", run_->guided());
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  run_->control()->stop();
-  remember();
-  if (trainee_) trainee_->close();
-  event->accept();
 }
 
 }  // namespace swage::console

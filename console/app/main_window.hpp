@@ -79,8 +79,11 @@ class MainWindow : public QMainWindow {
   void review_file(const QString& file);
   /// The attempt ends as with Stop, what is remembered is written, the program goes: for a signal that asks for it.
   void leave();
+  /// Closes the window; while a lesson runs only if the person wants that.
+  void quit();
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
@@ -93,6 +96,10 @@ class MainWindow : public QMainWindow {
   QVector<LessonMetric> metrics_of(const QString& lesson_id);
   void add_actions();
   void fit_screen();
+  void enter_run();
+  bool agree_to_stop();
+  void tell_stopped();
+  void offer_languages();
   void restore(const Launch& launch);
   void select_first(const Launch& launch);
   void review_given(const Launch& launch);

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kTiltAxis_deg = 60;
 constexpr double kTensionHeld_s = 0.25;  // the greatest tension of so long is told: a number that changes with each picture is not read
+constexpr double kSoon_s = 15;  // so long before the limit the time that is left stands out
 constexpr double kShown_N = 8;  // end of the axis where no force is judged
 
 }  // namespace
@@ -27,9 +28,11 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   card_ = now.frame;
   phase_ = make_muted(QString(), now.frame);
   now.body->addWidget(phase_);
-  left_ = new QLabel(now.frame);
-  left_->setObjectName(QStringLiteral("time_left"));
-  now.body->addWidget(left_);
+  advice_ = new QLabel(now.frame);
+  advice_->setObjectName(QStringLiteral("advice"));
+  advice_->setWordWrap(true);
+  now.body->addWidget(advice_);
+  now.body->addLayout(make_time(now.frame));
   criteria_ = new QLabel(now.frame);
   criteria_->setObjectName(QStringLiteral("criteria"));
   criteria_->setWordWrap(true);
@@ -45,6 +48,22 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(lower_, 1);
   column->addStretch(0);
   show_parts();
+}
+
+// the time, and beside it what unfolds the rules
+QHBoxLayout* NowPanel::make_time(QWidget* parent) {
+  auto* row = new QHBoxLayout;
+  left_ = new QLabel(parent);
+  left_->setObjectName(QStringLiteral("time_left"));
+  left_->setWordWrap(true);
+  row->addWidget(left_, 1);
+  rules_ = make_button(tr("Rules"), QStringLiteral("F2"), QStringLiteral("rules"), parent);
+  rules_->setCheckable(true);
+  rules_->setToolTip(tr("What is asked, and the limits, in place of the plots"));
+  give_key(rules_, QStringLiteral("F2"));
+  connect(rules_, &QPushButton::toggled, this, &NowPanel::show_parts);
+  row->addWidget(rules_);
+  return row;
 }
 
 QWidget* NowPanel::make_readings(QWidget* parent) {
@@ -134,6 +153,7 @@ void NowPanel::set_themes(const UiTheme& ui, const CueTheme& cues) {
 }
 
 void NowPanel::set_running(bool running) {
+  if (running_ != running) rules_->setChecked(false);
   running_ = running;
   show_parts();
 }
@@ -143,23 +163,35 @@ void NowPanel::set_readings_hidden(bool hidden) {
   show_parts();
 }
 
+void NowPanel::set_advice(const QString& words) {
+  advice_->setText(words.isEmpty() ? words : QStringLiteral("▶ ") + words);
+  show_parts();
+}
+
 /// Before the attempt what is asked, in it the readings; without a lesson neither.
 void NowPanel::show_parts() {
-  const bool asks = !criteria_->text().isEmpty();
+  const bool asks = !criteria_->text().isEmpty(), unfolded = running_ && rules_->isChecked();
   card_->setVisible(has_scene_);
-  criteria_->setVisible(!running_ && asks);
+  criteria_->setVisible(asks && (!running_ || unfolded));
   left_->setVisible(running_);
+  rules_->setVisible(running_ && asks);
+  advice_->setVisible(running_ && !readings_hidden_ && !advice_->text().isEmpty());
   hidden_->setVisible(readings_hidden_);
   readings_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));
-  lower_->setVisible(has_scene_ && !readings_hidden_ && (running_ || !asks));  // before, what is asked has its room
+  lower_->setVisible(has_scene_ && !readings_hidden_ && !unfolded && (running_ || !asks));  // before, what is asked has its room
 }
 
 // In a test the limit ends the attempt; in practice it is told.
 void NowPanel::show_time(double time_s) {
   const double left = asked_.max_time_s - time_s;
-  left_->setText(asked_.max_time_s <= 0 ? tr("Time: %1").arg(clock_text(time_s))
-                 : left > 0             ? tr("Time left: %1").arg(clock_text(std::ceil(left)))
-                                        : tr("Over the time limit by %1").arg(clock_text(-left)));
+  const bool soon = asked_.max_time_s > 0 && left <= kSoon_s;
+  const QString text = asked_.max_time_s <= 0 ? tr("Time: %1").arg(clock_text(time_s))
+                       : left > 0             ? tr("Time left: %1").arg(clock_text(std::ceil(left)))
+                                              : tr("Over the time limit by %1").arg(clock_text(-left));
+  left_->setText(soon ? QStringLiteral("▲ ") + text : text);
+  QFont font = left_->font();
+  font.setBold(soon);
+  left_->setFont(font);
 }
 
 void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVector>
@@ -26,15 +27,18 @@ class NowPanel : public QWidget {
   explicit NowPanel(QWidget* parent = nullptr);
   void set_themes(const UiTheme& ui, const CueTheme& cues);
   void set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria);
-  /// What is asked is read before the attempt; during it, only the time that is left.
+  /// What is asked is read before the attempt; during it the time that is left, and on demand what is asked, in a test as well.
   void set_running(bool running);
   /// In a test the trainee sees no reading: they would tell the answers.
   void set_readings_hidden(bool hidden);
   void show_reading(const Reading& reading, double time_s);
+  /// What to do now besides what the phase asks, as after a drop; "" for nothing. Hidden with the readings.
+  void set_advice(const QString& words);
   ForceMeter* meter() { return meter_; }
   LiveForm* form() { return form_; }
 
  private:
+  QHBoxLayout* make_time(QWidget* parent);
   QWidget* make_lower();
   QWidget* make_readings(QWidget* parent);
   void show_time(double time_s);
@@ -48,7 +52,8 @@ class NowPanel : public QWidget {
     void set_visible(bool shown) const;
   };
   Fact spot_, tips_, tilt_, tension_, hold_;
-  QLabel *phase_, *criteria_, *left_, *hidden_;
+  QLabel *phase_, *advice_, *criteria_, *left_, *hidden_;
+  QPushButton* rules_;  // unfolds what is asked while an attempt runs
   QWidget *card_, *readings_, *lower_;
   Criteria asked_;
   bool has_scene_ = false, running_ = false, readings_hidden_ = false;

@@ -73,9 +73,12 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   card.body->addWidget(more_box_);
   card.body->addStretch(1);
   column->addWidget(card.frame);
-  give_key(review_, QStringLiteral("Ctrl+R"));
-  give_key(next_, QStringLiteral("Ctrl+Right"));
-  give_key(progress, QStringLiteral("Ctrl+P"));
+  const std::pair<QPushButton*, const char*> keys[] = {{review_, "Ctrl+R"}, {next_, "Ctrl+Right"}, {progress, "Ctrl+P"}};
+  for (const auto& [button, key] : keys) {
+    give_key(button, QString::fromLatin1(key));
+    button->setText(button->text() + QLatin1Char('\n') + key_text(QString::fromLatin1(key)));
+  }
+  again->setText(tr("Again") + QLatin1Char('\n') + key_text(QStringLiteral("F5")));
   // in the order in which they stand
   const QList<QWidget*> order = {again, review_, next_, progress, more_button_};
   for (int i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
@@ -118,9 +121,20 @@ void ResultPanel::add_line(QGridLayout* to, const QString& name, const QString& 
   to->addWidget(number, row, 1, Qt::AlignRight | Qt::AlignTop);
 }
 
-// Those with a rank first and in its order, what cost points apart, the rest on demand.
+// Time costs points by the active time, not by the clock: both are told beside each other.
+QString ResultPanel::points_title(const session::Result& r, const std::string& id) const {
+  const QString title = metric_title(QString::fromStdString(id));
+  const auto active = std::find_if(r.metrics.begin(), r.metrics.end(), [](const session::Result::Metric& m) { return m.id == "time.task"; });
+  if (id != "points.time" || free_time_s_ <= 0 || active == r.metrics.end()) return title;
+  const QString unit = QStringLiteral("s");
+  return tr("%1: %2 active, %3 free").arg(title, quantity_text(active->value, unit), quantity_text(free_time_s_, unit));
+}
+
+// Those with a rank first and in its order, what cost points apart, the rest on demand. Where no points are told, as of an attempt that was
+// stopped, the faults that were counted stand with the first.
 void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCard& card) {
   std::vector<std::pair<int, size_t>> first;
+  std::vector<size_t> faults;
   bool more = false, points = false;
   const auto card_of = [&](size_t i) { return i < card.metrics.size() ? card.metrics[i] : snapshot::CardMetric{}; };
   const auto add = [&](QGridLayout* to, size_t i) {
@@ -136,10 +150,12 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
     if (own.show == SWAGE_SHOW_POINTS) {
       if (m.value < 0.05) continue;  // less than is shown
       points = true;
-      add_line(points_, metric_title(QString::fromStdString(m.id)), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
+      add_line(points_, points_title(r, m.id), QStringLiteral("−%L1").arg(m.value, 0, 'f', 1),
                said(m.doc));
     } else if (own.rank > 0) {
       first.emplace_back(own.rank, i);
+    } else if (r.outcome != judge::Outcome::kPassed && own.show == SWAGE_SHOW_COUNT && own.better == SWAGE_BETTER_LOWER && m.value > 0) {
+      faults.push_back(i);
     } else {
       more = true;
       add(more_, i);
@@ -147,6 +163,7 @@ void ResultPanel::add_metrics(const session::Result& r, const snapshot::SceneCar
   }
   std::sort(first.begin(), first.end());
   for (const auto& [rank, i] : first) add(metrics_, i);
+  for (const size_t i : faults) add(metrics_, i);
   points_heading_->setVisible(points);
   // a lesson that ranks nothing shows everything
   more_button_->setVisible(more && !first.empty());

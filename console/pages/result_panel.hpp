@@ -21,6 +21,8 @@ class ResultPanel : public QWidget {
   void show_result(const session::Result& result, const snapshot::SceneCard& card, bool kept);
   /// The end of a demonstration: nothing was judged.
   void show_seen(const session::Result& result);
+  /// Active time that costs no points, s; 0 where the lesson says none. For the next result.
+  void set_free_time(double time_s) { free_time_s_ = time_s; }
   void set_can_go_on(bool next) { next_->setEnabled(next); }
   QString outcome() const { return outcome_->text(); }
   QString reason() const { return reason_->text(); }
@@ -42,6 +44,8 @@ class ResultPanel : public QWidget {
   UiTheme theme_;
   judge::Outcome state_ = judge::Outcome::kRunning;
   QString attempt_;
+  double free_time_s_ = 0;
+  QString points_title(const session::Result& result, const std::string& id) const;
   QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
   QGridLayout *metrics_, *points_, *more_;
   QWidget* more_box_;

@@ -91,7 +91,7 @@ void RunPage::connect_control() {
   connect(control_, &RunControl::frame, this, &RunPage::update_frame);
   connect(control_, &RunControl::finished, this, &RunPage::show_finished);
   connect(control_, &RunControl::happened, this,
-          [this](const judge::Event& e) { events_->add(e, control_->card().script, control_->card().dt); });
+          [this](const judge::Event& e) { hear(e); });
   connect(control_, &RunControl::marked, this,
           [this](double t) { events_->note(std::max(0.0, t - 2), tr("Mark")); });
 }
@@ -194,6 +194,7 @@ void RunPage::update_state() {
     if (!running) legend->set_active({});
   for (QPushButton* b : {pause_, reset_, mark_, stop_}) b->setEnabled(running);
   pause_->setText(state == State::kPaused ? tr("Resume   F6") : tr("Pause   F6"));
+  show_keys_below();
   if (running) right_->setCurrentWidget(now_);
   // while it runs, the mouse over the picture is the instrument when the lesson's device is the mouse
   for (SceneView* view : views_) view->set_instrument(state == State::kRunning && by_mouse());
@@ -264,6 +265,7 @@ void RunPage::update_frame() {
   for (SceneView* view : views_) view->set_task(said(reading.phase));
   sound(reading, newest->time_s);
   for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
+  advise(reading);
   // once a second is often enough to read a number
   if (rate_clock_.elapsed() >= 1000) {
     steps_per_s_ =

@@ -91,7 +91,9 @@ class RunPage : public QWidget {
   void show_instructor(bool on);
 
  public:
-  /// Controls that the person has used before: their hints are not shown again. "drag close drive"
+  /// The keyboard goes to the instrument while an attempt runs, else to START: never to a field that takes letters.
+  void take_focus();
+  /// Controls that the person has used before: their hints are not shown again. "drag close drive open"
   void set_used_controls(const QString& used);
   const QString& used_controls() const { return used_; }
   bool instructor_shown() const { return instructor_ && instructor_->isVisible(); }
@@ -137,6 +139,10 @@ class RunPage : public QWidget {
   void set_texts(const QString& clock, const QString& banner);
   void update_hidden();
   void update_hints();
+  bool agree_on_person();
+  void hear(const judge::Event& event);
+  void advise(const Reading& reading);
+  void show_keys_below();
   QList<NowPanel*> now_panels() const;
   QList<CueLegend*> legends() const;
 
@@ -177,6 +183,8 @@ class RunPage : public QWidget {
   CueTheme cue_theme_;
   snapshot::SceneCard card_;  // of the chosen lesson, or of the attempt
   bool have_card_ = false;
+  bool holds_ = false, misplaced_ = false, dropped_ = false;  // now: jaws hold something, at the wrong place; it has fallen
+  uint64_t dropped_at_ = 0;                                   // step
   CueSounds sounds_;
   Speaker speaker_;
   Reader reader_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // An attempt on the Run page: its start, its scene before that, its end, and what of it a trainee may see.
+#include <QMessageBox>
 #include <QRandomGenerator>
 #include <limits>
 
@@ -41,12 +42,35 @@ void RunPage::start_unrecorded() {
   problem_->show();
 }
 
+void RunPage::take_focus() { control_->running() ? view_->setFocus() : setup_->focus_start(); }
+
+// A letter that was meant for the instrument makes another person of a name: nobody is added without a word.
+bool RunPage::agree_on_person() {
+  if (!setup_->person_is_new()) return true;
+  const QString name = setup_->person();
+  QMessageBox ask(QMessageBox::Question, tr("New trainee"), tr("%1 has not practised here before. Add as a trainee?").arg(name), {}, window());
+  ask.setObjectName(QStringLiteral("new_trainee"));
+  const QPushButton* add = ask.addButton(tr("Add and start"), QMessageBox::AcceptRole);
+  ask.setDefaultButton(ask.addButton(QMessageBox::Cancel));
+  ask.exec();
+  if (ask.clickedButton() != add) {
+    setup_->focus_person();
+    return false;
+  }
+  setup_->know_person(name);
+  return true;
+}
+
 void RunPage::launch(bool unrecorded) {
   if (control_->running() || setup_->lesson().isEmpty()) return;
   // what is about to run has been looked at, and could be built
   if (preview_timer_.isActive() || !setup_->startable()) preview();
   if (!setup_->startable()) return;
+  const bool kept = !unrecorded && !asked_.show && setup_->mode() != QLatin1String("demo");
+  if (kept && !agree_on_person()) return;
   events_->clear();
+  holds_ = misplaced_ = dropped_ = false;
+  for (NowPanel* now : now_panels()) now->set_advice({});
   sounds_.reset();
   problem_->hide();
   unrecorded_->hide();
@@ -158,6 +182,7 @@ void RunPage::set_texts(const QString& clock, const QString& banner) {
 
 void RunPage::show_finished() {
   const session::Result& r = control_->result();
+  result_->set_free_time(metric_target(shown_lesson_.toStdString(), "time.task", catalogue()).high.value_or(0));
   if (asked_.show)
     result_->show_seen(r);
   else
@@ -195,14 +220,42 @@ void RunPage::set_used_controls(const QString& used) {
   update_hints();
 }
 
-// A control is told until it was used once, in this attempt or an earlier one.
+// What falls is told until it is held or back again; a thread that slips is not put back.
+void RunPage::hear(const judge::Event& event) {
+  const judge::Script& script = control_->card().script;
+  events_->add(event, script, control_->card().dt);
+  if (event.event >= script.events.size()) return;
+  const std::string& id = script.events[event.event].id;
+  if (id == "needle.dropped" || id == "thing.dropped" || id == "ring.dropped") dropped_ = true, dropped_at_ = event.step;
+  if (id == "host.reset") dropped_ = false;
+  update_hints();
+}
+
+// Beside what the phase asks: how what has fallen comes back, and that what is held at the wrong place is let go of.
+void RunPage::advise(const Reading& reading) {
+  const bool holds = reading.held.value_or(false), misplaced = holds && reading.spot == false;
+  if (holds && control_->newest()->step > dropped_at_) dropped_ = false;  // a picture may be older than what happened
+  const QString words = dropped_                  ? tr("Dropped: put it back with F7, or take it where it lies.")
+                        : misplaced && by_mouse() ? tr("Held at the wrong place: open the jaws (B), and take it at the mark.")
+                        : misplaced               ? tr("Held at the wrong place: open the jaws, and take it at the mark.")
+                                                  : QString();
+  for (NowPanel* now : now_panels()) now->set_advice(words);
+  if (holds == holds_ && misplaced == misplaced_) return;
+  holds_ = holds, misplaced_ = misplaced;
+  update_hints();
+}
+
+// A control is told when it is needed, until it was used once, in this attempt or an earlier one. A test is taken without what tells an answer.
 void RunPage::update_hints() {
   const bool told = control_->running() && by_mouse();
   const auto wanted = [&](const char* what) { return told && !used_.contains(QLatin1String(what)); };
   const bool drives = std::any_of(card_.objects.begin(), card_.objects.end(), [](const snapshot::CardObject& o) {
     return std::find(o.traits.begin(), o.traits.end(), SWAGE_TRAIT_PIERCEABLE) != o.traits.end();
   });
-  for (SceneView* view : views_) view->set_control_hints(wanted("drag"), wanted("close"), drives && wanted("drive"));
+  const bool told_more = told && !cues_hidden();
+  const ControlHints hints{wanted("drag"), wanted("close"), drives && holds_ && wanted("drive"), told_more && misplaced_ && wanted("open"),
+                           told_more && dropped_};
+  for (SceneView* view : views_) view->set_control_hints(hints);
 }
 
 }  // namespace swage::console

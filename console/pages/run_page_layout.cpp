@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kBottom_px = 140;  // three events, or ten cues in two columns; higher where a lesson has more
 // On a page narrower or lower than these the side panels are slimmer, and the strip of events gives its room to the picture.
-constexpr int kNarrow_px = 1180, kLow_px = 700;
+constexpr int kNarrow_px = 1180, kLow_px = 600;
 constexpr int kSide_px = 270, kSlimSide_px = 230;        // the whole page fits a screen of 1280
 constexpr int kLessons_px = 290, kSlimLessons_px = 256;  // and the titles of the lessons fit the list
 
@@ -65,7 +65,7 @@ void RunPage::resizeEvent(QResizeEvent* event) {
   setup_->setFixedWidth(narrow ? kSlimLessons_px : kLessons_px);
   right_box_->setFixedWidth(narrow ? kSlimSide_px : kSide_px);
   bottom_->setVisible(height() >= kLow_px);
-  guide_button_->setVisible(!narrow);  // then it is in the menu
+  show_keys_below();
   fold_view_bar();
   QWidget::resizeEvent(event);
 }
@@ -81,9 +81,19 @@ void RunPage::fold_view_bar() {
   view_menu_->setVisible(fold);
 }
 
+// Five buttons fit below a narrow picture when each has its key on a second line.
+void RunPage::show_keys_below() {
+  const QString beside = QStringLiteral("   "), below = QStringLiteral("\n");
+  const bool narrow = width() < kNarrow_px;
+  for (QPushButton* b : {pause_, reset_, mark_, stop_, guide_button_}) {
+    QString text = b->text();
+    b->setText(narrow ? text.replace(beside, below) : text.replace(below, beside));
+  }
+}
+
 void RunPage::fill_view_menu(QMenu* menu) const {
   menu->clear();
-  for (QPushButton* b : folding_ + QList<QPushButton*>{guide_button_}) {
+  for (QPushButton* b : folding_) {
     QAction* action = menu->addAction(b->accessibleName(), b, &QPushButton::click);
     action->setCheckable(b->isCheckable());
     action->setChecked(b->isChecked());

@@ -42,6 +42,7 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
   add_section(tr("Trainee's view"), make_trainee());
   add_section(tr("Instrument"), make_instrument());
   add_section(tr("Jaw sensors"), make_sensors());
+  add_section(tr("Language"), make_language());
 }
 
 void SetupPage::add_section(const QString& heading, QWidget* section) {
@@ -65,6 +66,22 @@ QWidget* SetupPage::make_colours() {
             [this] { Q_EMIT themes_chosen(theme_->currentData().toString(), cues_->currentData().toString()); });
   }
   return box;
+}
+
+QWidget* SetupPage::make_language() {
+  auto* box = new QWidget(this);
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(0, 0, 0, 0);
+  language_ = make_choice(tr("Window"), "language", tr("What the window is written in, from the next start on"), form);
+  language_->addItem(tr("As the system"), QString());
+  form->addRow(make_muted(tr("From the next start on."), box));
+  connect(language_, &QComboBox::activated, this, [this] { Q_EMIT language_chosen(language_->currentData().toString()); });
+  return box;
+}
+
+void SetupPage::show_languages(const QStringList& codes, const QStringList& names, const QString& chosen) {
+  for (qsizetype i = 0; i < codes.size(); ++i) language_->addItem(names[i], codes[i]);
+  language_->setCurrentIndex(std::max(0, language_->findData(chosen)));
 }
 
 QWidget* SetupPage::make_trainee() {

@@ -55,6 +55,9 @@ QWidget* SetupPanel::make_who() {
   person_->setToolTip(tr("Choose a name or type a new one. Without a name the attempt is kept for Guest."));
   card.body->addWidget(person_);
   connect(person_, &QComboBox::currentTextChanged, this, &SetupPanel::person_chosen);
+  // once a name is there the keys are no longer for it: those that move the instrument are letters
+  connect(person_, &QComboBox::activated, this, &SetupPanel::focus_start, Qt::QueuedConnection);  // this Enter is not for START
+  connect(person_->lineEdit(), &QLineEdit::returnPressed, this, &SetupPanel::focus_start, Qt::QueuedConnection);
   left_ = new QCheckBox(tr("Left-handed"), card.frame);
   left_->setObjectName(QStringLiteral("left_handed"));
   left_->setToolTip(tr("Mirrors the whole lesson, hand and picture; kept with the attempt"));
@@ -162,6 +165,19 @@ QString SetupPanel::person() const {
   const QString name = person_->currentText().trimmed();
   return name.isEmpty() || name == tr("Guest") ? QString::fromLatin1(record::kGuest) : name;
 }
+
+bool SetupPanel::person_is_new() const {
+  const QString name = person();
+  if (name == QLatin1String(record::kGuest) || known_.contains(name)) return false;
+  return person_->findText(name, Qt::MatchExactly | Qt::MatchCaseSensitive) < 0;
+}
+
+void SetupPanel::focus_person() {
+  person_->setFocus();
+  person_->lineEdit()->selectAll();
+}
+
+void SetupPanel::focus_start() { start_->isEnabled() ? start_->setFocus() : lessons_->setFocus(); }
 
 void SetupPanel::set_people(const QStringList& names, const QString& current) {
   {

@@ -23,6 +23,13 @@ class SetupPanel : public QWidget {
 
   QString person() const;  // "Guest" when nobody is named
   void set_people(const QStringList& names, const QString& current);
+  /// A name that is taken as it is, though nobody has practised under it: given at the command line, or agreed to.
+  void know_person(const QString& name) { known_ += name; }
+  /// Nobody has practised or been entered under the name that is there: it may be a slip of the keyboard.
+  bool person_is_new() const;
+  /// The keyboard goes to the name, all of it chosen, or to START, else to the lessons.
+  void focus_person();
+  void focus_start();
   bool has_lessons() const;
   QString lesson() const;  // path, "" when there is none
   void select_lesson(int row);
@@ -71,6 +78,7 @@ class SetupPanel : public QWidget {
   QLabel* no_lessons_;
   QButtonGroup* modes_;
   QPushButton *start_ = nullptr, *variant_ = nullptr, *edit_ = nullptr, *delete_ = nullptr;
+  QStringList known_;
   QString wanted_device_, own_instrument_;  // wanted: "" is what the lesson names first
   bool running_ = false, paused_ = false, startable_ = true, show_ = false;
   QLabel* explain_ = nullptr;

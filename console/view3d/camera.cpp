@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swage::console {
 namespace {
 
 constexpr double kGlide_s = 0.09;  // time constant; longer feels sluggish, shorter jumps
 constexpr float kStray = 0.5F;     // of the half height of the picture
+constexpr float kInside = 0.8F;    // of the half picture: what is to stay in it lies within
+constexpr float kLeastRoom = 0.3F; // of that at the focus: nearer to the viewer nothing is looked at
+constexpr float kBack = 1.25F;     // a step back; smaller ones make a picture that breathes
+constexpr float kMostBack = 2;     // further away the needle is too small to be worked on
+constexpr float kSpare = 0.85F;    // of what fits: only then the picture comes a step nearer again
 constexpr float kNear = 0.7F;      // of the distance at which everything is framed
 constexpr float kDeg = 0.017453292F;
 
@@ -19,6 +25,7 @@ void OrbitCamera::frame(const QVector3D& centre, float radius) {
   home_radius_ = std::max(radius, 1e-3F);
   goal_.focus = centre;
   goal_.distance = home_radius_ / std::sin(0.5F * kFovDeg * kDeg);
+  backed_ = 1;
   if (held_) goal_.yaw = held_yaw_, goal_.pitch = held_pitch_;
 }
 
@@ -98,6 +105,32 @@ void OrbitCamera::follow(const QVector3D& point) {
   off -= QVector3D::dotProduct(off, forward) * forward;
   const float allowed = kStray * goal_.distance * std::tan(0.5F * kFovDeg * kDeg);
   if (off.length() > allowed) goal_.focus += off * (1 - allowed / off.length());
+}
+
+void OrbitCamera::follow_both(const QVector3D& point, const QVector3D& other, float shape) {
+  follow(point);
+  if (!follows_) return;
+  // Across the picture at its focus, in the units of its height; z: how much room a point has there, less than 1 where it is nearer.
+  const QQuaternion q = q_WC();
+  const float distance = goal_.distance / backed_;
+  const auto across = [&](const QVector3D& p) {
+    const QVector3D c = q.conjugated().rotatedVector(p - goal_.focus);
+    return QVector3D(c.x() / std::max(shape, 0.1F), c.y(), std::max(1 - c.z() / distance, kLeastRoom));
+  };
+  const QVector3D a = across(point), b = across(other);
+  const float half = kInside * distance * std::tan(0.5F * kFovDeg * kDeg);
+  const float apart = std::max(std::abs(a.x() - b.x()), std::abs(a.y() - b.y())) / (a.z() + b.z());
+  float back = 1;
+  while (back < kMostBack && apart > half * back) back *= kBack;
+  if (back < backed_ && apart > kSpare * half * back) back = backed_;
+  goal_.distance *= back / std::exchange(backed_, back);
+  // the first of both stays in the picture, come what may
+  const float inside_a = half * back * a.z(), inside_b = half * back * b.z();
+  const auto shift = [&](float first, float second) {
+    const float wanted = second - std::clamp(second, -inside_b, inside_b);
+    return std::clamp(wanted, std::min(0.F, first - inside_a), std::max(0.F, first + inside_a));
+  };
+  goal_.focus += q.rotatedVector({shift(a.x(), b.x()) * shape, shift(a.y(), b.y()), 0});
 }
 
 void OrbitCamera::zoom(float notches) {

@@ -24,6 +24,9 @@ class OrbitCamera {
   /// Keeps a point (mm) near the middle: the goal moves along when it strays further than half way to the edge. Not after
   /// a pan, until the next preset: then the person wants to look elsewhere.
   void follow(const QVector3D& point);
+  /// The same, and `other` (mm: the tips) stays in a picture of this shape (width over height): the goal goes between both, and backs
+  /// away in steps where they are too far apart for it.
+  void follow_both(const QVector3D& point, const QVector3D& other, float shape);
 
   /// Looks at a point (mm) and stays there, until the next preset.
   void stay_at(const QVector3D& point);
@@ -59,6 +62,7 @@ class OrbitCamera {
   Pose now_, goal_;
   QVector3D home_centre_{0, 0, 0};
   float home_radius_ = 5;
+  float backed_ = 1;  // by which the goal's distance is multiplied now, so that two things are in the picture
   bool follows_ = true;
   bool held_ = false;
   float held_yaw_ = 0, held_pitch_ = 0;  // deg

@@ -10,7 +10,9 @@ namespace swage::console {
 namespace {
 
 constexpr double kSecond = 0.36;       // height of the second view, of that of the first
+constexpr double kWidest = 0.42;       // width of an inset, of that of the first: a narrow picture stays to be seen
 constexpr double kSecondShape = 1.25;  // width over height
+constexpr int kTipsBeforeEnds = 3;     // one place at the tips is left free rather than both ends of what is taken
 constexpr double kMargin_px = 10;
 constexpr double kLoupeShape = 1;
 constexpr float kLeastLoupe_mm = 0.3F;  // half of what is shown of a clean prick: the wire fills a third of it
@@ -99,20 +101,24 @@ std::vector<Panel> PanelLayout::panels() const {
 
 // the corners in the order in which they are liked: bottom left, bottom right, top left; clock and cues are at the top right
 QRectF PanelLayout::corner_at(int corner, double shape) const {
-  const double h = kSecond * size_.height(), w = shape * h;
+  const double h = std::min(kSecond * size_.height(), kWidest * size_.width() / kSecondShape), w = shape * h;
   const double x = corner == 1 ? size_.width() - w - kMargin_px : kMargin_px;
   return {x, corner == 2 ? kMargin_px : size_.height() - h - kMargin_px, w, h};
 }
 
-// never over the tips, what they go for, nor a mark of the lesson; nor over other things that can be taken, where another corner is free of them
+// never over the tips, what they go for, a mark of the lesson, nor an end of what is worked on; nor over other things that can be taken, where another corner is free of them
 PanelLayout::Change PanelLayout::choose_corner(const QVector3D& tips, const QVector3D& aim) {
   const Eye eye = middle_eye(point_.camera, shape_of(size_));
   std::array<QRectF, 3> corners;
   for (int i = 0; i < 3; ++i) corners[static_cast<size_t>(i)] = with_room(corner_at(i, kSecondShape));
   std::vector<QPointF> rather;
   for (const Spot& s : scene_.parts().aim) rather.push_back(eye.project(scene_.place_of(s), size_));
-  std::vector<QPointF> must{eye.project(tips, size_), eye.project(aim, size_)};
-  for (const QVector3D& mark : scene_.points()) must.push_back(eye.project(mark, size_));
+  std::vector<QPointF> must;
+  for (int i = 0; i < kTipsBeforeEnds; ++i) {
+    must.insert(must.end(), {eye.project(tips, size_), eye.project(aim, size_)});
+    for (const QVector3D& mark : scene_.points()) must.push_back(eye.project(mark, size_));
+  }
+  for (const Spot& end : scene_.parts().ends) must.push_back(eye.project(scene_.place_of(end), size_));
   const int best = least_covered(corners, second_.empty() ? -1 : corner_, must, rather);
   if (best == corner_) return Change::kNone;
   corner_ = best;

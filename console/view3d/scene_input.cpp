@@ -33,8 +33,9 @@ void SceneInput::set_instrument(bool on) {
   Q_EMIT words_changed();
 }
 
-void SceneInput::set_hints(bool drag, bool close, bool drive) {
-  hint_drag_ = drag, hint_close_ = close, hint_drive_ = drive;
+void SceneInput::set_hints(const ControlHints& hints) {
+  if (hints_ == hints) return;
+  hints_ = hints;
   Q_EMIT words_changed();
 }
 
@@ -43,15 +44,20 @@ QString SceneInput::hint(bool focus, bool led, bool banner) const {
   if (!focus) return tr("Click here: then mouse and keys move the instrument");
   QStringList all;
   if (led) all += tr("Tab: the other instrument");
-  if (hint_drag_) all += tr("Drag, or hold A D W S Q E: move the instrument");
-  if (hint_close_) all += tr("Hold Space: close the jaws");
-  if (hint_drive_) all += tr("Hold T: drive the needle");
+  if (hints_.put_back) all += tr("F7: put it back");
+  if (hints_.drag) all += tr("Drag, or hold A D W S Q E: move the instrument");
+  if (hints_.close) all += tr("Hold Space: close the jaws");
+  if (hints_.open) all += tr("Hold B: open the jaws");
+  if (hints_.drive) all += tr("Hold T: drive the needle");
   return all.join(QString::fromUtf16(kHintGap));
 }
 
 void SceneInput::used(const char* what) {
   const QLatin1String name(what);
-  bool& hint = name == QLatin1String("drag") ? hint_drag_ : name == QLatin1String("close") ? hint_close_ : hint_drive_;
+  bool& hint = name == QLatin1String("drag")    ? hints_.drag
+               : name == QLatin1String("close") ? hints_.close
+               : name == QLatin1String("open")  ? hints_.open
+                                                : hints_.drive;
   if (!std::exchange(hint, false)) return;
   Q_EMIT words_changed();
   Q_EMIT control_used(name);
@@ -78,6 +84,7 @@ swage_pointer SceneInput::moved(const QPointF& from, const QPointF& to) {
 void SceneInput::tell_circle(const swage_pointer& input) {
   const bool drives = PointerInput::drives(input);
   if (std::exchange(drives_, drives) || !drives || !scene_.have_snapshot()) return;
+  used("drive");
   Q_EMIT circle(needle_circle(scene_.card(), scene_.parts(), scene_.X_WB(), scene_.middle_of_tips()));
 }
 
@@ -94,6 +101,7 @@ void SceneInput::press(QMouseEvent* event) {
   look_from(last_mouse_);
   const swage_pointer out = input_.buttons(*event);
   tell_circle(out);
+  if (event->button() == Qt::MiddleButton) used(event->modifiers() & Qt::ControlModifier ? "open" : "close");
   Q_EMIT pointer(out);
 }
 
@@ -181,7 +189,7 @@ bool SceneInput::key_down(QKeyEvent* event) {
   tell_circle(out);
   if (moves_instrument(event->key())) used("drag");
   if (event->key() == Qt::Key_Space) used("close");
-  if (event->key() == Qt::Key_T) used("drive");
+  if (event->key() == Qt::Key_B) used("open");
   Q_EMIT pointer(out);
   return true;
 }

@@ -18,6 +18,13 @@ class QWidget;
 
 namespace swage::console {
 
+/// What is told over the picture, each when it is needed.
+struct ControlHints {
+  bool drag = false, close = false, drive = false, open = false;  // until it was used once
+  bool put_back = false;                                         // what has fallen
+  bool operator==(const ControlHints&) const = default;
+};
+
 class SceneInput : public QObject {
   Q_OBJECT
  public:
@@ -25,7 +32,8 @@ class SceneInput : public QObject {
   SceneInput(QWidget* widget, const SceneState& scene, ViewPoint& point, PanelLayout& panels);
   void set_instrument(bool on);
   bool instrument() const { return instrument_; }
-  void set_hints(bool drag, bool close, bool drive);
+  void set_hints(const ControlHints& hints);
+  const ControlHints& hints() const { return hints_; }
   /// What the mouse does here now. `led`: one of several tools is led; `banner`: the picture has one.
   QString hint(bool focus, bool led, bool banner) const;
 
@@ -43,7 +51,7 @@ class SceneInput : public QObject {
   void pointer(const swage_pointer& input);
   /// Comes before the pointer that drives the needle along it; nothing when there is no needle at the tips. World, as shown.
   void circle(const std::optional<NeedleCircle>& about);
-  /// The person has done what a hint told: "drag", "close", "drive".
+  /// The person has done what a hint told: "drag", "close", "drive", "open".
   void control_used(const QString& what);
   void microscope_zoomed(float zoom);
   /// The camera moves.
@@ -72,7 +80,7 @@ class SceneInput : public QObject {
   bool instrument_ = false;
   bool drives_ = false;       // along the needle's circle
   bool turned_view_ = false;  // a drag turned the view while no attempt took it
-  bool hint_drag_ = false, hint_close_ = false, hint_drive_ = false;
+  ControlHints hints_;
 };
 
 }  // namespace swage::console

@@ -64,8 +64,11 @@ void SceneMarks::paint_targets(Overlay& overlay, const Panel& panel) const {
     const std::string meaning = cue < script.cues.size() ? script.cues[cue].id : mark.meaning;
     const QPointF at = eye.project(to_mm(now.mark_p_W[m]), panel.size);
     const double radius = mark.mark.number[0] * kMmPerM / eye.mm_per_pixel(h);
-    words.push_back({at, radius, shown_.cues.style(QString::fromStdString(meaning))});
-    overlay.target(at, radius, words.back().style);
+    const CueStyle style = shown_.cues.style(QString::fromStdString(meaning));
+    overlay.target(at, radius, style);
+    // where to bring it is said once it has been taken: before that the word lies over what is to be taken
+    const bool later = meaning == "target.point" && scene_.taken() == false;
+    if (!later) words.push_back({at, radius, style});
     if (shown_.cues_shown && hold_ > 0) overlay.ring(at, hold_, std::max(radius, kLeastMark_px) + 7);
   }
   if (panel.inset != Inset::kNone) return;

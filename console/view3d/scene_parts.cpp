@@ -224,6 +224,18 @@ bool only_follows(const ScenePart& part, const SceneParts& parts) {
   return std::any_of(parts.part.begin(), parts.part.end(), [](const ScenePart& p) { return p.role == Role::kWork && p.thread < 0; });
 }
 
+// The two vertices of a part that are furthest apart, as seen from its middle.
+std::vector<Spot> find_ends(const snapshot::SceneCard& card, const ScenePart& part, const QVector3D& middle) {
+  const auto furthest = [&part](const QVector3D& from) {
+    QVector3D best = from;
+    for (const Vertex& v : part.mesh.vertex)
+      if (const QVector3D p(v.p[0], v.p[1], v.p[2]); (p - from).lengthSquared() > (best - from).lengthSquared()) best = p;
+    return best;
+  };
+  const QVector3D one = furthest(middle), other = furthest(one);
+  return {{part.body, nearest_vertex(card, part, one)}, {part.body, nearest_vertex(card, part, other)}};
+}
+
 // the marked thing, or the only one that is worked on
 void watch(const snapshot::SceneCard& card, SceneParts& parts) {
   int works = 0;
@@ -241,9 +253,12 @@ void watch(const snapshot::SceneCard& card, SceneParts& parts) {
       parts.watched_middle = to_qt(X.q).conjugated().rotatedVector(own.centre() - to_mm(X.p));
     }
     parts.watched_on = nearest_vertex(card, p, own.centre());
+    parts.ends = find_ends(card, p, own.centre());
     if (marked) return;
   }
-  if (works != 1) parts.watched = -1;
+  if (works == 1) return;
+  parts.watched = -1;
+  parts.ends.clear();
 }
 
 // of a tool the place of each jaw that is nearest to the work

@@ -72,6 +72,7 @@ struct SceneParts {
   int watched = -1;
   QVector3D watched_middle;
   QVector3D watched_on;  // a place on it near that, same frame
+  std::vector<Spot> ends;  // its two places that are furthest apart
   /// What the hand has to bring together: the tips of its tool, and the middle of the marked region, or of what is watched,
   /// or of any of the things that there are.
   std::vector<Spot> tips, aim;

@@ -20,6 +20,7 @@ void SceneState::set_card(const snapshot::SceneCard& card) {
   have_snapshot_ = false;
   led_ = SWAGE_NONE;
   pierced_ = false;
+  taken_.reset();
   stress_ = 0;
 }
 
@@ -34,13 +35,15 @@ SceneState::Change SceneState::take(const snapshot::Snapshot& snapshot, bool wit
   return change;
 }
 
-// in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
+// What the signals say of grasp, tissue and stress; the last in sixteenths of first yield: a colour that changes with every step would be sent to the renderer with every step
 bool SceneState::read_stress(bool with_stress) {
   double stress = 0;
   pierced_ = false;
+  taken_.reset();
   for (uint32_t i = 0; have_snapshot_ && i < snapshot_->n_signal && i < card_.script.signals.size(); ++i) {
     const std::string& id = card_.script.signals[i].id;
     if (id == "pierce.state") pierced_ |= snapshot_->signal[i] > 1.5;  // 2: in the tissue
+    if (id.ends_with("grasp.held")) taken_ = taken_.value_or(false) || snapshot_->signal[i] > 0.5;
     if (with_stress && id == "needle.stress") stress = std::max(stress, snapshot_->signal[i]);
   }
   const double rounded = std::round(16 * std::min(stress, 2.0)) / 16;

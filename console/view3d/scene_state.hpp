@@ -37,6 +37,8 @@ class SceneState {
   bool judged() const;
   /// The tool that the mouse leads, of several; SWAGE_NONE where there is one.
   uint32_t led() const { return led_; }
+  /// Whether jaws hold something that can be taken; nothing where no grasp is measured.
+  std::optional<bool> taken() const { return taken_; }
   /// A needle is in the tissue.
   bool pierced() const { return pierced_; }
   /// Greatest stress of a needle over that of first yield, in sixteenths; 0 while it is not read.
@@ -68,6 +70,7 @@ class SceneState {
   bool have_card_ = false, have_snapshot_ = false;
   uint32_t led_ = SWAGE_NONE;
   bool pierced_ = false;
+  std::optional<bool> taken_;
   double stress_ = 0;
 };
 

@@ -122,8 +122,16 @@ void SceneView::show_snapshot(const snapshot::Snapshot& snapshot) {
   meshes_->place(panels_.mm_per_pixel());
   set_wound();
   // under a drag the picture stands still: what is dragged stays under the pointer
-  if (const auto watched = scene_.watched(); watched && !panels_.held()) point_.camera.follow(*watched);
+  if (!panels_.held()) follow();
   touch();
+}
+
+// What is watched stays in the picture, and so do the tips; through a microscope the field is too small for both.
+void SceneView::follow() {
+  const auto watched = scene_.watched();
+  if (!watched) return;
+  if (point_.microscope() || scene_.parts().tips.empty()) return point_.camera.follow(*watched);
+  point_.camera.follow_both(*watched, scene_.middle_of_tips(), shape_of(panels().front().size));
 }
 
 void SceneView::look(CameraPreset preset) {
@@ -144,7 +152,7 @@ void SceneView::set_station_mark(const std::optional<QPointF>& at_mm) {
 void SceneView::set_second_shown(bool shown) { apply(panels_.show_second(shown)); }
 void SceneView::set_loupe_shown(bool shown) { apply(panels_.show_loupe(shown)); }
 void SceneView::set_instrument(bool on) { input_->set_instrument(on); }
-void SceneView::set_control_hints(bool drag, bool close, bool drive) { input_->set_hints(drag, close, drive); }
+void SceneView::set_control_hints(const ControlHints& hints) { input_->set_hints(hints); }
 
 void SceneView::set_stress_shown(bool shown) {
   shown_.stress = shown;

@@ -62,7 +62,8 @@ class SceneView : public QWidget {
   void set_message(const QString& words);
   const QString& message() const { return words_.message; }
   /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
-  void set_control_hints(bool drag, bool close, bool drive);
+  void set_control_hints(const ControlHints& hints);
+  const ControlHints& control_hints() const { return input_->hints(); }
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
   void set_hold(double share);
   /// A second view at right angles, near the jaws: it shows the depth to a person who has only a mouse.
@@ -98,7 +99,7 @@ class SceneView : public QWidget {
   void ready_changed();
   /// By keys, a pedal that sends them, or the wheel.
   void microscope_zoomed(float zoom);
-  /// The person has done what a hint told: "drag", "close", "drive".
+  /// The person has done what a hint told: "drag", "close", "drive", "open".
   void control_used(const QString& what);
 
  protected:
@@ -120,6 +121,7 @@ class SceneView : public QWidget {
   void lay_out();
   void apply(PanelLayout::Change change);
   void touch(int pictures = 3);
+  void follow();
   void tick();
   void arrived(const QImage& image, const std::vector<Panel>& panels);
   void set_wound();

@@ -12,7 +12,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kSign_px = 18, kRow_px = 26;
+constexpr int kSign_px = 18, kCueRow_px = 26;
 constexpr int kMostTall = 4;  // rows that have two lines; more are one line each, cut short where that is too long
 constexpr int kLow_px = 19;
 constexpr int kColumns = 2;
@@ -28,7 +28,7 @@ class CueLegend::Row : public QWidget {
   /// `wide`: some sign of this column has two parts, and all its words stand behind that. `low`: one line and no more.
   Row(const CueStyle& style, bool wide, bool low, const UiTheme& ui, CueLegend* legend)
       : QWidget(legend), legend_(legend), style_(style), ui_(ui), wide_(wide), low_(low) {
-    setFixedHeight(low ? kLow_px : kRow_px);
+    setFixedHeight(low ? kLow_px : kCueRow_px);
     setMinimumWidth(60);
     QStringList tip = {style.text};
     if (!style.sound.isEmpty()) tip += CueLegend::tr("Sound: %1").arg(theme_word(style.sound));

@@ -124,9 +124,15 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->setFont(bold);
   painter->setPen(option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
   const int line = option.fontMetrics.height();
+  const QString title = index.data().toString();
+  // titles of a series differ in their last words: one that is too long takes the line of the summary as well
+  if (!summary.isEmpty() && QFontMetrics(bold).horizontalAdvance(title) > r.width()) {
+    painter->drawText(r.adjusted(0, -2, 0, 2), Qt::AlignVCenter | Qt::TextWordWrap, title);
+    painter->restore();
+    return;
+  }
   painter->drawText(QRect(r.left(), summary.isEmpty() ? r.center().y() - line / 2 : r.top(), r.width(), line),
-                    Qt::AlignVCenter,
-                    QFontMetrics(bold).elidedText(index.data().toString(), Qt::ElideRight, r.width()));
+                    Qt::AlignVCenter, QFontMetrics(bold).elidedText(title, Qt::ElideRight, r.width()));
   painter->setFont(option.font);
   if (!selected) painter->setPen(option.palette.color(QPalette::PlaceholderText));
   painter->drawText(QRect(r.left(), r.top() + line + 2, r.width(), line), Qt::AlignVCenter,

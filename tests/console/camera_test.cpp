@@ -72,6 +72,36 @@ TEST(Camera, FollowsWhatStraysUntilAPersonPans) {
   EXPECT_EQ(camera.focus(), focus);
 }
 
+// A needle that has fallen and the tips that let go of it: both stay in the picture, and it comes nearer again with them.
+TEST(Camera, KeepsTheTipsInThePictureBesideWhatItFollows) {
+  const QSizeF size(670, 485);
+  const auto shape = static_cast<float>(size.width() / size.height());
+  const QRectF picture(QPointF(), size);
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 2.5F);
+  camera.look(CameraPreset::kOrbit);
+  camera.jump();
+  const float near = camera.distance();
+  const auto follow = [&](const QVector3D& needle, const QVector3D& tips) {
+    for (int i = 0; i < 20; ++i) camera.follow_both(needle, tips, shape), camera.jump();
+  };
+  follow({0, 0, 0}, {1, 0, 1});
+  EXPECT_EQ(camera.focus(), QVector3D(0, 0, 0)) << "both near the middle: nothing moves";
+  const QVector3D needle(-3, -2, -1), tips(3, 0, 2);
+  follow(needle, tips);
+  EXPECT_TRUE(picture.contains(project(camera, needle, size)));
+  EXPECT_TRUE(picture.contains(project(camera, tips, size)));
+  EXPECT_GT(camera.distance(), near);
+  const QVector3D focus = camera.focus();
+  follow(needle, tips);
+  EXPECT_LT((camera.focus() - focus).length(), 1e-3F) << "and rests";
+  follow(needle, {40, 0, 0});
+  EXPECT_TRUE(picture.contains(project(camera, needle, size))) << "the needle comes first";
+  EXPECT_LE(camera.distance(), 2.5F * near);
+  follow({0, 0, 0}, {0, 0, 1});
+  EXPECT_NEAR(camera.distance(), near, 1e-3);
+}
+
 TEST(Camera, NearStaysWhereItIsPut) {
   OrbitCamera camera;
   camera.frame({0, 0, 0}, 5);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace swage::test {
 namespace {
@@ -59,6 +60,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   card.seed = 7;
   card.objects = {{"holder", "swage.object.jaws", "1.0.0", {"swage.trait.gripper/1"}, 0, 2, 0, 0},
                   {"needle", "swage.object.needle", "1.0.0", {"swage.trait.graspable/1"}, 2, 1, 0, 0}};
+  if (script.with_grasp) card.objects.push_back({"tissue", "swage.object.tissue", "1.0.0", {"swage.trait.pierceable/1"}, 0, 0, 0, 0});
   if (with_thread) card.objects.push_back({"thread", "swage.object.thread", "1.0.0", {}, 0, 0, 0, 60});
   card.devices = {
       {"hand", options.device == "mouse" ? "swage.device.mouse" : "swage.device.scripted", "1.0.0",
@@ -77,6 +79,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   judge::Script& s = card.script;
   name(s.signals, "holder", "grasp.force", "N", "Force of the jaws on the needle");
   name(s.signals, "grasp", "grasp.tilt_axis", "rad", "Angle away from a right-angled grasp");
+  if (script.with_grasp) name(s.signals, "grasp", "grasp.held", "1", "Both jaws hold it");
   name(s.metrics, "lesson", "grasp.tries", "1", "Closures before the first correct grasp");
   name(s.metrics, "lesson", "grasp.drops", "1", "Times the needle fell");
   name(s.metrics, "lesson", "force.peak", "N", "Largest force on the needle");
@@ -91,6 +94,8 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   name(s.events, "lesson", "held", "s", "Held long enough");
   name(s.events, "lesson", "time.up", "s", "The time is over");
   name(s.events, "swage", "host.gap", "1", "steps were lost because the machine was held up");
+  name(s.events, "lesson", "needle.dropped", "1", "The needle fell");
+  name(s.events, "swage", "host.reset", "1", "An object was put back");
   name(s.phases, "lesson", "approach", "1", "Come to the needle");
   name(s.phases, "lesson", "hold", "1", "Hold it");
   judge::Script::Mark region;
@@ -101,7 +106,7 @@ snapshot::SceneCard make_card(const session::Options& options, const FakeScript&
   region.mark.number[1] = 0.75;
   s.marks = {region};
   card.metrics.resize(s.metrics.size());
-  for (const size_t counted : {0u, 1u}) card.metrics[counted].show = SWAGE_SHOW_COUNT;
+  for (const size_t counted : {0u, 1u}) card.metrics[counted].show = SWAGE_SHOW_COUNT, card.metrics[counted].better = SWAGE_BETTER_LOWER;
   return card;
 }
 
@@ -128,7 +133,10 @@ class FakeSession final : public session::Session {
     since_ = Clock::now();
     paused_ = on;
   }
-  void reset_object(const std::string&) override { ++log_->reset; }
+  void reset_object(const std::string&) override {
+    ++log_->reset;
+    put_back_ = true;
+  }
   void mark(const std::string& text) override {
     ++log_->marked;
     log_->noted.push_back(text);
@@ -166,6 +174,15 @@ class FakeSession final : public session::Session {
     if (script_.with_gap && !gap_told_ && now() > 1) {
       gap_told_ = true;
       out = {1000, 4, 0, 12};
+      return true;
+    }
+    if (fallen(now()) && !drop_told_) {
+      drop_told_ = true;
+      out = {static_cast<uint64_t>(script_.drop_s * 1000), 5, 0, 0};
+      return true;
+    }
+    if (std::exchange(put_back_, false)) {
+      out = {static_cast<uint64_t>(now() * 1000), 6, 0, 1};
       return true;
     }
     if (told_ >= 3 || now() < at[told_]) return false;
@@ -239,16 +256,19 @@ class FakeSession final : public session::Session {
     }
   }
 
+  bool fallen(double t) const { return script_.drop_s > 0 && t > script_.drop_s; }
+
   void judge(double t, snapshot::Snapshot& s) const {
     std::fill(s.object_cue, s.object_cue + s.n_object, SWAGE_NONE);
-    const bool held = t > 4;
+    const bool held = t > 4 && !fallen(t);
     if (held) s.object_cue[1] = t < 5 ? 0 : t < 6.2 ? 1 : t < 7.5 ? 2 : 3;
     s.n_signal = 2;
     s.signal[0] = held ? 0.6 + 0.25 * std::exp(-(t - 4)) * std::cos(9 * t) + 0.03 * std::sin(31 * t) : 0;
     s.signal[1] = held ? 0.2 * std::exp(-0.4 * (t - 4)) + 0.02 * std::sin(5 * t) : 0;
+    if (script_.with_grasp) s.signal[s.n_signal++] = held ? 1 : 0;
     s.n_metric = 5;
     s.metric[0] = held ? 1 : 0;
-    s.metric[1] = 0;
+    s.metric[1] = fallen(t) ? 1 : 0;
     s.metric[2] = held ? 0.83 : 0;
     s.metric[3] = t;
     s.metric[4] = std::clamp((t - 7.5) / 4, 0.0, 1.0);
@@ -279,7 +299,7 @@ class FakeSession final : public session::Session {
   double before_ = 0;
   bool running_ = false, paused_ = false, aborted_ = false;
   uint32_t told_ = 0;
-  bool gap_told_ = false;
+  bool gap_told_ = false, drop_told_ = false, put_back_ = false;
 };
 
 }  // namespace

@@ -28,6 +28,8 @@ struct FakeScript {
   bool pass = true;
   bool with_thread = false;
   bool two_hands = false;     // a second mouse: Tab hands over
+  bool with_grasp = false;  // measures whether the needle is held, and has tissue to drive it into
+  double drop_s = 0;        // with it: when the needle falls; 0: never
   bool with_gap = false;  // the machine lost time once
   std::string refuse;     // non-empty: open() fails with this problem
   std::string refuse_record;  // non-empty: open() fails with this problem unless nothing is to be kept
