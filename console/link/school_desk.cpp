@@ -210,6 +210,28 @@ bool SchoolDesk::add_note(record::Note note) {
       [kept](record::School& s) { return s.remove_note(kept->id); });
 }
 
+bool SchoolDesk::rate(const std::string& attempt_id, const std::string& item, std::optional<double> points) {
+  std::optional<double> before;
+  for (const auto& [id, was] : given(attempt_id))
+    if (id == item) before = was;
+  if (before == points) return true;
+  const auto set = [attempt_id, item](record::School& s, std::optional<double> to) {
+    record::ObserverRating rating{attempt_id, item, to.value_or(0), "", kInstructor};
+    return to ? s.save_rating(rating) : s.remove_rating(attempt_id, item, kInstructor);
+  };
+  return push(
+      notes_, tr("Rate an item"), [set, points](record::School& s) { return set(s, points); },
+      [set, before](record::School& s) { return set(s, before); });
+}
+
+std::vector<std::pair<std::string, double>> SchoolDesk::given(const std::string& attempt_id) {
+  std::vector<std::pair<std::string, double>> out;
+  if (record::School* s = school())
+    for (const record::ObserverRating& r : s->ratings(attempt_id))
+      if (r.made_by == kInstructor) out.emplace_back(r.item, r.points);
+  return out;
+}
+
 bool SchoolDesk::remove_note(const record::Note& note) {
   auto kept = std::make_shared<record::Note>(note);
   return push(

@@ -10,6 +10,8 @@
 #include <QVector>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "console/models/roster.hpp"
 #include "record/school.hpp"
@@ -53,6 +55,10 @@ class SchoolDesk : public QObject {
   bool retire(const record::LessonVersion& version, bool retired);
   bool add_note(record::Note note);
   bool remove_note(const record::Note& note);
+  /// An instructor's points for an item of a rating scale; nothing: taken back.
+  bool rate(const std::string& attempt_id, const std::string& item, std::optional<double> points);
+  /// The instructor's points of an attempt by item.
+  std::vector<std::pair<std::string, double>> given(const std::string& attempt_id);
 
  Q_SIGNALS:
   void changed();

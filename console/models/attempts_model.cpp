@@ -50,7 +50,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && index.column() == kLesson) return qt(a.lesson_id);
   if (role == kSortRole) {
     if (index.column() == kWhen) return qt(a.started_utc);
-    if (index.column() == kScore) return a.score;
+    if (index.column() == kScore) return a.outcome == "passed" ? a.score : -1.0;  // none was given
     if (index.column() == kTime) return a.simulated_s;
   } else if (role != Qt::DisplayRole) {
     return {};
@@ -61,7 +61,7 @@ QVariant AttemptsModel::data(const QModelIndex& index, int role) const {
     case kLesson:
       return said(a.lesson_title.empty() ? a.lesson_id : a.lesson_title);
     case kMode:
-      return is_hand(a) ? tr("Recorded hand") : mode_text(qt(a.mode));
+      return is_hand(a) ? tr("Recorded hand, not counted") : mode_text(qt(a.mode));
     case kVerdict:
       return verdict(a);
     case kScore:
@@ -104,6 +104,8 @@ QVariant AttemptsModel::headerData(int section, Qt::Orientation orientation, int
 
 bool is_hand(const record::AttemptRow& attempt) { return attempt.is_scripted || attempt.mode == "hand"; }
 
+bool counts(const record::AttemptRow& a) { return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed"); }
+
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts) {
   QStringList ids = {kScoreId, kTimeId};
   for (const record::AttemptRow& a : attempts) {
@@ -127,7 +129,12 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
                    [](const auto* a, const auto* b) { return a->started_utc < b->started_utc; });
   for (const record::AttemptRow* a : order) {
     // what was stopped half way says nothing about skill
-    if (a->is_void || is_hand(*a) || (a->outcome != "passed" && a->outcome != "failed")) continue;
+    if (!counts(*a)) continue;
+    const bool passed = a->outcome == "passed";
+    if (id == kScoreId && !passed) {
+      ++series.without_score;
+      continue;
+    }
     double value = id == kScoreId ? a->score : id == kTimeId ? a->simulated_s : std::nan("");
     for (const record::MetricValue& m : a->metrics) {
       if (qt(m.id) != id) continue;
@@ -137,31 +144,56 @@ MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QS
       series.unit = display_unit(unit);
     }
     if (!std::isfinite(value)) continue;
+    series.failed += !passed;
     const QDateTime when = QDateTime::fromString(qt(a->started_utc), Qt::ISODate).toLocalTime();
-    series.points += {value, a->outcome == "passed", a->mode == "test", when.date().toString(Qt::ISODate),
+    series.points += {value, passed, a->mode == "test", when.date().toString(Qt::ISODate),
                       when_text(qt(a->started_utc)) + QStringLiteral(", ") + verdict(*a)};
   }
+  const int32_t show = metric_show(id);
+  const bool negative = std::any_of(series.points.begin(), series.points.end(), [](const MetricPoint& p) { return p.value < 0; });
+  if (!negative) series.least = 0;  // amounts
+  if (id == kScoreId) series.most = 100;
+  if (show == SWAGE_SHOW_YES_NO) series.most = 1;
   return series;
 }
+
+namespace {
+
+// what attempts that were not passed are in the curve
+QString about_failures(const MetricSeries& series) {
+  if (series.without_score > 0)
+    return QLatin1Char(' ') + QObject::tr("Not passed, so without a score and left out: %1.").arg(series.without_score);
+  if (series.failed > 0)
+    return QLatin1Char(' ') + QObject::tr("Not passed, counted with what was measured: %1.").arg(series.failed);
+  return {};
+}
+
+}  // namespace
 
 void fit_series(MetricSeries& series) {
   const auto n = static_cast<int>(series.points.size()), fewest = static_cast<int>(judge::kFewestForCurve);
   series.curve.clear();
   series.fit.clear();
   if (n < fewest) {
-    series.fit = QObject::tr("A curve needs %1 finished attempts. %2 more.").arg(fewest).arg(fewest - n);
+    series.fit = QObject::tr("A curve needs %1 finished attempts. %2 more.").arg(fewest).arg(fewest - n) + about_failures(series);
     return;
   }
   std::vector<double> values;
   for (const MetricPoint& p : series.points) values.push_back(p.value);
-  const auto text = [&](double v) { return QStringLiteral("%1 %2").arg(QLocale().toString(v, 'g', 3), series.unit).trimmed(); };
+  // within the metric's scale: a fit and its interval know nothing of it
+  const auto text = [&](double v) {
+    v = std::clamp(v, series.least.value_or(v), std::max(series.most.value_or(v), series.least.value_or(v)));
+    const QString number = series.id == kScoreId ? QLocale().toString(v, 'f', 0) : QLocale().toString(v, 'g', 3);
+    return QStringLiteral("%1 %2").arg(number, series.unit).trimmed();
+  };
   const judge::Curve curve = judge::fit_curve(values);
   if (!curve.fitted) {
     const judge::Recent last = judge::recent(values);
     series.fit = QObject::tr("No curve: %1 Median of the last %2: %3 (%4 to %5).")
                      .arg(QString::fromStdString(curve.why_not))
                      .arg(last.n)
-                     .arg(text(last.median), text(last.low), text(last.high));
+                     .arg(text(last.median), text(last.low), text(last.high)) +
+                 about_failures(series);
     return;
   }
   for (int i = 0; i < n; ++i) series.curve += curve.at(i + 1);
@@ -171,12 +203,13 @@ void fit_series(MetricSeries& series) {
   const bool level = curve.low >= *least - span && curve.high <= *most + span;
   series.fit = QObject::tr("Learning curve: %1 at the first attempt, %2 at the latest").arg(text(curve.at(1)), text(curve.at(n)));
   if (!level) {
-    series.fit += QObject::tr("; a plateau cannot be estimated from these attempts yet.");
+    series.fit += QObject::tr("; a plateau cannot be estimated from these attempts yet.") + about_failures(series);
     return;
   }
   series.fit += QObject::tr(", towards %1 (95 %: %2 to %3).").arg(text(curve.a), text(curve.low), text(curve.high));
   if (std::isfinite(curve.half_way) && curve.half_way > 0 && curve.half_way < 1000)
     series.fit += QLatin1Char(' ') + QObject::tr("Half-way after %1 attempts.").arg(QLocale().toString(curve.half_way, 'f', 1));
+  series.fit += about_failures(series);
 }
 
 }  // namespace swage::console

@@ -32,6 +32,8 @@ class AttemptsModel : public QAbstractTableModel {
 
 /// An attempt that a scripted or recorded hand made: shown, and no person's progress.
 bool is_hand(const record::AttemptRow& attempt);
+/// An attempt that counts for its person: judged, not void, not of a recorded hand. Every count and every curve is of these.
+bool counts(const record::AttemptRow& attempt);
 
 /// One metric over the attempts, oldest first; what a chart draws.
 struct MetricPoint {
@@ -47,14 +49,17 @@ struct MetricSeries {
   double factor = 1;    // from SI to what is shown
   QVector<double> curve;  // a value per point, where a law of learning was fitted; empty otherwise
   QString fit;            // what the fit says, or why there is none
+  std::optional<double> least, most;  // of the metric's own scale, as shown: no value lies beyond
+  int failed = 0, without_score = 0;  // not passed: those among the points, and those left out because they have no score
   std::optional<std::pair<double, double>> experts;  // their band, 10 % to 90 %, as shown
   QString who;                                       // the experts are
   QVector<MetricPoint> points;
 };
 
-/// The metrics that these attempts have (score and time first), and the series of one of them.
 /// Fits the curve of learning and says what it means.
 void fit_series(MetricSeries& series);
+/// The metrics that these attempts have (score and time first), and the series of one of them. An attempt that was not passed has
+/// no score and is no point of the score's series; of any other metric it counts with what was measured.
 QStringList metric_ids(const QVector<record::AttemptRow>& attempts);
 MetricSeries metric_series(const QVector<record::AttemptRow>& attempts, const QString& id);
 

@@ -60,6 +60,28 @@ std::string with_files_in_full(const assembly::LessonFile& lesson, const QString
   return text.toStdString();
 }
 
+const base::Problem* first_error(const base::Problems& problems) {
+  for (const base::Problem& p : problems)
+    if (p.severity == base::Severity::kError) return &p;
+  return nullptr;
+}
+
+// A lesson that is based on another one is built from a text of both, whose lines are not the file's. The file itself, read where it
+// lies, fails the same way at its own lines; where it does not, no line is told.
+base::Problems where_the_file_has_it(const base::Problems& problems, const QString& file, const assembly::LessonFile& lesson,
+                                     const LessonBuilder& build) {
+  QFile own(file);
+  if (own.open(QIODevice::ReadOnly) && own.readAll().toStdString() == lesson.text) return problems;
+  base::Problems there;
+  const base::Problem* error = first_error(problems);
+  const bool fails = error != nullptr && build(file, there) == nullptr;
+  const base::Problem* same = first_error(there);
+  if (fails && same != nullptr && same->message == error->message && same->where.starts_with(file.toStdString())) return there;
+  there = problems;
+  for (base::Problem& p : there) p.where.clear();
+  return there;
+}
+
 }  // namespace
 
 QString problem_words(const base::Problems& problems, const QString& file) {
@@ -95,7 +117,7 @@ Imported import_lesson(const QString& file, const ImportPlaces& places, const ho
   if (const QString problem = write_whole(places.draft, text); !problem.isEmpty()) return {{}, problem};
   const bool can = build(places.draft, problems) != nullptr;
   QFile::remove(places.draft);
-  if (!can) return {{}, problem_words(problems, file)};
+  if (!can) return {{}, problem_words(where_the_file_has_it(problems, file, lesson, build), file)};
   const QString title = QString::fromStdString(lesson.title);
   const QString path = places.own + QLatin1Char('/') + slug(title) + QStringLiteral(".json");
   if (QFileInfo::exists(path)) return {{}, QObject::tr("There is a lesson called \"%1\" among your own already; delete or rename it first.").arg(title)};

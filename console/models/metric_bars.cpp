@@ -98,11 +98,12 @@ Experts experts_of(const std::vector<record::AttemptRow>& all, const std::vector
 QVector<MetricBar> metric_bars(const QVector<record::AttemptRow>& attempts, const ExpertFinder& experts,
                                const std::function<int32_t(const QString&)>& better) {
   QVector<MetricBar> out;
-  const auto newest = std::find_if(attempts.begin(), attempts.end(), [](const auto& a) { return judged(a) && !is_hand(a); });
+  const auto newest = std::find_if(attempts.begin(), attempts.end(), [](const auto& a) { return counts(a); });
   if (newest == attempts.end()) return out;
   for (const QString& id : metric_ids({*newest})) {
     const int32_t direction = better(id);
     const double value = metric_value(*newest, id);
+    if (metric_show(id) == SWAGE_SHOW_YES_NO) continue;  // yes or no lies in no band
     if (!std::isfinite(value) || (direction != SWAGE_BETTER_LOWER && direction != SWAGE_BETTER_HIGHER)) continue;
     if (id == QLatin1String("score") && newest->outcome != "passed") continue;  // none was given
     const Experts them = experts(newest->lesson_id, id);

@@ -113,7 +113,7 @@ QVariant PeopleModel::headerData(int section, Qt::Orientation orientation, int r
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString heads[] = {tr("Name"), tr("Group"), tr("Course"), tr("Last attempts"), tr("Passed"), tr("Last seen"), tr("Needs attention")};
+  const QString heads[] = {tr("Name"), tr("Group"), tr("Course"), tr("Last attempts"), tr("Passed"), tr("Last seen"), tr("How it goes")};
   return section >= 0 && section < kColumns ? heads[section] : QString();
 }
 

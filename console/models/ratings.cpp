@@ -40,6 +40,7 @@ QString points_text(double points, const judge::RatingScale& scale) {
 
 QString decided_by(const judge::RatingItem& item) {
   QStringList names;
+  if (item.by.empty()) return QObject::tr("No metric decides it: it is left to an observer.");
   for (const judge::RatedBy& by : item.by) names += metric_title(QString::fromStdString(by.metric));
   return QObject::tr("Decided by what was measured of: %1.").arg(names.join(QStringLiteral(", ")));
 }
@@ -64,8 +65,11 @@ QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metr
     RatingLine mean = line(scale, rating.mean);
     mean.id = scale.id;
     mean.mean = true;
-    mean.name = QObject::tr("%1 (%2 of %3 items)").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
-    mean.doc = QObject::tr("The mean of the decided items; the others are left to an observer. %1").arg(QString::fromStdString(scale.source));
+    mean.name = QObject::tr("%1, computed (%2 of %3 items)").arg(in_words(scale.title)).arg(rating.decided).arg(scale.items.size());
+    mean.doc = QObject::tr("Computed from metrics; %1 of %2 items. Items not decided by the program are not counted. Source: %3")
+                   .arg(rating.decided)
+                   .arg(scale.items.size())
+                   .arg(QString::fromStdString(scale.source));
     out += mean;
     for (size_t i = 0; i < scale.items.size(); ++i) {
       if (!rating.item[i]) continue;
@@ -75,6 +79,53 @@ QVector<RatingLine> rating_lines(const std::string& outcome, judge::Metrics metr
       one.doc = decided_by(scale.items[i]);
       out += one;
     }
+  }
+  return out;
+}
+
+QString RatedScale::points_words(double points) const {
+  return QObject::tr("%L1 of %L2").arg(points, 0, 'f', 1).arg(highest, 0, 'f', 0);
+}
+
+QString RatedScale::computed_words() const {
+  if (decided == 0) return QObject::tr("The metrics of this attempt decide no item.");
+  return QObject::tr("Computed from metrics: %1, the mean of %2 of %3 items; items not decided by the program are not counted.")
+      .arg(points_words(computed_mean))
+      .arg(decided)
+      .arg(items.size());
+}
+
+QString RatedScale::given_words() const {
+  if (given == 0) return {};
+  return QObject::tr("Instructor's rating: %1, the mean of %2 of %3 items.").arg(points_words(given_mean)).arg(given).arg(items.size());
+}
+
+QVector<RatedScale> rated_scales(const std::string& outcome, judge::Metrics metrics, const std::vector<std::pair<std::string, double>>& given) {
+  QVector<RatedScale> out;
+  const bool ended = outcome == "passed" || outcome == "failed";
+  for (const judge::RatingScale& scale : scales()) {
+    const judge::Rating rating = ended ? judge::rate(scale, metrics, outcome == "passed") : judge::Rating{};
+    RatedScale one;
+    one.id = scale.id;
+    one.title = in_words(scale.title);
+    one.source = QString::fromStdString(scale.source);
+    one.lowest = scale.lowest;
+    one.highest = scale.highest;
+    one.decided = static_cast<int>(rating.decided);
+    one.computed_mean = rating.mean;
+    for (size_t i = 0; i < scale.items.size(); ++i) {
+      RatedItem item;
+      item.id = scale.id + "." + scale.items[i].id;
+      item.title = in_words(scale.items[i].title);
+      item.doc = decided_by(scale.items[i]);
+      if (i < rating.item.size()) item.computed = rating.item[i];
+      for (const auto& [id, points] : given)
+        if (id == item.id) item.given = points;
+      if (item.given) ++one.given, one.given_mean += *item.given;
+      one.items += item;
+    }
+    if (one.given > 0) one.given_mean /= one.given;
+    out += one;
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "console/models/attempts_model.hpp"
 #include "console/models/metric_titles.hpp"
 #include "console/models/qt_text.hpp"
 #include "console/models/said.hpp"
@@ -84,8 +85,11 @@ void add_metrics(const record::Recording& r, const snapshot::SceneCard* card, Re
   for (const record::MetricValue& m : out.attempt.metrics) {
     const MetricFacts facts = metric_facts(card, m.id);
     MetricLine line;
+    line.id = m.id;
     line.name = metric_title(qt(m.id));
-    line.value = quantity_text(m.value, metric_unit(qt(m.id), qt(m.unit)));
+    line.points = metric_show(qt(m.id)) == SWAGE_SHOW_POINTS;
+    line.value = line.points ? (m.value < 0.05 ? QStringLiteral("0") : QStringLiteral("−%L1").arg(m.value, 0, 'f', 1))
+                             : quantity_text(m.value, metric_unit(qt(m.id), qt(m.unit)));
     line.better = facts.better;
     for (const judge::Name& name : r.info.script.metrics) {
       if (name.id == m.id) line.doc = said(name.doc);
@@ -116,13 +120,40 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
+const QString kBetween = QStringLiteral("  ·  ");
+
+// when, how and with which seed
+QString origin(const Review& r) {
+  QStringList parts{when_text(qt(r.attempt.started_utc))};
+  if (r.hand.isEmpty()) parts += mode_text(qt(r.attempt.mode));
+  return (parts << QObject::tr("seed %1").arg(r.seed)).join(kBetween);
+}
+
+// who held the instruments where no person did
+QString hand_words(const record::AttemptRow& attempt, const record::Recording& recording) {
+  if (!is_hand(attempt)) return {};
+  QStringList hands;
+  for (const record::HandInfo& h : recording.info.hands)
+    if (const QString one = said(h.choice); !one.isEmpty() && !hands.contains(one)) hands += one;
+  return hands.isEmpty() ? QObject::tr("Recorded hand") : QObject::tr("Recorded hand: %1").arg(hands.join(QStringLiteral(", ")));
+}
+
 }  // namespace
 
-QString Review::headline() const {
-  return QStringList({said(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title),
-                      person_text(qt(attempt.person_name)), when_text(qt(attempt.started_utc)), mode_text(qt(attempt.mode)),
-                      QObject::tr("seed %1").arg(seed)})
-      .join(QStringLiteral("  ·  "));
+QString Review::title() const {
+  QStringList parts{said(attempt.lesson_title.empty() ? attempt.lesson_id : attempt.lesson_title)};
+  if (!hand.isEmpty()) parts += hand;
+  return (parts << person_text(qt(attempt.person_name))).join(kBetween);
+}
+
+QString Review::facts() const { return verdict() + kBetween + origin(*this); }
+
+QString Review::headline() const { return title() + kBetween + origin(*this); }
+
+const MetricLine* Review::metric(const std::string& id) const {
+  for (const MetricLine& m : metrics)
+    if (m.id == id) return &m;
+  return nullptr;
 }
 
 QString Review::verdict() const {
@@ -137,11 +168,13 @@ QString Review::verdict() const {
 }
 
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
-                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card) {
+                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card,
+                   const std::vector<std::pair<std::string, double>>& given) {
   Review out;
   out.attempt = attempt;
   out.dt_s = recording.info.dt;
   out.seed = recording.info.seed;
+  out.hand = hand_words(attempt, recording);
   out.length_s = recording.step.empty() ? 0 : static_cast<double>(recording.step.back() + 1) * out.dt_s;
   for (size_t i = 0; i < recording.info.script.signals.size(); ++i) out.traces += make_trace(recording, i);
   const auto order = [&](const Trace& t) {
@@ -156,6 +189,7 @@ Review make_review(const record::AttemptRow& attempt, const record::Recording& r
   add_moments(recording, events, out);
   add_metrics(recording, card, out);
   out.ratings = rating_lines(out.attempt.outcome, judge::metrics_of(out.attempt.metrics));
+  out.scales = rated_scales(out.attempt.outcome, judge::metrics_of(out.attempt.metrics), given);
   return out;
 }
 
@@ -213,6 +247,11 @@ std::string summary_csv(const Review& review) {
   }
   for (const RatingLine& r : review.ratings)
     line("rating", r.id, none, r.points, "1", std::to_string(std::lround(r.lowest)) + " to " + std::to_string(std::lround(r.highest)));
+  for (const RatedScale& scale : review.scales)
+    for (const RatedItem& item : scale.items)
+      if (item.given)
+        line("rating_by_instructor", item.id, none, *item.given, "1",
+             std::to_string(std::lround(scale.lowest)) + " to " + std::to_string(std::lround(scale.highest)));
   for (const Moment& m : review.moments)
     line("event", (m.by_person ? m.what : human_id(m.as_kept)).toStdString(), m.time_s, none, "", m.doc.toStdString());
   return out;

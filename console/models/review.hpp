@@ -35,8 +35,10 @@ struct Moment {
 };
 
 struct MetricLine {
+  std::string id;
   QString name, value, doc;  // doc: what it is and, where the lesson says, how it is computed
   int32_t better = SWAGE_BETTER_NONE;
+  bool points = false;  // points that it cost, of the score's 100: no measurement
 };
 
 struct Review {
@@ -44,19 +46,25 @@ struct Review {
   QVector<Trace> traces;  // wanted ones first
   QVector<Moment> moments;
   QVector<MetricLine> metrics;
-  QVector<RatingLine> ratings;  // on the scales of surgeons
+  QVector<RatingLine> ratings;  // on the scales of surgeons, as computed
+  QVector<RatedScale> scales;   // the same scales whole, with what an instructor gave
   double dt_s = 1e-3, length_s = 0;
   uint64_t seed = 0;  // targets and tremor were drawn from it
 
   QString why;               // it ended so, in the lesson's words; "" where it has none
-  QString headline() const;  // "Basic grasp, Arun P., 21 Nov 2026 10:30"
+  QString hand;              // "Recorded hand: novice" where no person's hand made it; else ""
+  QString title() const;     // "Basic grasp · Recorded hand: novice · Arun P."
+  QString facts() const;     // "✓ Met, 87 of 100 · 21 Nov 2026 10:30 · Practice · seed 7"
+  QString headline() const;  // title and facts without the verdict, on one line
+  const MetricLine* metric(const std::string& id) const;  // nullptr: it has none of that id
   QString verdict() const;   // "✓ Met, 87 of 100"
 };
 
 /// `card`: of the replayed scene, where there is one; its lesson's card then says which way metrics are better, and how they
-/// are computed.
+/// are computed. `given`: an instructor's points by item of a scale.
 Review make_review(const record::AttemptRow& attempt, const record::Recording& recording,
-                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card = nullptr);
+                   const std::vector<record::EventRow>& events, const snapshot::SceneCard* card = nullptr,
+                   const std::vector<std::pair<std::string, double>>& given = {});
 
 /// Value of a trace at a recorded step, as shown.
 double value_at(const Trace& trace, const record::Recording& recording, size_t step);

@@ -27,10 +27,6 @@ QString short_reason(const QString& id) {
   return words != id ? words : human_id(id.section(QLatin1Char('.'), -1));
 }
 
-bool counts(const record::AttemptRow& a) {
-  return !a.is_void && !is_hand(a) && (a.outcome == "passed" || a.outcome == "failed");
-}
-
 }  // namespace
 
 Standing standing_of(const std::vector<const record::AttemptRow*>& newest_first, const QDateTime& now) {

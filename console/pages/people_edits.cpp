@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QSaveFile>
 
+#include "console/models/words.hpp"
 #include "console/pages/people_dialogs.hpp"
 #include "console/pages/people_page.hpp"
 #include "console/report/person_report.hpp"
@@ -29,7 +30,7 @@ void PeoplePage::add_buttons(QHBoxLayout* row, QWidget* parent) {
   of_person_ += add(tr("Change…"), "F2", "change_person", tr("Name, group and hand of the chosen person"), &PeoplePage::change_person);
   of_person_ += add(tr("Assign…"), "Ctrl+Shift+A", "assign_course", tr("Give the chosen people, or a group, a course"),
                     &PeoplePage::assign_course);
-  of_person_ += add(tr("Report…"), "Ctrl+R", "report_person", tr("One page about the chosen person and lesson, to print"),
+  of_person_ += add(tr("Report…"), "Ctrl+R", "report_person", tr("Pages about the chosen person and lesson, to print; of several people the one chosen last"),
                     &PeoplePage::report_person);
   of_person_ += add(tr("Export…"), "Ctrl+E", "export_person",
                     tr("The chosen person's attempts as a table, under the code and without the name"), &PeoplePage::export_person);
@@ -214,7 +215,12 @@ void PeoplePage::report_person() {
   const std::string id = people_->at(row).id;
   const QString why = write_report_to(name);
   if (why.isEmpty() && desk_->school()) desk_->school()->log_export({id}, "report", name.toStdString());
-  problem_->setText(why.isEmpty() ? tr("Saved to: %1").arg(name) : tr("▲ %1").arg(why));
+  QString words = why.isEmpty() ? tr("Saved to: %1").arg(name) : tr("▲ %1").arg(why);
+  if (const size_t chosen = all_chosen().size(); why.isEmpty() && chosen > 1)
+    words += QLatin1Char(' ') + tr("It is about %1 alone, one of the %2 people chosen.")
+                                    .arg(person_text(QString::fromStdString(people_->at(row).name)))
+                                    .arg(chosen);
+  problem_->setText(words);
   problem_->show();
 }
 

@@ -76,6 +76,7 @@ QWidget* PeoplePage::make_people() {
     const QString id = group_->currentData().toString();
     sorted_->setFilterRegularExpression(id.isEmpty() ? QString() : QStringLiteral("^%1$").arg(QRegularExpression::escape(id)));
     if (!table_->currentIndex().isValid()) table_->selectRow(0);
+    show_count();
   });
   head->addWidget(group_);
   count_ = make_muted({}, card.frame);
@@ -166,7 +167,7 @@ void PeoplePage::refresh() {
   fill_groups();
   people_->set_people(people, heads, groups_, courses_of(people));
   problem_->hide();
-  count_->setText(people.size() == 1 ? tr("1 person") : tr("%1 people, those who need attention first").arg(people.size()));
+  show_count();
   if (people.empty())
     return show_empty(
         tr("No one here yet. Attempts appear here after the first lesson; without a name they are kept for "
@@ -176,6 +177,14 @@ void PeoplePage::refresh() {
   choose(id);
   filling_ = false;
   show_chosen();
+}
+
+// of those who are listed
+void PeoplePage::show_count() {
+  const int all = people_->rowCount(), listed = sorted_->rowCount();
+  QString words = all == 1 ? tr("1 person") : tr("%1 people").arg(all);
+  if (listed < all) words = tr("%1 of %2 people").arg(listed).arg(all);
+  count_->setText(listed > 1 ? tr("%1, those who need attention first").arg(words) : words);
 }
 
 void PeoplePage::select_person(const QString& name) {

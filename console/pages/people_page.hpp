@@ -67,6 +67,7 @@ class PeoplePage : public QWidget {
   QString export_file(const QString& what, const QString& ending) const;
   void look();
   void show_empty(const QString& words);
+  void show_count();
   void show_chosen();
   QString chosen() const;  // id of a person, "" for none
   std::vector<std::string> all_chosen() const;

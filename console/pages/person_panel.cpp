@@ -44,6 +44,7 @@ QWidget* PersonPanel::make_head() {
   name_->setObjectName(QStringLiteral("person_name"));
   name_->setProperty("big", true);
   summary_ = make_muted({}, box);
+  summary_->setObjectName(QStringLiteral("person_summary"));
   head->addWidget(name_);
   head->addSpacing(12);
   head->addWidget(summary_, 1);
@@ -264,16 +265,19 @@ void PersonPanel::fill_lessons() {
 void PersonPanel::show_attempts() {
   const std::string lesson = lesson_->currentData().toString().toStdString();
   std::vector<record::AttemptRow> shown;
-  int met = 0;
+  int counted = 0, met = 0;
   for (const record::AttemptRow& a : all_) {
     if (!lesson.empty() && a.lesson_id != lesson) continue;
     shown.push_back(a);
-    met += a.outcome == "passed" && !a.is_void && !is_hand(a);
+    counted += counts(a);
+    met += counts(a) && a.outcome == "passed";
   }
   attempts_->set_attempts(shown);
   update_buttons();
-  summary_->setText(shown.size() == 1 ? tr("1 attempt, %1 passed").arg(met)
-                                      : tr("%1 attempts, %2 passed").arg(shown.size()).arg(met));
+  // the same count as in the table of people: what is listed below and does not count is said
+  const int others = static_cast<int>(shown.size()) - counted;
+  summary_->setText(tr("%1 of %2 attempts passed").arg(met).arg(counted) + (others > 0 ? tr(", %1 more not counted").arg(others) : QString()));
+  summary_->setToolTip(tr("Counted is what a person finished. Recorded hands, void attempts and those that were stopped count for nobody."));
   const QString before = metric_->currentData().toString();
   const QSignalBlocker quiet(metric_);
   metric_->clear();
@@ -288,7 +292,7 @@ void PersonPanel::show_metric() {
   const std::string lesson = only_lesson();
   if (!lesson.empty()) fit_series(series);
   if (lesson.empty() && !series.points.isEmpty()) series.fit = tr("These are several lessons. Choose one to see its learning curve.");
-  if (!lesson.empty() && experts_ && isVisible()) {
+  if (!lesson.empty() && experts_ && isVisible() && metric_show(series.id) != SWAGE_SHOW_YES_NO) {
     const Experts them = experts_(lesson, series.id);
     const judge::Band band = judge::expert_band(them.values);
     if (band.attempts > 0) series.experts = {{series.factor * band.p10, series.factor * band.p90}};

@@ -37,6 +37,13 @@ class AttemptChooser : public QDialog {
     }
     list_->setCurrentRow(0);
     column->addWidget(list_, 1);
+    if (list_->count() == 0) {
+      words->hide();
+      list_->hide();
+      auto* none = make_muted(ReviewPage::tr("There is no other attempt at this lesson in the store, of anybody."), this);
+      none->setObjectName(QStringLiteral("compare_none"));
+      column->addWidget(none, 1, Qt::AlignTop);
+    }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     auto* ok = buttons->addButton(ReviewPage::tr("Compare"), QDialogButtonBox::AcceptRole);
     ok->setObjectName(QStringLiteral("compare_ok"));
@@ -135,6 +142,7 @@ bool ReviewPage::compare(const QString& attempt_id) {
   other_->show();
   timeline_->setFocus();
   show_comparison();
+  fill_metrics();
   return true;
 }
 
@@ -161,6 +169,7 @@ void ReviewPage::end_comparison() {
   if (!comparing()) return;
   other_->hide();
   set_ghost();
+  fill_metrics();
   timeline_->setFocus();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -52,31 +53,43 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   connect(timeline_, &Timeline::moved, this, &ReviewPage::go);
   timer_.setInterval(kTick_ms);
   connect(&timer_, &QTimer::timeout, this, &ReviewPage::tick);
-  // where the eyes are; on a button Space presses the button
-  auto* play = new QAction(tr("Play"), this);
-  play->setShortcut(Qt::Key_Space);
-  play->setShortcutContext(Qt::WidgetShortcut);
-  connect(play, &QAction::triggered, this, &ReviewPage::toggle_play);
+  add_keys();
+  offer_picture(timeline_, QStringLiteral("traces"));
+  setFocusProxy(timeline_);
+}
+
+// Where the eyes are, and in the tables beside: keys of one letter. On a button Space presses the button, in the list of traces it
+// ticks one.
+void ReviewPage::add_keys() {
   const auto key = [this](const QString& text, Qt::Key k, auto call) {
     auto* action = new QAction(text, this);
     action->setShortcut(k);
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, call);
-    timeline_->addAction(action);
-    view_->addAction(action);
+    for (QWidget* w : {static_cast<QWidget*>(timeline_), static_cast<QWidget*>(view_), static_cast<QWidget*>(metrics_),
+                       static_cast<QWidget*>(moments_), static_cast<QWidget*>(worst_)})
+      w->addAction(action);
+    return action;
   };
+  key(tr("Play"), Qt::Key_Space, [this] { toggle_play(); });
   key(tr("Loop"), Qt::Key_L, [this] { loop_->toggle(); });
   key(tr("Note"), Qt::Key_N, [this] { ask_note(); });
   key(tr("Next worst moment"), Qt::Key_W, [this] { to_next_worst(); });
   key(tr("Compare"), Qt::Key_C, [this] { ask_compare(); });
+  // the timeline has these two itself
+  timeline_->removeAction(key(tr("Next event"), Qt::Key_Period, [this] { timeline_->go_to_moment(+1); }));
+  timeline_->removeAction(key(tr("Event before"), Qt::Key_Comma, [this] { timeline_->go_to_moment(-1); }));
   key(tr("Ghost"), Qt::Key_G, [this] {
     if (comparing()) other_->toggle_ghost();
   });
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
-  timeline_->addAction(play);
-  view_->addAction(play);
-  offer_picture(timeline_, QStringLiteral("traces"));
-  setFocusProxy(timeline_);
+}
+
+// the views go below play and speed where one row would make the page wider than a small screen
+void ReviewPage::resizeEvent(QResizeEvent* event) {
+  constexpr int kOneRow_px = 1240;
+  transport_->setDirection(width() < kOneRow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  QWidget::resizeEvent(event);
 }
 
 // the player looks at the recording
@@ -141,38 +154,7 @@ QWidget* ReviewPage::make_head() {
   compare_ = add(tr("Compare…"), "review_compare", tr("Another attempt at this lesson beside it, on the same clock (C)"),
                  [this] { ask_compare(); });
   row->addSpacing(8);
-  const struct {
-    QString text, name, title, ending, tip;
-    QKeySequence key;
-    QString (ReviewPage::*write)(const QString&);
-  } exports[] = {{tr("Save attempt"), QStringLiteral("save_swage"), tr("Save the whole attempt"),
-                  QStringLiteral(".swage"),
-                  tr("Everything in one file: swage replay and another station's Swage can read it"),
-                  QKeySequence(Qt::CTRL | Qt::Key_E), &ReviewPage::write_swage},
-                 {tr("Export signals (CSV)"), QStringLiteral("save_signals"), tr("Save the signals"),
-                  QStringLiteral("_signals.csv"), tr("A thousand lines a second, SI units"),
-                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &ReviewPage::write_signals},
-                 {tr("Report (PDF)"),
-                  QStringLiteral("save_report"),
-                  tr("Save a page about the attempt"),
-                  QStringLiteral("_report.pdf"),
-                  tr("One page to print: result, metrics, worst moments, traces, notes"),
-                  QKeySequence(Qt::CTRL | Qt::Key_R),
-                  &ReviewPage::write_report},
-                 {tr("Export summary (CSV)"),
-                  QStringLiteral("save_summary"),
-                  tr("Save metrics and events"),
-                  QStringLiteral("_summary.csv"),
-                  tr("Facts, metrics and events"),
-                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-                  &ReviewPage::write_summary}};
-  for (const auto& e : exports) {
-    auto* button = make_button(e.text, {}, e.name, box);
-    button->setToolTip(e.key.isEmpty() ? e.tip : QStringLiteral("%1 (%2)").arg(e.tip, e.key.toString(QKeySequence::NativeText)));
-    if (!e.key.isEmpty()) button->setShortcut(e.key);
-    connect(button, &QPushButton::clicked, this, [this, e] { save(e.title, e.ending, e.write); });
-    row->addWidget(button);
-  }
+  add_exports(row, box);
   return box;
 }
 
@@ -211,8 +193,7 @@ void ReviewPage::show_problem(const QString& text) {
   pages_->setCurrentIndex(1);
   headline_->clear();
   verdict_->clear();
-  for (const char* name : {"save_swage", "save_signals", "save_summary", "save_report"})
-    findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(false);
+  set_exports_enabled(false);
 }
 
 void ReviewPage::set_file_services(FileOpener open, FileReader read) {
@@ -249,6 +230,18 @@ bool ReviewPage::open_file(const QString& file) {
               });
 }
 
+// by its id, or by a beginning that only one attempt has
+bool ReviewPage::find_attempt(const std::string& id, record::AttemptRow& out) {
+  if (store_->attempt(id, out)) return true;
+  std::string found;
+  for (const record::AttemptRow& a : store_->attempt_heads()) {
+    if (id.empty() || !a.id.starts_with(id)) continue;
+    if (!found.empty()) return false;
+    found = a.id;
+  }
+  return !found.empty() && store_->attempt(found, out);
+}
+
 bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) {
   playing_ = false;
   timer_.stop();
@@ -259,12 +252,12 @@ bool ReviewPage::show_attempt(const QString& id, const RecordingReader& reader) 
   review_ = {};
   record::AttemptRow row;
   std::string error;
-  if (!store_->attempt(id.toStdString(), row)) {
+  if (!find_attempt(id.toStdString(), row)) {
     show_problem(store_->trouble().empty() ? tr("This attempt is no longer in the store.")
                                            : QString::fromStdString(store_->trouble()));
     return false;
   }
-  if (!reader || !reader(id.toStdString(), recording_, error)) {
+  if (!reader || !reader(row.id, recording_, error)) {
     show_problem(tr("The attempt cannot be read: %1").arg(QString::fromStdString(error)));
     return false;
   }
@@ -287,10 +280,9 @@ void ReviewPage::set_loop(bool on) {
 
 void ReviewPage::show_review(const base::Problems& problems) {
   pages_->setCurrentIndex(0);
-  for (const char* name : {"save_swage", "save_signals", "save_summary", "save_report"})
-    findChild<QPushButton*>(QString::fromLatin1(name))->setEnabled(true);
-  headline_->setText(review_.headline());
-  verdict_->setText(review_.verdict());
+  set_exports_enabled(true);
+  headline_->setText(review_.title());
+  verdict_->setText(review_.facts());
   play_->setText(tr("Play"));
   note_button_->setVisible(from_store_ && desk_ && desk_->school());
   compare_->setVisible(from_store_);
@@ -335,12 +327,13 @@ void ReviewPage::tick() {
     // in nanoseconds: whole milliseconds would lose half of one at every picture, nearly a second in a minute
     const double on = static_cast<double>(clock_.nsecsElapsed()) * 1e-9 * speed_->currentData().toDouble();
     clock_.start();
+    const double before = wanted_s_;
     wanted_s_ = std::min(wanted_s_ + on, review_.length_s);
     if (loop_to_s_ > loop_from_s_ && (wanted_s_ >= loop_to_s_ || wanted_s_ < loop_from_s_)) wanted_s_ = loop_from_s_;
-    // a machine that cannot keep up plays slower, and skips nothing
+    // a machine that cannot keep up plays slower, and skips nothing; after a jump the cursor waits for the picture
     if (player_) {
       const double reach = static_cast<double>(player_->at() + kMostSteps) * review_.dt_s;
-      if (wanted_s_ > reach) wanted_s_ = reach;
+      if (wanted_s_ > reach) wanted_s_ = std::max(reach, std::min(before, wanted_s_));
     }
     timeline_->set_cursor(wanted_s_);
     track_->set_cursor(wanted_s_);
@@ -364,7 +357,10 @@ void ReviewPage::show_player() {
   const Reading reading = reading_.read(*snapshot_);
   view_->set_hold(reading.hold.value_or(0));
   legend_->set_active(reading.meanings);
-  const QString clock = clock_text(snapshot_->time_s);
+  QString clock = clock_text(snapshot_->time_s);
+  // a far jump takes seconds to compute
+  constexpr double kBehind_s = 1;
+  if (std::abs(wanted_s_ - snapshot_->time_s) > kBehind_s) clock = tr("%1, on the way to %2").arg(clock, clock_text(wanted_s_));
   view_->set_texts(reading.phase.isEmpty() ? clock : QStringLiteral("%1  %2").arg(said(reading.phase), clock), {});
   const uint64_t differs = player_->first_difference();
   if (differs >= player_->count() || note_->isVisible()) return;

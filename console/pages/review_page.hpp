@@ -3,6 +3,7 @@
 // The Review page: what happened in one attempt. The picture, the traces and the events follow one cursor.
 #pragma once
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -32,6 +33,7 @@
 namespace swage::console {
 
 class Comparison;
+class RatingPanel;
 
 class ReviewPage : public QWidget {
   Q_OBJECT
@@ -70,7 +72,7 @@ class ReviewPage : public QWidget {
   bool compare(const QString& attempt_id);
   Comparison* comparison() { return other_; }
   bool comparing() const;
-  /// A page to print about the attempt. "" or what went wrong.
+  /// Pages to print about the attempt. "" or what went wrong.
   QString write_report(const QString& file);
 
  public Q_SLOTS:
@@ -83,6 +85,9 @@ class ReviewPage : public QWidget {
   /// The cursor goes to the worst moment, then to the next.
   void to_next_worst();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  Q_SIGNALS:
   void back();
   /// An attempt that was saved is wanted.
@@ -93,10 +98,16 @@ class ReviewPage : public QWidget {
   QWidget* make_head();
   QWidget* make_view();
   QWidget* make_transport();
-  void add_cameras(QHBoxLayout* row, QWidget* box);
+  QWidget* make_cameras(QWidget* box);
+  void add_exports(QHBoxLayout* row, QWidget* box);
+  void add_keys();
+  void set_exports_enabled(bool on);
+  bool find_attempt(const std::string& id, record::AttemptRow& out);
   QWidget* make_side();
   void show_review(const base::Problems& problems);
   void fill_side();
+  void fill_metrics();
+  void rate(const QString& item_id, std::optional<double> points);
   void fill_worst();
   void to_worst(int row);
   void loop_worst(int row);
@@ -138,10 +149,13 @@ class ReviewPage : public QWidget {
   Timeline* timeline_ = nullptr;
   CueLegend* legend_ = nullptr;
   QTableWidget *metrics_ = nullptr, *moments_ = nullptr, *worst_ = nullptr;
+  RatingPanel* ratings_ = nullptr;
   QVector<WorstMoment> worst_moments_;
   bool worst_shown_ = false;  // since the attempt was opened
   MetricFinder finder_;
   QHBoxLayout* pictures_ = nullptr;
+  QBoxLayout* transport_ = nullptr;  // play and views: one row, or two where the page is narrow
+  QVector<QAction*> exports_;
   Comparison* other_ = nullptr;  // made when it is first asked for
   QListWidget* traces_ = nullptr;
   QTabWidget* tabs_ = nullptr;
@@ -154,7 +168,7 @@ class ReviewPage : public QWidget {
   QTimer timer_;
   QElapsedTimer clock_;
   double wanted_s_ = 0, loop_from_s_ = 0, loop_to_s_ = 0;
-  QPushButton *loop_ = nullptr, *note_button_ = nullptr, *compare_ = nullptr;
+  QPushButton *report_ = nullptr, *export_ = nullptr, *loop_ = nullptr, *note_button_ = nullptr, *compare_ = nullptr;
   bool playing_ = false, technical_ = false;
   bool from_store_ = false;  // notes can be kept
 };

@@ -3,18 +3,24 @@
 // The right side of the Review page: metrics, what happened, notes, which traces; and the ways out of the program.
 #include <QHeaderView>
 #include <QInputDialog>
+#include <QMenu>
 #include <QSaveFile>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
+#include "console/pages/comparison.hpp"
+#include "console/pages/rating_panel.hpp"
 #include "console/pages/review_page.hpp"
 #include "console/report/attempt_report.hpp"
+#include "console/widgets/parts.hpp"
 #include "console/widgets/plot_file.hpp"
 #include "console/widgets/save_file.hpp"
 
 namespace swage::console {
 namespace {
 
+constexpr int kOtherColumn = 3;  // of the metrics: those of the attempt beside this one
 constexpr int kMostTraces = 6;  // more would be lines without height
 
 QTableWidget* make_table(const QStringList& heads, int stretch, const char* name, const QString& accessible,
@@ -67,12 +73,16 @@ QWidget* ReviewPage::make_side() {
   tabs->setUsesScrollButtons(false);
   tabs->setElideMode(Qt::ElideRight);
   metrics_ =
-      make_table({tr("Metric"), tr("Value"), tr("Better")}, 0, "review_metrics", tr("Metrics"), tabs);
+      make_table({tr("Metric"), tr("Value"), tr("Better"), tr("Other attempt")}, 0, "review_metrics", tr("Metrics"), tabs);
   moments_ = make_table({tr("Time"), tr("What happened"), tr("Meaning")}, 2, "review_moments",
                         tr("What happened"), tabs);
   traces_ = new QListWidget(tabs);
   traces_->setObjectName(QStringLiteral("review_traces"));
   traces_->setAccessibleName(tr("Which traces are shown"));
+  metrics_->setColumnHidden(kOtherColumn, true);
+  // a sentence that does not fit takes a second line
+  moments_->setWordWrap(true);
+  moments_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   worst_ = make_table({tr("Time"), tr("What")}, 1, "review_worst", tr("Worst moments"), tabs);
   worst_->setToolTip(tr("A click goes there, Enter or a double click plays it again and again; W: the next"));
   tabs->addTab(metrics_, tr("&Metrics"));
@@ -83,6 +93,10 @@ QWidget* ReviewPage::make_side() {
   track_ = new TrackPlot(tabs);
   offer_picture(track_, QStringLiteral("entry"));
   tabs->addTab(track_, tr("E&ntry"));
+  ratings_ = new RatingPanel(tabs);
+  tabs->addTab(ratings_, tr("R&atings"));
+  tabs->setTabToolTip(tabs->indexOf(ratings_), tr("Rating scales of surgeons: as computed from metrics, and your own rating"));
+  connect(ratings_, &RatingPanel::rated, this, &ReviewPage::rate);
   column->addWidget(tabs, 1);
   legend_ = new CueLegend(box);
   column->addWidget(legend_);
@@ -97,25 +111,50 @@ QWidget* ReviewPage::make_side() {
   return box;
 }
 
-void ReviewPage::fill_side() {
-  metrics_->setRowCount(static_cast<int>(review_.metrics.size()));
-  for (int i = 0; i < review_.metrics.size(); ++i) {
-    const MetricLine& m = review_.metrics[i];
-    metrics_->setItem(i, 0, item(m.name, m.doc));
-    metrics_->setItem(i, 1, item(m.value, m.doc));
-    metrics_->item(i, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    // the arrow alone: words would leave the names no room on a small screen
-    metrics_->setItem(i, 2, item(better_words(m.better).left(1), better_words(m.better, false)));
-    metrics_->item(i, 2)->setTextAlignment(Qt::AlignHCenter | Qt::AlignVCenter);
-    metrics_->item(i, 2)->setData(Qt::AccessibleTextRole, better_words(m.better, false));
-  }
-  for (const RatingLine& r : review_.ratings) {
+// What was measured, then what it cost: points lost are headed, as the same words name both.
+void ReviewPage::fill_metrics() {
+  metrics_->clearSpans();
+  metrics_->setRowCount(0);
+  metrics_->setColumnHidden(kOtherColumn, !comparing());
+  const auto add = [this](const MetricLine& m) {
     const int row = metrics_->rowCount();
     metrics_->insertRow(row);
-    metrics_->setItem(row, 0, item(r.name, r.doc));
-    metrics_->setItem(row, 1, item(r.value, r.doc));
+    metrics_->setItem(row, 0, item(m.name, m.doc));
+    metrics_->setItem(row, 1, item(m.value, m.doc));
     metrics_->item(row, 1)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (comparing()) {
+      const MetricLine* same = comparison()->review().metric(m.id);
+      metrics_->setItem(row, kOtherColumn, item(same ? same->value : QStringLiteral("–"), m.doc));
+      metrics_->item(row, kOtherColumn)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (m.points) return;
+    // the arrow alone: words would leave the names no room on a small screen
+    metrics_->setItem(row, 2, item(better_words(m.better).left(1), better_words(m.better, false)));
+    metrics_->item(row, 2)->setTextAlignment(Qt::AlignHCenter | Qt::AlignVCenter);
+    metrics_->item(row, 2)->setData(Qt::AccessibleTextRole, better_words(m.better, false));
+  };
+  for (const MetricLine& m : review_.metrics)
+    if (!m.points) add(m);
+  bool headed = false;
+  for (const MetricLine& m : review_.metrics) {
+    if (!m.points) continue;
+    if (!std::exchange(headed, true)) {
+      const int row = metrics_->rowCount();
+      metrics_->insertRow(row);
+      auto* head = item(tr("Points lost, of 100"), tr("What each fault has cost of the score"));
+      QFont bold = metrics_->font();
+      bold.setBold(true);
+      head->setFont(bold);
+      metrics_->setItem(row, 0, head);
+      metrics_->setSpan(row, 0, 1, metrics_->columnCount());
+    }
+    add(m);
   }
+}
+
+void ReviewPage::fill_side() {
+  fill_metrics();
+  ratings_->set_scales(review_.scales, from_store_ && desk_ && desk_->school());
   moments_->setRowCount(0);
   for (const Moment& m : review_.moments) {
     if (m.technical) continue;
@@ -155,6 +194,49 @@ void ReviewPage::show_traces() {
     if (traces_->item(i)->checkState() == Qt::Checked) shown += i;
   }
   timeline_->set_shown(shown);
+}
+
+// The report has a button; files for other programs are in a menu, so that the title keeps its room.
+void ReviewPage::add_exports(QHBoxLayout* row, QWidget* box) {
+  report_ = make_button(tr("Report (PDF)"), {}, QStringLiteral("save_report"), box);
+  report_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_R));
+  report_->setToolTip(QStringLiteral("%1 (%2)").arg(tr("Pages to print: result, metrics, ratings, worst moments, traces, notes"),
+                                                     report_->shortcut().toString(QKeySequence::NativeText)));
+  connect(report_, &QPushButton::clicked, this,
+          [this] { save(tr("Save pages about the attempt"), QStringLiteral("_report.pdf"), &ReviewPage::write_report); });
+  row->addWidget(report_);
+  export_ = make_button(tr("Export"), {}, QStringLiteral("review_export"), box);
+  export_->setToolTip(tr("The attempt as a file for other programs, or for another station"));
+  auto* menu = new QMenu(export_);
+  menu->setToolTipsVisible(true);
+  export_->setMenu(menu);
+  row->addWidget(export_);
+  const struct {
+    QString text, name, title, ending, tip;
+    QKeySequence key;
+    QString (ReviewPage::*write)(const QString&);
+  } exports[] = {{tr("Save attempt"), QStringLiteral("save_swage"), tr("Save the whole attempt"), QStringLiteral(".swage"),
+                  tr("Everything in one file: swage replay and another station's Swage can read it"),
+                  QKeySequence(Qt::CTRL | Qt::Key_E), &ReviewPage::write_swage},
+                 {tr("Export signals (CSV)"), QStringLiteral("save_signals"), tr("Save the signals"), QStringLiteral("_signals.csv"),
+                  tr("A thousand lines a second, SI units"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &ReviewPage::write_signals},
+                 {tr("Export summary (CSV)"), QStringLiteral("save_summary"), tr("Save metrics and events"),
+                  QStringLiteral("_summary.csv"), tr("Facts, metrics, ratings and events"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), &ReviewPage::write_summary}};
+  for (const auto& e : exports) {
+    QAction* action = menu->addAction(e.text);
+    action->setObjectName(e.name);
+    action->setToolTip(e.tip);
+    action->setShortcut(e.key);
+    connect(action, &QAction::triggered, this, [this, e] { save(e.title, e.ending, e.write); });
+    exports_ += action;
+  }
+}
+
+void ReviewPage::set_exports_enabled(bool on) {
+  for (QAction* action : exports_) action->setEnabled(on);
+  export_->setEnabled(on);
+  report_->setEnabled(on);
 }
 
 QString ReviewPage::write_swage(const QString& file) {
@@ -209,7 +291,9 @@ void ReviewPage::read_moments() {
   record::School* school = desk_ ? desk_->school() : nullptr;
   if (school)
     for (const record::Note& n : school->notes(row.id)) events.push_back({n.step, n.time_s, "note", n.text, 0});
-  review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr);
+  std::vector<std::pair<std::string, double>> given;
+  if (school && from_store_) given = desk_->given(row.id);
+  review_ = make_review(row, recording_, events, player_ ? &player_->card() : nullptr, given);
 }
 
 void ReviewPage::set_desk(SchoolDesk* desk) {
@@ -231,6 +315,13 @@ bool ReviewPage::add_note(const QString& text) {
   note.step = static_cast<uint64_t>(std::llround(wanted_s_ / review_.dt_s));
   note.text = text.trimmed().toStdString();
   return desk_->add_note(note);
+}
+
+void ReviewPage::rate(const QString& item_id, std::optional<double> points) {
+  if (!desk_ || review_.attempt.id.empty() || desk_->rate(review_.attempt.id, item_id.toStdString(), points)) return;
+  note_->setText(tr("▲ The rating was not kept: %1").arg(desk_->problem()));
+  note_->show();
+  ratings_->set_scales(review_.scales, true);
 }
 
 void ReviewPage::ask_note() {

@@ -16,8 +16,10 @@ constexpr double kFrame_s = 0.01;  // of the buttons and keys that step
 
 QWidget* ReviewPage::make_transport() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  transport_ = new QBoxLayout(QBoxLayout::LeftToRight, box);
+  transport_->setContentsMargins(0, 0, 0, 0);
+  transport_->setSpacing(6);
+  auto* row = new QHBoxLayout;
   const auto add = [&](const QString& text, const char* name, const QString& tip, auto call) {
     auto* button = make_button(text, {}, QString::fromLatin1(name), box);
     button->setToolTip(tip);
@@ -51,11 +53,15 @@ QWidget* ReviewPage::make_transport() {
   connect(time_, &QDoubleSpinBox::valueChanged, this, &ReviewPage::go);
   row->addWidget(time_);
   row->addStretch(1);
-  add_cameras(row, box);
+  transport_->addLayout(row, 1);
+  transport_->addWidget(make_cameras(box));
   return box;
 }
 
-void ReviewPage::add_cameras(QHBoxLayout* row, QWidget* box) {
+QWidget* ReviewPage::make_cameras(QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
   const struct {
     QString text;
     const char* name;
@@ -78,6 +84,8 @@ void ReviewPage::add_cameras(QHBoxLayout* row, QWidget* box) {
   forces->setToolTip(tr("Show contact forces in the picture"));
   connect(forces, &QPushButton::toggled, this, [this](bool on) { view_->set_forces_shown(on); });
   row->addWidget(forces);
+  row->addStretch(1);
+  return box;
 }
 
 }  // namespace swage::console

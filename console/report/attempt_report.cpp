@@ -16,7 +16,8 @@
 namespace swage::console {
 namespace {
 
-constexpr int kMostMetrics = 14, kMostMoments = 5, kMostNotes = 4, kTraces = 3;  // what one page holds
+constexpr int kMostMoments = 5, kTraces = 3;  // the worst ones; traces that are told apart in grey
+constexpr double kHeading_px = 90;            // a heading and some lines of what it is of
 constexpr double kTimeline_px = 260, kTrack_px = 190;
 const QColor kGrey(80, 80, 80);
 
@@ -29,28 +30,45 @@ QString seconds(double s) { return AttemptWords::tr("%L1 s").arg(s, 0, 'f', 2); 
 void add_metrics(Sheet& sheet, const Review& review) {
   const QVector<double> shares = {0.5, 0.2, 0.3};
   sheet.row({AttemptWords::tr("Metric"), AttemptWords::tr("Value"), AttemptWords::tr("Direction")}, shares, true);
-  for (int i = 0; i < std::min<int>(kMostMetrics, static_cast<int>(review.metrics.size())); ++i) {
-    const MetricLine& m = review.metrics[i];
-    sheet.row({m.name, m.value, better_words(m.better)}, shares, false);
+  bool points = false;
+  for (const MetricLine& m : review.metrics) {
+    if (!m.points) sheet.row({m.name, m.value, better_words(m.better)}, shares, false);
+    points |= m.points;
   }
+  if (!points) return;
+  sheet.gap(4);
+  sheet.keep(kHeading_px);
+  sheet.row({AttemptWords::tr("Points lost"), AttemptWords::tr("Of 100"), {}}, shares, true);
+  for (const MetricLine& m : review.metrics)
+    if (m.points) sheet.row({m.name, m.value, {}}, shares, false);
 }
 
-// The means alone: the items stand in the review and its CSV.
+// Each item with what was computed and what the instructor gave; scales of which nothing is known stay away.
 void add_ratings(Sheet& sheet, const Review& review) {
-  QStringList means;
-  for (const RatingLine& r : review.ratings)
-    if (r.mean) means += AttemptWords::tr("%1: %2").arg(r.name, r.value);
-  if (!means.isEmpty()) sheet.text(AttemptWords::tr("On scales of surgeons: %1").arg(means.join(QStringLiteral(" · "))), 9);
+  const QVector<double> shares = {0.5, 0.25, 0.25};
+  for (const RatedScale& scale : review.scales) {
+    if (scale.decided == 0 && scale.given == 0) continue;
+    sheet.gap(4);
+    sheet.keep(kHeading_px);
+    sheet.text(scale.title, 11, true);
+    sheet.text(scale.computed_words() + (scale.given > 0 ? QLatin1Char(' ') + scale.given_words() : QString()), 9);
+    sheet.text(AttemptWords::tr("Source: %1").arg(scale.source), 8, false, kGrey);
+    sheet.row({AttemptWords::tr("Item"), AttemptWords::tr("Computed from metrics"), AttemptWords::tr("Instructor's rating")}, shares, true);
+    for (const RatedItem& item : scale.items)
+      sheet.row({item.title, item.computed ? scale.points_words(*item.computed) : AttemptWords::tr("not decided"),
+                 item.given ? scale.points_words(*item.given) : QStringLiteral("–")},
+                shares, false);
+  }
 }
 
 void add_moments(Sheet& sheet, const AttemptReport& r) {
   const QVector<double> shares = {0.12, 0.88};
-  if (!r.worst.isEmpty()) sheet.text(AttemptWords::tr("Worst moments"), 11, true);
+  if (!r.worst.isEmpty()) sheet.keep(kHeading_px), sheet.text(AttemptWords::tr("Worst moments"), 11, true);
   for (int i = 0; i < std::min<int>(kMostMoments, static_cast<int>(r.worst.size())); ++i)
     sheet.row({seconds(r.worst[i].time_s), r.worst[i].what}, shares, false);
-  if (!r.notes.empty()) sheet.gap(6), sheet.text(AttemptWords::tr("Notes"), 11, true);
-  for (size_t i = 0; i < std::min<size_t>(kMostNotes, r.notes.size()); ++i)
-    sheet.row({seconds(r.notes[i].time_s), qt(r.notes[i].text)}, shares, false);
+  if (const auto more = r.worst.size() - kMostMoments; more > 0) sheet.text(AttemptWords::tr("Further moments, in the review: %1.").arg(more), 8, false, kGrey);
+  if (!r.notes.empty()) sheet.gap(6), sheet.keep(kHeading_px), sheet.text(AttemptWords::tr("Notes"), 11, true);
+  for (const record::Note& note : r.notes) sheet.text(seconds(note.time_s) + QStringLiteral("   ") + qt(note.text), 9);
 }
 
 void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
@@ -63,7 +81,7 @@ void add_plots(Sheet& sheet, const AttemptReport& r, const UiTheme& theme) {
     if (r.review.traces[i].wanted) shown += i;
   timeline.set_shown(shown);
   if (!shown.isEmpty()) sheet.widget(timeline, kTimeline_px);
-  if (!r.track || sheet.left() < kTrack_px + 60) return;
+  if (!r.track) return;
   TrackPlot track;
   track.set_theme(theme);
   track.set_track(r.track);
@@ -99,7 +117,6 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   sheet.gap(8);
   add_plots(sheet, r, UiTheme::stock(QStringLiteral("light")));
   sheet.text(made_with_line(r), 8, false, kGrey);
-  sheet.text(AttemptWords::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, kGrey);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// One page about an attempt, to be printed: result, metrics, worst moments, traces, the thesis's two plots, notes.
+// Pages about an attempt, to be printed: result, metrics, ratings, worst moments, traces, the thesis's two plots, notes.
 #pragma once
 
 #include <QString>
@@ -25,7 +25,7 @@ struct AttemptReport {
   std::vector<record::Exported> about;  // the attempt as exports say it; none where that could not be read
 };
 
-/// "" or what went wrong. The page says the person's code and name as the store shows them.
+/// "" or what went wrong. The pages say the person's code and name as the store shows them.
 QString write_attempt_report(const AttemptReport& report, const QString& file);
 
 }  // namespace swage::console

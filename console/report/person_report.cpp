@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <vector>
 
 #include "console/models/made_with.hpp"
 #include "console/models/words.hpp"
@@ -14,7 +15,7 @@
 namespace swage::console {
 namespace {
 
-constexpr int kMostAttempts = 12, kMostBars = 7;  // what one page holds
+constexpr double kTableHead_px = 90;  // a heading and some lines of what it is of
 
 class PersonWords {
   Q_DECLARE_TR_FUNCTIONS(report)
@@ -25,14 +26,38 @@ void add_attempts(Sheet& sheet, const PersonReport& r) {
   model.set_attempts({r.attempts.begin(), r.attempts.end()});
   const QVector<int> columns = {AttemptsModel::kWhen, AttemptsModel::kMode, AttemptsModel::kVerdict, AttemptsModel::kScore,
                                 AttemptsModel::kTime, AttemptsModel::kReason};
-  const QVector<double> shares = {0.22, 0.12, 0.14, 0.08, 0.08, 0.36};
+  const QVector<double> shares = {0.2, 0.24, 0.13, 0.07, 0.07, 0.29};
   QStringList heads;
   for (const int c : columns) heads += model.headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
   sheet.row(heads, shares, true);
-  for (int i = 0; i < std::min(model.rowCount(), kMostAttempts); ++i) {
+  for (int i = 0; i < model.rowCount(); ++i) {
     QStringList cells;
     for (const int c : columns) cells += model.index(i, c).data().toString();
     sheet.row(cells, shares, false);
+  }
+}
+
+/// "62 of 72 attempts at this lesson passed; 184 of 223 at all lessons."
+QString passed_words(const PersonReport& r) {
+  std::vector<const record::AttemptRow*> here;
+  for (const record::AttemptRow& a : r.attempts) here.push_back(&a);
+  const Standing at_lesson = standing_of(here, QDateTime::currentDateTimeUtc());
+  const QString all = PersonWords::tr("%1 of %2 attempts at all lessons passed.").arg(r.standing.passed).arg(r.standing.attempts);
+  if (at_lesson.attempts == r.standing.attempts) return all;
+  return PersonWords::tr("%1 of %2 attempts at this lesson passed.").arg(at_lesson.passed).arg(at_lesson.attempts) + QLatin1Char(' ') + all;
+}
+
+void add_bars(Sheet& sheet, const PersonReport& r, const UiTheme& theme) {
+  if (r.bars.isEmpty()) return;
+  constexpr int kBars = 16;  // that one page holds
+  for (int from = 0; from < r.bars.size(); from += kBars) {
+    BandBars bars;
+    bars.set_theme(theme);
+    bars.set_bars(r.bars.mid(from, kBars), {});
+    sheet.gap(8);
+    sheet.keep(bars.sizeHint().height() + 30.0);
+    if (from == 0) sheet.text(PersonWords::tr("Latest attempt, experts' band"), 11, true);
+    sheet.widget(bars, bars.sizeHint().height());
   }
 }
 
@@ -40,7 +65,7 @@ void draw(Sheet& sheet, const PersonReport& r) {
   const UiTheme theme = UiTheme::stock(QStringLiteral("light"));
   sheet.text(r.name.isEmpty() ? r.code : PersonWords::tr("%1 (%2)").arg(person_text(r.name), r.code), 18, true);
   sheet.text(PersonWords::tr("%1, %2").arg(r.lesson, QLocale().toString(QDate::currentDate(), QLocale::LongFormat)), 10, false, QColor(80, 80, 80));
-  QString stands = PersonWords::tr("%1 of %2 attempts passed.").arg(r.standing.passed).arg(r.standing.attempts);
+  QString stands = passed_words(r);
   if (const QString words = attention_words(r.standing); !words.isEmpty()) stands += PersonWords::tr(" Now: %1.").arg(words);
   sheet.text(stands, 11);
   sheet.gap(8);
@@ -49,27 +74,23 @@ void draw(Sheet& sheet, const PersonReport& r) {
   chart.set_series(r.series);
   sheet.widget(chart, 250);
   sheet.text(r.series.fit, 9, false, QColor(80, 80, 80));
-  if (!r.bars.isEmpty()) {
-    sheet.gap(8);
-    sheet.text(PersonWords::tr("Latest attempt, experts' band"), 11, true);
-    BandBars bars;
-    bars.set_theme(theme);
-    bars.set_bars(r.bars.mid(0, kMostBars), {});
-    sheet.widget(bars, bars.sizeHint().height());
-  }
+  add_bars(sheet, r, theme);
   sheet.gap(8);
+  sheet.keep(kTableHead_px);
+  sheet.text(PersonWords::tr("Attempts"), 11, true);
   add_attempts(sheet, r);
   sheet.gap(12);
+  sheet.keep(kTableHead_px);
   sheet.text(PersonWords::tr("Instructor's note: ______________________________________________"), 10);
   sheet.gap(6);
   sheet.text(made_with(r.about).join(QStringLiteral(" · ")), 8, false, QColor(80, 80, 80));
-  sheet.text(PersonWords::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion()), 8, false, QColor(80, 80, 80));
 }
 
 }  // namespace
 
 QString write_report(const PersonReport& report, const QString& file) {
-  return write_sheet(file, report.code, [&](Sheet& sheet) { draw(sheet, report); });
+  const QString title = (report.code.isEmpty() ? person_text(report.name) : report.code) + QStringLiteral(", ") + report.lesson;
+  return write_sheet(file, title, [&](Sheet& sheet) { draw(sheet, report); });
 }
 
 }  // namespace swage::console

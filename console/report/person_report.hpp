@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// One page about a person, to be printed: where they stand, one metric over the attempts, the latest values beside the experts'.
+// Pages about a person, to be printed: where they stand, one metric over the attempts, the latest values beside the experts'.
 #pragma once
 
 #include <QString>
@@ -15,14 +15,14 @@ namespace swage::console {
 
 struct PersonReport {
   QString name, code, lesson;  // name: "" where the page leaves the school
-  Standing standing;
+  Standing standing;                     // over all lessons
   MetricSeries series;
   QVector<MetricBar> bars;
   QVector<record::AttemptRow> attempts;  // of the lesson, newest first
   std::vector<record::Exported> about;   // the same as exports say them
 };
 
-/// An A4 page that prints in grey. "" or what went wrong.
+/// A4 pages that print in grey, as many as the attempts need. "" or what went wrong.
 QString write_report(const PersonReport& report, const QString& file);
 
 }  // namespace swage::console

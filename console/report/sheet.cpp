@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "console/report/sheet.hpp"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -11,22 +12,80 @@ namespace {
 
 constexpr int kDpi = 96;  // widgets draw as on a screen
 constexpr double kMargin_mm = 18, kLine_px = 20;
+constexpr double kFooter_px = 26;  // below every page's text: a line and the words of 8 points
+const QColor kFooterGrey(80, 80, 80);
+
+class SheetWords {
+  Q_DECLARE_TR_FUNCTIONS(sheet)
+};
+
+/// Draws all pages; returns how many they are.
+int draw_pages(QIODevice& out, const QString& title, int pages, const std::function<void(Sheet&)>& draw) {
+  QPdfWriter pdf(&out);
+  pdf.setResolution(kDpi);
+  pdf.setPageSize(QPageSize(QPageSize::A4));
+  pdf.setPageMargins(QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm), QPageLayout::Millimeter);
+  pdf.setTitle(title);
+  QPainter p(&pdf);
+  Sheet sheet(pdf, p, QRectF(0, 0, pdf.width(), pdf.height()), title, pages);
+  draw(sheet);
+  sheet.end();
+  return sheet.page();
+}
 
 }  // namespace
 
+Sheet::Sheet(QPagedPaintDevice& device, QPainter& painter, const QRectF& page, QString title, int pages)
+    : device_(device), p_(painter), page_(page.adjusted(0, 0, 0, -kFooter_px)), title_(std::move(title)), pages_(pages), y_(page.top()) {}
+
+void Sheet::footer() {
+  QFont font = p_.font();
+  font.setPointSizeF(8);
+  font.setBold(false);
+  p_.setFont(font);
+  const double top = page_.bottom() + 6;
+  p_.setPen(QPen(QColor(200, 200, 200), 0.5));
+  p_.drawLine(QPointF(page_.left(), top), QPointF(page_.right(), top));
+  p_.setPen(kFooterGrey);
+  const QRectF line(page_.left(), top + 2, page_.width(), kFooter_px - 8);
+  const QString left = SheetWords::tr("Swage %1. For teaching, not for certification.").arg(QCoreApplication::applicationVersion());
+  const QString number = SheetWords::tr("page %1 of %2").arg(number_).arg(std::max(pages_, number_));
+  const QFontMetrics metrics = p_.fontMetrics();
+  const double room = line.width() - metrics.horizontalAdvance(left) - metrics.horizontalAdvance(number) - 40;
+  const QString right = metrics.elidedText(title_, Qt::ElideRight, static_cast<int>(room)) + QStringLiteral("  ·  ") + number;
+  p_.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, left);
+  p_.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
+}
+
+void Sheet::turn() {
+  footer();
+  device_.newPage();
+  ++number_;
+  y_ = page_.top();
+}
+
+void Sheet::keep(double px) {
+  if (y_ > page_.top() && page_.bottom() - y_ < px) turn();
+}
+
 void Sheet::text(const QString& words, double points, bool bold, const QColor& colour) {
+  head_.clear();
   QFont font = p_.font();
   font.setPointSizeF(points);
   font.setBold(bold);
+  const auto box = [&] { return QRectF(page_.left(), y_, page_.width(), page_.height()); };
+  const QFontMetricsF metrics(font, &device_);
+  keep(metrics.boundingRect(box(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words).height());
   p_.setFont(font);
   p_.setPen(colour);
-  const QRectF box(page_.left(), y_, page_.width(), page_.bottom() - y_);
   QRectF used;
-  p_.drawText(box, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
+  p_.drawText(box(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
   y_ += used.height() + 4;
 }
 
 void Sheet::widget(QWidget& w, double height) {
+  head_.clear();
+  keep(height);
   w.resize(static_cast<int>(page_.width()), static_cast<int>(height));
   p_.save();
   p_.translate(page_.left(), y_);
@@ -35,7 +94,7 @@ void Sheet::widget(QWidget& w, double height) {
   y_ += height + 8;
 }
 
-void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold) {
+void Sheet::draw_row(const QStringList& cells, const QVector<double>& shares, bool bold) {
   QFont font = p_.font();
   font.setPointSizeF(9);
   font.setBold(bold);
@@ -53,22 +112,24 @@ void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bo
   p_.drawLine(QPointF(page_.left(), y_), QPointF(page_.right(), y_));
 }
 
+void Sheet::row(const QStringList& cells, const QVector<double>& shares, bool bold) {
+  const int before = number_;
+  keep(bold ? 2 * kLine_px : kLine_px);  // no head without a line below it
+  if (bold) head_ = cells, head_shares_ = shares;
+  if (!bold && number_ != before && !head_.isEmpty()) draw_row(head_, head_shares_, true);
+  draw_row(cells, shares, bold);
+}
+
 QString write_sheet(const QString& file, const QString& title, const std::function<void(Sheet&)>& draw) {
   const auto failed = [&](const QString& why) {
     return QCoreApplication::translate("report", "%1 cannot be written: %2.").arg(file, why);
   };
   QSaveFile out(file);
   if (!out.open(QIODevice::WriteOnly)) return failed(out.errorString());
-  {
-    QPdfWriter pdf(&out);
-    pdf.setResolution(kDpi);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageMargins(QMarginsF(kMargin_mm, kMargin_mm, kMargin_mm, kMargin_mm), QPageLayout::Millimeter);
-    pdf.setTitle(title);
-    QPainter p(&pdf);
-    Sheet sheet(p, QRectF(0, 0, pdf.width(), pdf.height()));
-    draw(sheet);
-  }
+  QBuffer counted;
+  counted.open(QIODevice::WriteOnly);
+  const int pages = draw_pages(counted, title, 0, draw);
+  draw_pages(out, title, pages, draw);
   return out.commit() ? QString() : failed(out.errorString());
 }
 

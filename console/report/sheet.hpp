@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A printed page: texts, rows and widgets below each other.
+// Printed pages: texts, rows and widgets below each other, on as many pages as they need.
 #pragma once
 
+#include <QPagedPaintDevice>
 #include <QPainter>
 #include <QStringList>
 #include <QVector>
@@ -11,24 +12,38 @@
 
 namespace swage::console {
 
-/// Draws from the top of the page down.
+/// Draws from the top of the first page down. What does not fit any more begins the next page; a table's head is repeated there.
 class Sheet {
  public:
-  Sheet(QPainter& painter, const QRectF& page) : p_(painter), page_(page), y_(page.top()) {}
+  /// `title`: whose pages they are, in each footer. `pages`: how many there will be, 0 while that is being counted.
+  Sheet(QPagedPaintDevice& device, QPainter& painter, const QRectF& page, QString title, int pages);
   void text(const QString& words, double points, bool bold = false, const QColor& colour = Qt::black);
   void gap(double px) { y_ += px; }
   void widget(QWidget& w, double height);
-  /// `shares` of the width, one per cell.
+  /// `shares` of the width, one per cell. A bold row is a table's head.
   void row(const QStringList& cells, const QVector<double>& shares, bool bold);
-  double left() const { return page_.bottom() - y_; }  // px that are still free
+  /// A new page unless that many px are still free on this one: a heading stays with what it is of.
+  void keep(double px);
+  /// The footer of the last page.
+  void end() { footer(); }
+  int page() const { return number_; }
 
  private:
+  void turn();
+  void footer();
+  void draw_row(const QStringList& cells, const QVector<double>& shares, bool bold);
+
+  QPagedPaintDevice& device_;
   QPainter& p_;
-  QRectF page_;
+  QRectF page_;  // without the footer
+  QString title_;
+  int pages_, number_ = 1;
   double y_;
+  QStringList head_;
+  QVector<double> head_shares_;
 };
 
-/// Writes one A4 page that prints in grey. "" or what went wrong.
+/// Writes A4 pages that print in grey, each with a footer. `draw` is called twice: once to count the pages. "" or what went wrong.
 QString write_sheet(const QString& file, const QString& title, const std::function<void(Sheet&)>& draw);
 
 }  // namespace swage::console

@@ -6,7 +6,7 @@
 namespace swage::console {
 namespace {
 
-constexpr double kRow_px = 40, kBar_px = 10, kHead_px = 20;
+constexpr double kBandRow_px = 40, kBandBar_px = 10, kBandHead_px = 20;
 
 }  // namespace
 
@@ -31,16 +31,16 @@ void BandBars::set_bars(const QVector<MetricBar>& bars, const QString& empty) {
 }
 
 QSize BandBars::sizeHint() const {
-  return {320, static_cast<int>(kHead_px + kRow_px * std::max(2.0, static_cast<double>(bars_.size())))};
+  return {320, static_cast<int>(kBandHead_px + kBandRow_px * std::max(2.0, static_cast<double>(bars_.size())))};
 }
 
 void BandBars::paint(QPainter& p, const QRectF& area, const UiTheme& theme) const {
   p.setPen(theme["muted"]);
-  p.drawText(QRectF(area.left(), area.top(), area.width(), kHead_px), Qt::AlignLeft | Qt::AlignVCenter, tr("← better"));
+  p.drawText(QRectF(area.left(), area.top(), area.width(), kBandHead_px), Qt::AlignLeft | Qt::AlignVCenter, tr("← better"));
   for (int i = 0; i < bars_.size(); ++i) {
     const MetricBar& b = bars_[i];
-    const QRectF row(area.left(), area.top() + kHead_px + i * kRow_px, area.width(), kRow_px);
-    const QRectF bar(row.left(), row.top() + 20, row.width(), kBar_px);
+    const QRectF row(area.left(), area.top() + kBandHead_px + i * kBandRow_px, area.width(), kBandRow_px);
+    const QRectF bar(row.left(), row.top() + 20, row.width(), kBandBar_px);
     const double value_px = p.fontMetrics().horizontalAdvance(b.value) + 8;
     p.setPen(theme["text"]);
     p.drawText(QRectF(row.left(), row.top(), row.width() - value_px, 18), Qt::AlignLeft | Qt::AlignVCenter,
@@ -51,7 +51,7 @@ void BandBars::paint(QPainter& p, const QRectF& area, const UiTheme& theme) cons
     p.drawRoundedRect(bar, 3, 3);
     p.setBrush(theme["band"]);
     p.setPen(QPen(theme["good"], 1));
-    p.drawRect(QRectF(bar.left() + b.low * bar.width(), bar.top(), std::max(2.0, (b.high - b.low) * bar.width()), kBar_px));
+    p.drawRect(QRectF(bar.left() + b.low * bar.width(), bar.top(), std::max(2.0, (b.high - b.low) * bar.width()), kBandBar_px));
     p.setPen(QPen(theme["plot"], 2));
     p.setBrush(b.inside ? theme["plot"] : theme["card"]);
     p.drawEllipse(QPointF(bar.left() + b.latest * bar.width(), bar.center().y()), 6, 6);

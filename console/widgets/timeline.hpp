@@ -39,6 +39,8 @@ class Timeline : public QWidget {
 
   QSize sizeHint() const override { return {800, 220}; }  // a window of 770 lines has room for it and a sentence above
   QSize minimumSizeHint() const override { return {300, 160}; }
+  /// The cursor goes to the next event, or for -1 to the one before.
+  void go_to_moment(int direction);
 
  Q_SIGNALS:
   void moved(double time_s);
@@ -54,7 +56,6 @@ class Timeline : public QWidget {
   QRectF area() const;
   QRectF plot(int i) const;
   void go(double time_s);
-  void go_to_moment(int direction);
   void paint_axis(QPainter& p) const;
   void paint_moments(QPainter& p) const;
   void paint_scale(QPainter& p, const Trace& trace, const QRectF& area) const;

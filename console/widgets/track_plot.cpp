@@ -12,8 +12,7 @@ namespace swage::console {
 namespace {
 
 constexpr double kRoom = 1.25;  // around what is shown
-constexpr double kCosine_px = 118, kTrackLeft_px = 30,
-                 kTitle_px = 26;         // the lower plot, and where its axis stands
+constexpr double kCosine_px = 130, kTrackLeft_px = 30;  // the lower plot with its words, and where its axis stands
 constexpr double kLeastReach_mm = 0.03;  // a perfect entry is a point: even so there is something to see
 
 }  // namespace
@@ -131,13 +130,7 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
     return QPointF(a.left() + a.width() * (q.x() - from) / span,
                    a.bottom() - a.height() * std::clamp(q.y(), 0.0, 1.0));
   };
-  p.setPen(theme_["text"]);
   const double left = a.left() - kTrackLeft_px;
-  p.drawText(QRectF(left, a.top() - kTitle_px, width() - left, 18), Qt::AlignLeft | Qt::AlignVCenter,
-             tr("Cosine of the penetration angle"));
-  p.setPen(theme_["muted"]);
-  p.drawText(QRectF(left, a.top() - kTitle_px, width() - left - 10, 18), Qt::AlignRight | Qt::AlignVCenter,
-             tr("mean %L1").arg(track_->mean_cosine, 0, 'f', 2));
   for (const double v : {0.0, 0.5, 1.0}) {
     const double y = at({from, v}).y();
     p.setPen(QPen(theme_["grid"], 1));
@@ -162,6 +155,16 @@ void TrackPlot::paint_cosine(QPainter& p, const QRectF& a) const {
   }
 }
 
+// Words at the top of a plot, the second ones below the first, wrapped within the width; returns where they end.
+double TrackPlot::paint_words(QPainter& p, const QRectF& room, const QString& first, const QString& second) const {
+  QRectF used;
+  p.setPen(theme_["text"]);
+  p.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, first, &used);
+  p.setPen(theme_["muted"]);
+  p.drawText(room.adjusted(0, used.height() + 2, 0, 0), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, second, &used);
+  return used.bottom();
+}
+
 void TrackPlot::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
@@ -172,19 +175,19 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   }
   // beside each other where there is room, else one above the other
   const bool both = !track_->cosine.isEmpty(), beside = both && width() > 1.4 * height();
-  const double text_px = 40, right = beside ? 0.5 * width() : width(),
-               bottom = height() - (both && !beside ? kCosine_px : 0);
+  const double right = beside ? 0.5 * width() : width(), bottom = height() - (both && !beside ? kCosine_px : 0);
+  const QString wound = track_->radius_mm > 0 ? tr("wound %1 %, torn: red; 100 %: green").arg(100 * track_->wound, 0, 'f', 0)
+                                              : tr("the cross is the first puncture");
+  const double cosine_left = beside ? right + 6 : 6.0, cosine_top = beside ? 0.0 : bottom;
+  double text_px = paint_words(p, {2, 0, right - 10, height() * 1.0}, tr("Entry penetration, seen onto the surface"), wound);
+  double cosine_text = cosine_top;
+  if (both)
+    cosine_text = paint_words(p, {cosine_left, cosine_top, width() - cosine_left - 8, height() * 1.0}, tr("Cosine of the penetration angle"),
+                              tr("mean %L1").arg(track_->mean_cosine, 0, 'f', 2));
+  text_px = 4 + (beside ? std::max(text_px, cosine_text) : text_px);
   const double size = std::min<double>(right, bottom - text_px);
   const QPointF middle(0.5 * right, text_px + 0.5 * (bottom - text_px));
   const double scale = 0.5 * size / (kRoom * reach_mm());
-  p.setPen(theme_["text"]);
-  p.drawText(QRectF(0, 0, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
-             tr("Entry penetration, seen onto the surface"));
-  p.setPen(theme_["muted"]);
-  p.drawText(QRectF(0, 19, width(), 20), Qt::AlignLeft | Qt::AlignVCenter,
-             track_->radius_mm > 0
-                 ? tr("wound %1 %, torn: red; 100 %: green").arg(100 * track_->wound, 0, 'f', 0)
-                 : tr("the cross is the first puncture"));
   paint_torn(p, middle, scale);
   paint_circles(p, middle, scale);
   paint_track(p, middle, scale);
@@ -192,7 +195,7 @@ void TrackPlot::paintEvent(QPaintEvent*) {
   p.setPen(QPen(theme_["text"], 2));
   p.drawLine(QPointF(8, bottom - 8), QPointF(8 + bar * scale, bottom - 8));
   p.drawText(QRectF(8, bottom - 28, 100, 18), Qt::AlignLeft | Qt::AlignVCenter, length_text(bar));
-  const double left = beside ? right + kTrackLeft_px : kTrackLeft_px, top = beside ? text_px : bottom + 30;
+  const double left = cosine_left + kTrackLeft_px, top = beside ? text_px + 4 : cosine_text + 10;
   if (both) paint_cosine(p, {left, top, width() - left - 10.0, height() - top - 20.0});
 }
 

@@ -28,6 +28,7 @@ class TrackPlot : public QWidget {
   void paint_torn(QPainter& p, const QPointF& middle, double px_per_mm) const;
   void paint_circles(QPainter& p, const QPointF& middle, double px_per_mm) const;
   void paint_track(QPainter& p, const QPointF& middle, double px_per_mm) const;
+  double paint_words(QPainter& p, const QRectF& room, const QString& first, const QString& second) const;
   void paint_cosine(QPainter& p, const QRectF& area) const;
   double reach_mm() const;
   std::optional<EntryTrack> track_;

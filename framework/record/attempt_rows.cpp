@@ -76,6 +76,7 @@ const Statement& statement(Kind kind) {
       {"INSERT INTO ruling (ruling_id, attempt_id, kind, made_utc, made_by, reason) VALUES (?, ?, ?, ?, ?, ?)"
        " ON CONFLICT DO NOTHING",
        6},
+      {"INSERT INTO rating (attempt_id, item, points, made_utc, made_by) VALUES (?, ?, ?, ?, ?) ON CONFLICT DO NOTHING", 5},
   };
   return kStatements[static_cast<std::size_t>(kind)];
 }

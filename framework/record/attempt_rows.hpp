@@ -28,9 +28,10 @@ enum class Kind : uint8_t {
   kFile,
   kProvenance,
   kNote,
-  kRuling
+  kRuling,
+  kRating
 };
-inline constexpr uint8_t kKinds = 13;
+inline constexpr uint8_t kKinds = 14;
 
 struct Write {
   Kind kind = Kind::kPerson;

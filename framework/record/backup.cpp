@@ -21,7 +21,7 @@ namespace {
 // Every table with the one that it refers to before it.
 constexpr const char* kTables[] = {"erased",  "person", "session", "attempt",     "metric", "event", "chunk",
                                    "hand",    "file",   "device",  "calibration", "outbox", "seal",  "grade",
-                                   "provenance", "note", "ruling", "people_group", "roster", "lesson_version", "course",
+                                   "provenance", "note", "ruling", "rating", "people_group", "roster", "lesson_version", "course",
                                    "assignment", "exported"};
 
 struct Table {

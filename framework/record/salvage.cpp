@@ -52,6 +52,7 @@ constexpr Form kForms[] = {
     {"assignment", "TITTTT", "INSERT OR IGNORE INTO assignment VALUES (?, ?, ?, ?, ?, ?)"},
     {"note", "TTIITTT", "INSERT OR IGNORE INTO note VALUES (?, ?, ?, ?, ?, ?, ?)"},
     {"ruling", "TTITTT", "INSERT OR IGNORE INTO ruling VALUES (?, ?, ?, ?, ?, ?)"},
+    {"rating", "TTRTT", "INSERT OR IGNORE INTO rating VALUES (?, ?, ?, ?, ?)"},
     {"provenance", "TTTTII", "INSERT OR IGNORE INTO provenance VALUES (?, ?, ?, ?, ?, ?)"},
     {"erased", "TIT", "INSERT OR IGNORE INTO erased VALUES (?, ?, ?)"},
     {"exported", "TITTTTT", "INSERT OR IGNORE INTO exported VALUES (?, ?, ?, ?, ?, ?, ?)"},
@@ -116,7 +117,7 @@ bool mend_references(Database& db, Salvaged& out) {
       " (SELECT attempt_id FROM attempt))");
   if (!headless.empty()) out.headless = static_cast<uint64_t>(integer(headless[0][0]));
   bool ok = true;
-  for (const char* table : {"metric", "event", "chunk", "hand", "file", "seal", "grade", "provenance", "note", "ruling"})
+  for (const char* table : {"metric", "event", "chunk", "hand", "file", "seal", "grade", "provenance", "note", "ruling", "rating"})
     ok &= db.run("DELETE FROM " + std::string(table) +
                  " WHERE attempt_id NOT IN (SELECT attempt_id FROM attempt)");
   const std::string now = utc_now();

@@ -150,6 +150,12 @@ const std::vector<Step> kSteps = {
         " shown_s DOUBLE PRECISION, answered_s DOUBLE PRECISION, answer TEXT NOT NULL)",
         "CREATE INDEX message_by_station ON message (to_station)",
     },
+    {
+        // 6: points that a person gives an attempt on an item of a rating scale, one row for each person and item
+        "CREATE TABLE rating (attempt_id TEXT NOT NULL REFERENCES attempt (attempt_id) ON DELETE CASCADE,"
+        " item TEXT NOT NULL, points DOUBLE PRECISION NOT NULL, made_utc TEXT NOT NULL, made_by TEXT NOT NULL,"
+        " PRIMARY KEY (attempt_id, item, made_by))",
+    },
 };
 
 std::string in_dialect(std::string sql, bool postgres) {

@@ -2,8 +2,10 @@
 #include "record/school.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "record/identity.hpp"
+#include "record/item_ratings.hpp"
 #include "record/journal.hpp"
 #include "record/roster.hpp"
 #include "record/schema.hpp"
@@ -261,6 +263,15 @@ class SqlSchool final : public School {
   }
   bool remove_note(const std::string& id) override {
     return change([&] { return db_->run("DELETE FROM note WHERE note_id = ?", {id}); });
+  }
+  std::vector<ObserverRating> ratings(const std::string& id) override { return ratings_from(id, rows(kSelectRatings, {id})); }
+  bool save_rating(ObserverRating& r) override {
+    if (r.item.empty() || !std::isfinite(r.points)) return fail(say::kNeedsPoints());
+    if (r.made_utc.empty()) r.made_utc = utc_now();
+    return has_attempt(r.attempt_id) && change([&] { return write_rating(*db_, r); });
+  }
+  bool remove_rating(const std::string& attempt_id, const std::string& item, const std::string& by) override {
+    return change([&] { return db_->run("DELETE FROM rating WHERE attempt_id = ? AND item = ? AND made_by = ?", {attempt_id, item, by}); });
   }
 
   std::vector<Ruling> rulings(const std::string& attempt_id) override {

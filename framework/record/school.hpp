@@ -43,6 +43,13 @@ struct Note {
   std::string made_utc, made_by, text;
 };
 
+/// Points that a person gives an attempt on an item of a rating scale, as "smart.efficiency". One for each person and item.
+struct ObserverRating {
+  std::string attempt_id, item;
+  double points = 0;
+  std::string made_utc, made_by;
+};
+
 /// What a person decided about an attempt; the last one holds, the earlier ones are kept.
 struct Ruling {
   enum class Kind : int { kCounts = 0, kVoid = 1, kNamed = 2 };
@@ -106,6 +113,10 @@ class School {
   virtual std::vector<Note> notes(const std::string& attempt_id) = 0;  // by time in the attempt
   virtual bool save_note(Note& note) = 0;                              // id "": a new one; else changed, or put back
   virtual bool remove_note(const std::string& id) = 0;
+  virtual std::vector<ObserverRating> ratings(const std::string& attempt_id) = 0;  // by item
+  /// Takes the place of what the same person gave the item before; made_utc is filled in where it is "".
+  virtual bool save_rating(ObserverRating& rating) = 0;
+  virtual bool remove_rating(const std::string& attempt_id, const std::string& item, const std::string& by) = 0;
   virtual std::vector<Ruling> rulings(const std::string& attempt_id) = 0;  // newest first
   /// The attempt stays, with its recording, and is left out of rules and curves; or it counts again.
   virtual bool set_void(const std::string& attempt_id, bool is_void, const std::string& reason, const std::string& by) = 0;

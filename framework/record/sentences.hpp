@@ -104,6 +104,7 @@ inline constexpr auto kNeedsGroupName = "A group needs a name."_sentence;
 inline constexpr auto kGroupTaken = "A group is called \"{}\" already."_sentence;
 inline constexpr auto kBadCourse = "The course \"{}\" cannot be read. {}"_sentence;
 inline constexpr auto kNeedsWords = "A note needs some words."_sentence;
+inline constexpr auto kNeedsPoints = "A rating needs an item and points."_sentence;
 inline constexpr auto kNeedsReason = "Say why: who reads this later must know."_sentence;
 inline constexpr auto kNeedsName = "A person needs a name."_sentence;
 inline constexpr auto kNoHandedness = "\"{}\" is no handedness; \"left\" and \"right\" are."_sentence;

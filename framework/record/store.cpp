@@ -23,6 +23,7 @@ namespace {
 
 // Stores before version 4 are read too, and have neither names nor decisions.
 constexpr int kSchool = 4;
+constexpr int kRatings = 6;  // before it nobody could rate an attempt
 
 // What tells that a list of attempts is no longer as it was. It reads no recording.
 constexpr const char* kDigest =
@@ -32,11 +33,13 @@ constexpr const char* kDigest =
 constexpr const char* kSchoolDigest =
     ", (SELECT COUNT(*) FROM ruling), (SELECT COUNT(*) FROM note), (SELECT COALESCE(MAX(changed_utc), '') FROM roster),"
     " (SELECT COALESCE(MAX(changed_utc), '') FROM course)";
+constexpr const char* kRatingDigest = ", (SELECT COUNT(*) FROM rating), (SELECT COALESCE(MAX(made_utc), '') FROM rating)";
 
 class SqlStore final : public Store {
  public:
   SqlStore(std::unique_ptr<Database> db, std::string where, bool read_only)
-      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only), school_(schema_version(*db_) >= kSchool), heads_(*db_, school_), metrics_(*db_) {}
+      : db_(std::move(db)), where_(std::move(where)), read_only_(read_only), school_(schema_version(*db_) >= kSchool),
+        ratings_(schema_version(*db_) >= kRatings), heads_(*db_, school_), metrics_(*db_) {}
 
   std::string trouble() const override { return trouble_; }
   bool read_only() const override { return read_only_; }
@@ -48,7 +51,7 @@ class SqlStore final : public Store {
       const int64_t now = version.empty() ? -1 : integer(version[0][0]);
       if (now == std::exchange(data_version_, now) && now >= 0) return false;
     }
-    std::vector<Row> now = rows(std::string(kDigest) + (school_ ? kSchoolDigest : "") + " FROM attempt");
+    std::vector<Row> now = rows(std::string(kDigest) + (school_ ? kSchoolDigest : "") + (ratings_ ? kRatingDigest : "") + " FROM attempt");
     if (now == digest_) return !trouble_.empty();
     digest_ = std::move(now);
     return true;
@@ -241,6 +244,7 @@ class SqlStore final : public Store {
   const std::string where_;
   const bool read_only_;
   const bool school_;  // the tables of people and courses are there
+  const bool ratings_;
   AttemptHeads heads_;
   AttemptMetrics metrics_;
   std::string trouble_;

@@ -71,6 +71,10 @@ std::vector<Source> sources(int version) {
                    "SELECT ruling_id, attempt_id, kind, made_utc, made_by, reason FROM ruling WHERE attempt_id = ?"
                    " ORDER BY ruling_id"});
   }
+  if (version >= 6)
+    out.push_back({Kind::kRating,
+                   "SELECT attempt_id, item, points, made_utc, made_by FROM rating WHERE attempt_id = ?"
+                   " ORDER BY item, made_by"});
   return out;
 }
 

@@ -96,9 +96,11 @@ int list_attempts(const AttemptsOptions& o) {
   if (attempts.empty()) std::printf("no attempts in %s\n", record::shown(store_place(o.store)).c_str());
   for (const record::AttemptRow& a : attempts) {
     const std::string how = a.is_void ? "void" : a.state == "complete" ? a.outcome : a.state;
-    std::printf("%s  %s  %-16s %-28s %-10s %5.1f  %8.1f s  %s\n", printable(a.id).c_str(), printable(a.started_utc.substr(0, 16)).c_str(),
+    // an attempt that was not passed has no score, here as in the console; --json tells what the lesson computed
+    const bool scored = a.outcome == "passed" && std::isfinite(a.score);
+    std::printf("%s  %s  %-16s %-28s %-10s %5s  %8.1f s  %s\n", printable(a.id).c_str(), printable(a.started_utc.substr(0, 16)).c_str(),
                 printable(a.person_name).c_str(), printable(a.lesson_id).c_str(), printable(how).c_str(),
-                std::isfinite(a.score) ? a.score : 0.0, a.simulated_s,
+                (scored ? format("%.1f", a.score) : std::string("-")).c_str(), a.simulated_s,
                 printable(a.remark.empty() ? a.reason : a.reason + " (" + a.remark + ")").c_str());
   }
   return kPassed;

@@ -94,5 +94,22 @@ TEST_F(LessonFiles, AFaultyFileIsRefusedWithFileLineAndReason) {
   EXPECT_EQ(QDir(dir.filePath("other/lessons")).entryList(QDir::Files), QStringList()) << "nothing was written";
 }
 
+// What is built of a lesson that is based on another has the lines of both; the file has its own.
+TEST_F(LessonFiles, AFaultIsToldAtTheLineOfTheFileThatIsImported) {
+  const QString file = write("based.json", R"({ "format": "swage-lesson/1", "id": "own.b", "title": "B",
+ "based_on": "series/base.json",
+ "set": { "needle.size": 3 } })");
+  const auto import_with = [&](const std::string& there) {
+    const auto build = [&](const QString& path, base::Problems& problems) -> std::unique_ptr<snapshot::SceneCard> {
+      problems.push_back({base::Severity::kError, path.toStdString() + (path == file ? there : ":220 #/set"), "No such size."});
+      return nullptr;
+    };
+    return import_lesson(file, {dir.filePath("o/lessons"), dir.filePath("o/drafts/import.json"), {dir.filePath("series")}}, catalogue, build)
+        .problem;
+  };
+  EXPECT_EQ(import_with(":3 #/set"), "based.json, line 3: No such size.");
+  EXPECT_EQ(import_with(""), "based.json: No such size.") << "no line rather than a wrong one";
+}
+
 }  // namespace
 }  // namespace swage::console

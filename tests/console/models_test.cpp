@@ -154,7 +154,14 @@ TEST(Metrics, AreOldestFirstAndLeaveOutWhatWasStopped) {
   EXPECT_DOUBLE_EQ(path.points.first().value, 90);
   EXPECT_LT(path.points.last().value, path.points.first().value);
   EXPECT_TRUE(path.points.last().test);
-  EXPECT_EQ(metric_series(model.attempts(), "score").better, SWAGE_BETTER_HIGHER);
+  // who did not pass has no score: neither in the list nor in its curve
+  const MetricSeries score = metric_series(model.attempts(), "score");
+  EXPECT_EQ(score.better, SWAGE_BETTER_HIGHER);
+  EXPECT_EQ(score.points.size() + score.without_score, 12);
+  EXPECT_GT(score.without_score, 0);
+  for (const MetricPoint& p : score.points) EXPECT_TRUE(p.met);
+  EXPECT_EQ(score.most, 100);
+  EXPECT_EQ(path.failed, score.without_score) << "of another metric they count with what was measured";
   EXPECT_EQ(metric_series(model.attempts(), "org.other.thing").better, SWAGE_BETTER_NONE);
 }
 

@@ -176,6 +176,47 @@ TEST_F(PeoplePages, AReportIsOnePage) {
   EXPECT_TRUE(window->people_page()->write_report_to(QStringLiteral("/nowhere/r.pdf")).contains("/nowhere"));
 }
 
+// All attempts are listed, on as many pages as they need.
+TEST_F(PeoplePages, AReportOfManyAttemptsHasFurtherPages) {
+  const record::AttemptRow one = sample_attempts().back();
+  for (int i = 0; i < 72; ++i) {
+    record::AttemptRow& a = attempts.emplace_back(one);
+    a.id = "n" + std::to_string(i);
+    a.person_id = "p1", a.person_name = "Arun P.";
+    a.outcome = i % 7 == 0 ? "failed" : "passed";
+    a.score = 80;
+  }
+  open();
+  click("page_people");
+  window->people_page()->select_person("Arun P.");
+  const QString file = dir.filePath("report.pdf");
+  ASSERT_EQ(window->people_page()->write_report_to(file), QString());
+  QFile written(file);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray text = written.readAll();
+  EXPECT_EQ(text.count("/Type /Page\n") + text.count("/Type /Page "), 3) << "72 lines of 20 px beside a chart";
+}
+
+// Recorded hands, void attempts and what was stopped are listed and say that they count for nobody.
+TEST_F(PeoplePages, CountsAreTheSameInBothListsAndSayWhatIsLeftOut) {
+  attempts = sample_attempts();
+  for (int i : {6, 7}) attempts[static_cast<size_t>(i)].is_scripted = true;
+  attempts[10].is_void = true;
+  open();
+  click("page_people");
+  window->people_page()->select_person("Arun P.");
+  child<QComboBox>("lesson_filter")->setCurrentIndex(0);
+  auto* people = child<QTableView>("people");
+  const QString passed = people->currentIndex().siblingAtColumn(console::PeopleModel::kPassed).data().toString();
+  EXPECT_EQ(passed, "4 of 11");
+  EXPECT_EQ(child<QLabel>("person_summary")->text(), "4 of 11 attempts passed, 3 more not counted");
+  const auto* rows = window->people_page()->attempts();
+  int hands = 0;
+  for (int i = 0; i < rows->rowCount(); ++i)
+    hands += rows->index(i, console::AttemptsModel::kMode).data().toString() == "Recorded hand, not counted";
+  EXPECT_EQ(hands, 2);
+}
+
 // What is written says what was measured with; names stay here.
 TEST_F(PeoplePages, AttemptsLeaveWithVersionsAndHealth) {
   attempts = sample_attempts();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The Review page in the whole window, with keys and clicks.
+#include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -68,7 +69,7 @@ TEST_F(ReviewPages, AnAttemptOutOfAFileIsAnArgument) {
   EXPECT_EQ(review()->review().traces.size(), 4);
   window->review_file("/somewhere/damaged.swage");
   EXPECT_EQ(child<QLabel>("review_problem")->text(), "/somewhere/damaged.swage is damaged and cannot be read.");
-  EXPECT_FALSE(child<QPushButton>("save_swage")->isEnabled());
+  EXPECT_FALSE(child<QAction>("save_swage")->isEnabled());
 }
 
 TEST_F(ReviewPages, SceneTracesAndTimeFollowOneCursor) {
@@ -134,7 +135,7 @@ TEST_F(ReviewPages, AnUnreadableAttemptSaysWhyAndNothingCanBeSaved) {
   recorded_steps = 0;
   open_review();
   EXPECT_TRUE(child<QLabel>("review_problem")->text().contains("damaged"));
-  EXPECT_FALSE(child<QPushButton>("save_swage")->isEnabled());
+  EXPECT_FALSE(child<QAction>("save_swage")->isEnabled());
 }
 
 TEST_F(ReviewPages, WritesCsvAndSaysWhatItCannotWrite) {
@@ -240,6 +241,16 @@ TEST_F(ReviewPages, TwoAttemptsShareOneClockAlignedByWhatBothHaveDone) {
   }));
   QTest::keyClick(timeline, Qt::Key_Escape);
   EXPECT_FALSE(review()->comparing());
+}
+
+// 1024 x 768 is what a projector or an old laptop has: nothing lies beyond the window, and metrics keep their names.
+TEST_F(ReviewPages, ASmallScreenHoldsThePage) {
+  launch.size = QSize(1024, 768);
+  open_review();
+  window->resize(1024, 768);
+  ASSERT_TRUE(eventually([&] { return window->width() <= 1024 && review()->width() <= 1024; })) << review()->minimumSizeHint().width();
+  auto* metrics = child<QTableWidget>("review_metrics");
+  EXPECT_GT(metrics->columnWidth(0), 100) << "px of a metric's name";
 }
 
 TEST_F(ReviewPages, AnAttemptIsOnePageOfPaper) {

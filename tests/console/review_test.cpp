@@ -5,6 +5,7 @@
 #include <swage/abi/lesson_card.h>
 
 #include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 #include "console/models/live_params.hpp"
@@ -53,16 +54,38 @@ TEST(ReviewModel, MetricsHaveUnitAndDirection) {
   EXPECT_EQ(review.verdict(), "✓ Passed, 87 of 100");
 }
 
+TEST(ReviewModel, ARecordedHandIsNamedBeforeThePerson) {
+  record::AttemptRow attempt = test::fake_attempt();
+  record::Recording r = test::fake_recording(10);
+  r.info.hands = {{"hand", "novice", "swage.device.skilled", "1.0.0", "{}", 0}};
+  EXPECT_EQ(make_review(attempt, r, {}).title(), "Grasp the needle  ·  Arun P.");
+  attempt.is_scripted = true;
+  const Review review = make_review(attempt, r, {});
+  EXPECT_TRUE(review.title().startsWith("Grasp the needle  ·  Recorded hand: novice")) << review.title().toStdString();
+  EXPECT_FALSE(review.facts().contains("Practice"));
+}
+
 TEST(ReviewModel, ScalesOfSurgeonsAreToldAsFarAsTheAttemptDecidesThem) {
   record::AttemptRow attempt = test::fake_attempt();
   attempt.metrics = {{"points.time", "1", 3}, {"task.success", "1", 1}};
   Review review = make_review(attempt, test::fake_recording(10), {});
   ASSERT_EQ(review.ratings.size(), 3);  // two items of SMaRT after their mean; no knot was tied, so the other scales say nothing
-  EXPECT_EQ(review.ratings[0].name, "SMaRT (2 of 9 items)");
+  EXPECT_EQ(review.ratings[0].name, "SMaRT, computed (2 of 9 items)");
   EXPECT_EQ(review.ratings[1].name, "SMaRT: Efficiency");
   EXPECT_EQ(review.ratings[1].value, "4.2 of 5");  // 1 + 4 (1 - 3 / 15)
   EXPECT_EQ(review.ratings[2].value, "5.0 of 5");
   EXPECT_NE(summary_csv(review).find("rating,\"smart.efficiency\",,4.2,\"1\",\"1 to 5\""), std::string::npos) << summary_csv(review);
+  EXPECT_TRUE(review.ratings[0].doc.contains("Computed from metrics; 2 of 9 items")) << review.ratings[0].doc.toStdString();
+  EXPECT_TRUE(review.ratings[0].doc.contains("from memory")) << "the source, as the scale's file tells it";
+  // an instructor's points stand beside them and enter no computed mean
+  review = make_review(attempt, test::fake_recording(10), {}, nullptr, {{"smart.efficiency", 3}, {"smart.operation_flow", 5}, {"gone.item", 1}});
+  const RatedScale& smart = *std::find_if(review.scales.begin(), review.scales.end(), [](const RatedScale& s) { return s.id == "smart"; });
+  EXPECT_EQ(smart.items.size(), 9);
+  EXPECT_EQ(smart.decided, 2);
+  EXPECT_EQ(smart.given, 2);
+  EXPECT_DOUBLE_EQ(smart.computed_mean, 4.6);
+  EXPECT_DOUBLE_EQ(smart.given_mean, 4);
+  EXPECT_NE(summary_csv(review).find("rating_by_instructor,\"smart.operation_flow\",,5,\"1\",\"1 to 5\""), std::string::npos);
   // who stopped before the end is not rated
   attempt.outcome = "aborted";
   EXPECT_TRUE(make_review(attempt, test::fake_recording(10), {}).ratings.isEmpty());

@@ -3,6 +3,7 @@
 // What an instructor changes, on a real store: written at once, undone and done again.
 #include <gtest/gtest.h>
 
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "console/models/course_words.hpp"
 #include "console/models/made_with.hpp"
 #include "console/models/metric_bars.hpp"
+#include "console/models/metric_titles.hpp"
 #include "fake_store.hpp"
 
 namespace swage::console {
@@ -202,6 +204,42 @@ TEST(MetricBars, BetterIsLeftWhicheverWayAMetricGoes) {
   EXPECT_LT(bars[1].latest, bars[1].low);
   EXPECT_TRUE(bars[1].inside);
   for (const MetricBar& b : bars) EXPECT_TRUE(b.latest > 0 && b.latest < 1 && b.low > 0 && b.high < 1 && b.low < b.high);
+}
+
+TEST(MetricBars, YesOrNoLiesInNoBand) {
+  host::PluginInfo plugin;
+  host::MetricInfo yes;
+  yes.id = "bars.yes", yes.title = "Passed", yes.show = SWAGE_SHOW_YES_NO;
+  plugin.metrics = {yes};
+  learn_metric_labels({plugin});
+  QVector<record::AttemptRow> own = {test::sample_attempts()[12]};
+  own[0].metrics = {{"bars.yes", "1", 1}, {"bars.number", "1", 5}};
+  const ExpertFinder experts = [](const std::string&, const QString&) { return Experts{{{1, 1, 1}}, QStringLiteral("1 expert")}; };
+  const auto bars = metric_bars(own, experts, [](const QString& id) { return id.startsWith("bars.") ? SWAGE_BETTER_HIGHER : SWAGE_BETTER_NONE; });
+  ASSERT_EQ(bars.size(), 1);
+  EXPECT_EQ(bars[0].id, "bars.number");
+}
+
+// A fit knows no scale: what is said of it stays within.
+TEST(Curves, SayNothingBeyondTheScaleAndWhatFailuresAre) {
+  QLocale::setDefault(QLocale::c());
+  MetricSeries series;
+  series.id = QStringLiteral("score");
+  series.least = 0;
+  series.most = 100;
+  series.without_score = 3;
+  for (int i = 0; i < 12; ++i) series.points += {100 - 60 * std::exp(-i / 3.0) + ((i * 7) % 5 - 2) * 3.0, true, false, {}, {}};
+  fit_series(series);
+  ASSERT_EQ(series.curve.size(), 12);
+  const auto match = QRegularExpression(QStringLiteral("95 %: ([\\d.]+) to ([\\d.]+)")).match(series.fit);
+  ASSERT_TRUE(match.hasMatch()) << series.fit.toStdString();
+  EXPECT_LE(match.captured(2).toDouble(), 100) << series.fit.toStdString();
+  EXPECT_TRUE(series.fit.endsWith("left out: 3.")) << series.fit.toStdString();
+  series.id.clear();
+  series.without_score = 0;
+  series.failed = 2;
+  fit_series(series);
+  EXPECT_TRUE(series.fit.endsWith("what was measured: 2.")) << series.fit.toStdString();
 }
 
 TEST(Curves, AreFittedFromEightAttemptsOn) {

@@ -191,6 +191,36 @@ TEST_P(SchoolTest, NotesArePinnedToAMoment) {
   EXPECT_FALSE(school_->save_note(lost));
 }
 
+TEST_P(SchoolTest, EachPersonRatesAnItemOnce) {
+  const std::string id = record_attempt(where_, 300);
+  const auto store = Store::open(where_, error_);
+  store->changed();
+  ObserverRating mei{id, "smart.efficiency", 4, "", "Mei"}, bo{id, "smart.efficiency", 2.5, "", "Bo"};
+  ASSERT_TRUE(school_->save_rating(mei) && school_->save_rating(bo)) << school_->error();
+  EXPECT_NE(mei.made_utc, "");
+  EXPECT_TRUE(store->changed());
+  mei.points = 3;
+  ASSERT_TRUE(school_->save_rating(mei)) << school_->error();
+  auto ratings = school_->ratings(id);
+  ASSERT_EQ(ratings.size(), 2u) << "the later points of a person take the place of the earlier ones";
+  EXPECT_EQ(ratings[0].made_by, "Bo");
+  EXPECT_EQ(ratings[0].points, 2.5);
+  EXPECT_EQ(ratings[1].points, 3);
+  // they go with the attempt
+  ASSERT_TRUE(Store::open(where_, error_)->export_attempt(id, folder_ / "one.swage", error_)) << error_;
+  const auto other = Store::open(folder_ / "b.db", error_);
+  std::string same;
+  ASSERT_TRUE(other->import_attempt(folder_ / "one.swage", same, error_)) << error_;
+  EXPECT_EQ(School::open(folder_ / "b.db", error_)->ratings(id).size(), 2u);
+  ASSERT_TRUE(school_->remove_rating(id, "smart.efficiency", "Bo"));
+  ratings = school_->ratings(id);
+  ASSERT_EQ(ratings.size(), 1u);
+  EXPECT_EQ(ratings[0].made_by, "Mei");
+  ObserverRating lost{"nobody", "smart.efficiency", 4, "", "Mei"}, nothing{id, "", 4, "", "Mei"};
+  EXPECT_FALSE(school_->save_rating(lost));
+  EXPECT_FALSE(school_->save_rating(nothing));
+}
+
 TEST_P(SchoolTest, APublishedLessonIsOneVersionPerText) {
   LessonVersion one, same, two;
   ASSERT_TRUE(school_->publish_lesson("org.example.a", "A", R"({"format": "swage-lesson/1", "x": 1})", one)) << school_->error();
@@ -319,7 +349,8 @@ TEST_P(SchoolTest, ABackupTakesEverythingThatPeopleEdit) {
   Assignment task{"", c.id, ada.id, false, "", ""};
   Note note{"", id, 1, 0.001, "", "Mei", "x"};
   LessonVersion lesson;
-  ASSERT_TRUE(school_->assign(task) && school_->save_note(note) && school_->set_void(id, true, "why", "Mei") &&
+  ObserverRating rating{id, "smart.efficiency", 4, "", "Mei"};
+  ASSERT_TRUE(school_->assign(task) && school_->save_note(note) && school_->save_rating(rating) && school_->set_void(id, true, "why", "Mei") &&
               school_->publish_lesson("a", "A", "{}", lesson));
   Copied out;
   ASSERT_TRUE(backup_store(where_, folder_ / "all.backup", out, error_)) << error_;
@@ -338,6 +369,8 @@ TEST_P(SchoolTest, ABackupTakesEverythingThatPeopleEdit) {
   ASSERT_EQ(other->assignments().size(), 1u);
   EXPECT_EQ(other->assignments()[0].who_id, known.id);
   EXPECT_EQ(other->notes(id).size(), 1u);
+  ASSERT_EQ(other->ratings(id).size(), 1u);
+  EXPECT_EQ(other->ratings(id)[0].points, 4);
   EXPECT_EQ(other->rulings(id).size(), 1u);
   EXPECT_EQ(other->lessons().size(), 1u);
   const auto store = Store::open(folder_ / "b.db", error_);

@@ -74,7 +74,7 @@ TEST(SchoolUpgrade, AServersStoreToo) {
   EXPECT_EQ(Store::open(where, error)->attempts(people[0].id).size(), 1u) << error;
 }
 
-// A school of version 4, which had no stations: on either database its people stay and the tables of version 5 are there.
+// A school of version 4, which had no stations: on either database its people stay and the tables of later versions are there.
 TEST(SchoolUpgrade, ASchoolWithoutStationsGetsTheirTables) {
   PostgresServer server;
   const Folder folder;
@@ -97,8 +97,8 @@ TEST(SchoolUpgrade, ASchoolWithoutStationsGetsTheirTables) {
     ASSERT_EQ(people.size(), 1u);
     EXPECT_EQ(people[0].name, "Ada Meyer");
     const auto db = Database::open(where, Access::kWrite, error);
-    EXPECT_EQ(schema_version(*db), 5);
-    for (const char* table : {"station", "station_picture", "message"}) {
+    EXPECT_EQ(schema_version(*db), 6);
+    for (const char* table : {"station", "station_picture", "message", "rating"}) {
       EXPECT_TRUE(db->rows("SELECT * FROM " + std::string(table)).empty());
       EXPECT_EQ(db->trouble(), Trouble::kNone) << table << ": " << db->error();
     }
@@ -123,7 +123,8 @@ TEST(SchoolUpgrade, ADamagedSchoolIsSalvaged) {
     ASSERT_TRUE(school->add_group(group) && school->add_person(bo) && school->save_course(course)) << school->error();
     Assignment task{"", course.id, bo.id, false, "", ""};
     Note note{"", id, 1, 0.001, "", "Mei", "x"};
-    ASSERT_TRUE(school->assign(task) && school->save_note(note) && school->set_void(id, true, "why", "Mei") &&
+    ObserverRating rating{id, "smart.efficiency", 4, "", "Mei"};
+    ASSERT_TRUE(school->assign(task) && school->save_note(note) && school->save_rating(rating) && school->set_void(id, true, "why", "Mei") &&
                 school->publish_lesson("a", "A", "{}", lesson) && school->log_export({bo.id}, "csv", "/x.csv"));
     Person gone;
     gone.name = "Cy";
@@ -145,6 +146,7 @@ TEST(SchoolUpgrade, ADamagedSchoolIsSalvaged) {
   EXPECT_EQ(school->assignments().size(), 1u);
   EXPECT_EQ(school->lessons().size(), 1u);
   EXPECT_EQ(school->notes(id).size(), 1u);
+  EXPECT_EQ(school->ratings(id).size(), 1u);
   EXPECT_EQ(school->exported_files(bo.id).size(), 1u);
   const auto store = Store::open(path, error);
   EXPECT_TRUE(store->attempts("")[0].is_void);

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 class Attempts : public Program {
  protected:
-  std::string keep(const std::string& person, const std::string& lesson) const {
+  std::string keep(const std::string& person, const std::string& lesson, bool passed = true) const {
     record::AttemptInfo info;
     info.person = person;
     info.lesson_id = lesson;
@@ -34,9 +34,9 @@ class Attempts : public Program {
       recorder->step(step);
     }
     record::AttemptEnd end;
-    end.outcome = judge::Outcome::kPassed;
+    end.outcome = passed ? judge::Outcome::kPassed : judge::Outcome::kFailed;
     end.reason = "grasp.held";
-    end.score = 91;
+    end.score = passed ? 91 : 26;
     end.simulated_s = 0.3;
     end.metric = {2};
     recorder->finish(end);
@@ -63,6 +63,12 @@ TEST_F(Attempts, AreListedNewestFirst) {
   const Said nobody = swage({"attempts", "list", "--store", store(), "--person", "Adda"});
   EXPECT_EQ(nobody.code, 2);
   EXPECT_THAT(nobody.err, HasSubstr(record::say::kNobody("Adda")));
+}
+
+// As in the console: what a lesson computed on the way to a failure is no score.
+TEST_F(Attempts, AFailedOneIsListedWithoutAScore) {
+  keep("Ada", "org.example.a", false);
+  EXPECT_THAT(swage({"attempts", "list", "--store", store()}).out, testing::ContainsRegex("Ada +org.example.a +failed +- +0.3 s"));
 }
 
 TEST_F(Attempts, GoOutAndComeBack) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The rating scales of surgeons for one attempt: each item as the metrics decide it, and the instructor's own points beside it.
+#pragma once
+
+#include <QComboBox>
+#include <QHash>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <optional>
+
+#include "console/models/ratings.hpp"
+
+namespace swage::console {
+
+class RatingPanel : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit RatingPanel(QWidget* parent = nullptr);
+  /// `editable`: the instructor's points can be kept, as with an attempt of the store.
+  void set_scales(const QVector<RatedScale>& scales, bool editable);
+
+ Q_SIGNALS:
+  /// The instructor chose points for an item, or took them back.
+  void rated(const QString& item_id, std::optional<double> points);
+
+ private:
+  /// The labels and the box of an item; they stay while other attempts are shown, as all attempts have the same scales.
+  struct Line {
+    QLabel* computed = nullptr;
+    QComboBox* given = nullptr;
+  };
+  void make(const QVector<RatedScale>& scales);
+  void make_item(const RatedScale& scale, const RatedItem& item, class QGridLayout* grid);
+
+  QVBoxLayout* column_ = nullptr;
+  QHash<QString, QLabel*> computed_, given_;  // of a scale: its sentences
+  QHash<QString, Line> lines_;                // by item
+};
+
+}  // namespace swage::console

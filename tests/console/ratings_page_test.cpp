@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the Review page says beside what was measured: points lost, the scales of surgeons, an instructor's own rating, and keys in its
+// tables; on a real store.
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QTableWidget>
+#include <QUndoStack>
+#include <algorithm>
+
+#include "console/models/metric_titles.hpp"
+#include "console/pages/comparison.hpp"
+#include "console/pages/rating_panel.hpp"
+#include "record/recorder.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+void learn_points() {
+  host::PluginInfo plugin;
+  const auto add = [&](const char* id, const char* title, int32_t show) {
+    host::MetricInfo m;
+    m.id = id;
+    m.title = title;
+    m.show = show;
+    plugin.metrics.push_back(m);
+  };
+  add("points.time", "Time", SWAGE_SHOW_POINTS);
+  add("task.success", "Passed", SWAGE_SHOW_YES_NO);
+  console::learn_metric_labels({plugin});
+}
+
+class RatingPages : public WindowTest {
+ protected:
+  void SetUp() override {
+    with_school = true;
+    learn_points();
+  }
+  std::string keep(double points_lost) {
+    record::AttemptInfo info;
+    info.person = "Arun P.";
+    info.lesson_id = "swage.series.grasp";
+    info.lesson_title = "Grasp the needle";
+    info.mode = "practice";
+    info.script.metrics = {{"lesson", "points.time", "1", ""}, {"lesson", "task.success", "1", ""}, {"lesson", "force.peak", "N", ""}};
+    base::Problems problems;
+    const auto recorder = record::Recorder::open(school_file(), info, problems);
+    if (!recorder) return {};
+    record::AttemptEnd end;
+    end.outcome = judge::Outcome::kPassed;
+    end.score = 100 - points_lost;
+    end.simulated_s = 2;
+    end.metric = {points_lost, 1, 0.5};
+    recorder->finish(end);
+    return recorder->attempt_id();
+  }
+  void open_attempt(const std::string& id) {
+    open();
+    click("page_review");
+    std::string error;
+    store = record::Store::open(school_file(), error);
+    ASSERT_TRUE(review()->open(store, QString::fromStdString(id))) << error;
+  }
+  std::vector<record::ObserverRating> kept(const std::string& id) {
+    std::string error;
+    return record::School::open(school_file(), error)->ratings(id);
+  }
+  console::ReviewPage* review() { return window->review_page(); }
+  std::shared_ptr<record::Store> store;
+};
+
+TEST_F(RatingPages, PointsLostStandBelowAHeadingOfTheirOwn) {
+  open_attempt(keep(3));
+  auto* metrics = child<QTableWidget>("review_metrics");
+  ASSERT_EQ(metrics->rowCount(), 4) << "two measurements, the heading, what it cost";
+  EXPECT_EQ(metrics->item(0, 0)->text(), "Passed");
+  EXPECT_EQ(metrics->item(2, 0)->text(), "Points lost, of 100");
+  EXPECT_EQ(metrics->item(3, 0)->text(), "Time");
+  EXPECT_EQ(metrics->item(3, 1)->text(), "−3.0");
+}
+
+TEST_F(RatingPages, AScaleSaysThatItIsComputedAndOfHowManyItems) {
+  open_attempt(keep(3));
+  const QString words = child<QLabel>("computed_smart")->text();
+  EXPECT_TRUE(words.startsWith("Computed from metrics: 4.6 of 5, the mean of 2 of 9 items")) << words.toStdString();
+  EXPECT_TRUE(words.contains("not decided by the program are not counted"));
+  const console::RatedScale& smart = *std::find_if(review()->review().scales.begin(), review()->review().scales.end(),
+                                                   [](const console::RatedScale& s) { return s.id == "smart"; });
+  EXPECT_TRUE(smart.source.contains("from memory")) << "the source is told as the scale's file has it";
+}
+
+TEST_F(RatingPages, AnInstructorsRatingIsKeptBesideTheComputedOneAndUndone) {
+  const std::string id = keep(3);
+  open_attempt(id);
+  auto* box = child<QComboBox>("rate_smart.efficiency");
+  ASSERT_TRUE(box->isEnabled());
+  const auto choose = [&](const QString& points) {
+    box->setCurrentIndex(box->findText(points));
+    Q_EMIT box->activated(box->currentIndex());
+  };
+  choose("3");
+  ASSERT_EQ(kept(id).size(), 1U);
+  EXPECT_EQ(kept(id)[0].points, 3);
+  EXPECT_EQ(kept(id)[0].item, "smart.efficiency");
+  EXPECT_TRUE(child<QLabel>("given_smart")->text().startsWith("Instructor's rating: 3.0 of 5, the mean of 1 of 9"));
+  EXPECT_TRUE(child<QLabel>("computed_smart")->text().contains("4.6 of 5")) << "the computed mean is as it was";
+  choose("5");
+  EXPECT_EQ(kept(id)[0].points, 5);
+  const QString pdf = dir.filePath("rated.pdf"), csv = dir.filePath("rated.csv");
+  EXPECT_EQ(review()->write_report(pdf), QString());
+  EXPECT_GT(QFileInfo(pdf).size(), 5000);
+  EXPECT_EQ(review()->write_summary(csv), QString());
+  QFile written(csv);
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+  const QByteArray text = written.readAll();
+  EXPECT_TRUE(text.contains("rating_by_instructor,\"smart.efficiency\",,5,")) << text.toStdString();
+  EXPECT_TRUE(text.contains("rating,\"smart.efficiency\",,4.2,"));
+  // back to 3, then to nothing; and a rating is taken back by hand as well
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(kept(id).size(), 1U);
+  EXPECT_EQ(kept(id)[0].points, 3);
+  EXPECT_EQ(box->currentText(), "3");
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(kept(id).empty());
+  EXPECT_EQ(box->currentText(), "–");
+  choose("2");
+  choose("–");
+  EXPECT_TRUE(kept(id).empty());
+}
+
+TEST_F(RatingPages, ThePlaceOfAnAttemptIsFoundByTheBeginningOfItsId) {
+  const std::string id = keep(3);
+  open_attempt(id.substr(0, id.size() - 2));
+  EXPECT_EQ(review()->review().attempt.id, id);
+  EXPECT_FALSE(review()->open(store, "ffffffff"));
+}
+
+TEST_F(RatingPages, ComparedMetricsStandBesideEachOther) {
+  const std::string other = keep(7), id = keep(3);
+  open_attempt(id);
+  auto* metrics = child<QTableWidget>("review_metrics");
+  EXPECT_TRUE(metrics->isColumnHidden(3));
+  ASSERT_TRUE(review()->compare(QString::fromStdString(other)));
+  EXPECT_FALSE(metrics->isColumnHidden(3));
+  EXPECT_EQ(metrics->item(3, 1)->text(), "−3.0");
+  EXPECT_EQ(metrics->item(3, 3)->text(), "−7.0");
+  review()->end_comparison();
+  EXPECT_TRUE(metrics->isColumnHidden(3));
+}
+
+TEST_F(RatingPages, NothingToCompareWithIsSaid) {
+  open_attempt(keep(3));
+  bool said = false;
+  auto* look = new QTimer(window.get());
+  QObject::connect(look, &QTimer::timeout, look, [&, look] {
+    auto* dialog = window->findChild<QDialog*>(QStringLiteral("compare_dialog"));
+    if (!dialog || !dialog->isVisible()) return;
+    look->stop();
+    said = dialog->findChild<QLabel*>(QStringLiteral("compare_none")) != nullptr;
+    EXPECT_FALSE(dialog->findChild<QPushButton*>(QStringLiteral("compare_ok"))->isEnabled());
+    dialog->reject();
+  });
+  look->start(10);
+  review()->ask_compare();
+  EXPECT_TRUE(said);
+}
+
+TEST_F(RatingPages, KeysWorkInTheTablesToo) {
+  open_attempt(keep(3));
+  auto* metrics = child<QTableWidget>("review_metrics");
+  ASSERT_TRUE(eventually([&] {
+    QApplication::setActiveWindow(window.get());
+    metrics->setFocus();
+    return QApplication::focusWidget() == metrics;
+  }));
+  QTest::keyClick(metrics, Qt::Key_Space);
+  EXPECT_TRUE(review()->playing());
+  QTest::keyClick(metrics, Qt::Key_Space);
+  EXPECT_FALSE(review()->playing());
+}
+
+// A jump is quicker than its picture: playing begins where the cursor is, not where the picture has come to.
+TEST_F(RatingPages, PlayingAfterAJumpBeginsAtTheCursor) {
+  recorded_steps = 60'000;
+  open_attempt(keep(3));
+  review()->go(50);
+  review()->toggle_play();
+  EXPECT_TRUE(eventually([&] { return review()->player()->at() > 1000; }));
+  EXPECT_GE(review()->timeline()->cursor(), 50);
+  EXPECT_TRUE(review()->playing());
+}
+
+}  // namespace
+}  // namespace swage::test
