@@ -127,11 +127,14 @@ void MainWindow::connect_pages() {
   const auto with_chosen = [this](void (RunPage::*call)()) {
     return [this, call](const QString& path) {
       select_lesson(path);
+      const int before = lessons_.rowCount();
       (run_->*call)();
       lessons_page_->select(run_->setup()->lesson());
       lessons_page_->show_lesson();
+      if (lessons_.rowCount() > before) lessons_page_->tell(tr("Saved as a lesson of your own."));
     };
   };
+  lessons_page_->set_checker([this](const QString& path) { return run_->fault_of(path); });
   connect_lesson_files();
   connect(lessons_page_, &LessonsPage::make_variant, this, with_chosen(&RunPage::make_variant));
   connect(lessons_page_, &LessonsPage::edit_lesson, this, with_chosen(&RunPage::edit_lesson));
@@ -155,6 +158,7 @@ void MainWindow::connect_pages() {
                : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
   });
   connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
+  connect(setup_, &SetupPage::language_chosen, this, [this](const QString& code) { settings_.set(kLanguageKey, code); });
   connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
   connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
   connect(setup_, &SetupPage::station_settings, this, &MainWindow::show_station);
@@ -162,6 +166,7 @@ void MainWindow::connect_pages() {
 }
 
 void MainWindow::connect_lesson_files() {
+  run_->editing()->set_courses([this](const QString& lesson_id) { return desk_.courses_with(lesson_id); });
   connect(run_->control(), &RunControl::state_changed, this, [this] { lessons_page_->set_running(run_->control()->running()); });
   connect(run_, &RunPage::started_elsewhere, this, [this] { show_page(QStringLiteral("run")); });
   connect(lessons_page_, &LessonsPage::import_lesson, this, [this](const QString& file) {
@@ -200,7 +205,7 @@ void MainWindow::fill_top_bar() {
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
   connect(trainee, &QPushButton::clicked, this, &MainWindow::toggle_trainee);
   row->addWidget(trainee);
-  auto* eyes = make_button(tr("…"), {}, QStringLiteral("trainee_options"), bar);
+  auto* eyes = make_button(tr("Eyes…"), {}, QStringLiteral("trainee_options"), bar);
   eyes->setAccessibleName(tr("Settings of the trainee view"));
   eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
   connect(eyes, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);
@@ -318,6 +323,7 @@ void MainWindow::restore(const Launch& launch) {
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   run_->set_used_controls(settings_.text("used_controls"));
   run_->set_guided(settings_.text("guided") == QLatin1String("true"));
+  setup_->show_language(settings_.text(kLanguageKey));
   read_station_look();
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);

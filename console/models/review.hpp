@@ -50,7 +50,7 @@ struct Review {
 
   QString why;               // it ended so, in the lesson's words; "" where it has none
   QString headline() const;  // "Basic grasp, Arun P., 21 Nov 2026 10:30"
-  QString verdict() const;   // "✓ Met, 87 of 100"
+  QString verdict() const;   // "✓ Passed, 87 of 100"
 };
 
 /// `card`: of the replayed scene, where there is one; its lesson's card then says which way metrics are better, and how they

@@ -26,6 +26,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   Card now = make_card(tr("Now"), this);
   card_ = now.frame;
   phase_ = make_muted(QString(), now.frame);
+  phase_->setObjectName(QStringLiteral("task_line"));
   now.body->addWidget(phase_);
   left_ = new QLabel(now.frame);
   left_->setObjectName(QStringLiteral("time_left"));
@@ -140,6 +141,7 @@ void NowPanel::set_running(bool running) {
 
 void NowPanel::set_readings_hidden(bool hidden) {
   readings_hidden_ = hidden;
+  if (hidden) show_task();
   show_parts();
 }
 
@@ -162,13 +164,19 @@ void NowPanel::show_time(double time_s) {
                                         : tr("Over the time limit by %1").arg(clock_text(-left)));
 }
 
+// what the lesson says before anything has been judged
+void NowPanel::show_task() {
+  phase_->setText(task_.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task_);
+}
+
 void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria) {
   asked_ = criteria;
+  task_ = task;
   criteria_->setText(list_text(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
                      list_text(tr("Limits in a test"), criteria.limits) + list_text(tr("Points"), criteria.points));
   force_name_->setVisible(reader.has_force());
   meter_->setVisible(reader.has_force());
-  phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);
+  show_task();
   spot_.set_visible(reader.has_grasp());
   tips_.set_visible(reader.has_grasp());
   tilt_.set_visible(reader.has_tilt());
@@ -229,7 +237,8 @@ void NowPanel::show_tension(const Reading& r, double time_s) {
 }
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
-  if (!r.phase.isEmpty()) phase_->setText(said(r.phase));
+  // the phase follows from what has been judged: in a test it would tell that a grasp is right
+  if (!r.phase.isEmpty() && !readings_hidden_) phase_->setText(said(r.phase));
   show_time(time_s);
   const bool contact = r.force && *r.force > 0;
   // tissue and tray press on closed jaws, too

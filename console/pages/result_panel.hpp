@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "console/cues/ui_theme.hpp"
+#include "console/models/lesson_facts.hpp"
 #include "session/session.hpp"
 
 namespace swage::console {
@@ -22,6 +23,8 @@ class ResultPanel : public QWidget {
   /// The end of a demonstration: nothing was judged.
   void show_seen(const session::Result& result);
   void set_can_go_on(bool next) { next_->setEnabled(next); }
+  /// What the lesson asks, to be read beside what was reached.
+  void set_criteria(const Criteria& asked);
   QString outcome() const { return outcome_->text(); }
   QString reason() const { return reason_->text(); }
 
@@ -32,6 +35,8 @@ class ResultPanel : public QWidget {
   void progress();
 
  private:
+  QWidget* make_numbers(QWidget* parent);
+  QLayout* make_buttons(QWidget* parent);
   void clear();
   void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
   void add_metrics(const session::Result& result, const snapshot::SceneCard& card);
@@ -42,7 +47,7 @@ class ResultPanel : public QWidget {
   UiTheme theme_;
   judge::Outcome state_ = judge::Outcome::kRunning;
   QString attempt_;
-  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
+  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_, *criteria_;
   QGridLayout *metrics_, *points_, *more_;
   QWidget* more_box_;
   QPushButton *more_button_, *review_, *next_;

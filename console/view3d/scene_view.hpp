@@ -61,6 +61,7 @@ class SceneView : public QWidget {
   /// What an instructor says, for a trainee's view; "" for nothing.
   void set_message(const QString& words);
   const QString& message() const { return words_.message; }
+  const ViewWords& words() const { return words_; }
   /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
   void set_control_hints(bool drag, bool close, bool drive);
   /// Share of a hold that is done, drawn as a ring at the grasp; 0 for none.
