@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QTemporaryDir>
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,7 +13,6 @@
 #include "console/app/main_window.hpp"
 #include "console/app/screenshot.hpp"
 #include "console/app/session_player.hpp"
-#include "console/app/settings.hpp"
 #include "record/address.hpp"
 #include "session/bounded_call.hpp"
 
@@ -22,13 +20,9 @@ using namespace swage;
 
 namespace {
 
-// The one that is asked for, else that of the Setup page; a picture for the documentation is of no person's choice. A language that
-// there is not ends the program with what there is.
+// a language that there is not ends the program with what there is
 void choose_language() {
-  const QStringList arguments = QCoreApplication::arguments();
-  const bool picture = std::any_of(arguments.begin(), arguments.end(), [](const QString& a) { return a.startsWith(QLatin1String("--screenshot")); });
-  QString wanted = console::language_in(arguments);
-  if (wanted.isEmpty() && !picture && console::use_language(console::Settings().text(console::kLanguageKey))) return;
+  const QString wanted = console::language_in(QCoreApplication::arguments());
   if (console::use_language(wanted)) return;
   std::fprintf(stderr, "swage-console: --language: \"%s\" is not there; allowed are %s.\n", qPrintable(wanted),
                qPrintable(console::languages().join(QStringLiteral(", "))));

@@ -158,7 +158,6 @@ void MainWindow::connect_pages() {
                : tr("The program closed unexpectedly. %1 attempts were kept up to that moment.").arg(n));
   });
   connect(setup_, &SetupPage::themes_chosen, this, &MainWindow::set_theme);
-  connect(setup_, &SetupPage::language_chosen, this, [this](const QString& code) { settings_.set(kLanguageKey, code); });
   connect(setup_, &SetupPage::trainee_view, this, &MainWindow::toggle_trainee);
   connect(setup_, &SetupPage::trainee_settings, this, &MainWindow::show_trainee_settings);
   connect(setup_, &SetupPage::station_settings, this, &MainWindow::show_station);
@@ -323,7 +322,6 @@ void MainWindow::restore(const Launch& launch) {
                   settings_.text("volume", QStringLiteral("0.7")).toDouble());
   run_->set_used_controls(settings_.text("used_controls"));
   run_->set_guided(settings_.text("guided") == QLatin1String("true"));
-  setup_->show_language(settings_.text(kLanguageKey));
   read_station_look();
   strip_->set_frames_shown(settings_.text("frames") == QLatin1String("true"));
   frames_timer_.start(kFrames_ms);

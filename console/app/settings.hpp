@@ -7,9 +7,6 @@
 
 namespace swage::console {
 
-/// Language of the window, "" that of the system: read before the window is there.
-inline constexpr char kLanguageKey[] = "language";
-
 /// What the program remembers between launches.
 class Settings {
  public:

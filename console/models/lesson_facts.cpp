@@ -74,7 +74,8 @@ std::optional<double> limit(const Judged& lesson, const std::string& id, size_t 
 
 // A value as somebody would write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
 QString number_words(const host::Param& p, double value) {
-  const base::Shown as = base::shown_unit(value, p.display_unit == "%" ? "%" : p.unit);
+  const std::string& unit = p.display_unit == "%" ? p.display_unit : p.unit;
+  const base::Shown as = base::shown_unit(value, unit);
   return with_unit(QLocale().toString(value * as.factor, 'g', 4), as.unit);
 }
 

@@ -26,7 +26,6 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   Card now = make_card(tr("Now"), this);
   card_ = now.frame;
   phase_ = make_muted(QString(), now.frame);
-  phase_->setObjectName(QStringLiteral("task_line"));
   now.body->addWidget(phase_);
   left_ = new QLabel(now.frame);
   left_->setObjectName(QStringLiteral("time_left"));
@@ -44,6 +43,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(now.frame);
   lower_ = make_lower();
   column->addWidget(lower_, 1);
+  phase_->setObjectName(QStringLiteral("task_line"));
   column->addStretch(0);
   show_parts();
 }

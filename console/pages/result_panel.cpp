@@ -21,17 +21,6 @@ QString reason_text(const std::string& reason, const judge::Script& script) {
   return said_id(reason);
 }
 
-namespace {
-
-QGridLayout* make_lines() {
-  auto* made = new QGridLayout;
-  made->setColumnStretch(0, 1);
-  made->setVerticalSpacing(5);
-  return made;
-}
-
-}  // namespace
-
 ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("result"));
   auto* column = new QVBoxLayout(this);
@@ -42,60 +31,54 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   outcome_->setProperty("big", true);
   reason_ = new QLabel(card.frame);
   reason_->setWordWrap(true);
+  const auto grid = [] {
+    auto* made = new QGridLayout;
+    made->setColumnStretch(0, 1);
+    made->setVerticalSpacing(5);
+    return made;
+  };
+  metrics_ = grid();
+  points_ = grid();
+  points_heading_ = make_heading(tr("Points lost"), card.frame);
+  more_box_ = new QWidget(card.frame);
+  more_ = grid();
+  more_->setContentsMargins(0, 0, 0, 0);
+  more_box_->setLayout(more_);
+  more_box_->hide();
+  more_button_ = make_button(tr("All numbers"), {}, QStringLiteral("all_numbers"), card.frame);
+  more_button_->setCheckable(true);
+  connect(more_button_, &QPushButton::toggled, more_box_, &QWidget::setVisible);
+  kept_ = make_muted({}, card.frame);
+  kept_->setObjectName(QStringLiteral("kept"));
+  problems_ = make_muted({}, card.frame);
   card.body->addWidget(outcome_);
   card.body->addWidget(reason_);
   card.body->addSpacing(4);
-  card.body->addWidget(make_numbers(card.frame));
-  card.body->addLayout(make_buttons(card.frame));
+  card.body->addLayout(metrics_);
+  card.body->addWidget(points_heading_);
+  card.body->addLayout(points_);
+  card.body->addWidget(kept_);
+  card.body->addWidget(problems_);
+  auto* buttons = new QGridLayout;
+  review_ = make_button(tr("Review"), {}, QStringLiteral("to_review"), card.frame);
+  auto* again = make_button(tr("Again"), QStringLiteral("F5"), QStringLiteral("again"), card.frame);
+  next_ = make_button(tr("Next lesson"), {}, QStringLiteral("next_lesson"), card.frame);
+  auto* progress = make_button(tr("Progress"), {}, QStringLiteral("to_progress"), card.frame);
+  buttons->addWidget(again, 0, 0);
+  buttons->addWidget(review_, 0, 1);
+  buttons->addWidget(next_, 1, 0);
+  buttons->addWidget(progress, 1, 1);
+  card.body->addLayout(buttons);
+  card.body->addWidget(more_button_);
+  card.body->addWidget(more_box_);
   criteria_ = new QLabel(card.frame);
   criteria_->setObjectName(QStringLiteral("result_criteria"));
   criteria_->setWordWrap(true);
   criteria_->setTextFormat(Qt::RichText);
   criteria_->hide();
-  card.body->addWidget(more_button_);
-  card.body->addWidget(more_box_);
   card.body->addWidget(criteria_);
   card.body->addStretch(1);
   column->addWidget(card.frame);
-}
-
-QWidget* ResultPanel::make_numbers(QWidget* parent) {
-  auto* box = new QWidget(parent);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  metrics_ = make_lines();
-  points_ = make_lines();
-  points_heading_ = make_heading(tr("Points lost"), box);
-  kept_ = make_muted({}, box);
-  kept_->setObjectName(QStringLiteral("kept"));
-  problems_ = make_muted({}, box);
-  column->addLayout(metrics_);
-  column->addWidget(points_heading_);
-  column->addLayout(points_);
-  column->addWidget(kept_);
-  column->addWidget(problems_);
-  // the rest, on demand
-  more_box_ = new QWidget(parent);
-  more_ = make_lines();
-  more_->setContentsMargins(0, 0, 0, 0);
-  more_box_->setLayout(more_);
-  more_box_->hide();
-  more_button_ = make_button(tr("All numbers"), {}, QStringLiteral("all_numbers"), parent);
-  more_button_->setCheckable(true);
-  connect(more_button_, &QPushButton::toggled, more_box_, &QWidget::setVisible);
-  return box;
-}
-
-QLayout* ResultPanel::make_buttons(QWidget* parent) {
-  auto* buttons = new QGridLayout;
-  review_ = make_button(tr("Review"), {}, QStringLiteral("to_review"), parent);
-  auto* again = make_button(tr("Again"), QStringLiteral("F5"), QStringLiteral("again"), parent);
-  next_ = make_button(tr("Next lesson"), {}, QStringLiteral("next_lesson"), parent);
-  auto* progress = make_button(tr("Progress"), {}, QStringLiteral("to_progress"), parent);
-  buttons->addWidget(again, 0, 0);
-  buttons->addWidget(review_, 0, 1);
-  buttons->addWidget(next_, 1, 0);
-  buttons->addWidget(progress, 1, 1);
   give_key(review_, QStringLiteral("Ctrl+R"));
   give_key(next_, QStringLiteral("Ctrl+Right"));
   give_key(progress, QStringLiteral("Ctrl+P"));
@@ -106,7 +89,6 @@ QLayout* ResultPanel::make_buttons(QWidget* parent) {
   connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
   connect(progress, &QPushButton::clicked, this, &ResultPanel::progress);
-  return buttons;
 }
 
 void ResultPanel::set_criteria(const Criteria& asked) {

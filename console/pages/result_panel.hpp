@@ -35,8 +35,6 @@ class ResultPanel : public QWidget {
   void progress();
 
  private:
-  QWidget* make_numbers(QWidget* parent);
-  QLayout* make_buttons(QWidget* parent);
   void clear();
   void add_line(QGridLayout* to, const QString& name, const QString& value, const QString& doc);
   void add_metrics(const session::Result& result, const snapshot::SceneCard& card);
@@ -47,8 +45,9 @@ class ResultPanel : public QWidget {
   UiTheme theme_;
   judge::Outcome state_ = judge::Outcome::kRunning;
   QString attempt_;
-  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_, *criteria_;
+  QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
   QGridLayout *metrics_, *points_, *more_;
+  QLabel* criteria_;
   QWidget* more_box_;
   QPushButton *more_button_, *review_, *next_;
 };

@@ -38,7 +38,7 @@ SetupPage::SetupPage(QWidget* parent) : QWidget(parent) {
     row->addWidget(box, 1);
   }
   row->addStretch(0);
-  add_section(tr("Appearance"), make_look());
+  add_section(tr("Colours"), make_colours());
   add_section(tr("Trainee's view"), make_trainee());
   add_section(tr("Instrument"), make_instrument());
   add_section(tr("Jaw sensors"), make_sensors());
@@ -51,7 +51,7 @@ void SetupPage::add_section(const QString& heading, QWidget* section) {
   column->insertWidget(column->count() - 1, card.frame);
 }
 
-QWidget* SetupPage::make_look() {
+QWidget* SetupPage::make_colours() {
   auto* box = new QWidget(this);
   auto* form = new QFormLayout(box);
   form->setContentsMargins(0, 0, 0, 0);
@@ -60,18 +60,6 @@ QWidget* SetupPage::make_look() {
   cues_ = make_choice(tr("Cue colours"), "cue_theme", tr("Colours of the cues; shapes, words and sounds stay the same"),
                       form);
   for (const QString& id : CueTheme::stock()) cues_->addItem(CueTheme::stock(id).title(), id);
-  language_ = make_choice(tr("Language"), "language", tr("Of the window, from the next start of the program on"), form);
-  language_->addItem(tr("As the system"), QString());
-  language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
-  language_->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
-  QLabel* later = make_muted(tr("The language changes when the program is started again."), box);
-  later->setObjectName(QStringLiteral("language_later"));
-  later->hide();
-  form->addRow(later);
-  connect(language_, &QComboBox::activated, this, [this, later] {
-    later->show();
-    Q_EMIT language_chosen(language_->currentData().toString());
-  });
   for (QComboBox* choice : {theme_, cues_}) {
     connect(choice, &QComboBox::activated, this,
             [this] { Q_EMIT themes_chosen(theme_->currentData().toString(), cues_->currentData().toString()); });
@@ -176,8 +164,6 @@ QWidget* SetupPage::make_sensors() {
 void SetupPage::show_calibrations(const QStringList& lines) {
   calibrations_->setText(lines.isEmpty() ? tr("No sensor is calibrated on this computer.") : lines.join(QLatin1Char('\n')));
 }
-
-void SetupPage::show_language(const QString& code) { language_->setCurrentIndex(std::max(0, language_->findData(code))); }
 
 void SetupPage::show_themes(const QString& ui, const QString& cues) {
   theme_->setCurrentIndex(theme_->findData(ui));

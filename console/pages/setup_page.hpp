@@ -22,8 +22,6 @@ class SetupPage : public QWidget {
   /// A card with a heading; the section is laid into it. Sections stand in two columns, in the order of their coming.
   void add_section(const QString& heading, QWidget* section);
   void show_themes(const QString& ui, const QString& cues);
-  /// "" for that of the system.
-  void show_language(const QString& code);
   /// What a person can hold, and what leads the instrument of whom.
   void set_devices(const std::vector<const host::PluginInfo*>& devices);
   void show_binding(const Binding& binding, const QString& person);
@@ -32,7 +30,6 @@ class SetupPage : public QWidget {
 
  Q_SIGNALS:
   void themes_chosen(const QString& ui, const QString& cues);
-  void language_chosen(const QString& code);
   void trainee_view();
   void trainee_settings();
   void station_settings();
@@ -40,7 +37,7 @@ class SetupPage : public QWidget {
   void binding_chosen(const Binding& binding);
 
  private:
-  QWidget* make_look();
+  QWidget* make_colours();
   QWidget* make_trainee();
   QWidget* make_sensors();
   QWidget* make_instrument();
@@ -50,7 +47,7 @@ class SetupPage : public QWidget {
   int sections_ = 0;
   QLabel *calibrations_ = nullptr, *whose_ = nullptr;
   QComboBox *pose_ = nullptr, *jaws_ = nullptr, *clutch_ = nullptr, *pedal_ = nullptr;
-  QComboBox *theme_ = nullptr, *cues_ = nullptr, *language_ = nullptr;
+  QComboBox *theme_ = nullptr, *cues_ = nullptr;
 };
 
 }  // namespace swage::console

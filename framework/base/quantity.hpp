@@ -25,7 +25,8 @@ inline double meaningful(double value, std::string_view unit) {
   return value == 0 || std::abs(value) < least_meaningful(unit) ? 0 : value;
 }
 
-/// What a value in SI is multiplied with, and the unit that it has then: "mm", "um2", "deg"; "" for a number.
+/// What a value in SI is multiplied with, and the unit that it has then: "mm", "um2", "deg"; "" for a number. A unit of which nothing is
+/// known is that of the argument, which must live as long.
 struct Shown {
   double factor = 1;
   std::string_view unit;

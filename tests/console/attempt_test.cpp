@@ -215,6 +215,7 @@ class OwnLessonOnPage : public WindowTest {
 };
 
 TEST_F(OwnLessonOnPage, IsDeletedOnlyWhenThatWasMeant) {
+  launch.options.lesson_path = mine.path.toStdString();
   open();
   ASSERT_TRUE(wait_for_preview());
   auto* lessons = child<QListView>("lessons");
@@ -222,6 +223,7 @@ TEST_F(OwnLessonOnPage, IsDeletedOnlyWhenThatWasMeant) {
   for (int i = 0; i < lessons->model()->rowCount(); ++i)
     if (lessons->model()->index(i, 0).data(console::LessonsModel::kTitle).toString() == "Mine") row = i;
   ASSERT_GE(row, 0);
+  lessons->setCurrentIndex(lessons->model()->index(row == 0 ? 1 : 0, 0));
   EXPECT_FALSE(child<QPushButton>("delete_lesson")->isVisible()) << "a lesson of the series stays";
   lessons->setCurrentIndex(lessons->model()->index(row, 0));
   ASSERT_TRUE(eventually([&] { return child<QPushButton>("delete_lesson")->isVisible() && child<QPushButton>("delete_lesson")->isEnabled(); }));
