@@ -23,18 +23,8 @@ bool is_attempt(const QString& path) {
   return QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
 }
 
-}  // namespace
-
-Launch read_command_line(const QStringList& arguments) {
-  QCommandLineParser parser;
-  parser.setApplicationDescription(QCoreApplication::translate(
-      "command_line", "Swage, the microsurgery trainer: runs lessons and shows progress."));
-  parser.addHelpOption();
-  parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("lesson"),
-                               QCoreApplication::translate("command_line", "Lesson file, or kept attempt, to open."),
-                               QStringLiteral("[lesson.json | attempt.swage]"));
-  parser.addOptions({
+QList<QCommandLineOption> all_options() {
+  return {
       option("start", QT_TRANSLATE_NOOP("command_line", "Start the lesson at once.")),
       option("device", QT_TRANSLATE_NOOP("command_line", "The hand: mouse, expert, a plugin id, or a name from the lesson."), "device"),
       option("person", QT_TRANSLATE_NOOP("command_line", "Who practises."), "name"),
@@ -57,19 +47,13 @@ Launch read_command_line(const QStringList& arguments) {
       option("screenshot", QT_TRANSLATE_NOOP("command_line", "Write a picture of the window (with --trainee: of the trainee's) and quit."),
              "file.png"),
       option("at", QT_TRANSLATE_NOOP("command_line", "When: seconds into the attempt, or after the window is there."), "seconds"),
-  });
-  parser.process(arguments);
+  };
+}
 
+// what is given takes the place of what is usual
+void take_options(const QCommandLineParser& parser, Launch& launch) {
   const auto text = [&](const char* name) { return parser.value(QString::fromLatin1(name)); };
   const auto given = [&](const char* name) { return parser.isSet(QString::fromLatin1(name)); };
-  Launch launch;
-  if (!parser.positionalArguments().isEmpty()) {
-    const QString file = parser.positionalArguments().first();
-    if (is_attempt(file))
-      launch.attempt_file = file;
-    else
-      launch.options.lesson_path = file.toStdString();
-  }
   for (const QString& dir : parser.values(QStringLiteral("plugin-dir")))
     launch.options.plugin_dirs.push_back(dir.toStdString());
   launch.options.device = text("device").toStdString();
@@ -96,6 +80,31 @@ Launch read_command_line(const QStringList& arguments) {
   launch.screenshot_at_s = text("at").toDouble();
   const QStringList size = text("size").split(QLatin1Char('x'));
   if (size.size() == 2) launch.size = QSize(size[0].toInt(), size[1].toInt());
+}
+
+}  // namespace
+
+Launch read_command_line(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QCoreApplication::translate(
+      "command_line", "Swage, the microsurgery trainer: runs lessons and shows progress."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("lesson"),
+                               QCoreApplication::translate("command_line", "Lesson file, or kept attempt, to open."),
+                               QStringLiteral("[lesson.json | attempt.swage]"));
+  parser.addOptions(all_options());
+  parser.process(arguments);
+
+  Launch launch;
+  if (!parser.positionalArguments().isEmpty()) {
+    const QString file = parser.positionalArguments().first();
+    if (is_attempt(file))
+      launch.attempt_file = file;
+    else
+      launch.options.lesson_path = file.toStdString();
+  }
+  take_options(parser, launch);
   launch.lesson_folders = lesson_folders();
   return launch;
 }

@@ -29,6 +29,42 @@ void choose_language() {
   std::exit(2);
 }
 
+// sessions, stores and files as they really are; tests have others
+console::Services services_of(const session::Options& options) {
+  console::Services services;
+  services.open_session = &session::Session::open;
+  services.open_expert = &console::open_session_expert;
+  if (options.store_path != ":none:") {
+    services.open_store = [where = options.store_path](std::string& error) {
+      return record::Store::open_as_allowed(where, error);
+    };
+    services.open_school = [where = options.store_path](std::string& error) {
+      return record::School::open(where, error);
+    };
+  }
+  if (record::is_postgres(options.store_path))
+    services.open_stations = [where = options.store_path](std::string& error) { return record::Stations::open(where, error); };
+  services.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
+                                                      std::string& error) {
+    return record::read_recording(where.empty() ? record::Store::default_path() : where, id, out, error);
+  };
+  services.read_export = [where = options.store_path](const std::string& file, const record::Selection& which,
+                                                   std::vector<record::Exported>& out, std::string& error) {
+    return record::read_for_export(file.empty() ? where : file, which, out, error);
+  };
+  services.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
+                                                   base::Problems& problems) {
+    return console::open_session_player(recording, dirs, problems);
+  };
+  services.open_file = [](const std::string& file, std::string& error) {
+    return record::Store::open_to_read(file, error);
+  };
+  services.read_file = [](const std::string& file, const std::string& id, record::Recording& out, std::string& error) {
+    return record::read_recording(file, id, out, error);
+  };
+  return services;
+}
+
 int run(int argc, char** argv) {
   // a file over the size that is allowed is an error of that file, with its sentence, and not the end of the program
   signal(SIGXFSZ, SIG_IGN);
@@ -51,39 +87,7 @@ int run(int argc, char** argv) {
   const QTemporaryDir own;
   if (!launch.screenshot.isEmpty()) launch.settings_file = own.filePath(QStringLiteral("settings.ini"));
 
-  console::Services services;
-  services.open_session = &session::Session::open;
-  services.open_expert = &console::open_session_expert;
-  if (launch.options.store_path != ":none:") {
-    services.open_store = [where = launch.options.store_path](std::string& error) {
-      return record::Store::open_as_allowed(where, error);
-    };
-    services.open_school = [where = launch.options.store_path](std::string& error) {
-      return record::School::open(where, error);
-    };
-  }
-  if (record::is_postgres(launch.options.store_path))
-    services.open_stations = [where = launch.options.store_path](std::string& error) { return record::Stations::open(where, error); };
-  const session::Options& options = launch.options;
-  services.read_recording = [where = options.store_path](const std::string& id, record::Recording& out,
-                                                      std::string& error) {
-    return record::read_recording(where.empty() ? record::Store::default_path() : where, id, out, error);
-  };
-  services.read_export = [where = options.store_path](const std::string& file, const record::Selection& which,
-                                                   std::vector<record::Exported>& out, std::string& error) {
-    return record::read_for_export(file.empty() ? where : file, which, out, error);
-  };
-  services.open_player = [dirs = options.plugin_dirs](const record::Recording& recording,
-                                                   base::Problems& problems) {
-    return console::open_session_player(recording, dirs, problems);
-  };
-  services.open_file = [](const std::string& file, std::string& error) {
-    return record::Store::open_to_read(file, error);
-  };
-  services.read_file = [](const std::string& file, const std::string& id, record::Recording& out, std::string& error) {
-    return record::read_recording(file, id, out, error);
-  };
-  console::MainWindow window(std::move(services), launch);
+  console::MainWindow window(services_of(launch.options), launch);
   const console::EndSignals signals([&window] { window.leave(); });
   window.show();
   if (!launch.screenshot.isEmpty()) {

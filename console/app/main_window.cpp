@@ -126,11 +126,14 @@ void MainWindow::connect_pages() {
   const auto with_chosen = [this](void (RunPage::*call)()) {
     return [this, call](const QString& path) {
       select_lesson(path);
+      const int before = lessons_.rowCount();
       (run_->*call)();
       lessons_page_->select(run_->setup()->lesson());
       lessons_page_->show_lesson();
+      if (lessons_.rowCount() > before) lessons_page_->tell(tr("Saved as a lesson of your own."));
     };
   };
+  lessons_page_->set_checker([this](const QString& path) { return run_->fault_of(path); });
   connect_lesson_files();
   connect(lessons_page_, &LessonsPage::make_variant, this, with_chosen(&RunPage::make_variant));
   connect(lessons_page_, &LessonsPage::edit_lesson, this, with_chosen(&RunPage::edit_lesson));
@@ -161,6 +164,7 @@ void MainWindow::connect_pages() {
 }
 
 void MainWindow::connect_lesson_files() {
+  run_->editing()->set_courses([this](const QString& lesson_id) { return desk_.courses_with(lesson_id); });
   connect(run_->control(), &RunControl::state_changed, this, [this] { lessons_page_->set_running(run_->control()->running()); });
   connect(run_, &RunPage::started_elsewhere, this, [this] { show_page(QStringLiteral("run")); });
   connect(lessons_page_, &LessonsPage::import_lesson, this, [this](const QString& file) {
@@ -199,7 +203,7 @@ void MainWindow::fill_top_bar() {
   trainee->setToolTip(tr("The scene for two eyes in a window of its own (F9)"));
   connect(trainee, &QPushButton::clicked, this, &MainWindow::toggle_trainee);
   row->addWidget(trainee);
-  auto* eyes = make_button(tr("…"), {}, QStringLiteral("trainee_options"), bar);
+  auto* eyes = make_button(tr("Eyes…"), {}, QStringLiteral("trainee_options"), bar);
   eyes->setAccessibleName(tr("Settings of the trainee view"));
   eyes->setToolTip(tr("Settings of the trainee view: screen, layout, eyes"));
   connect(eyes, &QPushButton::clicked, this, &MainWindow::show_trainee_settings);

@@ -76,6 +76,17 @@ record::School* SchoolDesk::school() {
   return nullptr;
 }
 
+QStringList SchoolDesk::courses_with(const QString& lesson_id) {
+  QStringList titles;
+  if (school() == nullptr) return titles;
+  for (const record::Course& course : school_->courses()) {
+    const bool has = std::any_of(course.steps.begin(), course.steps.end(),
+                                 [&](const record::CourseStep& step) { return step.lesson_id == lesson_id.toStdString(); });
+    if (has && course.archived_utc.empty()) titles += QString::fromStdString(course.title);
+  }
+  return titles;
+}
+
 bool SchoolDesk::call(const Call& what) {
   record::School* s = school();
   why_.clear();

@@ -29,6 +29,8 @@ class SchoolDesk : public QObject {
   /// nullptr where nothing can be changed, and problem() says why.
   record::School* school();
   const QString& problem() const { return problem_; }
+  /// Titles of the courses that have a lesson, without archived ones.
+  QStringList courses_with(const QString& lesson_id);
   QUndoStack* people_edits() { return &people_; }
   QUndoStack* course_edits() { return &courses_; }
   QUndoStack* note_edits() { return &notes_; }

@@ -43,7 +43,7 @@ void EventLog::add(const judge::Event& event, const judge::Script& script, doubl
           false, is_technical(name)});
 }
 
-void EventLog::note(double time_s, const QString& what) { append({time_s, what, {}, true, false}); }
+void EventLog::note(double time_s, const QString& what, const QString& means) { append({time_s, what, means, true, false}); }
 
 int EventLog::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());

@@ -24,7 +24,7 @@ class EventLog : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   void clear();
   void add(const judge::Event& event, const judge::Script& script, double dt);
-  void note(double time_s, const QString& what);
+  void note(double time_s, const QString& what, const QString& means = {});
   const Row& at(int row) const { return rows_[row]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assembly/lesson_file.hpp"
+#include "base/quantity.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
 #include "host/params.hpp"
@@ -66,13 +67,9 @@ std::optional<double> limit(const Judged& lesson, const std::string& id, size_t 
 
 // A value as somebody would write it: 3 s, 50 %, 0.3 mm, 0.1 mN.
 QString number_words(const host::Param& p, double value) {
-  constexpr double kMilli_N = 0.01;  // forces below this are written in mN: less than two digits of a newton are hard to read
-  const QString unit = p.display_unit == "%" ? QStringLiteral("%") : QString::fromStdString(p.unit);
-  const bool milli = unit == QStringLiteral("N") && value != 0 && std::abs(value) < kMilli_N;
-  const QString number = QLocale().toString(value * display_factor(unit) * (milli ? 1e3 : 1), 'g', 4);
-  const QString suffix = milli ? QStringLiteral("mN") : display_unit(unit);
-  if (suffix.isEmpty()) return number;
-  return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
+  const std::string& unit = p.display_unit == "%" ? p.display_unit : p.unit;
+  const base::Shown as = base::shown_unit(value, unit);
+  return with_unit(QLocale().toString(value * as.factor, 'g', 4), as.unit);
 }
 
 // A text, or names of objects: each is said as the lesson calls it in this language.

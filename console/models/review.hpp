@@ -54,10 +54,10 @@ struct Review {
   QString why;               // it ended so, in the lesson's words; "" where it has none
   QString hand;              // "Recorded hand: novice" where no person's hand made it; else ""
   QString title() const;     // "Basic grasp · Recorded hand: novice · Arun P."
-  QString facts() const;     // "✓ Met, 87 of 100 · 21 Nov 2026 10:30 · Practice · seed 7"
+  QString facts() const;     // "✓ Passed, 87 of 100 · 21 Nov 2026 10:30 · Practice · seed 7"
   QString headline() const;  // title and facts without the verdict, on one line
   const MetricLine* metric(const std::string& id) const;  // nullptr: it has none of that id
-  QString verdict() const;   // "✓ Met, 87 of 100"
+  QString verdict() const;   // "✓ Passed, 87 of 100"
 };
 
 /// `card`: of the replayed scene, where there is one; its lesson's card then says which way metrics are better, and how they

@@ -15,14 +15,31 @@ namespace swage::console {
 namespace {
 
 struct Known {
-  QString language = QStringLiteral("en");
+  QString language;
   host::Words words;                 // of all, the first of each
+  host::Words english;               // names of events and signals in English, for what this language has no word of
   QHash<QString, host::Words> by_folder;
   base::Problems problems;
 };
 
+constexpr char kEnglish[] = "en";
+
+// What the host itself says: its words are part of the program.
+Known in_language(const QString& language) {
+  Known out;
+  out.language = language;
+  const auto read_own = [&](const QString& in, host::Words& words) {
+    QFile own(QStringLiteral(":/i18n/words_host.%1.json").arg(in));
+    if (own.open(QIODevice::ReadOnly))
+      host::parse_words(own.readAll().toStdString(), own.fileName().toStdString(), in.toStdString(), words, out.problems);
+  };
+  read_own(language, out.words);
+  if (language != QLatin1String(kEnglish)) read_own(QString::fromLatin1(kEnglish), out.english);
+  return out;
+}
+
 Known& known() {
-  static Known one;
+  static Known one = in_language(QString::fromLatin1(kEnglish));
   return one;
 }
 
@@ -34,25 +51,21 @@ const std::string* find(std::string_view words) {
 
 }  // namespace
 
-void set_words_language(const QString& language) {
-  known() = {};
-  known().language = language;
-  // what the host itself says; it is part of the program
-  QFile own(QStringLiteral(":/i18n/words_host.%1.json").arg(language));
-  if (own.open(QIODevice::ReadOnly))
-    host::parse_words(own.readAll().toStdString(), own.fileName().toStdString(), language.toStdString(), known().words,
-                      known().problems);
-}
+void set_words_language(const QString& language) { known() = in_language(language); }
 
 const QString& words_language() { return known().language; }
 
 void learn_words(const QString& folder) {
   const QString place = QFileInfo(folder).absoluteFilePath();
-  if (known().language == QLatin1String("en") || known().by_folder.contains(place)) return;
+  if (known().by_folder.contains(place)) return;
   const std::string language = known().language.toStdString();
   host::Words& own = known().by_folder[place];
   base::Problems problems;
-  for (const std::string& file : host::word_files(place.toStdString(), language)) host::read_words(file, language, own, problems);
+  const auto read = [&](const std::string& in, host::Words& out) {
+    for (const std::string& file : host::word_files(place.toStdString(), in)) host::read_words(file, in, out, problems);
+  };
+  read(language, own);
+  if (language != kEnglish) read(kEnglish, known().english);
   known().words.insert(own.begin(), own.end());
   for (base::Problem& p : problems) {
     qWarning().noquote() << QString::fromStdString(p.where + ": " + p.message);
@@ -77,8 +90,9 @@ QString said(const std::string& words, const std::string& folder) {
 }
 
 QString said_id(const std::string& id) {
-  const std::string* found = find(id);
-  return found ? QString::fromStdString(*found) : human_id(QString::fromStdString(id));
+  if (const std::string* found = find(id)) return QString::fromStdString(*found);
+  const auto english = known().english.find(id);
+  return english != known().english.end() ? QString::fromStdString(english->second) : human_id(QString::fromStdString(id));
 }
 
 QString said_name(const judge::Name& one, const std::vector<judge::Name>& all) {

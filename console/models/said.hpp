@@ -14,7 +14,7 @@
 
 namespace swage::console {
 
-/// Forgets all translations; those of `language` ("de") are read from then on. "en" reads none.
+/// Forgets all words; those of `language` ("de") are read from then on, and in any language the English names of events and signals.
 void set_words_language(const QString& language);
 const QString& words_language();
 /// Reads the translations of a folder, once. Of two translations of the same words the first stays.
@@ -26,7 +26,7 @@ QString said(const std::string& words);
 QString said(const QString& words);
 /// The same of a plugin's own words: two plugins may mean different things by "Drag". `folder`: that of its bundle.
 QString said(const std::string& words, const std::string& folder);
-/// "grasp.force" -> its translation, else "Grasp force".
+/// "grasp.force" -> its name in this language, else in English, else "Grasp force".
 QString said_id(const std::string& id);
 /// The same of one signal or event of a scene; where another instance has one of that id, it says whose it is.
 QString said_name(const judge::Name& one, const std::vector<judge::Name>& all);

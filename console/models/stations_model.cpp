@@ -138,7 +138,7 @@ QVariant StationsModel::headerData(int section, Qt::Orientation orientation, int
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
-  const QString heads[] = {tr("Station"), tr("Who"),   tr("Lesson"), tr("State"), tr("Phase"),
+  const QString heads[] = {tr("Station"), tr("Trainee"),   tr("Lesson"), tr("State"), tr("Phase"),
                            tr("Time"),    tr("Force"), tr("Cues"),   tr("Score"), tr("Health")};
   return section >= 0 && section < kColumns ? heads[section] : QString();
 }

@@ -7,7 +7,6 @@
 #include <QRegularExpression>
 #include <QTimeZone>
 #include <cmath>
-#include <numbers>
 
 #include "base/quantity.hpp"
 #include "record/store.hpp"
@@ -19,6 +18,27 @@ class ValueWords {
   Q_DECLARE_TR_FUNCTIONS(words)
 };
 
+// "um2" -> "µm²"
+QString unit_text(std::string_view unit) {
+  if (unit == "yes/no") return {};
+  if (unit == "deg") return QStringLiteral("°");
+  QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+  if (text.startsWith(QLatin1String("um"))) text[0] = QChar(0xb5);
+  return text.replace(QLatin1String("m2"), QStringLiteral("m²")).replace(QLatin1Char('*'), QChar(0xb7));
+}
+
+// Counts have none, all else three digits that mean something. `small`: the unit is smaller than the usual one.
+int decimals_of(double shown, const QString& unit, bool small) {
+  const double size = std::abs(shown);
+  if (small && unit.startsWith(QChar(0xb5))) return size < 10 ? 1 : 0;
+  if (small) return 2;
+  const bool whole = unit.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
+  if (whole) return 0;
+  // a small share of one has two digits that mean something, too
+  if (unit.isEmpty() && size < 0.1) return std::min(6, 1 - static_cast<int>(std::floor(std::log10(size))));
+  return size >= 100 ? 0 : size >= 10 ? 1 : 2;
+}
+
 }  // namespace
 
 QString human_id(const QString& id) {
@@ -28,47 +48,25 @@ QString human_id(const QString& id) {
   return words;
 }
 
-double display_factor(const QString& unit) {
-  if (unit == QLatin1String("m") || unit == QLatin1String("m/s") || unit == QLatin1String("kg")) return 1000;
-  if (unit == QLatin1String("m2")) return 1e6;
-  if (unit == QLatin1String("N*s")) return 1000;
-  if (unit == QLatin1String("rad")) return 180 / std::numbers::pi;
-  if (unit == QLatin1String("%")) return 100;
-  return 1;
-}
+double display_factor(const QString& unit) { return base::usual_unit(unit.toStdString()).factor; }
 
-QString display_unit(const QString& unit) {
-  if (unit == QLatin1String("m")) return QStringLiteral("mm");
-  if (unit == QLatin1String("m/s")) return QStringLiteral("mm/s");
-  if (unit == QLatin1String("kg")) return QStringLiteral("g");
-  if (unit == QLatin1String("m2")) return QStringLiteral("mm²");
-  if (unit == QLatin1String("N*s")) return QStringLiteral("mN·s");
-  if (unit == QLatin1String("rad")) return QStringLiteral("°");
-  return unit == QLatin1String("1") || unit == QLatin1String("yes/no") ? QString() : unit;
-}
+QString display_unit(const QString& unit) { return unit_text(base::usual_unit(unit.toStdString()).unit); }
 
 QString quantity_text(double value, const QString& unit) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  value = base::meaningful(value, unit.toStdString());
+  const std::string si = unit.toStdString();
+  value = base::meaningful(value, si);
   if (unit == QLatin1String("yes/no")) return value > 0.5 ? ValueWords::tr("yes") : ValueWords::tr("no");
-  // a tenth of a wire and less is told in micrometres
-  if (unit == QLatin1String("m") && value != 0 && std::abs(value) < 1e-4)
-    return QLocale().toString(1e6 * value, 'f', std::abs(value) < 1e-5 ? 1 : 0) + QChar(0x202f) +
-           QStringLiteral("µm");
-  // what a thread bears at rest is told in millinewtons
-  if (unit == QLatin1String("N") && value != 0 && std::abs(value) < 0.01)
-    return QLocale().toString(1e3 * value, 'f', 2) + QChar(0x202f) + QStringLiteral("mN");
-  const double shown = value * display_factor(unit);
-  const QString suffix = display_unit(unit);
-  // counts without decimals, everything else with three digits that mean something
-  const bool whole = suffix.isEmpty() && std::abs(shown - std::round(shown)) < 1e-9;
-  const double size = std::abs(shown);
-  int decimals = whole ? 0 : size >= 100 ? 0 : size >= 10 ? 1 : 2;
-  // a small share of one has two digits that mean something, too
-  if (suffix.isEmpty() && !whole && size < 0.1) decimals = std::min(6, 1 - static_cast<int>(std::floor(std::log10(size))));
-  const QString number = QLocale().toString(shown, 'f', decimals);
+  const base::Shown as = base::shown_unit(value, si);
+  const double shown = value * as.factor;
+  const QString suffix = unit_text(as.unit);
+  return with_unit(QLocale().toString(shown, 'f', decimals_of(shown, suffix, as.factor > base::usual_unit(si).factor)), as.unit);
+}
+
+QString with_unit(const QString& number, std::string_view unit) {
+  const QString suffix = unit_text(unit);
   if (suffix.isEmpty()) return number;
-  return suffix == QStringLiteral("°") ? number + suffix : number + QChar(0x202f) + suffix;
+  return unit == "deg" ? number + suffix : number + QChar(0x202f) + suffix;
 }
 
 double nice_end(double value) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QString>
+#include <string_view>
 
 namespace swage::console {
 
@@ -11,6 +12,8 @@ namespace swage::console {
 QString human_id(const QString& id);
 /// 0.0012 m -> "1.20 mm", 0.2 rad -> "11.5°", 3 of unit "1" -> "3"; "–" when it is not a number.
 QString quantity_text(double value, const QString& unit);
+/// "20" and "um" -> "20 µm": a unit of base/quantity.hpp after its number.
+QString with_unit(const QString& number, std::string_view unit);
 /// The factor and the unit in which a quantity is shown: m -> 1000 mm.
 double display_factor(const QString& unit);
 QString display_unit(const QString& unit);
@@ -20,7 +23,7 @@ double nice_end(double value);
 QString clock_text(double seconds);
 /// A person's name; "Guest", who is kept under that name in every language, as people say it here.
 QString person_text(const QString& name);
-/// "passed" -> "Met", "failed" -> "Not met yet", "void" -> "Does not count", "aborted" -> "Stopped".
+/// "passed" -> "Passed", "failed" -> "Not passed", "void" -> "Void", "aborted" -> "Stopped".
 QString verdict_text(const QString& outcome);
 /// "practice", "test", "demo" as words.
 QString mode_text(const QString& mode);

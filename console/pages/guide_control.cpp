@@ -17,7 +17,7 @@ void GuideControl::begin(const session::Options& like, bool wanted) {
   }
   for (const base::Problem& p : problems) {
     if (p.severity != base::Severity::kError) continue;
-    Q_EMIT noted(0, tr("No guide: %1").arg(QString::fromStdString(p.message)));
+    Q_EMIT noted(0, tr("No guide"), QString::fromStdString(p.message));
     return;
   }
 }
@@ -39,7 +39,7 @@ void GuideControl::move(const snapshot::Snapshot* shown) {
   const std::vector<swage_pose>& X_WB = guide_->beside(*shown);
   for (SceneView* view : views_) view->show_ghost(X_WB);
   if (!guide_->failed() || std::exchange(told_, true)) return;
-  Q_EMIT noted(shown->time_s, tr("No guide: the scripted expert does not pass this lesson as it is set."));
+  Q_EMIT noted(shown->time_s, tr("No guide"), tr("The scripted expert does not pass this lesson as it is set."));
 }
 
 void GuideControl::toggle(bool wanted, const snapshot::Snapshot* shown) {

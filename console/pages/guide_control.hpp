@@ -37,7 +37,7 @@ class GuideControl : public QObject {
 
  Q_SIGNALS:
   /// There is no guide, and why: a note of the attempt.
-  void noted(double time_s, const QString& words);
+  void noted(double time_s, const QString& what, const QString& means);
 
  private:
   const QList<SceneView*>& views_;

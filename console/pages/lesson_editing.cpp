@@ -76,7 +76,10 @@ bool LessonEditing::asked_to_delete(const LessonEntry& lesson) {
     box.exec();
     return false;
   }
-  box.setInformativeText(tr("The lesson goes into the bin. Attempts at it stay."));
+  QString words = tr("The lesson goes into the bin. Attempts at it stay.");
+  const QStringList courses = courses_ ? courses_(lesson.id) : QStringList();
+  if (!courses.isEmpty()) words += QLatin1Char(' ') + tr("It is part of these courses: %1.").arg(courses.join(QStringLiteral(", ")));
+  box.setInformativeText(words);
   QPushButton* yes = box.addButton(tr("Delete"), QMessageBox::DestructiveRole);
   box.setDefaultButton(box.addButton(QMessageBox::Cancel));
   box.exec();

@@ -28,6 +28,9 @@ class LessonEditing : public QObject {
   /// Gives the picture of a lesson that is edited the window's colours.
   void set_dress(std::function<void(SceneView&)> dress) { dress_ = std::move(dress); }
 
+  /// Titles of the courses that have a lesson of this id.
+  void set_courses(std::function<QStringList(const QString& lesson_id)> courses) { courses_ = std::move(courses); }
+
   /// A lesson based on the chosen one. Each does nothing while an attempt runs.
   void make_variant();
   /// Title, task, goal, parts and values of a lesson of the instructor's own.
@@ -57,6 +60,7 @@ class LessonEditing : public QObject {
   QWidget* page_;
   LiveValues live_values_;
   std::function<void(SceneView&)> dress_;
+  std::function<QStringList(const QString&)> courses_;
 };
 
 }  // namespace swage::console

@@ -3,6 +3,7 @@
 
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -14,6 +15,8 @@
 
 namespace swage::console {
 namespace {
+
+constexpr int kCheckDelay_ms = 150;  // running through the list builds scenes only where one stays
 
 /// Every word of the search is in title, task or goal.
 class Search : public QSortFilterProxyModel {
@@ -59,13 +62,37 @@ LessonsPage::LessonsPage(LessonsModel* lessons, CriteriaReader criteria, QWidget
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 3);
   row->addWidget(splitter);
+  check_timer_.setSingleShot(true);
+  check_timer_.setInterval(kCheckDelay_ms);
+  connect(&check_timer_, &QTimer::timeout, this, &LessonsPage::check);
   show_lesson();
+}
+
+// Ctrl+E is the page's, although a line of text knows it as the way to its end.
+bool LessonsPage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier) return event->ignore(), true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+// The scene is built, as on the Run page: only that finds every fault.
+void LessonsPage::check() {
+  if (running_ || !checker_ || !isVisible() || !practise_->isEnabled()) return;
+  if (const QString why = checker_(lesson()); !why.isEmpty()) tell_fault(why);
+}
+
+void LessonsPage::tell_fault(const QString& why) {
+  for (QPushButton* b : {practise_, test_, variant_}) b->setEnabled(false);
+  asked_->setText(tr("▲ It cannot run: %1").arg(why).toHtmlEscaped());
 }
 
 QWidget* LessonsPage::make_list(LessonsModel* lessons) {
   Card card = make_card(tr("Lessons"), this);
-  QLineEdit* words = make_search(tr("Search title, task and goal"), QStringLiteral("lesson_search"), card.frame);
-  card.body->addWidget(words);
+  words_ = make_search(tr("Search title, task and goal"), QStringLiteral("lesson_search"), card.frame);
+  words_->installEventFilter(this);
+  card.body->addWidget(words_);
   found_->setSourceModel(lessons);
   list_ = new QListView(card.frame);
   list_->setObjectName(QStringLiteral("all_lessons"));
@@ -79,7 +106,7 @@ QWidget* LessonsPage::make_list(LessonsModel* lessons) {
   card.body->addWidget(list_, 1);
   card.body->addWidget(none_, 1, Qt::AlignTop);
   none_->hide();
-  connect(words, &QLineEdit::textChanged, this, &LessonsPage::search);
+  connect(words_, &QLineEdit::textChanged, this, &LessonsPage::search);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, &LessonsPage::show_lesson);
   connect(list_, &QListView::activated, this, [this] { practise_->click(); });
   return card.frame;
@@ -202,11 +229,15 @@ void LessonsPage::search(const QString& words) {
   if (any && !list_->currentIndex().isValid()) list_->setCurrentIndex(found_->index(0, 0));
 }
 
+// A search that leaves this lesson out ends: what has just been made or renamed is to be seen.
 void LessonsPage::select(const QString& path) {
-  for (int i = 0; i < found_->rowCount(); ++i) {
-    if (found_->index(i, 0).data(LessonsModel::kPath).toString() == path)
-      return list_->setCurrentIndex(found_->index(i, 0));
-  }
+  const auto row_of = [&] {
+    for (int i = 0; i < found_->rowCount(); ++i)
+      if (found_->index(i, 0).data(LessonsModel::kPath).toString() == path) return i;
+    return -1;
+  };
+  if (row_of() < 0 && !words_->text().isEmpty()) words_->clear();
+  if (const int row = row_of(); row >= 0) return list_->setCurrentIndex(found_->index(row, 0));
   if (!list_->currentIndex().isValid()) list_->setCurrentIndex(found_->index(0, 0));
 }
 
@@ -274,14 +305,12 @@ void LessonsPage::show_lesson() {
   task_->setText(QStringList({at.data(LessonsModel::kSummary).toString(), at.data(LessonsModel::kGoal).toString()})
                      .join(QStringLiteral("\n\n"))
                      .trimmed());
-  if (!can) {
-    asked_->setText(problem.isEmpty() ? QString() : tr("▲ It cannot run: %1").arg(problem).toHtmlEscaped());
-    return;
-  }
+  if (!can) return problem.isEmpty() ? asked_->clear() : tell_fault(problem);
   const Criteria asked = criteria_(lesson());
   test_->setEnabled(!asked.show && !running_);
   asked_->setText(list_text(asked.show ? tr("A demonstration") : tr("Passed when"), asked.pass) +
                   list_text(tr("Limits"), asked.limits) + list_text(tr("Points"), asked.points));
+  check_timer_.start();
 }
 
 }  // namespace swage::console

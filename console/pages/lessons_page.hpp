@@ -33,6 +33,9 @@ class LessonsPage : public QWidget {
   void set_desk(SchoolDesk* desk);
   /// While an attempt runs no lesson is made, changed or begun.
   void set_running(bool running);
+  /// Looks whether the chosen lesson can run, once the list rests: "" or why not.
+  using Checker = std::function<QString(const QString& path)>;
+  void set_checker(Checker checker) { checker_ = std::move(checker); }
   /// A sentence below the lesson, until another is chosen; "" for none.
   void tell(const QString& words);
 
@@ -54,7 +57,12 @@ class LessonsPage : public QWidget {
   void import_lesson(const QString& file);
   void export_lesson(const QString& path, const QString& file);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void check();
+  void tell_fault(const QString& why);
   QWidget* make_list(LessonsModel* lessons);
   QWidget* make_detail();
   void search(const QString& words);
@@ -64,7 +72,10 @@ class LessonsPage : public QWidget {
   QPushButton* add_button(QHBoxLayout* row, const QString& words, const char* key, const char* name, std::function<void()> call);
 
   CriteriaReader criteria_;
+  Checker checker_;
+  QTimer check_timer_;
   QSortFilterProxyModel* found_;
+  QLineEdit* words_ = nullptr;
   QListView* list_ = nullptr;
   QWidget* detail_ = nullptr;
   QLabel *none_ = nullptr, *title_ = nullptr, *task_ = nullptr, *asked_ = nullptr;

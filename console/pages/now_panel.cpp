@@ -46,6 +46,7 @@ NowPanel::NowPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(now.frame);
   lower_ = make_lower();
   column->addWidget(lower_, 1);
+  phase_->setObjectName(QStringLiteral("task_line"));
   column->addStretch(0);
   show_parts();
 }
@@ -160,6 +161,7 @@ void NowPanel::set_running(bool running) {
 
 void NowPanel::set_readings_hidden(bool hidden) {
   readings_hidden_ = hidden;
+  if (hidden) show_task();
   show_parts();
 }
 
@@ -194,13 +196,19 @@ void NowPanel::show_time(double time_s) {
   left_->setFont(font);
 }
 
+// what the lesson says before anything has been judged
+void NowPanel::show_task() {
+  phase_->setText(task_.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task_);
+}
+
 void NowPanel::set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria) {
   asked_ = criteria;
+  task_ = task;
   criteria_->setText(list_text(criteria.show ? tr("Demonstration") : tr("To pass"), criteria.pass) +
                      list_text(tr("Limits in a test"), criteria.limits) + list_text(tr("Points"), criteria.points));
   force_name_->setVisible(reader.has_force());
   meter_->setVisible(reader.has_force());
-  phase_->setText(task.isEmpty() ? tr("Press START, then follow the marks in the picture.") : task);
+  show_task();
   spot_.set_visible(reader.has_grasp());
   tips_.set_visible(reader.has_grasp());
   tilt_.set_visible(reader.has_tilt());
@@ -261,7 +269,8 @@ void NowPanel::show_tension(const Reading& r, double time_s) {
 }
 
 void NowPanel::show_reading(const Reading& r, double time_s) {
-  if (!r.phase.isEmpty()) phase_->setText(said(r.phase));
+  // the phase follows from what has been judged: in a test it would tell that a grasp is right
+  if (!r.phase.isEmpty() && !readings_hidden_) phase_->setText(said(r.phase));
   show_time(time_s);
   const bool contact = r.force && *r.force > 0;
   // tissue and tray press on closed jaws, too

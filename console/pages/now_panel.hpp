@@ -29,7 +29,7 @@ class NowPanel : public QWidget {
   void set_scene(const Reader& reader, const ForceBand& band, const QString& task, const Criteria& criteria);
   /// What is asked is read before the attempt; during it the time that is left, and on demand what is asked, in a test as well.
   void set_running(bool running);
-  /// In a test the trainee sees no reading: they would tell the answers.
+  /// In a test the trainee sees neither readings nor phases, which would tell the answers: the task line stays that of the lesson.
   void set_readings_hidden(bool hidden);
   void show_reading(const Reading& reading, double time_s);
   /// What to do now besides what the phase asks, as after a drop; "" for nothing. Hidden with the readings.
@@ -43,6 +43,7 @@ class NowPanel : public QWidget {
   QWidget* make_readings(QWidget* parent);
   void show_time(double time_s);
   void show_parts();
+  void show_task();
   void show_tension(const Reading& reading, double time_s);
   double tension_N_ = 0, tension_since_s_ = 0;  // greatest of the last moments, and since when
   CueTheme cues_;
@@ -52,7 +53,8 @@ class NowPanel : public QWidget {
     void set_visible(bool shown) const;
   };
   Fact spot_, tips_, tilt_, tension_, hold_;
-  QLabel *phase_, *advice_, *criteria_, *left_, *hidden_;
+  QLabel *phase_, *advice_, *criteria_, *left_, *hidden_;  // phase_: the lesson's task, then the phase of the attempt
+  QString task_;
   QPushButton* rules_;  // unfolds what is asked while an attempt runs
   QWidget *card_, *readings_, *lower_;
   Criteria asked_;

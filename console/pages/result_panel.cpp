@@ -71,6 +71,12 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   card.body->addLayout(buttons);
   card.body->addWidget(more_button_);
   card.body->addWidget(more_box_);
+  criteria_ = new QLabel(card.frame);
+  criteria_->setObjectName(QStringLiteral("result_criteria"));
+  criteria_->setWordWrap(true);
+  criteria_->setTextFormat(Qt::RichText);
+  criteria_->hide();
+  card.body->addWidget(criteria_);
   card.body->addStretch(1);
   column->addWidget(card.frame);
   const std::pair<QPushButton*, const char*> keys[] = {{review_, "Ctrl+R"}, {next_, "Ctrl+Right"}, {progress, "Ctrl+P"}};
@@ -86,6 +92,12 @@ ResultPanel::ResultPanel(QWidget* parent) : QWidget(parent) {
   connect(next_, &QPushButton::clicked, this, &ResultPanel::next);
   connect(review_, &QPushButton::clicked, this, [this] { Q_EMIT review(attempt_); });
   connect(progress, &QPushButton::clicked, this, &ResultPanel::progress);
+}
+
+void ResultPanel::set_criteria(const Criteria& asked) {
+  const QString text = list_text(tr("To pass"), asked.pass) + list_text(tr("Limits in a test"), asked.limits);
+  criteria_->setText(text);
+  criteria_->setVisible(!text.isEmpty() && !asked.show);
 }
 
 void ResultPanel::set_theme(const UiTheme& theme) {

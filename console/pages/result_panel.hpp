@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "console/cues/ui_theme.hpp"
+#include "console/models/lesson_facts.hpp"
 #include "session/session.hpp"
 
 namespace swage::console {
@@ -24,6 +25,8 @@ class ResultPanel : public QWidget {
   /// Active time that costs no points, s; 0 where the lesson says none. For the next result.
   void set_free_time(double time_s) { free_time_s_ = time_s; }
   void set_can_go_on(bool next) { next_->setEnabled(next); }
+  /// What the lesson asks, to be read beside what was reached.
+  void set_criteria(const Criteria& asked);
   QString outcome() const { return outcome_->text(); }
   QString reason() const { return reason_->text(); }
 
@@ -48,6 +51,7 @@ class ResultPanel : public QWidget {
   QString points_title(const session::Result& result, const std::string& id) const;
   QLabel *outcome_, *reason_, *kept_, *problems_, *points_heading_;
   QGridLayout *metrics_, *points_, *more_;
+  QLabel* criteria_;
   QWidget* more_box_;
   QPushButton *more_button_, *review_, *next_;
 };

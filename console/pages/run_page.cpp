@@ -262,7 +262,7 @@ void RunPage::update_frame() {
   for (NowPanel* now : now_panels()) now->show_reading(reading, newest->time_s);
   for (CueLegend* legend : legends())
     if (legend != legend_ || !cues_hidden()) legend->set_active(reading.meanings);
-  for (SceneView* view : views_) view->set_task(said(reading.phase));
+  for (SceneView* view : views_) view->set_task(cues_hidden() ? setup_->summary() : said(reading.phase));
   sound(reading, newest->time_s);
   for (SceneView* view : views_) view->set_hold(reading.hold.value_or(0));
   advise(reading);

@@ -50,6 +50,8 @@ class RunPage : public QWidget {
   /// Shown at the bottom until the next start.
   void set_notice(const QString& text);
   RunControl* control() { return control_; }
+  /// Why a lesson cannot run; "" where its scene can be built, or while an attempt runs.
+  QString fault_of(const QString& lesson_path);
   /// What a lesson says about a metric, in its plugin's card.
   MetricSaid metric_said(const QString& lesson_path, const std::string& metric_id);
   const host::Catalogue& catalogue() const { return options_.catalogue(); }
@@ -124,6 +126,7 @@ class RunPage : public QWidget {
   void connect_control();
   void preview();
   void show_card(const snapshot::SceneCard& card);
+  void show_no_scene();
   void show_problems(const base::Problems& problems);
   void show_record_warning(const base::Problems& problems);
   void launch(bool unrecorded);

@@ -5,6 +5,7 @@
 #include <QRandomGenerator>
 #include <limits>
 
+#include "console/models/lesson_files.hpp"
 #include "console/models/live_params.hpp"
 #include "console/models/said.hpp"
 #include "console/models/words.hpp"
@@ -111,7 +112,10 @@ void RunPage::preview() {
   const auto card = control_->preview(options_.attempt(display(), cue_theme_), problems);
   problem_->setVisible(!card);
   setup_->set_startable(card != nullptr);
-  if (!card) return show_problems(problems);
+  if (!card) {
+    show_no_scene();
+    return show_problems(problems);
+  }
   show_card(*card);
   right_->setCurrentWidget(now_);
 }
@@ -145,6 +149,21 @@ void RunPage::show_card(const snapshot::SceneCard& card) {
   have_card_ = true;
   for (SceneView* view : views_) view->set_card(card, preset_);
   update_hidden();
+}
+
+// A lesson that cannot run shows its name and task, and nothing of the lesson before.
+void RunPage::show_no_scene() {
+  const LessonEntry lesson = lessons_->at(lessons_->row_of(setup_->lesson()));
+  snapshot::SceneCard none;
+  none.title = (lesson.title).toStdString();
+  show_card(none);
+  have_card_ = false;
+}
+
+QString RunPage::fault_of(const QString& lesson_path) {
+  if (control_->running()) return {};
+  base::Problems problems;
+  return control_->preview(options_.of(lesson_path), problems) ? QString() : problem_words(problems, lesson_path);
 }
 
 // an attempt that is kept elsewhere than asked says so while it runs
@@ -187,6 +206,7 @@ void RunPage::show_finished() {
     result_->show_seen(r);
   else
     result_->show_result(r, control_->card(), !r.attempt_id.empty());
+  result_->set_criteria(asked_);
   result_->set_can_go_on(setup_->has_next());
   right_->setCurrentWidget(result_);
   for (SceneView* view : views_) view->set_hold(0);

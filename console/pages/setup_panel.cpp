@@ -259,12 +259,10 @@ bool SetupPanel::mirrored() const {
   return left_handed() || lessons_->currentIndex().data(LessonsModel::kMirror).toBool();
 }
 
+QString SetupPanel::summary() const { return lessons_->currentIndex().data(LessonsModel::kSummary).toString(); }
+
 QString SetupPanel::task() const {
-  const QModelIndex lesson = lessons_->currentIndex();
-  return QStringList(
-             {lesson.data(LessonsModel::kSummary).toString(), lesson.data(LessonsModel::kGoal).toString()})
-      .join(QLatin1Char('\n'))
-      .trimmed();
+  return QStringList({summary(), lessons_->currentIndex().data(LessonsModel::kGoal).toString()}).join(QLatin1Char('\n')).trimmed();
 }
 
 void SetupPanel::set_running(bool running, bool paused) {

@@ -43,7 +43,8 @@ class SetupPanel : public QWidget {
   bool left_handed() const { return left_->isChecked(); }  // the lesson is mirrored
   bool mirrored() const;                                   // by that or by its file
   void set_left_handed(bool on) { left_->setChecked(on); }
-  QString task() const;  // what the lesson is about, and what it is for
+  QString summary() const;  // what the lesson is about
+  QString task() const;     // and what it is for
   /// What START says: an attempt runs, or waits.
   void set_running(bool running, bool paused = false);
   /// Whether the chosen lesson can be built; START is off where it cannot.

@@ -19,8 +19,7 @@ class StatusStrip : public QWidget {
   void show_health(const snapshot::Snapshot& snapshot, const snapshot::SceneCard& card, double steps_per_s,
                    bool recording);
   void set_graphics(const QString& text) { graphics_->setText(text); }
-  /// How quickly pictures come, while that is wanted.
-  /// `latency`: from a movement to its picture.
+  /// Frame rate, and the latency from a movement to the frame that shows it; only while frames_shown().
   void show_frames(const FrameTimes& frames, const FrameTimes& latency);
   void set_frames_shown(bool shown) { frames_->setVisible(shown); }
   bool frames_shown() const { return !frames_->isHidden(); }

@@ -248,9 +248,17 @@ void VariantDialog::build() {
     return update_state();
   }
   for (const base::Problem& p : problems)
-    if (p.severity == base::Severity::kError && fault_.isEmpty()) fault_ = said(p.message);
+    if (p.severity == base::Severity::kError && fault_.isEmpty()) fault_ = fault_words(p);
   if (fault_.isEmpty()) fault_ = tr("The lesson cannot be built with these values.");
   update_state();
+}
+
+// "Grip force: the first number is ...": a place ".../params/force" names the value, as the form calls it.
+QString VariantDialog::fault_words(const base::Problem& problem) const {
+  const QString id = QString::fromStdString(problem.where).section(QStringLiteral("/params/"), 1).section(QLatin1Char('/'), 0, 0);
+  const QString name = id.isEmpty() ? QString() : form_->title_of(id.toStdString());
+  const QString words = said(problem.message);
+  return name.isEmpty() || words.contains(name) ? words : QStringLiteral("%1: %2").arg(name, words);
 }
 
 void VariantDialog::update_state() {
@@ -258,7 +266,7 @@ void VariantDialog::update_state() {
   const auto changes = draft_.now().set.size();
   const bool named = !title_->text().trimmed().isEmpty(), parts = draft_.parts_changed();
   const bool words = folder_.isEmpty() && draft_.words_changed();
-  const bool can = (changes > 0 || words || parts) && named;  // a copy that changes nothing is no lesson
+  const bool can = (changes > 0 || words || parts) && named && fault_.isEmpty();  // a copy that changes nothing is no lesson
   save_->setEnabled(can);
   try_->setEnabled(can);
   QString text = !named         ? tr("A lesson has a title.")
@@ -266,7 +274,7 @@ void VariantDialog::update_state() {
                  : changes > 1  ? tr("%1 values are changed.").arg(changes)
                  : parts        ? tr("Parts are changed.")
                  : words        ? tr("The words are changed.")
-                                : tr("No value is changed yet.");
+                                : tr("Change a value or a part: a copy under another title would be the same lesson.");
   if (preset_ > 0 && named) text += QLatin1Char(' ') + tr("Those of the last attempt are kept.");
   if (!told_.isEmpty()) text += QLatin1Char(' ') + told_;
   problem_->setText(fault_.isEmpty() ? text : tr("▲ %1").arg(fault_));

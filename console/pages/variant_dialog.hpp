@@ -58,6 +58,7 @@ class VariantDialog : public QDialog {
   void show_words();
   void show_values();
   void build();  // the scene of the draft as it is now
+  QString fault_words(const base::Problem& problem) const;
   void update_state();
   void save();
   void done(int result) override;

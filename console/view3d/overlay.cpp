@@ -14,10 +14,25 @@ constexpr double kAboutText_px = 8;    // by which a label is higher than its te
 constexpr double kHintUp_px = 24;      // from the lower edge to the middle of the lowest line of a hint
 constexpr double kHintAround_px = 32;  // beside a line of a hint
 
+// a sentence that is longer than a line, broken between its words
+QStringList broken(const QString& sentence, const QFontMetricsF& metrics, double width) {
+  if (metrics.horizontalAdvance(sentence) <= width) return {sentence};
+  QStringList lines;
+  for (const QString& word : sentence.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    const QString longer = lines.isEmpty() ? word : lines.last() + QLatin1Char(' ') + word;
+    if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      lines.last() = longer;
+    else
+      lines += word;
+  }
+  return lines;
+}
+
 QStringList hint_lines(const QString& text, const QFontMetricsF& metrics, double width) {
   const QString gap = QString::fromUtf16(kHintGap);
-  QStringList lines;
-  for (const QString& part : text.split(gap)) {
+  QStringList parts, lines;
+  for (const QString& part : text.split(gap)) parts += broken(part, metrics, width - kHintAround_px);
+  for (const QString& part : parts) {
     const QString longer = lines.isEmpty() ? QString() : lines.last() + gap + part;
     if (!longer.isEmpty() && metrics.horizontalAdvance(longer) + kHintAround_px <= width)
       lines.last() = longer;

@@ -137,10 +137,12 @@ void ScenePainter::paint_eyes(QPainter& painter, const Job& job) {
   for (size_t i = 0; i < job.panels.size(); ++i) painter.drawImage(job.panels[i].at.topLeft(), eye[i]);
 }
 
-// Entry and exit differ: of several wounds the largest is shown. The corner is narrow, so the words are few.
+// Of several wounds the largest is shown. The corner is narrow, so the words are few.
 QString ScenePainter::wound_words() const {
   const WoundPlace& wound = marks_.wound();
   const QString size = QString::number(100 * wound.ratio, 'f', 0);
+  if (wound.kind == WoundKind::kEntry) return tr("Entry %1 %").arg(size);
+  if (wound.kind == WoundKind::kExit) return tr("Exit %1 %").arg(size);
   return wound.of > 1 ? tr("Largest %1 %").arg(size) : tr("Wound %1 %").arg(size);
 }
 

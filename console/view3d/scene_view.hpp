@@ -61,6 +61,7 @@ class SceneView : public QWidget {
   /// What an instructor says, for a trainee's view; "" for nothing.
   void set_message(const QString& words);
   const QString& message() const { return words_.message; }
+  const ViewWords& words() const { return words_; }
   /// Over the lower edge: how the instrument is moved, for a person who has not done it yet. Each goes once it was used.
   void set_control_hints(const ControlHints& hints);
   const ControlHints& control_hints() const { return input_->hints(); }

@@ -47,6 +47,25 @@ std::vector<Tear> tears_of(const snapshot::Snapshot& s, uint32_t object) {
   return out;
 }
 
+// A coupling that pierces tells its last entry and exit in signals of these names.
+Punctures punctures_of(const SceneState& scene) {
+  const std::vector<judge::Name>& names = scene.card().script.signals;
+  const auto value = [&](const std::string& owner, const std::string& id) {
+    const auto at = std::find_if(names.begin(), names.end(), [&](const judge::Name& n) { return n.owner == owner && n.id == id; });
+    const auto i = static_cast<uint32_t>(at - names.begin());
+    return at == names.end() || i >= scene.now().n_signal ? 0.0 : scene.now().signal[i];
+  };
+  Punctures out;
+  for (const judge::Name& name : names) {
+    const bool entry = name.id == "pierce.wound";
+    if ((!entry && name.id != "pierce.exit_wound") || value(name.owner, name.id) <= 0) continue;
+    const std::string at = entry ? "pierce.entry_" : "pierce.exit_";
+    const QVector3D p = to_mm(swage_vec3{value(name.owner, at + "x"), value(name.owner, at + "y"), value(name.owner, at + "z")});
+    (entry ? out.entries : out.exits).push_back(p);
+  }
+  return out;
+}
+
 // Where the surface must be fine: at its dents, and along its wounds, or its coarse triangles would stand out of them.
 std::vector<Dent> with_wounds(const std::vector<Dent>& dents, const std::vector<Tear>& tears) {
   std::vector<Dent> out = dents;
@@ -101,6 +120,7 @@ void SoftMeshes::place(const SceneState& scene) {
     append_wounds(tears, dents, wounds);
     if (const WoundPlace place = greatest_wound(tears, dents); place.ratio > wound_.ratio) {
       wound_ = place;
+      wound_.kind = kind_of_wound(wound_.puncture, punctures_of(scene));
       wounded_object_ = part.object;
     }
   }

@@ -209,6 +209,19 @@ void append_wounds(const std::vector<Tear>& tears, const std::vector<Dent>& dent
   }
 }
 
+WoundKind kind_of_wound(const QVector3D& puncture, const Punctures& last) {
+  // Tissue is drawn along by the needle, and a wound with it: by less than this, mm. The bites of a running suture lie farther apart.
+  constexpr float kDrawn_mm = 0.6F;
+  const auto nearest = [&](const std::vector<QVector3D>& places) {
+    float least = 2 * kDrawn_mm;
+    for (const QVector3D& p : places) least = std::min(least, (p - puncture).length());
+    return least;
+  };
+  const float from_entry = nearest(last.entries), from_exit = nearest(last.exits);
+  if (std::min(from_entry, from_exit) > kDrawn_mm) return WoundKind::kUnknown;
+  return from_entry <= from_exit ? WoundKind::kEntry : WoundKind::kExit;
+}
+
 WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent>& dents) {
   WoundPlace out;
   const std::vector<std::vector<Tear>> wounds = wounds_of(tears);
@@ -224,7 +237,8 @@ WoundPlace greatest_wound(const std::vector<Tear>& tears, const std::vector<Dent
     const double ratio = static_cast<double>(reach / r);
     if (ratio <= out.ratio) continue;
     const QVector3D middle = 0.5F * (low + high);
-    out = {pressed(dents, middle, wound[0].normal), wound[0].normal, 0.5F * (high - low).length() + r, ratio, static_cast<int>(wounds.size())};
+    out = {pressed(dents, middle, wound[0].normal), wound[0].normal, wound[0].a,      0.5F * (high - low).length() + r,
+           ratio,                                   static_cast<int>(wounds.size())};
   }
   return out;
 }

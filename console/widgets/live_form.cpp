@@ -117,6 +117,7 @@ QWidget* LiveForm::make_editor(int field, int component) {
   box->setSingleStep(p.step());
   if (!p.least_words.empty()) box->setSpecialValueText(said(p.least_words, p.folder));
   if (!p.unit().isEmpty()) box->setSuffix(QChar(0x202f) + p.unit());
+  if (p.param.type == SWAGE_PARAM_VECTOR && p.param.dimension == 2) box->setPrefix(component == 0 ? tr("from ") : tr("to "));
   box->setValue(start * factor);
   box->setKeyboardTracking(false);  // while typing "0.25" neither 0 nor 0.2 is meant
   connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double v) { edit(field, component, v); });
@@ -232,6 +233,16 @@ int LiveForm::preset(const QVector<Change>& values) {
       ++taken;
     }
   return taken;
+}
+
+QString LiveForm::title_of(const std::string& id) const {
+  QString title;
+  for (const Field& field : fields_) {
+    if (field.param.param.id != id) continue;
+    if (!title.isEmpty() && title != field.label->text()) return {};
+    title = field.label->text();
+  }
+  return title;
 }
 
 // "hold" finds the time of a hold and not all of the holder; "needle" all of the needle; "tiss" all of the tissue, where no value is

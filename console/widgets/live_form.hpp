@@ -38,6 +38,8 @@ class LiveForm : public QFrame {
   QVector<Change> changed_values() const;
   /// Puts values in as if they had been typed; those of parameters that this form has not are left out. Returns how many it took.
   int preset(const QVector<Change>& values);
+  /// What the value of this id is called; "" where the form has none, or two parts have one.
+  QString title_of(const std::string& id) const;
   /// Shows the lines in whose name, or whose part's name, the text is; all for "". Returns whether there are any.
   bool find(const QString& text);
 

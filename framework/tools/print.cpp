@@ -91,13 +91,8 @@ std::string format(const char* form, ...) {
 
 std::string quantity_text(double value, const std::string& unit) {
   value = base::meaningful(value, unit);
-  const double size = std::abs(value);
-  const auto said = [&](double factor, const char* as) { return format("%.4g%s%s", factor * value, *as != '\0' ? " " : "", as); };
-  // as in the console: a tenth of a wire is told in micrometres, what a thread bears at rest in millinewtons
-  if (unit == "m") return value != 0 && size < 1e-4 ? said(1e6, "um") : said(1e3, "mm");
-  if (unit == "N") return value != 0 && size < 0.01 ? said(1e3, "mN") : said(1, "N");
-  if (unit == "rad") return said(180 / M_PI, "deg");
-  return said(1, unit == "1" ? "" : unit.c_str());
+  const base::Shown as = base::shown_unit(value, unit);
+  return format("%.4g%s%.*s", as.factor * value, as.unit.empty() ? "" : " ", static_cast<int>(as.unit.size()), as.unit.data());
 }
 
 }  // namespace swage::tools

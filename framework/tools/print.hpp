@@ -32,7 +32,7 @@ nlohmann::ordered_json number(double value);
 /// A stream whose numbers have a point and no groups, whatever a plugin makes of the locale of the process.
 std::ostringstream plain_stream();
 
-/// Four digits in the unit that people use at this scale: 0.0012 m is "1.2 mm", 2e-6 m "2 um", 0.004 N "4 mN".
+/// Four digits in the unit that people use at this scale (base/quantity.hpp): 0.0012 m is "1.2 mm", 2e-6 m "2 um", 0.004 N "4 mN".
 std::string quantity_text(double value, const std::string& unit);
 
 std::string format(const char* form, ...) __attribute__((format(printf, 1, 2)));

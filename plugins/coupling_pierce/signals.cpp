@@ -60,7 +60,7 @@ void Pierce::declare_events(CouplingBuilder& builder) {
       builder.event("pierce.back_out", "It left by the way it came; value: how far it had been in, m.");
   passed_ = builder.event("pierce.passed", "The swage went in; value: wound ratio.");
   deflected_ = builder.event("pierce.deflected", "Refused because of its angle; value: that angle, rad.");
-  torn_ = builder.event("pierce.torn", "A wound grew past the limit; value: wound ratio.");
+  torn_ = builder.event("pierce.torn", "A wound begins to tear, whatever the lesson allows; value: wound ratio.");
   cut_out_ =
       builder.event("pierce.cut_out", "The tear came to the tissue's rim and let it go; value: wound ratio.");
 }

@@ -252,6 +252,24 @@ TEST(GermanWords, OfAStrangersPluginComeFromItsBundle) {
   EXPECT_EQ(console::said_id("clip.closed"), "Clip closed");
 }
 
+// What has no words of its own is named in English beside the plugin, which holds in every language that has no name for it.
+TEST(Words, AnEventIsCalledAsItsPluginSays) {
+  QTemporaryDir dir;
+  const QString clip = dir.filePath(QStringLiteral("org.example.clip"));
+  put(clip + "/words.en.json", R"({ "format": "swage-words/1", "language": "en", "words": { "clip.closed": "Clip shut", "clip.lost": "Clip lost" } })");
+  put(clip + "/words.de.json", german_words(R"("clip.closed": "Klammer zu")"));
+  for (const auto& [language, closed] : {std::pair{"en", "Clip shut"}, std::pair{"de", "Klammer zu"}}) {
+    ASSERT_TRUE(console::use_language(QString::fromLatin1(language)));
+    console::learn_words(clip);
+    EXPECT_EQ(console::said_id("clip.closed"), closed);
+    EXPECT_EQ(console::said_id("clip.lost"), "Clip lost");
+    EXPECT_EQ(console::said_id("clip.opened"), "Clip opened") << "nobody has named it";
+    EXPECT_NE(console::said_id("host.gap"), "Host gap");
+  }
+  console::use_language(QStringLiteral("en"));
+  QLocale::setDefault(QLocale::c());
+}
+
 TEST(Language, IsReadOutOfTheArgumentsAndOnlyThoseThereAreIsTaken) {
   EXPECT_EQ(console::language_in({"swage-console", "--language", "de", "--start"}), "de");
   EXPECT_EQ(console::language_in({"swage-console", "--language=de"}), "de");

@@ -37,6 +37,9 @@ TEST(Words, SayUnitsAndVerdicts) {
   EXPECT_EQ(quantity_text(2.5e-6, "m"), QString("2.5") + QChar(0x202f) + "µm");
   EXPECT_EQ(quantity_text(0, "m"), QString("0.00") + QChar(0x202f) + "mm");
   EXPECT_EQ(quantity_text(2e-8, "m2"), QString("0.02") + QChar(0x202f) + "mm²");
+  EXPECT_EQ(quantity_text(7.85e-9, "m2"), QString("7850") + QChar(0x202f) + "µm²");
+  EXPECT_EQ(quantity_text(7e-22, "m2"), quantity_text(0, "m2"));
+  EXPECT_EQ(quantity_text(2e-5, "N*s"), QString("0.02") + QChar(0x202f) + "mN·s");
   EXPECT_EQ(quantity_text(0.2, "rad"), QString("11.5°"));
   EXPECT_EQ(quantity_text(3, "1"), "3");
   EXPECT_EQ(quantity_text(0.25, "1"), "0.25");

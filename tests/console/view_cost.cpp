@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
   if (!gl.ok) return std::fprintf(stderr, "%s\n", qUtf8Printable(gl.why)), 1;
   std::printf("%s; %u processors; lesson %s; %g s each\n\n", qUtf8Printable(gl.renderer), std::thread::hardware_concurrency(),
               qUtf8Printable(QString::fromStdString(options.lesson_path).section(QLatin1Char('/'), -1)), seconds);
-  std::printf("| seen | window px | pictures/s | longest but one in a hundred ms | hand to picture ms | of 99 in a hundred ms | processor ms |\n");
+  std::printf("| seen | window px | fps | longest but one in a hundred ms | hand to picture ms | of 99 in a hundred ms | processor ms |\n");
   std::printf("| --- | --- | --- | --- | --- | --- | --- |\n");
   for (const QSize& eye : {kEye_px, kSmall_px})
     for (const Way& way : ways(eye)) {

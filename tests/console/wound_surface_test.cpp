@@ -88,5 +88,14 @@ TEST(WoundSurface, TheGreatestIsFramed) {
   EXPECT_EQ(place.of, 2);
 }
 
+TEST(WoundSurface, AWoundIsAnEntryOrAnExit) {
+  const Punctures last{{{0, 0, 0}, {5, 0, 0}}, {{2, 0, 0}}};
+  EXPECT_EQ(kind_of_wound({0.1F, 0, 0}, last), WoundKind::kEntry);
+  EXPECT_EQ(kind_of_wound({5, 0.2F, 0}, last), WoundKind::kEntry) << "the far edge has one of its own";
+  EXPECT_EQ(kind_of_wound({1.9F, 0, 0}, last), WoundKind::kExit);
+  EXPECT_EQ(kind_of_wound({3.4F, 0, 0}, last), WoundKind::kUnknown) << "an earlier bite";
+  EXPECT_EQ(kind_of_wound({0, 0, 0}, {}), WoundKind::kUnknown);
+}
+
 }  // namespace wound_surface_test
 }  // namespace swage::console

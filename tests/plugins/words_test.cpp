@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "assembly/lesson_text.hpp"
@@ -12,6 +13,7 @@
 #include "host/device_signals.hpp"
 #include "host/library.hpp"
 #include "host/words.hpp"
+#include "judge/host_events.hpp"
 #include "run_lesson.hpp"
 #include "test_places.hpp"
 
@@ -20,10 +22,10 @@ namespace {
 
 const std::string kSeries = SWAGE_SOURCE_DIR "/lessons/series";
 
-host::Words words_in(const std::string& folder) {
+host::Words words_in(const std::string& folder, const std::string& language = "de") {
   host::Words out;
   base::Problems problems;
-  for (const std::string& file : host::word_files(folder, "de")) host::read_words(file, "de", out, problems);
+  for (const std::string& file : host::word_files(folder, language)) host::read_words(file, language, out, problems);
   for (const base::Problem& p : problems) ADD_FAILURE() << p.where << ": " << p.message;
   return out;
 }
@@ -91,27 +93,71 @@ const std::vector<std::string> kOfNoStockLesson = {
     "How often the thread was cut so far.", "cut.parted", "The blades have cut the thread", "tissue.gap",
     "Width of the slit as its edges are drawn now; 0: they meet."};
 
+/// A lesson of the series: what its file and its scene say, and the events of its couplings and its judge.
+struct Lesson {
+  std::string path;
+  std::vector<std::string> said, events;
+};
+
+/// Each scene is built once for all tests.
+const std::vector<Lesson>& series() {
+  static const std::vector<Lesson> all = [] {
+    std::vector<Lesson> out;
+    for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
+      if (entry.path().extension() != ".json") continue;
+      assembly::LessonText text;
+      base::Problems problems;
+      EXPECT_TRUE(assembly::read_lesson_text(entry.path(), {}, text, problems));
+      const LessonRun run(entry.path(), std::string());
+      EXPECT_TRUE(run.ready()) << run.problems();
+      if (!run.ready()) continue;
+      Lesson lesson{entry.path(), host::words_of(text.json), {}};
+      for (const std::string& w : host::words_of(run.rig().card)) lesson.said.push_back(w);
+      for (const judge::Name& event : run.rig().card.script.events)
+        if (event.owner != judge::kHostOwner) lesson.events.push_back(event.id);
+      out.push_back(std::move(lesson));
+    }
+    return out;
+  }();
+  return all;
+}
+
 TEST(StockWords, AreAllGermanAndNoneIsLeftOver) {
   Stock all = collect();
   add(kOfNoStockLesson, all);
   ASSERT_GT(all.known.size(), 700u);
-  int lessons = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kSeries)) {
-    if (entry.path().extension() != ".json") continue;
-    ++lessons;
-    assembly::LessonText text;
-    base::Problems problems;
-    ASSERT_TRUE(assembly::read_lesson_text(entry.path(), {}, text, problems));
-    const LessonRun run(entry.path(), std::string());
-    ASSERT_TRUE(run.ready()) << run.problems();
-    std::vector<std::string> said = host::words_of(text.json);
-    for (const std::string& w : host::words_of(run.rig().card)) said.push_back(w);
-    EXPECT_EQ(untranslated(said, all.known), "") << "\nof " << entry.path() << " has no translation";
-    add(said, all);
+  for (const Lesson& lesson : series()) {
+    EXPECT_EQ(untranslated(lesson.said, all.known), "") << "\nof " << lesson.path << " has no translation";
+    add(lesson.said, all);
   }
-  EXPECT_GE(lessons, 28);
+  EXPECT_GE(series().size(), 28u);
   for (const auto& [english, german] : all.known)
     EXPECT_TRUE(all.said.contains(english)) << "\"" << english << "\" is translated, but nobody says it";
+}
+
+// A person reads "Wound tears" in the timeline, and not the id made readable. All files of one id say the same: the window knows one.
+TEST(StockWords, EveryEventHasAnEnglishName) {
+  host::Words names;
+  std::set<std::string> events = {"cut.parted"};  // of no stock lesson
+  for (const Lesson& lesson : series()) events.insert(lesson.events.begin(), lesson.events.end());
+  ASSERT_GT(events.size(), 50u);
+  for (const host::PluginInfo& p : stock().plugins()) {
+    for (const auto& [id, name] : words_in(p.bundle_dir, "en")) {
+      EXPECT_TRUE(events.contains(id)) << p.id << ": " << id << " is named, but nobody tells of it";
+      EXPECT_EQ(names.emplace(id, name).first->second, name) << p.id << ": " << id << " has another name in another plugin";
+      EXPECT_LE(name.size(), 31u) << name << " is cut off in the column of the list";
+    }
+  }
+  EXPECT_EQ(untranslated({events.begin(), events.end()}, names), "");
+}
+
+// Red and green are the same to some, and another theme has other colours.
+TEST(StockWords, NameNoColour) {
+  const std::regex colour(R"(\b(red|green|blue|yellow|pink|white|black|orange)\b)", std::regex::icase);
+  Stock all = collect();
+  for (const Lesson& lesson : series()) add(lesson.said, all);
+  ASSERT_GT(all.said.size(), 700u);
+  for (const std::string& words : all.said) EXPECT_FALSE(std::regex_search(words, colour)) << words;
 }
 
 TEST(StockWords, AWordThatIsMissingIsNamed) {

@@ -14,7 +14,10 @@ TEST(Print, AQuantityIsToldInTheUnitOfItsScale) {
   EXPECT_EQ(quantity_text(0.5, "N"), "0.5 N");
   EXPECT_EQ(quantity_text(0.0042, "N"), "4.2 mN");
   EXPECT_EQ(quantity_text(3, "1"), "3");
-  EXPECT_EQ(quantity_text(2.5e-7, "m2"), "2.5e-07 m2");
+  EXPECT_EQ(quantity_text(2.5e-7, "m2"), "0.25 mm2");
+  EXPECT_EQ(quantity_text(2.5e-9, "m2"), "2500 um2");
+  EXPECT_EQ(quantity_text(7.087e-22, "m2"), "0 mm2");
+  EXPECT_EQ(quantity_text(0.02, "m/s"), "20 mm/s");
 }
 
 }  // namespace

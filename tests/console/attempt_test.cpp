@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What of an attempt is told while it runs, what stays of it, and what does not. Runs on the offscreen platform without OpenGL, and
+// under Xvfb with it.
+#include <QAbstractButton>
+#include <QDir>
+#include <QLabel>
+#include <QListView>
+#include <QMessageBox>
+#include <QTimer>
+
+#include "console/models/attempts_model.hpp"
+#include "console/models/standing.hpp"
+#include "console/models/variant.hpp"
+#include "console/pages/now_panel.hpp"
+#include "console/view3d/panels.hpp"
+#include "window_fixture.hpp"
+
+namespace swage::test {
+namespace {
+
+class AttemptOnPage : public WindowTest {
+ protected:
+  QString task_line() { return window->findChild<console::NowPanel*>()->findChild<QLabel*>(QStringLiteral("task_line"))->text(); }
+  const console::ViewWords& words() { return page()->view()->words(); }
+  void choose_lesson(int row) {
+    auto* lessons = child<QListView>("lessons");
+    lessons->setCurrentIndex(lessons->model()->index(row, 0));
+  }
+};
+
+// The phase "Hold it" begins when place, tips and force are right: in a test that sentence would be the answer.
+TEST_F(AttemptOnPage, InATestTheTaskLineTellsNoPhase) {
+  script.rate = 20;
+  script.end_s = 0;
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  const QString task = page()->setup()->task();
+  ASSERT_FALSE(task.isEmpty());
+  ASSERT_FALSE(task.contains("Hold it"));
+  child<QAbstractButton>("test")->click();
+  click("start");
+  ASSERT_TRUE(wait_for_time(6));
+  EXPECT_EQ(task_line(), task);
+  EXPECT_EQ(words().task, page()->setup()->summary()) << "the trainee's view";
+  QTest::keyClick(window.get(), Qt::Key_F10);
+  auto* own = window->findChild<console::InstructorWindow*>();
+  ASSERT_NE(own, nullptr);
+  EXPECT_TRUE(eventually([&] { return own->now()->findChild<QLabel*>(QStringLiteral("task_line"))->text() == "Hold it"; }));
+  EXPECT_EQ(task_line(), task);
+  click("stop");
+  child<QAbstractButton>("practice")->click();
+  click("start");
+  ASSERT_TRUE(wait_for_time(6));
+  EXPECT_TRUE(eventually([&] { return task_line() == "Hold it" && words().task == "Hold it"; })) << "in practice it helps";
+}
+
+TEST_F(AttemptOnPage, TheClockGoesWithItsLesson) {
+  script.rate = 100;
+  open();
+  click("start");
+  ASSERT_TRUE(wait_for_end());
+  EXPECT_EQ(words().clock, "00:12");
+  EXPECT_FALSE(words().banner.isEmpty());
+  choose_lesson(1);
+  EXPECT_EQ(words().clock, "");
+  EXPECT_EQ(words().banner, "");
+}
+
+// From above a lesson whose work lies under its instrument cannot be done.
+TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  const auto is_from_above = [this] {
+    page()->view()->camera().jump();
+    return page()->view()->camera().up().z() < 0.5F;
+  };
+  page()->look(console::CameraPreset::kTop);
+  EXPECT_TRUE(is_from_above());
+  choose_lesson(1);
+  EXPECT_TRUE(eventually([&] { return !is_from_above(); }));
+}
+
+// What was asked stays to be read beside what was reached.
+TEST_F(AttemptOnPage, AResultTellsWhatWasAsked) {
+  console::ResultPanel panel;
+  console::Criteria asked;
+  asked.pass = {"Hold it for ten seconds."};
+  asked.limits = {"At most two drops."};
+  panel.set_criteria(asked);
+  const auto* told = panel.findChild<QLabel*>("result_criteria");
+  session::Result result;
+  result.outcome = judge::Outcome::kFailed;
+  panel.show_result(result, {}, true);
+  EXPECT_TRUE(told->isVisibleTo(&panel));
+  EXPECT_TRUE(told->text().contains("Hold it for ten seconds.") && told->text().contains("At most two drops.")) << told->text().toStdString();
+  panel.set_criteria({});
+  EXPECT_FALSE(told->isVisibleTo(&panel));
+}
+
+// The bench gave 100 of 100 to whoever looked at it.
+TEST_F(AttemptOnPage, ADemonstrationLeavesNoScore) {
+  open();
+  console::AttemptOptions options(*page()->setup());
+  page()->setup()->set_mode(QStringLiteral("practice"));
+  EXPECT_NE(options.attempt({}, {}).store_path, ":none:");
+  options.set_show(true);
+  EXPECT_EQ(options.attempt({}, {}).mode, "demo");
+  EXPECT_EQ(options.attempt({}, {}).store_path, ":none:");
+  console::ResultPanel panel;
+  session::Result result;
+  result.outcome = judge::Outcome::kPassed;
+  result.score = 100;
+  result.attempt_id = "a1";
+  panel.show_seen(result);
+  EXPECT_FALSE(panel.outcome().contains("Passed")) << panel.outcome().toStdString();
+  for (const QLabel* label : panel.findChildren<QLabel*>())
+    EXPECT_FALSE(label->text().contains("100")) << label->text().toStdString();
+  EXPECT_FALSE(panel.findChild<QPushButton*>("to_review")->isEnabled());
+}
+
+TEST(Attempts, ARecordedHandIsNobodysProgress) {
+  std::vector<record::AttemptRow> all(3);
+  for (record::AttemptRow& a : all) {
+    a.person_id = "p", a.lesson_id = "a", a.mode = "practice", a.outcome = "passed";
+    a.started_utc = "2026-11-20T09:00:00Z";
+  }
+  all[0].is_scripted = true;
+  all[0].started_utc = "2026-11-21T09:00:00Z";
+  all[1].mode = "hand";
+  std::vector<const record::AttemptRow*> newest_first;
+  for (const record::AttemptRow& a : all) newest_first.push_back(&a);
+  const console::Standing s = console::standing_of(newest_first, QDateTime::fromString(QStringLiteral("2026-11-22T10:00:00Z"), Qt::ISODate));
+  EXPECT_EQ(s.attempts, 1);
+  EXPECT_EQ(s.passed, 1);
+  EXPECT_EQ(s.last.size(), 1);
+  EXPECT_EQ(s.days, 2) << "a hand that played yesterday is not a day of practice";
+  console::AttemptsModel model;
+  model.set_attempts({all.begin(), all.end()});
+  QStringList modes;
+  for (int row = 0; row < model.rowCount(); ++row) modes += model.index(row, console::AttemptsModel::kMode).data().toString();
+  EXPECT_EQ(modes.count("Recorded hand"), 2) << modes.join(", ").toStdString();
+  EXPECT_EQ(modes.count("Practice"), 1);
+}
+
+// Under a drag in it an inset neither moves nor zooms: the same way of the mouse is the same way of the tips.
+TEST(Insets, KeepTheirZoomInADrag) {
+  FakeScript script;
+  base::Problems none;
+  const auto session = open_fake({}, none, script, std::make_shared<FakeLog>());
+  console::SceneState scene;
+  scene.set_card(session->card());
+  console::ViewPoint point(scene);
+  console::PanelLayout panels(scene, point);
+  panels.set_area({800, 600}, 1);
+  panels.show_second(true);
+  panels.show_loupe(true);
+  snapshot::Snapshot now;
+  const auto go_to = [&](double time_s, float wound_mm) {
+    fake_state(script, time_s, now);
+    scene.take(now, false);
+    console::WoundPlace wound;
+    wound.radius = wound_mm;
+    panels.set_wound(wound);
+    for (int i = 0; i < 20; ++i) panels.advance(0.1);
+  };
+  const auto span = [&](console::Inset which) {
+    for (const console::Panel& p : panels.panels())
+      if (p.inset == which) return std::pair{p.at, p.view.eye.mm_per_pixel(p.size.height())};
+    return std::pair{QRectF(), 0.0};
+  };
+  go_to(0, 0.1F);
+  for (const console::Inset inset : {console::Inset::kDepth, console::Inset::kWound}) {
+    go_to(0, 0.1F);
+    const auto before = span(inset);
+    ASSERT_GT(before.second, 0);
+    panels.hold(inset);
+    go_to(3, 1);
+    EXPECT_EQ(span(inset), before);
+    panels.hold({});
+    go_to(3, 1);
+    EXPECT_NE(span(inset).second, before.second) << "afterwards it shows what there is to see";
+  }
+}
+
+class OwnLessonOnPage : public WindowTest {
+ protected:
+  void SetUp() override {
+    qputenv("XDG_DATA_HOME", dir.filePath("data").toUtf8());
+    QFile base(QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons/") +
+               QDir(QStringLiteral(SWAGE_SOURCE_DIR "/tests/console/lessons")).entryList({QStringLiteral("*.json")}, QDir::Files).first());
+    mine = console::save_variant({base.fileName(), "Mine", "", "", {}}, console::own_lessons_folder());
+    ASSERT_EQ(mine.problem, "");
+  }
+  void TearDown() override {
+    window.reset();
+    qunsetenv("XDG_DATA_HOME");
+  }
+  /// Answers the question whether the lesson is to be deleted.
+  void remove(bool yes) {
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) return;
+      answer.stop();
+      asked = box->objectName();
+      for (QAbstractButton* b : box->buttons())
+        if ((box->buttonRole(b) == QMessageBox::DestructiveRole) == yes) return b->click();
+    });
+    answer.start(10);
+    click("delete_lesson");
+  }
+  console::Saved mine;
+  QString asked;
+};
+
+TEST_F(OwnLessonOnPage, IsDeletedOnlyWhenThatWasMeant) {
+  launch.options.lesson_path = mine.path.toStdString();
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  auto* lessons = child<QListView>("lessons");
+  int row = -1;
+  for (int i = 0; i < lessons->model()->rowCount(); ++i)
+    if (lessons->model()->index(i, 0).data(console::LessonsModel::kTitle).toString() == "Mine") row = i;
+  ASSERT_GE(row, 0);
+  lessons->setCurrentIndex(lessons->model()->index(row == 0 ? 1 : 0, 0));
+  EXPECT_FALSE(child<QPushButton>("delete_lesson")->isVisible()) << "a lesson of the series stays";
+  lessons->setCurrentIndex(lessons->model()->index(row, 0));
+  ASSERT_TRUE(eventually([&] { return child<QPushButton>("delete_lesson")->isVisible() && child<QPushButton>("delete_lesson")->isEnabled(); }));
+  remove(false);
+  EXPECT_EQ(asked, "delete_question");
+  EXPECT_TRUE(QFile::exists(mine.path));
+  const int all = lessons->model()->rowCount();
+  remove(true);
+  EXPECT_FALSE(QFile::exists(mine.path));
+  EXPECT_EQ(lessons->model()->rowCount(), all - 1);
+  EXPECT_FALSE(child<QPushButton>("delete_lesson")->isVisible());
+}
+
+}  // namespace
+}  // namespace swage::test
