@@ -61,7 +61,7 @@ void require(Json& requires_, const std::string& id, const host::Catalogue& cata
 }
 
 // The bound device in the place of the lesson's own.
-void bind(Json& devices, Json& objects, const assembly::LessonDevice& device, const Binding& binding, const host::Catalogue& catalogue) {
+void bind_device(Json& devices, Json& objects, const assembly::LessonDevice& device, const Binding& binding, const host::Catalogue& catalogue) {
   const Json own = devices[0];
   const std::string& name = device.name;
   Json hand = {{"name", name}, {"plugin", binding.pose}};
@@ -131,7 +131,7 @@ std::vector<std::string> instrument_settings(const std::string& lesson_path, con
     if (!placement->force) devices[0]["force_scale"] = 0;
   }
   if (!binding.any()) return {"devices=" + devices.dump()};
-  bind(devices, objects, own, binding, catalogue);
+  bind_device(devices, objects, own, binding, catalogue);
   Json needs = whole.value("requires", Json::object());
   for (const std::string& id : {binding.pose, binding.jaws, binding.clutch >= 0 ? binding.pedal : std::string()})
     if (!id.empty()) require(needs, id, catalogue);
