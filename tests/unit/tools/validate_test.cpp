@@ -263,6 +263,18 @@ TEST_F(Validate, SeveralPathsAndJson) {
   EXPECT_EQ(list[1]["good"], false);
 }
 
+// what a build leaves behind: a folder of bundles, and beside lessons what a trace says about itself
+TEST_F(Validate, AFolderOfBundlesStandsForEach) {
+  const Said said = swage({"validate", SWAGE_BINARY_DIR "/tests/bad_plugins/bundles_tells", "--only", "load"});
+  EXPECT_EQ(said.code, 0) << said.out << said.err;
+  for (const char* told : {"number", "unknown", "infinity"}) EXPECT_THAT(said.out, HasSubstr(std::string("bundles_tells/org.example.bad.tells.") + told + "\n"));
+  write_drop_lesson();
+  write("t.csv.about.json", "{}");
+  const Said lessons = swage({"validate", folder()});
+  EXPECT_THAT(lessons.out, HasSubstr("drop.json: good"));
+  EXPECT_THAT(lessons.out + lessons.err, testing::Not(HasSubstr("about.json")));
+}
+
 TEST_F(Validate, WrongUses) {
   const Said test = swage({"validate", stock("swage.object.needle"), "--only", "steping"});
   EXPECT_EQ(test.code, 2);
