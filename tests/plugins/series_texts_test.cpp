@@ -77,14 +77,14 @@ TEST(SeriesTexts, MeasureEveryNeedleByItsLength) {
 }
 
 // thesis 7.5: the stress of the needle counts wherever hands are graded by what they do with one; the straight needle of thesis 6.2.2 is
-// rigid, and where angles are judged an assistant holds it
+// rigid, where angles are judged an assistant holds it, and a bending one is still lost where one mouse leads both tools (045)
 TEST(SeriesTexts, BendTheNeedleWhereHandsAreGraded) {
   int bending = 0;
   for (const auto& [path, lesson] : all()) {
     const std::string plugin = lesson.value("lesson", nlohmann::json::object()).value("plugin", "");
     for (const auto& object : lesson.value("objects", nlohmann::json::array())) {
       if (object["plugin"] != "swage.object.needle" || object["params"].value("arc", "") == "straight") continue;
-      if (plugin == "swage.lesson.angles" || plugin == "swage.lesson.look") continue;
+      if (plugin == "swage.lesson.angles" || plugin == "swage.lesson.look" || plugin == "swage.lesson.pass") continue;
       EXPECT_EQ(object["params"].value("level", "rigid"), "bending") << path;
       ++bending;
     }
