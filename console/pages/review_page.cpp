@@ -55,7 +55,6 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   connect(&timer_, &QTimer::timeout, this, &ReviewPage::tick);
   add_keys();
   offer_picture(timeline_, QStringLiteral("traces"));
-  setFocusProxy(timeline_);
 }
 
 // Where the eyes are, and in the tables beside: keys of one letter. On a button Space presses the button, in the list of traces it
@@ -84,6 +83,9 @@ void ReviewPage::add_keys() {
   });
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
 }
+
+// Not by a focus proxy: on the way forward Tab would stop at the page, go on to the timeline and pass by all that lies between.
+void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
 
 // the views go below play and speed where one row would make the page wider than a small screen
 void ReviewPage::resizeEvent(QResizeEvent* event) {
@@ -170,7 +172,9 @@ QWidget* ReviewPage::make_view() {
   pictures_->setSpacing(8);
   pictures_->addWidget(view_, 1);
   column->addLayout(pictures_, 1);
-  note_ = make_muted({}, box);
+  // one line, the whole as its tip: a sentence that wraps would make the page taller than the window
+  note_ = new ElidedLabel(box);
+  note_->setProperty("muted", true);
   note_->setObjectName(QStringLiteral("review_note"));
   note_->hide();
   column->addWidget(note_);
