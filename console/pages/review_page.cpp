@@ -87,10 +87,13 @@ void ReviewPage::add_keys() {
 // Not by a focus proxy: on the way forward Tab would stop at the page, go on to the timeline and pass by all that lies between.
 void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
 
-// the views go below play and speed where one row would make the page wider than a small screen
+// the views go below play and speed where one row would leave the tables too little width, as on a small screen or in German
 void ReviewPage::resizeEvent(QResizeEvent* event) {
-  constexpr int kOneRow_px = 1240;
-  transport_->setDirection(width() < kOneRow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  constexpr double kShare = 0.68;  // of the page's width; a larger one narrows the names of metrics, a smaller one flattens the picture
+  const int one_row = transport_->itemAt(0)->sizeHint().width() + transport_->spacing() + transport_->itemAt(1)->sizeHint().width();
+  const QMargins margins = layout()->contentsMargins();
+  const bool narrow = one_row > kShare * (width() - margins.left() - margins.right() - 12);
+  transport_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   QWidget::resizeEvent(event);
 }
 
