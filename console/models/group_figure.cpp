@@ -13,8 +13,6 @@
 namespace swage::console {
 namespace {
 
-bool judged(const record::AttemptRow& a) { return !a.is_void && (a.outcome == "passed" || a.outcome == "failed"); }
-
 QString unit_of(const record::AttemptRow& a, const QString& metric) {
   if (metric == QLatin1String("time")) return QStringLiteral("s");
   for (const record::MetricValue& m : a.metrics)
@@ -44,7 +42,8 @@ GroupFigure group_figure(const std::vector<record::AttemptRow>& attempts, const 
   Names lessons, people;
   std::vector<const record::AttemptRow*> used;
   for (const record::AttemptRow& a : attempts) {
-    if (!judged(a) || !std::isfinite(metric_value(a, metric))) continue;
+    if (!counts(a) || !std::isfinite(metric_value(a, metric))) continue;
+    if (metric == QLatin1String("score") && a.outcome != "passed") continue;  // none was given
     used.push_back(&a);
     lessons.add(a.lesson_id, said(a.lesson_title));
     people.add(a.person_id, person_text(QString::fromStdString(a.person_name)));

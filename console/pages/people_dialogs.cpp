@@ -199,6 +199,7 @@ AssignDialog::AssignDialog(const QVector<QPair<QString, QString>>& courses, int 
   due_->setObjectName(QStringLiteral("assign_due"));
   due_->setAccessibleName(tr("Until"));
   due_->setCalendarPopup(true);
+  due_->setDisplayFormat(tr("d MMM yyyy"));  // as dates are everywhere
   due_->setEnabled(false);
   connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
   row->addWidget(has_due_);

@@ -3,6 +3,8 @@
 
 #include <QGridLayout>
 #include <QWheelEvent>
+#include <algorithm>
+#include <utility>
 
 #include "console/widgets/parts.hpp"
 
@@ -35,26 +37,49 @@ RatingPanel::RatingPanel(QWidget* parent) : QScrollArea(parent) {
 
 void RatingPanel::make(const QVector<RatedScale>& scales) {
   for (const RatedScale& scale : scales) {
-    QWidget* box = widget();
-    column_->addWidget(make_heading(scale.title, box));
     const QString id = QString::fromStdString(scale.id);
-    QLabel* computed = computed_[id] = make_muted({}, box);
-    computed->setObjectName(QStringLiteral("computed_%1").arg(id));
-    column_->addWidget(computed);
-    QLabel* given = given_[id] = make_muted({}, box);
-    given->setObjectName(QStringLiteral("given_%1").arg(id));
-    column_->addWidget(given);
-    column_->addWidget(make_muted(tr("Source: %1").arg(scale.source), box));
+    QWidget* box = boxes_[id] = new QWidget(widget());
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 10);
+    column->setSpacing(4);
+    column->addWidget(make_heading(scale.title, box));
+    const auto sentence = [&](const char* name) {
+      QLabel* label = make_muted({}, box);
+      label->setObjectName(QLatin1String(name) + id);
+      column->addWidget(label);
+      return label;
+    };
+    computed_[id] = sentence("computed_");
+    given_[id] = sentence("given_");
     auto* grid = new QGridLayout;
     grid->setColumnStretch(0, 1);
     grid->setHorizontalSpacing(10);
-    grid->addWidget(make_muted(tr("Computed"), box), 0, 1);
-    grid->addWidget(make_muted(tr("Your rating"), box), 0, 2);
+    const auto head = [&](const QString& text, int at) {
+      QLabel* label = make_muted(text, box);
+      label->setWordWrap(false);
+      grid->addWidget(label, 0, at);
+    };
+    head(tr("Computed"), 1);
+    head(tr("Your rating"), 2);
     for (const RatedItem& item : scale.items) make_item(scale, item, grid);
-    column_->addLayout(grid);
-    column_->addSpacing(10);
+    column->addLayout(grid);
+    column->addWidget(make_muted(tr("Source: %1").arg(scale.source), box));
+    column_->addWidget(box);
   }
   column_->addStretch(1);
+}
+
+// Scales of which the attempt decides something come first, then those that the instructor has used.
+void RatingPanel::order(QVector<RatedScale> scales) {
+  std::stable_sort(scales.begin(), scales.end(), [](const RatedScale& a, const RatedScale& b) {
+    return std::pair(a.decided > 0, a.given > 0) > std::pair(b.decided > 0, b.given > 0);
+  });
+  for (int i = 0; i < scales.size(); ++i) {
+    QWidget* box = boxes_.value(QString::fromStdString(scales[i].id));
+    if (box == nullptr || column_->indexOf(box) == i) continue;
+    column_->removeWidget(box);
+    column_->insertWidget(i, box);
+  }
 }
 
 void RatingPanel::make_item(const RatedScale& scale, const RatedItem& item, QGridLayout* grid) {
@@ -83,8 +108,11 @@ void RatingPanel::make_item(const RatedScale& scale, const RatedItem& item, QGri
   lines_[id] = line;
 }
 
-void RatingPanel::set_scales(const QVector<RatedScale>& scales, bool editable) {
+void RatingPanel::set_scales(const QString& attempt, const QVector<RatedScale>& scales, bool editable) {
   if (lines_.isEmpty()) make(scales);
+  // an attempt that is looked at keeps its order while it is rated
+  if (attempt != attempt_) order(scales);
+  attempt_ = attempt;
   for (const RatedScale& scale : scales) {
     const QString id = QString::fromStdString(scale.id);
     if (!computed_.contains(id)) continue;

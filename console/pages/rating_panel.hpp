@@ -19,7 +19,7 @@ class RatingPanel : public QScrollArea {
  public:
   explicit RatingPanel(QWidget* parent = nullptr);
   /// `editable`: the instructor's points can be kept, as with an attempt of the store.
-  void set_scales(const QVector<RatedScale>& scales, bool editable);
+  void set_scales(const QString& attempt, const QVector<RatedScale>& scales, bool editable);
 
  Q_SIGNALS:
   /// The instructor chose points for an item, or took them back.
@@ -32,9 +32,12 @@ class RatingPanel : public QScrollArea {
     QComboBox* given = nullptr;
   };
   void make(const QVector<RatedScale>& scales);
+  void order(QVector<RatedScale> scales);
   void make_item(const RatedScale& scale, const RatedItem& item, class QGridLayout* grid);
 
   QVBoxLayout* column_ = nullptr;
+  QString attempt_;
+  QHash<QString, QWidget*> boxes_;            // by scale
   QHash<QString, QLabel*> computed_, given_;  // of a scale: its sentences
   QHash<QString, Line> lines_;                // by item
 };

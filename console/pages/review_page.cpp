@@ -55,7 +55,6 @@ ReviewPage::ReviewPage(RecordingReader reader, PlayerOpener opener, QWidget* par
   connect(&timer_, &QTimer::timeout, this, &ReviewPage::tick);
   add_keys();
   offer_picture(timeline_, QStringLiteral("traces"));
-  setFocusProxy(timeline_);
 }
 
 // Where the eyes are, and in the tables beside: keys of one letter. On a button Space presses the button, in the list of traces it
@@ -85,10 +84,16 @@ void ReviewPage::add_keys() {
   key(tr("End the comparison"), Qt::Key_Escape, [this] { end_comparison(); });
 }
 
-// the views go below play and speed where one row would make the page wider than a small screen
+// Not by a focus proxy: on the way forward Tab would stop at the page, go on to the timeline and pass by all that lies between.
+void ReviewPage::focusInEvent(QFocusEvent*) { timeline_->setFocus(); }
+
+// the views go below play and speed where one row would leave the tables too little width, as on a small screen or in German
 void ReviewPage::resizeEvent(QResizeEvent* event) {
-  constexpr int kOneRow_px = 1240;
-  transport_->setDirection(width() < kOneRow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+  constexpr double kShare = 0.68;  // of the page's width; a larger one narrows the names of metrics, a smaller one flattens the picture
+  const int one_row = transport_->itemAt(0)->sizeHint().width() + transport_->spacing() + transport_->itemAt(1)->sizeHint().width();
+  const QMargins margins = layout()->contentsMargins();
+  const bool narrow = one_row > kShare * (width() - margins.left() - margins.right() - 12);
+  transport_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
   QWidget::resizeEvent(event);
 }
 
@@ -170,7 +175,9 @@ QWidget* ReviewPage::make_view() {
   pictures_->setSpacing(8);
   pictures_->addWidget(view_, 1);
   column->addLayout(pictures_, 1);
-  note_ = make_muted({}, box);
+  // one line, the whole as its tip: a sentence that wraps would make the page taller than the window
+  note_ = new ElidedLabel(box);
+  note_->setProperty("muted", true);
   note_->setObjectName(QStringLiteral("review_note"));
   note_->hide();
   column->addWidget(note_);

@@ -87,6 +87,7 @@ class ReviewPage : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
 
  Q_SIGNALS:
   void back();

@@ -94,7 +94,7 @@ QWidget* ReviewPage::make_side() {
   offer_picture(track_, QStringLiteral("entry"));
   tabs->addTab(track_, tr("E&ntry"));
   ratings_ = new RatingPanel(tabs);
-  tabs->addTab(ratings_, tr("R&atings"));
+  tabs->addTab(ratings_, tr("&Scales"));
   tabs->setTabToolTip(tabs->indexOf(ratings_), tr("Rating scales of surgeons: as computed from metrics, and your own rating"));
   connect(ratings_, &RatingPanel::rated, this, &ReviewPage::rate);
   column->addWidget(tabs, 1);
@@ -154,7 +154,7 @@ void ReviewPage::fill_metrics() {
 
 void ReviewPage::fill_side() {
   fill_metrics();
-  ratings_->set_scales(review_.scales, from_store_ && desk_ && desk_->school());
+  ratings_->set_scales(QString::fromStdString(review_.attempt.id), review_.scales, from_store_ && desk_ && desk_->school());
   moments_->setRowCount(0);
   for (const Moment& m : review_.moments) {
     if (m.technical) continue;
@@ -321,7 +321,7 @@ void ReviewPage::rate(const QString& item_id, std::optional<double> points) {
   if (!desk_ || review_.attempt.id.empty() || desk_->rate(review_.attempt.id, item_id.toStdString(), points)) return;
   note_->setText(tr("▲ The rating was not kept: %1").arg(desk_->problem()));
   note_->show();
-  ratings_->set_scales(review_.scales, true);
+  ratings_->set_scales(QString::fromStdString(review_.attempt.id), review_.scales, true);
 }
 
 void ReviewPage::ask_note() {

@@ -45,7 +45,7 @@ void add_metrics(Sheet& sheet, const Review& review) {
 
 // Each item with what was computed and what the instructor gave; scales of which nothing is known stay away.
 void add_ratings(Sheet& sheet, const Review& review) {
-  const QVector<double> shares = {0.5, 0.25, 0.25};
+  const QVector<double> shares = {0.4, 0.3, 0.3};
   for (const RatedScale& scale : review.scales) {
     if (scale.decided == 0 && scale.given == 0) continue;
     sheet.gap(4);
@@ -104,7 +104,8 @@ void draw(Sheet& sheet, const AttemptReport& r) {
   const QString name = person_text(qt(a.person_name));
   const QString who =
       a.person_code.empty() || a.person_code == a.person_name ? name : AttemptWords::tr("%1 (%2)").arg(name, qt(a.person_code));
-  sheet.text(QStringList({who, when_text(qt(a.started_utc)), mode_text(qt(a.mode)), seconds(a.simulated_s)}).join(QStringLiteral(" · ")), 10,
+  sheet.text(QStringList({who, when_text(qt(a.started_utc)), r.review.hand.isEmpty() ? mode_text(qt(a.mode)) : r.review.hand,
+                          seconds(a.simulated_s)}).join(QStringLiteral(" · ")), 10,
              false, kGrey);
   sheet.text(r.review.verdict(), 13, true);
   if (!a.void_reason.empty()) sheet.text(AttemptWords::tr("Void: %1").arg(qt(a.void_reason)), 10);

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <algorithm>
 #include <vector>
 
 #include "console/models/made_with.hpp"
@@ -24,9 +25,15 @@ class PersonWords {
 void add_attempts(Sheet& sheet, const PersonReport& r) {
   AttemptsModel model;
   model.set_attempts({r.attempts.begin(), r.attempts.end()});
-  const QVector<int> columns = {AttemptsModel::kWhen, AttemptsModel::kMode, AttemptsModel::kVerdict, AttemptsModel::kScore,
-                                AttemptsModel::kTime, AttemptsModel::kReason};
-  const QVector<double> shares = {0.2, 0.24, 0.13, 0.07, 0.07, 0.29};
+  const bool several = std::any_of(r.attempts.begin(), r.attempts.end(),
+                                   [&](const record::AttemptRow& a) { return a.lesson_id != r.attempts.front().lesson_id; });
+  QVector<int> columns = {AttemptsModel::kWhen, AttemptsModel::kMode, AttemptsModel::kVerdict, AttemptsModel::kScore,
+                          AttemptsModel::kTime, AttemptsModel::kReason};
+  QVector<double> shares = {0.19, 0.22, 0.17, 0.07, 0.07, 0.28};
+  if (several) {
+    columns.insert(1, AttemptsModel::kLesson);
+    shares = {0.17, 0.24, 0.16, 0.14, 0.06, 0.06, 0.17};
+  }
   QStringList heads;
   for (const int c : columns) heads += model.headerData(c, Qt::Horizontal, Qt::DisplayRole).toString();
   sheet.row(heads, shares, true);

@@ -182,6 +182,24 @@ TEST_F(RatingPages, KeysWorkInTheTablesToo) {
   EXPECT_FALSE(review()->playing());
 }
 
+TEST_F(RatingPages, TabReachesEveryControlOfThePage) {
+  open_attempt(keep(3));
+  ASSERT_TRUE(eventually([&] {
+    QApplication::setActiveWindow(window.get());
+    review()->setFocus();
+    return QApplication::focusWidget() == review()->timeline();
+  }));
+  QStringList names;
+  for (int i = 0; i < 80; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    if (QApplication::focusWidget() == review()->timeline()) break;
+    names += QApplication::focusWidget()->objectName();
+  }
+  for (const char* name : {"review_back", "review_note_button", "review_compare", "save_report", "review_export", "play", "speed",
+                           "review_time", "review_orbit", "review_forces", "review_metrics"})
+    EXPECT_TRUE(names.contains(QLatin1String(name))) << name << " of " << names.join(' ').toStdString();
+}
+
 // A jump is quicker than its picture: playing begins where the cursor is, not where the picture has come to.
 TEST_F(RatingPages, PlayingAfterAJumpBeginsAtTheCursor) {
   recorded_steps = 60'000;

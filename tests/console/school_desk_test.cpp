@@ -228,7 +228,10 @@ TEST(Curves, SayNothingBeyondTheScaleAndWhatFailuresAre) {
   series.least = 0;
   series.most = 100;
   series.without_score = 3;
-  for (int i = 0; i < 12; ++i) series.points += {100 - 60 * std::exp(-i / 3.0) + ((i * 7) % 5 - 2) * 3.0, true, false, {}, {}};
+  std::vector<double> values;
+  for (int i = 0; i < 12; ++i) values.push_back(98 - 60 * std::exp(-i / 2.5) + ((i * 7) % 5 - 2) * 3.0);
+  ASSERT_GT(judge::fit_curve(values).high, 101) << "the interval itself reaches further";
+  for (const double v : values) series.points += {v, true, false, {}, {}};
   fit_series(series);
   ASSERT_EQ(series.curve.size(), 12);
   const auto match = QRegularExpression(QStringLiteral("95 %: ([\\d.]+) to ([\\d.]+)")).match(series.fit);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "console/models/group_figure.hpp"
@@ -118,6 +119,10 @@ TEST(GroupFigure, EveryJudgedAttemptIsADotOfItsLessonAndPerson) {
   EXPECT_DOUBLE_EQ(f.low, 0);
   EXPECT_NEAR(f.high, 90, 1e-9);
   EXPECT_EQ(group_figure(attempts, QStringLiteral("no.such")).attempts, 0);
+  const GroupFigure scores = group_figure(attempts, QStringLiteral("score"));
+  EXPECT_GT(scores.attempts, 0);
+  EXPECT_EQ(scores.attempts, std::count_if(attempts.begin(), attempts.end(), [](const auto& a) { return !a.is_void && a.outcome == "passed"; }))
+      << "who did not pass has no score";
 }
 
 }  // namespace
