@@ -166,7 +166,9 @@ void NowPanel::set_readings_hidden(bool hidden) {
 }
 
 void NowPanel::set_advice(const QString& words) {
-  advice_->setText(words.isEmpty() ? words : QStringLiteral("▶ ") + words);
+  const QString text = words.isEmpty() ? words : QStringLiteral("▶ ") + words;
+  if (text == advice_->text()) return;
+  advice_->setText(text);
   show_parts();
 }
 
