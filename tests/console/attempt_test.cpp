@@ -4,7 +4,9 @@
 // under Xvfb with it.
 #include <QAbstractButton>
 #include <QDir>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListView>
 #include <QMessageBox>
 #include <QTimer>
@@ -79,6 +81,25 @@ TEST_F(AttemptOnPage, AViewIsNotCarriedOverToTheNextLesson) {
   EXPECT_TRUE(is_from_above());
   choose_lesson(1);
   EXPECT_TRUE(eventually([&] { return !is_from_above(); }));
+}
+
+// Of a lesson that cannot run nothing else is shown, and the page of lessons says why as well.
+TEST_F(AttemptOnPage, ALessonThatCannotRunIsNotOffered) {
+  open();
+  ASSERT_TRUE(wait_for_preview());
+  script.refuse = "\"swage.jaw\" is not installed.";
+  choose_lesson(1);
+  ASSERT_TRUE(eventually([&] { return child<QLabel>("problem")->isVisible(); }));
+  EXPECT_EQ(child<QLabel>("lesson_title")->text(), child<QListView>("lessons")->currentIndex().data().toString());
+  EXPECT_EQ(task_line(), page()->setup()->task());
+  click("page_lessons");
+  auto* lessons = child<QListView>("all_lessons");
+  lessons->setCurrentIndex(lessons->model()->index(1, 0));
+  EXPECT_TRUE(eventually([&] { return child<QLabel>("lesson_asked")->text().contains("is not installed"); }));
+  EXPECT_FALSE(child<QPushButton>("practise_lesson")->isEnabled());
+  script.refuse.clear();
+  lessons->setCurrentIndex(lessons->model()->index(0, 0));
+  EXPECT_TRUE(child<QPushButton>("practise_lesson")->isEnabled());
 }
 
 // What was asked stays to be read beside what was reached.
@@ -213,6 +234,22 @@ class OwnLessonOnPage : public WindowTest {
   console::Saved mine;
   QString asked;
 };
+
+// What has just been saved is in the list, whatever was searched for; and the keys of the page hold in the search, too.
+TEST_F(OwnLessonOnPage, IsSeenWhateverIsSearchedFor) {
+  launch.options.lesson_path = mine.path.toStdString();
+  open();
+  click("page_lessons");
+  auto* words = child<QLineEdit>("lesson_search");
+  words->setText(QStringLiteral("zebra"));
+  window->lessons_page()->select(mine.path);
+  EXPECT_EQ(words->text(), "");
+  EXPECT_EQ(window->lessons_page()->lesson(), mine.path);
+  QKeyEvent edit(QEvent::ShortcutOverride, Qt::Key_E, Qt::ControlModifier);
+  edit.accept();
+  QApplication::sendEvent(words, &edit);
+  EXPECT_FALSE(edit.isAccepted()) << "the line of text does not keep Ctrl+E";
+}
 
 TEST_F(OwnLessonOnPage, IsDeletedOnlyWhenThatWasMeant) {
   launch.options.lesson_path = mine.path.toStdString();
