@@ -31,7 +31,7 @@ std::string units_like(std::string_view si);
 std::string measure_of(std::string_view si);
 
 /// Reads "2.6 mm" as `si` (an SI symbol of the table). `label` names the value in `error`.
-/// False: `error` has one sentence such as "0.1 N" is a force; "Wire diameter" is a length (m, mm,
+/// False: `error` has one sentence such as  "0.1 N" is a force; "Wire diameter" is a length (m, mm,
 /// um).
 bool parse_quantity(std::string_view text, std::string_view si, std::string_view label, double& value,
                     std::string& error);
