@@ -108,7 +108,7 @@ class JawSensor final : public TellingDevice<JawSensorParams, CalibratedDevice<J
   sensor::LinkSettings settings_;
   sensor::SensorLink link_;
   sensor::Calibration calibration_;
-  std::string in_use_;  // calibration as JSON, "" while the voltages of the poses are given directly
+  std::string in_use_;  // calibration in use as JSON; "" without one, when `volts` are the three poses
   sensor::Displacement displacement_;
   sensor::Handle handle_;
   bool given_ = false, force_known_ = false, tip_known_ = false;

@@ -34,7 +34,7 @@ struct SkilledParams {
   double angle_bias = 0;           // rad
   double angle_noise = 0;          // rad
   double guesses = 0;              // 1
-  double steady = 0;               // s; 0: not steady
+  double steady = 0;               // s, time in which a drive corrects a needle that has moved from its place of entry; 0: no correction
   WhoseWrist wrist = WhoseWrist::kNone;
   std::array<double, 3> forearm = {-0.7, 0.7, 0};
   double swing = 60 * kDegree;  // rad

@@ -113,7 +113,7 @@ void Meniscus::tied(const CouplingStep& step, std::span<const swage_tie> ties) {
   for (const swage_tie& tie : ties) state.force += vec(tie.f_a_W).norm();
 }
 
-/// A place becomes dry when it is lifted out of the film, or moved along the surface by more than the film thickness without a touch.
+/// A place becomes dry when it is lifted out of the film, or without a touch has moved along the surface by more than film and spacing.
 void Meniscus::finish(const CouplingStep& step) {
   const auto law = thread_.law(step.a());
   if (!moist() || !law) return step.signal(force_, 0), step.signal(wet_, 0), step.signal(left_out_, 0);

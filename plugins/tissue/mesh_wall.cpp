@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostLayers = 8, kLeastLayers = 2;
 // Within these limits responses are positive (tissue_mesh_test). Flatter cells of a free wall would not bend beside the
-// rim; a wider contact is smoother than the coarse nodes resolve, and its share would then be subtracted twice.
+// rim; a wider contact has no waves as short as the coarse nodes resolve, whose share would then be subtracted without a replacement.
 constexpr double kFlattest = 1.7;    // coarse cell over the wall's thickness
 constexpr double kWidest = 1 / 6.0;  // spread of a touch over a coarse cell
 
