@@ -52,7 +52,7 @@ class MouseHand {
   MouseHand(const Speeds& speeds, const Pose& start)
       : speeds_(speeds), target_(start), middle_(start), pose_(start) {}
 
-  /// One step of dt [s]; `grip` [N] is what the jaws hold with now. [rt]
+  /// One step of dt [s]; `grip` [N]: present grip force of the jaws. [rt]
   void step(const swage_pointer& pointer, double dt, double grip = 0) noexcept {
     const double scale = (pointer.modifiers & kShift) != 0 ? speeds_.fine : 1.0;
     const Quat q_WC = toolkit::quat(pointer.camera);

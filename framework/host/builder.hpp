@@ -45,7 +45,7 @@ class Builder {
   friend struct CapacityCalls;
   friend struct ChainCalls;
   uint32_t refuse(const std::string& message, const std::string& param_id = "");
-  bool may(bool allowed, const char* what);  // may this kind of plugin declare such things?
+  bool may(bool allowed, const char* what);  // false, with a refusal, when this kind of plugin may not declare `what`
   bool fits(std::size_t n, uint32_t capacity, const char* what);
   bool owns_body(uint32_t index, const char* shape);
   uint32_t add_shape(uint32_t body, scene::Shape shape, uint32_t flags);

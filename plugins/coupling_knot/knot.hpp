@@ -23,7 +23,7 @@ struct KnotTold {
   static constexpr int kThrows = 6;
   double throws = 0;
   double tied[kThrows] = {};  // turns with their sign, the first throw first
-  double tangled = 0;         // 1: knotted in another way than by throws
+  double tangled = 0;         // 1: knotted, but not by throws
   bool operator==(const KnotTold&) const = default;
 };
 

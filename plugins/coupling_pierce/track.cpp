@@ -23,7 +23,7 @@ constexpr double kLever = 10;
 // force falls within a step when a track is thinned out. Longer: it stays after the needle has left the places that bore it.
 constexpr double kEven = 4;
 // Relaxation: share of the change of the displacement of the tissue that `given` follows in each step. 1: in tissue displaced by several
-// `spread` the place that bears and its displacement oscillate from step to step. Small: the needle is searched where the tissue was.
+// `spread` the contact site and its displacement oscillate from step to step. Small: the needle is searched where the tissue was.
 constexpr double kFollow = 0.4;
 // In wire radii, 10 um: largest lag of `given`. A needle that is released springs by half a millimetre within a step.
 constexpr double kLag = 0.2;

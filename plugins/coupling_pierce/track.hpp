@@ -34,7 +34,7 @@ struct Track {
   static constexpr double kStick = 4;
   static constexpr uint32_t kTies = kSupports + 2;  // and one at the point, and one against rolling
   static constexpr uint32_t kOfPoint = kSupports,
-                            kOfRoll = kSupports + 1;  // what a tie belongs to: the index of a support, or one of these
+                            kOfRoll = kSupports + 1;  // owner of a tie: the index of a support, or one of these
   // position of the point: inside, held by a face from inside, out again
   static constexpr double kInside = 0, kBreaking = 1, kOut = 2;
 
@@ -47,7 +47,7 @@ struct Track {
   double deepest;      // m, the farthest progress so far
   double below;        // m, greatest depth of the point below the entry surface
   double spacing;      // m between supports
-  double thins;        // 1: every other support is losing its length, and then goes
+  double thins;        // 1: every other support is losing its length, and is then removed
   double shared;       // m, progress when the length was last divided among the supports
   double roll;         // N m, about the needle's advance: moment against rolling in the last step
   double count;        // of supports
@@ -58,7 +58,7 @@ struct Track {
   Support support[kSupports];
 };
 
-/// A contact site: what a call needs to know about the two objects.
+/// The needle and the tissue at the beginning of a call: laws, poses, and the needle's point in the tissue.
 struct Site {
   Site(const Peer& a, const Peer& b, const Step& step_a, const Step& step_b);
   bool good = false;

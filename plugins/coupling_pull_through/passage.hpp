@@ -55,7 +55,7 @@ struct Passage {
   double inside() const;  // m, thread between the first hole and the last, or the leading end; 0 where two holes have torn into one
 };
 
-/// What a call needs to know about the two objects.
+/// The thread and the tissue at the beginning of a call.
 struct Site {
   Site(const StrandPeer& a, const Peer& b, const Step& step_a, const Step& step_b, bool last_leads);
   bool good = false;

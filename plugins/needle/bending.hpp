@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A bending needle as the contact solve takes it. The wire is a chain of arcs (toolkit/bent_wire.hpp) whose shape follows
-// the contact forces at once; the whole moves with the mass and inertia of a rigid body of its present shape, whose pose is
+// the contact forces within the step; the whole moves with the mass and inertia of a rigid body of its present shape, whose pose is
 // that of one piece in contact, the base. Per step h, with forces f = j/h and G, F gains and flexibilities of the joints:
 //
 //   v = v_rigid - (1/h) sum G F m_now  +  W j,     W = J M^-1 J' + (1/h^2) sum G F G'

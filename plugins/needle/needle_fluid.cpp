@@ -13,7 +13,7 @@ namespace {
 constexpr int kCuts = 12;
 }  // namespace
 
-/// Implicit drag is that of one rigid body for the whole needle; of a bending needle each piece then bears its own part.
+/// Drag at the velocity after the step (implicit), as for one rigid body; each piece of a bending needle then bears its own part.
 void Needle::forces(const Step& step) {
   if (environment_.medium == SWAGE_MEDIUM_UNSET) return;
   const toolkit::RodFluid fluid{environment_.density, environment_.viscosity};
