@@ -4,8 +4,8 @@
 //
 // Hybrid stress element of Pian and Tong (Int. J. Numer. Meth. Engng. 22, 1986, 173): displacements trilinear, stresses
 //   sxx: 1 y z yz   syy: 1 x z xz   szz: 1 x y xy   sxy: 1 z   syz: 1 x   szx: 1 y
-// in equilibrium within the brick. Rectangular bricks bend exactly; of pressure only the constant one is opposed to a
 // in equilibrium within the brick. Rectangular bricks bend exactly; of the pressure modes only the constant one resists a
+// change of volume.
 #pragma once
 
 #include <array>
